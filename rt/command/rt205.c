@@ -9,6 +9,7 @@ int main(int argc, char **argv)
                                                       &sweep_command,
                                                       &quartic_command,
                                                       &heat_command,
+                                                      &mass_command,
                                                       NULL };
     static const struct command_example files[] = {
         { "NAME.pov", "A scene, in the part of POV-Ray's language that is "

@@ -10,17 +10,30 @@
 #include "base/command_options.h"
 #include "base/progress.h"
 #include "base/results.h"
+#include "rt/mass/units.h"
 #include "rt/roots/roots.h"
 #include "rt/scene/language/scene_read.h"
 #include "rt/study/sweep/kinds.h"
 
 extern const struct command render_command, profile_command, speedup_command,
-    sweep_command, quartic_command, heat_command;
+    sweep_command, quartic_command, heat_command, mass_command;
 
 /* Lengths of the queue, rising. */
 struct cmd_points {
     size_t count;
     size_t items[SWEEP_LENGTHS_MOST];
+};
+
+/* What is asked of a solid's mass. */
+struct cmd_mass {
+    size_t rays, repeats, limit, seed; /* rays and limit: of a view, in all */
+    double tolerance;                  /* 0: none */
+    int points, by;
+    bool overlaps;
+    struct command_texts density; /* NAME=VALUE */
+    const char *densities;        /* a file of them, or NULL */
+    double about[3];
+    struct mass_units units;
 };
 
 struct rt205_arguments {
@@ -46,6 +59,7 @@ struct rt205_arguments {
         int points; /* 0: of the lattice, 1: random */
     } heat;
     int falsi; /* the rule; FALSI_RULES: all of them, compared */
+    struct cmd_mass mass;
     struct progress progress;
     struct command_texts search; /* folders for includes */
 };

@@ -12,7 +12,7 @@
 
 #include <cmocka.h>
 
-enum { CSV_ROWS = 64, CSV_CELLS = 16, CSV_CELL = 256 };
+enum { CSV_ROWS = 64, CSV_CELLS = 24, CSV_CELL = 256 };
 
 struct csv_table {
     size_t rows, cells[CSV_ROWS]; /* in each row; the first has the names */

@@ -1,0 +1,75 @@
+; rays.s - the rays of one view, a part of one shift of them, that columns through a
+; solid are made of; what the two forms have in common.
+;
+; A view looks along one axis, k; the others, p and q, follow it in the order x, y, z,
+; x, y.  Ray i begins at
+;
+;   p = w_p (u_0 - 1/2)     x_p = c_p + p       u: the point number first + i
+;   q = w_q (u_1 - 1/2)     x_q = c_q + q
+;
+; where c is the middle of the box about the solids and w how wide it is.  Points are
+; those of a lattice (points/lattice_scalar.s), of a shifted square grid,
+;
+;   u_0 = i 2^-h + shift_0 mod 1        h = m / 2, rounded down
+;   u_1 = (i / 2^h, rounded down) 2^(h-m) + shift_1 mod 1
+;
+; or the first two draws of a ray of the random stream (points/stream_scalar.s), by
+; the number rays_number + first + i.
+;
+; Constants: POINTS, 0: of the stream, 1: of the lattice, 2: of the grid.
+; In:  what stands below.
+; Out: at rays_made planes of rays_count words: p, q, x_p, x_q, lengths in the world.
+; Source: random shifts, R. Cranley, T. N. L. Patterson (1976); the rest derived here.
+
+        .ifndef POINTS
+        .equ    POINTS, 1
+        .endif
+        .equ    POINTS_RANDOM, 0
+        .equ    POINTS_GRID, 2
+
+        .data
+rays_given:
+rays_seed:      .word 0                 ; integers
+rays_first:     .word 0                 ; the number of the first point
+rays_m:         .word 0                 ; of 2^m points
+rays_shift:     .word 0                 ; the number of the shift
+rays_number:    .word 0                 ; .. of the stream's ray that is point 0
+rays_count:     .word 0                 ; how many
+rays_made:      .word 0                 ; address of four planes
+rays_width:     .word 0.0, 0.0          ; w_p, w_q
+rays_middle:    .word 0.0, 0.0          ; c_p, c_q
+                .word 0.5
+                .equ    RAYS_GIVEN, 12
+        .code
+
+        .regs   r10, ray_seed, ray_point, ray_log, ray_shift, ray_number, ray_count, ray_made
+        .regs   r17, ray_width_p, ray_width_q, ray_middle_p, ray_middle_q, ray_half
+        stream_registers r32
+        lattice_registers r48
+        .regs   r62, ray_work0, ray_work1, ray_work2, ray_work3, ray_work4, ray_work5
+        .regs   r68, ray_state, ray_stride, ray_low
+
+; What is given, and the constants.
+        .macro  rays_begin
+        EX      ray_work0, rays_given
+        ELEN    ray_work0, RAYS_GIVEN
+        SWAP    [ray_work0], ray_seed, [r0]
+        SHIFTI  ray_count, 6, ray_stride
+        stream_load ray_work0
+        .if     POINTS == POINTS_RANDOM
+        ADDX    ray_number, ray_point, ray_number
+        stream_state ray_seed, ray_number, STREAM_DRAWS, ray_state, ray_work0, ray_work1, ray_work2
+        .else
+        lattice_load ray_log, ray_seed, ray_shift, ray_work
+        .endif
+        .if     POINTS == POINTS_GRID
+        SHIFTI  ray_log, -1, ray_work0          ; h
+        SUBX    r0, ray_work0, ray_low
+        ES      ray_work1, 47
+        SUBX    ray_work1, ray_work0, ray_work2
+        SHIFT   stream_one, ray_work2, lattice_z0
+        SUBX    ray_log, ray_work0, ray_work2
+        SUBX    ray_work1, ray_work2, ray_work2
+        SHIFT   stream_one, ray_work2, lattice_z1
+        .endif
+        .endm

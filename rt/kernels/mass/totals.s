@@ -1,0 +1,29 @@
+; totals.s - sums of packets become those of shifts; what the two forms have in common.
+;
+;   total_g = row_g0 + row_g1 + ..          word by word, in the order of packets
+;
+; In:  what stands below: total_groups times total_rows rows of total_width words.
+; Out: totals_made, total_groups rows.
+; Source: derived here.
+
+        .data
+totals_given:
+total_groups:   .word 0                 ; integers
+total_rows:     .word 0                 ; of a group
+total_width:    .word 0
+totals_from:    .word 0                 ; address of the rows
+totals_made:    .word 0                 ; .. of the totals
+                .word 1, -1
+                .equ    TOTALS_GIVEN, 7
+        .code
+
+        .regs   r10, tot_groups, tot_rows, tot_width, tot_from, tot_made
+        .regs   r15, tot_index_one, tot_index_minus_one
+        .regs   r17, tot_stride, tot_left, tot_at, tot_work0, tot_work1, tot_row
+
+        .macro  totals_begin
+        EX      tot_work0, totals_given
+        ELEN    tot_work0, TOTALS_GIVEN
+        SWAP    [tot_work0], tot_groups, [r0]
+        SHIFTI  tot_width, 6, tot_stride
+        .endm

@@ -1,0 +1,24 @@
+; totals_vector.s - the totals of totals.s, row by row; a row has at most 65535 words.
+
+        .include "mass/totals.s"
+
+        .entry  totals
+        .kernel totals
+totals:
+        totals_begin
+totals_next:
+        ADDLEN  tot_made, tot_width, tot_at
+        ADDLEN  tot_from, tot_width, tot_row
+        VTOV    [tot_row], [tot_at]
+        RTOR    tot_rows, tot_left
+        BIM     totals_more
+totals_row:
+        ADDLEN  tot_from, tot_width, tot_row
+        ADDNV   [tot_at], [tot_row], [tot_at]
+totals_more:
+        ADDX    tot_from, tot_stride, tot_from
+        IBXNE   tot_left, tot_index_minus_one, r0, totals_row, tot_left
+        ADDX    tot_made, tot_stride, tot_made
+        IBXNE   tot_groups, tot_index_minus_one, r0, totals_next, tot_groups
+        EXIT
+        .endkernel

@@ -1,0 +1,471 @@
+#include "rt/mass/columns.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/hash.h"
+#include "rt/layout/bounds.h"
+#include "rt/layout/program.h"
+#include "rt/mass/programs.h"
+#include "rt/study/tasks.h"
+#include "rt/trace/lines.h"
+
+static bool fail(c205_error *error, const char *message)
+{
+    snprintf(error->message, sizeof error->message, "%s", message);
+    return false;
+}
+
+const char *columns_stage_name(enum columns_stage stage)
+{
+    static const char *const names[COLUMNS_STAGES] = {
+        [STAGE_RAYS] = "rays",
+        [STAGE_CROSSINGS] = "crossings",
+        [STAGE_SUMS] = "sums",
+        [STAGE_TOTALS] = "totals",
+    };
+
+    return names[stage];
+}
+
+/* ---- The box about the bodies -------------------------------------------- */
+
+static bool join_box(const struct bound *bound, const struct region *region,
+                     double low[3], double high[3], c205_error *error)
+{
+    if (bound_is_none(bound)) {
+        snprintf(error->message, sizeof error->message,
+                 "the solid of line %zu has no end that is known: its volume "
+                 "cannot be found",
+                 region->line);
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        low[i] = fmin(low[i], bound->low[i]);
+        high[i] = fmax(high[i], bound->high[i]);
+    }
+    return true;
+}
+
+static bool find_box(const struct scene *scene, struct columns_sums *sums,
+                     c205_error *error)
+{
+    struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
+    double low[3] = { INFINITY, INFINITY, INFINITY };
+    double high[3] = { -INFINITY, -INFINITY, -INFINITY };
+    bool good = (bounds && bound_nodes(scene, bounds))
+                || fail(error, "no memory");
+
+    for (size_t i = 0; good && i < scene->region_count; i++)
+        good = join_box(&bounds[scene->regions[i].first_node],
+                        &scene->regions[i], low, high, error);
+    for (int i = 0; i < 3; i++) {
+        sums->middle[i] = (low[i] + high[i]) / 2;
+        sums->width[i] = high[i] - low[i];
+    }
+    free(bounds);
+    return good;
+}
+
+/* ---- What all packets share ---------------------------------------------- */
+
+/* Rays begin so far behind the middle of the box, in its half widths. */
+static const double BEHIND = 1.25;
+
+struct columns_work {
+    const struct scene *scene;
+    const struct columns_options *options;
+    struct columns_sums *sums;
+    struct object *rays, *columns, *totals;
+    struct lines *lines[VIEWS];
+    size_t rays_of_packet, packets; /* packets: of a view under a shift */
+    c205_word *words; /* of each packet: [VIEWS][repeats][packets][sums] */
+    uint64_t (*clocks)[COLUMNS_STAGES]; /* .. likewise */
+    uint64_t *crossings;
+};
+
+static size_t shift_width(const struct columns_work *work)
+{
+    return work->sums->parts * MOMENTS;
+}
+
+static size_t unit_count(const struct columns_work *work)
+{
+    return VIEWS * work->options->repeats * work->packets;
+}
+
+static struct object *assemble(const struct columns_work *work,
+                               const char *name, c205_error *error)
+{
+    const struct asm_define defines[] = {
+        { "POINTS", work->options->points },
+        { "RAYS", (int64_t)work->rays_of_packet },
+        { NULL, 0 },
+    };
+    char path[64];
+
+    snprintf(path, sizeof path, "mass/%s_%s.s", name,
+             trace_mode_name(work->options->mode));
+    return program_assemble(path, defines, error);
+}
+
+static bool begin_view(struct columns_work *work, size_t view,
+                       c205_error *error)
+{
+    const struct columns_options *options = work->options;
+    const struct lines_options lines = {
+        .mode = options->mode,
+        .queue = options->queue,
+        .packet = work->rays_of_packet,
+        .behind = BEHIND * work->sums->width[view] / 2,
+        .normals = true,
+        .bodies = true,
+        .model = options->model,
+    };
+
+    work->lines[view] = lines_new(work->scene, &lines, error);
+    return work->lines[view];
+}
+
+static bool begin_work(struct columns_work *work, c205_error *error)
+{
+    size_t rays = (size_t)1 << work->options->rays_log, units;
+    bool good;
+
+    work->rays_of_packet = rays < COLUMNS_PACKET ? rays : COLUMNS_PACKET;
+    work->packets = rays / work->rays_of_packet;
+    units = unit_count(work);
+    work->words = calloc(units * shift_width(work), sizeof *work->words);
+    work->clocks = calloc(units, sizeof *work->clocks);
+    work->crossings = calloc(units, sizeof *work->crossings);
+    if (!work->words || !work->clocks || !work->crossings)
+        return fail(error, "no memory");
+    work->rays = assemble(work, "rays", error);
+    work->columns = assemble(work, "columns", error);
+    work->totals = assemble(work, "totals", error);
+    good = work->rays && work->columns && work->totals;
+    for (size_t view = 0; good && view < VIEWS; view++)
+        good = begin_view(work, view, error);
+    return good;
+}
+
+static void end_work(struct columns_work *work)
+{
+    for (size_t view = 0; view < VIEWS; view++)
+        lines_free(work->lines[view]);
+    object_free(work->rays);
+    object_free(work->columns);
+    object_free(work->totals);
+    free(work->words);
+    free(work->clocks);
+    free(work->crossings);
+}
+
+/* ---- A packet ------------------------------------------------------------ */
+
+/* The planes that the program of rays makes. */
+enum { PLACE_P, PLACE_Q, ORIGIN_P, ORIGIN_Q, RAY_PLANES };
+
+struct packet {
+    const struct columns_work *work;
+    size_t unit, view, shift, first; /* first: the number of its first ray */
+    c205_word *rays;                 /* [RAY_PLANES][rays] */
+    struct scene_line *lines;
+    struct seen_crossings seen;
+    c205_error *error;
+};
+
+/* The axes of a view's p and q: they follow its own. */
+static size_t axis_of(size_t view, size_t which)
+{
+    return (view + which) % 3;
+}
+
+static bool make_rays(struct packet *packet)
+{
+    const struct columns_work *work = packet->work;
+    const struct columns_options *options = work->options;
+    const struct columns_sums *sums = work->sums;
+    size_t count = work->rays_of_packet;
+    size_t shift = packet->view * options->repeats + packet->shift;
+    struct mass_run run;
+    uint64_t made;
+
+    mass_run_begin(&run, work->rays, options->model, packet->error);
+    mass_give(&run, "rays_seed", options->seed);
+    mass_give(&run, "rays_first", packet->first);
+    mass_give(&run, "rays_m", options->rays_log);
+    mass_give(&run, "rays_shift", shift);
+    mass_give(&run, "rays_number", shift << options->rays_log);
+    mass_give(&run, "rays_count", count);
+    for (size_t i = 0; i < 2; i++) {
+        size_t axis = axis_of(packet->view, i + 1);
+
+        mass_give_number(&run, "rays_width", i, sums->width[axis]);
+        mass_give_number(&run, "rays_middle", i, sums->middle[axis]);
+    }
+    made = mass_give_room(&run, "rays_made", NULL, RAY_PLANES * count);
+    return mass_run_end(&run, made, packet->rays, RAY_PLANES * count,
+                        &work->clocks[packet->unit][STAGE_RAYS]);
+}
+
+static void lay_lines(const struct packet *packet)
+{
+    const struct columns_sums *sums = packet->work->sums;
+    size_t count = packet->work->rays_of_packet, view = packet->view;
+
+    for (size_t i = 0; i < count; i++) {
+        struct scene_line *line = &packet->lines[i];
+
+        *line = (struct scene_line){ { 0 }, { 0 } };
+        line->direction[view] = 1;
+        line->origin[view] = sums->middle[view];
+        for (size_t k = 0; k < 2; k++)
+            line->origin[axis_of(view, k + 1)] = c205_to_double(
+                packet->rays[(ORIGIN_P + k) * count + i]);
+    }
+}
+
+static bool find_crossings(struct packet *packet)
+{
+    const struct columns_work *work = packet->work;
+
+    lay_lines(packet);
+    if (!lines_find(work->lines[packet->view], packet->lines,
+                    work->rays_of_packet, &packet->seen, packet->error))
+        return false;
+    work->clocks[packet->unit][STAGE_CROSSINGS] += packet->seen.accounts
+                                                       .clocks;
+    work->crossings[packet->unit] = packet->seen.first[work->rays_of_packet];
+    return true;
+}
+
+/* Bodies alone have volumes. */
+static bool check_crossing(const struct packet *packet,
+                           const struct seen_crossing *seen)
+{
+    const struct primitive *primitive = &packet->work->scene
+                                             ->primitives[seen->primitive];
+
+    if (seen->sense != 0)
+        return true;
+    snprintf(packet->error->message, sizeof packet->error->message,
+             "the %s of line %zu is an open surface: it has no volume",
+             primitive_kind_name(primitive->kind), primitive->line);
+    return false;
+}
+
+/* Where the fields of a crossing stand, in the order of columns.s. */
+enum {
+    CROSSED_S,
+    CROSSED_NORMAL,
+    CROSSED_RAY,
+    CROSSED_PART,
+    CROSSED_SENSE,
+    CROSSED_INSIDE,
+    CROSSED_WITHIN,
+    CROSSED_SIZE
+};
+
+static void lay_crossing(const struct packet *packet, size_t ray, size_t i,
+                         size_t count, c205_word *planes)
+{
+    const struct seen_crossing *seen = &packet->seen.list[i];
+    const size_t *part_of = packet->work->options->part_of;
+
+    planes[CROSSED_S * count + i] = seen->distance;
+    planes[CROSSED_NORMAL * count + i] = seen->normal[packet->view];
+    planes[CROSSED_RAY * count + i] = c205_from_integer((int64_t)ray);
+    planes[CROSSED_PART * count + i] = c205_from_integer(
+        (int64_t)part_of[seen->object]);
+    planes[CROSSED_SENSE * count + i] = c205_from_integer(seen->sense);
+    planes[CROSSED_INSIDE * count + i] = c205_from_integer(seen->inside);
+    planes[CROSSED_WITHIN * count + i] = c205_from_integer(seen->within);
+}
+
+static bool lay_crossings(const struct packet *packet, c205_word *planes)
+{
+    const struct seen_crossings *seen = &packet->seen;
+    size_t count = seen->first[seen->line_count];
+
+    for (size_t ray = 0; ray < seen->line_count; ray++)
+        for (size_t i = seen->first[ray]; i < seen->first[ray + 1]; i++) {
+            if (!check_crossing(packet, &seen->list[i]))
+                return false;
+            lay_crossing(packet, ray, i, count, planes);
+        }
+    return true;
+}
+
+static bool run_columns(const struct packet *packet, const c205_word *planes)
+{
+    const struct columns_work *work = packet->work;
+    size_t count = packet->seen.first[packet->seen.line_count];
+    size_t rays = work->rays_of_packet, width = shift_width(work);
+    struct mass_run run;
+    uint64_t made;
+
+    mass_run_begin(&run, work->columns, work->options->model, packet->error);
+    mass_give(&run, "column_count", count);
+    mass_give(&run, "column_parts", work->options->part_count);
+    mass_give(&run, "column_rays", rays);
+    mass_give_room(&run, "column_planes", planes, CROSSED_SIZE * count);
+    mass_give_room(&run, "column_places", packet->rays, 2 * rays);
+    mass_give_room(&run, "column_lanes", NULL,
+                   width * layout_symbol(&run.layout, "LANES"));
+    made = mass_give_room(&run, "column_sums", NULL, width);
+    return mass_run_end(&run, made, work->words + packet->unit * width, width,
+                        &work->clocks[packet->unit][STAGE_SUMS]);
+}
+
+static bool add_columns(const struct packet *packet)
+{
+    size_t count = packet->seen.first[packet->seen.line_count];
+    c205_word *planes = calloc(CROSSED_SIZE * count + 1, sizeof *planes);
+    bool good = planes ? lay_crossings(packet, planes)
+                             && run_columns(packet, planes)
+                       : fail(packet->error, "no memory");
+
+    free(planes);
+    return good;
+}
+
+static bool do_packet(void *context, const struct task *task,
+                      c205_error *error)
+{
+    const struct columns_work *work = context;
+    size_t rays = work->rays_of_packet;
+    size_t group = task->number / work->packets;
+    struct packet packet = {
+        .work = work,
+        .unit = task->number,
+        .view = group / work->options->repeats,
+        .shift = group % work->options->repeats,
+        .first = task->number % work->packets * rays,
+        .rays = calloc(RAY_PLANES * rays, sizeof *packet.rays),
+        .lines = calloc(rays, sizeof *packet.lines),
+        .error = error,
+    };
+    bool good = packet.rays && packet.lines
+                    ? make_rays(&packet) && find_crossings(&packet)
+                          && add_columns(&packet)
+                    : fail(error, "no memory");
+
+    seen_crossings_free(&packet.seen);
+    free(packet.rays);
+    free(packet.lines);
+    return good;
+}
+
+static bool do_packets(struct columns_work *work, c205_error *error)
+{
+    const struct columns_options *options = work->options;
+    const struct tasks tasks = { .count = unit_count(work),
+                                 .jobs = options->jobs,
+                                 .run = do_packet,
+                                 .context = work,
+                                 .progress = options->progress,
+                                 .progress_context = options->context };
+
+    return tasks_run(&tasks, error);
+}
+
+/* ---- All packets --------------------------------------------------------- */
+
+static bool add_packets(struct columns_work *work, c205_error *error)
+{
+    struct columns_sums *sums = work->sums;
+    size_t groups = VIEWS * sums->repeats, width = shift_width(work);
+    struct mass_run run;
+    uint64_t made;
+
+    mass_run_begin(&run, work->totals, work->options->model, error);
+    mass_give(&run, "total_groups", groups);
+    mass_give(&run, "total_rows", work->packets);
+    mass_give(&run, "total_width", width);
+    mass_give_room(&run, "totals_from", work->words,
+                   groups * work->packets * width);
+    made = mass_give_room(&run, "totals_made", NULL, groups * width);
+    return mass_run_end(&run, made, sums->words, groups * width,
+                        &sums->clocks[STAGE_TOTALS]);
+}
+
+static void add_accounts(const struct columns_work *work)
+{
+    struct columns_sums *sums = work->sums;
+
+    for (size_t unit = 0; unit < unit_count(work); unit++) {
+        sums->crossings += work->crossings[unit];
+        for (int stage = 0; stage < COLUMNS_STAGES; stage++)
+            sums->clocks[stage] += work->clocks[unit][stage];
+    }
+}
+
+static bool check_options(const struct scene *scene,
+                          const struct columns_options *options,
+                          c205_error *error)
+{
+    if (options->rays_log > COLUMNS_LOG_MOST)
+        return fail(error, "at most 2^20 rays of a view under a shift");
+    if (options->repeats == 0)
+        return fail(error, "one shift at the least");
+    if (scene->region_count == 0)
+        return fail(error, "the scene has no bodies");
+    return true;
+}
+
+bool columns_sum(const struct scene *scene,
+                 const struct columns_options *options,
+                 struct columns_sums *sums, c205_error *error)
+{
+    struct columns_work work = { .scene = scene,
+                                 .options = options,
+                                 .sums = sums };
+    bool good;
+
+    *sums = (struct columns_sums){ .parts = options->part_count + 1,
+                                   .repeats = options->repeats };
+    if (!check_options(scene, options, error)
+        || !find_box(scene, sums, error))
+        return false;
+    sums->words = calloc(VIEWS * sums->repeats * shift_width(&work),
+                         sizeof *sums->words);
+    good = sums->words ? begin_work(&work, error) && do_packets(&work, error)
+                             && add_packets(&work, error)
+                       : fail(error, "no memory");
+    if (good)
+        add_accounts(&work);
+    end_work(&work);
+    if (!good)
+        columns_sums_free(sums);
+    return good;
+}
+
+void columns_sums_free(struct columns_sums *sums)
+{
+    free(sums->words);
+    sums->words = NULL;
+}
+
+/* ---- What they mean ------------------------------------------------------ */
+
+double columns_integral(const struct columns_sums *sums, size_t rays_log,
+                        size_t view, size_t repeat, size_t part,
+                        enum moment moment)
+{
+    size_t shift = view * sums->repeats + repeat;
+    c205_word sum =
+        sums->words[(shift * sums->parts + part) * MOMENTS + moment];
+    double area = sums->width[axis_of(view, 1)]
+                  * sums->width[axis_of(view, 2)];
+
+    return ldexp(c205_to_double(sum) * area, -(int)rays_log);
+}
+
+uint64_t columns_checksum(const struct columns_sums *sums)
+{
+    return hash_words(HASH_START, sums->words,
+                      VIEWS * sums->repeats * sums->parts * MOMENTS);
+}

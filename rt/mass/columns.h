@@ -1,0 +1,93 @@
+/* columns.h - sums over columns through solids, formed by machines.
+ *
+ * A view looks along an axis, x, y or z: 2^rays_log parallel rays, at points of a
+ * lattice, a grid or the random stream, go through the box about the scene's bodies.
+ * What is seen along them, and what that adds to volumes, moments and areas, programs
+ * of the machine find (rt/kernels/mass/, rt/kernels/lines/): packet by packet of
+ * COLUMNS_PACKET rays, each in machines of its own, whose sums a last program adds in the
+ * order of packets.  So the sums are equal bit for bit in both forms, for any queue
+ * and any number of jobs.
+ */
+#ifndef RT_MASS_COLUMNS_H
+#define RT_MASS_COLUMNS_H
+
+#include "rt/trace/trace.h"
+
+enum { VIEWS = 3, COLUMNS_PACKET = 4096, COLUMNS_LOG_MOST = 20 };
+
+enum columns_points {
+    POINTS_RANDOM,
+    POINTS_LATTICE,
+    POINTS_GRID,
+    POINTS_KINDS
+};
+
+/* Of a part: in a view along s, whose other axes are p and q, relative to the
+ * middle of the box; lengths in the world.  As in rt/kernels/mass/columns.s. */
+enum moment {
+    MOMENT_1,
+    MOMENT_P,
+    MOMENT_Q,
+    MOMENT_S,
+    MOMENT_PP,
+    MOMENT_QQ,
+    MOMENT_SS,
+    MOMENT_PQ,
+    MOMENT_PS,
+    MOMENT_QS,
+    MOMENT_AREA,
+    MOMENTS
+};
+
+/* What the machines do one after another. */
+enum columns_stage {
+    STAGE_RAYS,
+    STAGE_CROSSINGS,
+    STAGE_SUMS,
+    STAGE_TOTALS,
+    COLUMNS_STAGES
+};
+const char *columns_stage_name(enum columns_stage stage);
+
+struct columns_options {
+    enum trace_mode mode; /* scalar or vector */
+    size_t queue;         /* rays at a time; not in scalar mode */
+    enum columns_points points;
+    size_t rays_log; /* 2^rays_log rays of a view under a shift, at the most
+                        2^COLUMNS_LOG_MOST */
+    size_t repeats;  /* shifts, each with rays of its own */
+    size_t seed;
+    size_t jobs;           /* packets at a time; 0: one */
+    size_t part_count;     /* 1 at the least */
+    const size_t *part_of; /* of each of the scene's objects, its part */
+    const c205_model *model;
+    bool (*progress)(void *context, size_t done, size_t all);
+    void *context;
+};
+
+struct columns_sums {
+    size_t parts; /* with, as the last one, all of them together */
+    size_t repeats;
+    double middle[3], width[3]; /* of the box */
+    c205_word
+        *words; /* [VIEWS][repeats][parts][MOMENTS]: of all rays of a shift */
+    uint64_t clocks[COLUMNS_STAGES];
+    uint64_t crossings;
+};
+
+/* False: options that cannot be; a scene without bodies, with one that has no end, or with
+ * an open surface, which the error names; a trap; progress said to stop. */
+bool columns_sum(const struct scene *scene,
+                 const struct columns_options *options,
+                 struct columns_sums *sums, c205_error *error);
+void columns_sums_free(struct columns_sums *sums);
+
+/* Of a sum over the rays of a shift the integral over space: the sum, times the area
+ * that belongs to a ray. */
+double columns_integral(const struct columns_sums *sums, size_t rays_log,
+                        size_t view, size_t repeat, size_t part,
+                        enum moment moment);
+/* 64-bit FNV-1a over all words. */
+uint64_t columns_checksum(const struct columns_sums *sums);
+
+#endif

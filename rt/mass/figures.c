@@ -1,0 +1,314 @@
+#include "rt/mass/figures.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "rt/shapes/singular.h"
+
+const char *figure_name(size_t figure)
+{
+    static const char *const names[FIGURES] = {
+        "volume", "area", "mass", "cx",  "cy",  "cz",  "Ixx", "Iyy",
+        "Izz",    "Ixy",  "Ixz",  "Iyz", "Jxx", "Jyy", "Jzz", "Jxy",
+        "Jxz",    "Jyz",  "J1",   "J2",  "J3",  "Vx",  "Vy",  "Vz",
+    };
+
+    return names[figure];
+}
+
+/* ---- Integrals over a body ----------------------------------------------- */
+
+/* About the middle of the box; of the second moments xx yy zz xy xz yz. */
+struct integrals {
+    double volume, area, mass, first[3], second[6];
+    double views[VIEWS]; /* the volume, view by view */
+};
+enum { INTEGRALS = sizeof(struct integrals) / sizeof(double) };
+
+/* Where the product of two axes stands in second. */
+static size_t product_place(size_t i, size_t k)
+{
+    return i == k ? i : i + k + 2;
+}
+
+struct summand {
+    const struct columns_sums *sums;
+    size_t rays_log, view, repeat, part;
+};
+
+static double integral(const struct summand *summand, enum moment moment)
+{
+    return columns_integral(summand->sums, summand->rays_log, summand->view,
+                            summand->repeat, summand->part, moment);
+}
+
+/* What a view says, a third of it, of a part of that density. */
+static void add_view(const struct summand *summand, double density,
+                     struct integrals *sum)
+{
+    static const enum moment firsts[3] = { MOMENT_S, MOMENT_P, MOMENT_Q };
+    static const enum moment seconds[3][3] = {
+        { MOMENT_SS, MOMENT_PS, MOMENT_QS },
+        { MOMENT_PS, MOMENT_PP, MOMENT_PQ },
+        { MOMENT_QS, MOMENT_PQ, MOMENT_QQ },
+    };
+    size_t view = summand->view;
+    double volume = integral(summand, MOMENT_1), share = density / VIEWS;
+
+    sum->views[view] += volume;
+    sum->volume += volume / VIEWS;
+    sum->area += integral(summand, MOMENT_AREA);
+    sum->mass += share * volume;
+    for (size_t i = 0; i < 3; i++) {
+        size_t axis = (view + i) % 3;
+
+        sum->first[axis] += share * integral(summand, firsts[i]);
+        for (size_t k = i; k < 3; k++)
+            sum->second[product_place(axis, (view + k) % 3)] +=
+                share * integral(summand, seconds[i][k]);
+    }
+}
+
+static void find_integrals(const struct mass_body *body, size_t repeat,
+                           struct integrals *sum)
+{
+    struct summand summand = { .sums = body->sums,
+                               .rays_log = body->rays_log,
+                               .repeat = repeat };
+
+    *sum = (struct integrals){ 0 };
+    for (summand.part = 0; summand.part + 1 < body->sums->parts;
+         summand.part++)
+        for (summand.view = 0;
+             body->density[summand.part] > 0 && summand.view < VIEWS;
+             summand.view++)
+            add_view(&summand, body->density[summand.part], sum);
+}
+
+static void add_integrals(struct integrals *sum, const struct integrals *more,
+                          double weight)
+{
+    double *to = (double *)sum;
+    const double *from = (const double *)more;
+
+    for (size_t i = 0; i < INTEGRALS; i++)
+        to[i] += weight * from[i];
+}
+
+/* ---- Figures of integrals ------------------------------------------------ */
+
+/* The tensor about a point, of integrals about the middle and the centroid from
+ * there; offset: from the point to the centroid. */
+static void find_inertia(const struct integrals *sum,
+                         const double centroid[3], const double offset[3],
+                         double inertia[6])
+{
+    double central[6] = { 0 }, trace = 0;
+
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = i; k < 3; k++) {
+            size_t place = product_place(i, k);
+
+            central[place] = sum->second[place]
+                             + sum->mass
+                                   * (offset[i] * offset[k]
+                                      - centroid[i] * centroid[k]);
+        }
+    for (size_t i = 0; i < 3; i++)
+        trace += central[i];
+    for (size_t i = 0; i < 3; i++) {
+        inertia[i] = trace - central[i];
+        inertia[3 + i] = -central[3 + i];
+    }
+}
+
+/* One-sided Jacobi: what has no value below 0 has its axes for singular vectors. */
+static void find_principal(const double inertia[6], double moments[3],
+                           double axes[3][3])
+{
+    struct singular singular = { .rows = 3, .columns = 3 };
+    size_t order[3] = { 0, 1, 2 };
+
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = 0; k < 3; k++)
+            singular.scaled[i][k] =
+                inertia[product_place(i < k ? i : k, i < k ? k : i)];
+    singular_decompose(&singular);
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = i;
+             k > 0
+             && singular.values[order[k]] < singular.values[order[k - 1]];
+             k--) {
+            size_t other = order[k];
+
+            order[k] = order[k - 1];
+            order[k - 1] = other;
+        }
+    for (size_t i = 0; i < 3; i++) {
+        moments[i] = singular.values[order[i]];
+        for (size_t k = 0; k < 3; k++)
+            axes[i][k] = singular.right[k][order[i]];
+    }
+}
+
+static void find_values(const struct mass_body *body,
+                        const struct integrals *sum, double value[FIGURES],
+                        double axes[3][3])
+{
+    const double *middle = body->sums->middle;
+    double centroid[3], offset[3], none[3] = { 0 };
+
+    value[FIGURE_VOLUME] = sum->volume;
+    value[FIGURE_AREA] = sum->area;
+    value[FIGURE_MASS] = sum->mass;
+    for (size_t i = 0; i < 3; i++) {
+        centroid[i] = sum->mass != 0 ? sum->first[i] / sum->mass : 0;
+        value[FIGURE_CENTROID + i] = centroid[i] + middle[i];
+        offset[i] = centroid[i] + middle[i] - body->about[i];
+        value[FIGURE_VIEWS + i] = sum->views[i];
+    }
+    find_inertia(sum, centroid, offset, value + FIGURE_INERTIA);
+    find_inertia(sum, centroid, none, value + FIGURE_CENTRAL);
+    find_principal(value + FIGURE_CENTRAL, value + FIGURE_PRINCIPAL, axes);
+}
+
+/* ---- Errors -------------------------------------------------------------- */
+
+/* The quantile of 97.5 % with so many degrees of freedom, 3 at the least. */
+static double student(double freedom)
+{
+    const double terms[] = { 1.959964, 2.372271, 2.822500, 2.555852,
+                             1.589534 };
+    double sum = 0;
+
+    for (int i = 4; i >= 0; i--)
+        sum = sum / freedom + terms[i];
+    return sum;
+}
+
+/* Half the interval of 95 %, of what is found without one shift after another, its
+ * mean and the sum of its squares about that. */
+static double interval(double squares, double count)
+{
+    return count > 3
+               ? student(count - 1) * sqrt((count - 1) / count * squares)
+               : NAN;
+}
+
+/* Of figures without each of the shifts in turn. */
+static void find_errors(const struct mass_body *body,
+                        const struct integrals *shifts,
+                        const struct integrals *sum,
+                        struct mass_figures *figures,
+                        double (*without)[FIGURES])
+{
+    size_t count = body->sums->repeats;
+    double axes[3][3];
+
+    for (size_t r = 0; r < count; r++) {
+        struct integrals less = { 0 };
+        double others = (double)count - 1;
+
+        add_integrals(&less, sum, (double)count / others);
+        add_integrals(&less, &shifts[r], -1 / others);
+        find_values(body, &less, without[r], axes);
+    }
+    for (size_t i = 0; i < FIGURES; i++) {
+        double mean = 0, squares = 0;
+
+        for (size_t r = 0; r < count; r++)
+            mean += without[r][i] / (double)count;
+        for (size_t r = 0; r < count; r++)
+            squares += (without[r][i] - mean) * (without[r][i] - mean);
+        figures->error[i] = interval(squares, (double)count);
+    }
+}
+
+bool mass_figures_find(const struct mass_body *body,
+                       struct mass_figures *figures)
+{
+    size_t count = body->sums->repeats;
+    struct integrals *shifts = calloc(count, sizeof *shifts), sum = { 0 };
+    double(*without)[FIGURES] = calloc(count, sizeof *without);
+    bool good = shifts && without;
+
+    for (size_t r = 0; good && r < count; r++) {
+        find_integrals(body, r, &shifts[r]);
+        add_integrals(&sum, &shifts[r], 1 / (double)count);
+    }
+    if (good) {
+        find_values(body, &sum, figures->value, figures->axes);
+        find_errors(body, shifts, &sum, figures, without);
+    }
+    free(shifts);
+    free(without);
+    return good;
+}
+
+/* The mean of the views, under a shift. */
+static double overlap_of(const struct columns_sums *sums, size_t rays_log,
+                         size_t repeat)
+{
+    double volume = 0;
+
+    for (size_t view = 0; view < VIEWS; view++)
+        for (size_t part = 0; part < sums->parts; part++)
+            volume += (part + 1 < sums->parts ? 1 : -1)
+                      * columns_integral(sums, rays_log, view, repeat, part,
+                                         MOMENT_1);
+    return volume / VIEWS;
+}
+
+bool mass_overlap(const struct columns_sums *sums, size_t rays_log,
+                  double *volume, double *error)
+{
+    double count = (double)sums->repeats, squares = 0;
+
+    *volume = 0;
+    for (size_t r = 0; r < sums->repeats; r++)
+        *volume += overlap_of(sums, rays_log, r) / count;
+    for (size_t r = 0; r < sums->repeats; r++) {
+        double beside = overlap_of(sums, rays_log, r) - *volume;
+
+        squares += beside * beside / ((count - 1) * (count - 1));
+    }
+    *error = interval(squares, count);
+    return true;
+}
+
+/* What an error of the figure is beside. */
+static double scale_of(const struct mass_figures *figures,
+                       const struct columns_sums *sums, size_t figure)
+{
+    const double *width = sums->width;
+
+    if (figure < FIGURE_CENTROID)
+        return figures->value[figure];
+    if (figure < FIGURE_INERTIA)
+        return sqrt(width[0] * width[0] + width[1] * width[1]
+                    + width[2] * width[2]);
+    if (figure < FIGURE_CENTRAL)
+        return fmax(figures->value[FIGURE_PRINCIPAL + 2],
+                    fmax(figures->value[FIGURE_INERTIA],
+                         fmax(figures->value[FIGURE_INERTIA + 1],
+                              figures->value[FIGURE_INERTIA + 2])));
+    return figures->value[FIGURE_PRINCIPAL + 2];
+}
+
+double mass_worst(const struct mass_figures *figures,
+                  const struct columns_sums *sums, size_t *figure)
+{
+    double worst = -1;
+
+    for (size_t i = 0; i < FIGURE_VIEWS; i++) {
+        double scale = scale_of(figures, sums, i);
+        double share = figures->error[i] > 0 ? figures->error[i] / scale
+                                             : figures->error[i];
+
+        if (share > worst || isnan(share)) {
+            worst = isnan(share) ? INFINITY : share;
+            *figure = i;
+        }
+    }
+    return worst;
+}

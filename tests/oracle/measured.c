@@ -1,0 +1,45 @@
+/* measured.c - see measured.h. */
+#include "tests/oracle/measured.h"
+
+#include "tests/oracle/many_scenes.h"
+
+static bool find_all(const struct columns_sums *sums, size_t rays_log,
+                     struct measured *measured)
+{
+    static const double origin[3] = { 0 };
+    bool good = true;
+    for (size_t i = 0; good && i <= measured->parts; i++) {
+        double density[MEASURED_PARTS] = { 0 };
+        for (size_t k = 0; k < measured->parts; k++)
+            density[k] = i == k || i == measured->parts;
+        const struct mass_body body = { sums, rays_log, density, origin };
+        good = mass_figures_find(&body, &measured->part[i]);
+    }
+    measured->checksum = columns_checksum(sums);
+    return good
+           && mass_overlap(sums, rays_log, &measured->overlap,
+                           &measured->overlap_error);
+}
+
+bool measure(const char *text, struct columns_options options,
+             struct measured *measured)
+{
+    struct scene *scene = scene_of(text);
+    c205_model *model = c205_model_find("cyber205-2pipe", &measured->error);
+    struct columns_sums sums = { 0 };
+    struct mass_parts parts;
+    if (!model || !mass_parts_find(scene, &parts)
+        || parts.count > MEASURED_PARTS)
+        give_up("the scene cannot be measured");
+    measured->parts = parts.count;
+    options.part_count = parts.count;
+    options.part_of = parts.part_of;
+    options.model = model;
+    bool good = columns_sum(scene, &options, &sums, &measured->error)
+                && find_all(&sums, options.rays_log, measured);
+    columns_sums_free(&sums);
+    mass_parts_free(&parts);
+    c205_model_free(model);
+    scene_free(scene);
+    return good;
+}

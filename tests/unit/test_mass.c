@@ -1,0 +1,322 @@
+/* test_mass.c - volumes, areas, centroids and inertia of solids, from columns.
+ *
+ * The solids of massprops.csv have formulas.  MASS_RAYS, a power of two: rays of a view
+ * in all; with 2^18 errors are at most 1e-4 of a figure.
+ */
+#include "base/file.h"
+#include "tests/oracle/measured.h"
+#include "tests/random.h"
+#include "tests/unit/csv_reading.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define STUDENT 2.1314 /* with 15 degrees of freedom */
+
+static struct columns_options usual(void)
+{
+    return (struct columns_options){ .mode = TRACE_VECTOR,
+                                     .queue = 2000,
+                                     .points = POINTS_LATTICE,
+                                     .rays_log = 8,
+                                     .repeats = 16,
+                                     .seed = 1,
+                                     .jobs = 2 };
+}
+
+static void measure_well(const char *text, struct columns_options options,
+                         struct measured *measured)
+{
+    if (!measure(text, options, measured))
+        fail_msg("%s: %s", text, measured->error.message);
+}
+
+static uint64_t checksum_of(const char *text, struct columns_options options)
+{
+    struct measured measured;
+
+    measure_well(text, options, &measured);
+    return measured.checksum;
+}
+
+/* ---- Solids that have formulas ------------------------------------------- */
+
+static struct csv_table *read_reference(void)
+{
+    struct csv_table *table = calloc(1, sizeof *table);
+    c205_error error;
+    size_t length;
+    char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length,
+                           &error);
+
+    assert_non_null(table);
+    assert_non_null(text);
+    csv_table(text, table);
+    free(text);
+    return table;
+}
+
+static double named(const struct csv_table *table, size_t row,
+                    const char *name)
+{
+    for (size_t i = 0; i < table->cells[0]; i++)
+        if (strcmp(table->cell[0][i], name) == 0)
+            return strtod(table->cell[row][i], NULL);
+    fail_msg("no column is called %s", name);
+    return 0;
+}
+
+/* Within four standard errors, and a share of the scale. */
+static void check_figure(const char *solid, const struct mass_figures *found,
+                         size_t figure, double expected, double scale,
+                         double share)
+{
+    double off = fabs(found->value[figure] - expected);
+    double most = 4 * found->error[figure] / STUDENT + 1e-9 * scale;
+
+    if (off > most || off > share * scale)
+        fail_msg("%s: %s is %.12g, not %.12g: %.2g of the scale, %.1f "
+                 "standard errors",
+                 solid, figure_name(figure), found->value[figure], expected,
+                 off / scale, 4 * off / most);
+}
+
+static void check_row(const struct csv_table *table, size_t row,
+                      size_t rays_log, double share)
+{
+    static const char *const moments[] = { "Ixx", "Iyy", "Izz",
+                                           "Ixy", "Ixz", "Iyz" };
+    static const char *const places[] = { "cx", "cy", "cz" };
+    const char *id = table->cell[row][0];
+    struct columns_options options = usual();
+    struct measured measured;
+    const struct mass_figures *found = &measured.part[0];
+    double volume = named(table, row, "volume"), most = 0;
+
+    options.rays_log = rays_log;
+    measure_well(table->cell[row][2], options, &measured);
+    check_figure(id, found, FIGURE_VOLUME, volume, volume, share);
+    check_figure(id, found, FIGURE_AREA, named(table, row, "area"),
+                 named(table, row, "area"), share);
+    for (size_t i = 0; i < 3; i++) {
+        check_figure(id, found, FIGURE_CENTROID + i,
+                     named(table, row, places[i]), cbrt(volume), share);
+        most = fmax(most, named(table, row, moments[i]));
+    }
+    for (size_t i = 0; i < 6; i++)
+        check_figure(id, found, FIGURE_CENTRAL + i,
+                     named(table, row, moments[i]), most, share);
+}
+
+static void test_formulas(void **state)
+{
+    const char *asked = getenv("MASS_RAYS");
+    double rays = asked ? strtod(asked, NULL) : 1 << 15;
+    size_t rays_log = (size_t)lround(log2(rays / 16));
+    struct csv_table *table = read_reference();
+
+    (void)state;
+    assert_true(table->rows > 5);
+    for (size_t row = 1; row < table->rows; row++)
+        check_row(table, row, rays_log, rays >= 1 << 18 ? 1e-4 : 1e-3);
+    free(table);
+}
+
+/* ---- The same in every way ----------------------------------------------- */
+
+/* Bodies that overlap, a union that stands by itself, a tree, an object that is in
+ * one place twice. */
+static const char crowd[] =
+    "union { sphere { 0, 1 } box { -.6, <1.5, .6, .7> } }\n"
+    "difference { torus { 1.2, .4 } plane { x, .2 } }\n"
+    "cylinder { <-1, 0, .3>, <1, 1, .3>, .5 }\n"
+    "sphere { <.5, .2, 0>, .8 }\n";
+
+static void test_same_bits(void **state)
+{
+    for (int points = 0; points < POINTS_KINDS; points++) {
+        struct columns_options options = usual();
+        uint64_t expected;
+
+        options.points = (enum columns_points)points;
+        options.rays_log = points == POINTS_GRID ? 7 : 6;
+        options.repeats = 4;
+        expected = checksum_of(crowd, options);
+        options.jobs = 3;
+        options.queue = 7;
+        assert_true(checksum_of(crowd, options) == expected);
+        options.mode = TRACE_SCALAR;
+        assert_true(checksum_of(crowd, options) == expected);
+        options.seed = 2;
+        assert_false(checksum_of(crowd, options) == expected);
+    }
+    (void)state;
+}
+
+/* More rays than go into a packet, more crossings than there are lanes. */
+static void test_same_packets(void **state)
+{
+    struct columns_options options = usual();
+    uint64_t expected;
+
+    (void)state;
+    options.rays_log = 13;
+    options.repeats = 2;
+    expected = checksum_of(crowd, options);
+    options.queue = 4096;
+    options.jobs = 1;
+    assert_true(checksum_of(crowd, options) == expected);
+    options.mode = TRACE_SCALAR;
+    options.jobs = 2;
+    assert_true(checksum_of(crowd, options) == expected);
+}
+
+/* ---- Points -------------------------------------------------------------- */
+
+/* A solid that no axis suits, of the volume 1.2^3 20/27. */
+static const char tilted[] =
+    "difference { box { -.5, .5 } box { <-1,-1/6,-1/6>, <1,1/6,1/6> }\n"
+    "box { <-1/6,-1,-1/6>, <1/6,1,1/6> } box { <-1/6,-1/6,-1>, <1/6,1/6,1> }\n"
+    "rotate <20, 30, 50> scale 1.2 translate <3, -2, 1> }\n";
+
+struct tried {
+    double square, sum, covered;
+};
+
+static struct tried try_seeds(enum columns_points points, size_t seeds)
+{
+    static const double volume = 1.2 * 1.2 * 1.2 * 20 / 27;
+    struct tried tried = { 0 };
+
+    for (size_t seed = 1; seed <= seeds; seed++) {
+        struct columns_options options = usual();
+        struct measured measured;
+        double off;
+
+        options.points = points;
+        options.rays_log = 6;
+        options.seed = seed;
+        measure_well(tilted, options, &measured);
+        off = measured.part[0].value[FIGURE_VOLUME] - volume;
+        tried.sum += off;
+        tried.square += off * off;
+        tried.covered += fabs(off) <= measured.part[0].error[FIGURE_VOLUME];
+    }
+    return tried;
+}
+
+/* No bias; intervals hold what they say; a lattice is better than chance. */
+static void test_points(void **state)
+{
+    enum { SEEDS = 24 };
+    double square[POINTS_KINDS];
+
+    (void)state;
+    for (int points = 0; points < POINTS_KINDS; points++) {
+        struct tried tried = try_seeds((enum columns_points)points, SEEDS);
+        double bias = tried.sum / sqrt(tried.square);
+
+        square[points] = tried.square;
+        if (fabs(bias) > 4 || tried.covered < .8 * SEEDS)
+            fail_msg("points %d: a bias of %.1f standard errors, %.0f of %d "
+                     "intervals hold",
+                     points, bias, tried.covered, SEEDS);
+    }
+    assert_true(square[POINTS_LATTICE] < square[POINTS_RANDOM] / 4);
+    assert_true(square[POINTS_GRID] < square[POINTS_RANDOM] / 4);
+}
+
+/* ---- Parts --------------------------------------------------------------- */
+
+/* Two balls of radius 1, one unit apart, have a lens in common. */
+static void test_overlap(void **state)
+{
+    struct columns_options options = usual();
+    double lens = 5 * acos(-1) / 12;
+    struct measured two;
+
+    (void)state;
+    options.rays_log = 11;
+    measure_well("sphere { -.5*x, 1 }\nsphere { .5*x, 1 }", options, &two);
+    assert_int_equal(two.parts, 2);
+    assert_true(fabs(two.overlap - lens) < 4 * two.overlap_error / STUDENT);
+    assert_true(two.overlap_error < 1e-3);
+    assert_true(fabs(two.part[2].value[FIGURE_VOLUME]
+                     - two.part[0].value[FIGURE_VOLUME]
+                     - two.part[1].value[FIGURE_VOLUME])
+                < 1e-12);
+}
+
+/* What is far away has the centroid there, and the inertia of the parallel axes. */
+static void test_about(void **state)
+{
+    struct columns_options options = usual();
+    struct measured box;
+    const double *value = box.part[0].value;
+
+    (void)state;
+    options.rays_log = 11;
+    measure_well("box { <99,199,299>, <101,201,301> }", options, &box);
+    assert_true(fabs(value[FIGURE_VOLUME] - 8) < 1e-3);
+    assert_true(fabs(value[FIGURE_AREA] - 24) < 3e-3);
+    assert_true(fabs(value[FIGURE_CENTROID + 2] - 300) < 1e-3);
+    assert_true(fabs(value[FIGURE_INERTIA] / (8 * (130000 + 2. / 3)) - 1)
+                < 1e-4);
+    assert_true(fabs(value[FIGURE_INERTIA + 3] / (-8. * 20000) - 1) < 1e-4);
+    assert_true(fabs(value[FIGURE_CENTRAL] - 16. / 3) < 2e-3);
+}
+
+/* The axes of a box that is turned, its moments rising. */
+static void test_axes(void **state)
+{
+    struct columns_options options = usual();
+    struct measured box;
+    const struct mass_figures *figures = &box.part[0];
+
+    (void)state;
+    options.rays_log = 11;
+    measure_well("box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z }", options,
+                 &box);
+    for (size_t i = 0; i < 3; i++) {
+        static const double moments[] = { 5. / 48, 17. / 48, 5. / 12 };
+
+        assert_true(fabs(figures->value[FIGURE_PRINCIPAL + i] - moments[i])
+                    < 1e-3);
+    }
+    assert_true(fabs(fabs(figures->axes[0][0]) - cos(acos(-1) / 6)) < 1e-2);
+    assert_true(fabs(fabs(figures->axes[2][2]) - 1) < 1e-3);
+}
+
+/* ---- What has no volume -------------------------------------------------- */
+
+static void refuses(const char *text, const char *why)
+{
+    struct measured measured;
+
+    assert_false(measure(text, usual(), &measured));
+    assert_string_equal(measured.error.message, why);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    refuses("sphere { 0, 1 }\ndisc { <0,0,3>, z, 2 }",
+            "the disc of line 2 is an open surface: it has no volume");
+    refuses("sphere { 0, 1 }\nplane { y, 0 }",
+            "the solid of line 2 has no end that is known: its volume cannot "
+            "be found");
+    refuses("", "the scene has no bodies");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_formulas),     cmocka_unit_test(test_same_bits),
+        cmocka_unit_test(test_same_packets), cmocka_unit_test(test_points),
+        cmocka_unit_test(test_overlap),      cmocka_unit_test(test_about),
+        cmocka_unit_test(test_axes),         cmocka_unit_test(test_refused),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,211 @@
+/* test_parts.c - what objects of a scene are called and made of, and how dense. */
+#include "rt/mass/parts.h"
+#include "rt/mass/units.h"
+#include "scene_reading.h"
+
+#include <stdio.h>
+
+static const char assembly[] =
+    "#declare Copper = texture { pigment { rgb x } };\n"
+    "#declare Steel = texture { pigment { rgb y } };\n"
+    "#declare Copper_Density = 8.96;\n"
+    "#declare Pin = cylinder { 0, y, .1 };\n"
+    "#declare Plate = difference { box { 0, 1 } object { Pin } }\n"
+    "object { Plate texture { Steel } }\n"
+    "object { Pin texture { Copper } }\n"
+    "object { Pin texture { Copper } translate x }\n"
+    "object { Pin texture { Steel } translate 2*x }\n"
+    "sphere { 0, 1 }\n"
+    "union { sphere { 0, 1 texture { Steel } } box { 0, 1 texture { Copper } } }\n"
+    "light_source { 9, 1 }\n";
+
+/* ---- In the scene -------------------------------------------------------- */
+
+static void assert_text(const char *text, const char *expected)
+{
+    if (expected)
+        assert_string_equal(text, expected);
+    else
+        assert_null(text);
+}
+
+static void test_names(void **state)
+{
+    static const struct world_object expected[] = {
+        { "Plate", "Steel", false, 6 }, { "Pin", "Copper", false, 7 },
+        { "Pin", "Copper", false, 8 },  { "Pin", "Steel", false, 9 },
+        { NULL, NULL, false, 10 },      { NULL, "Steel", true, 11 },
+    };
+    struct scene *scene = read_scene(assembly);
+
+    (void)state;
+    assert_int_equal(scene->object_count, COUNT(expected));
+    for (size_t i = 0; i < COUNT(expected); i++) {
+        assert_text(scene->objects[i].name, expected[i].name);
+        assert_text(scene->objects[i].material, expected[i].material);
+        assert_true(scene->objects[i].mixed == expected[i].mixed);
+        assert_int_equal(scene->objects[i].line, expected[i].line);
+    }
+    assert_int_equal(scene->float_count, 1);
+    assert_string_equal(scene->floats[0].name, "Copper_Density");
+    assert_close(scene->floats[0].value, 8.96, 0);
+    scene_free(scene);
+}
+
+/* ---- Parts and densities ------------------------------------------------- */
+
+static void test_parts(void **state)
+{
+    static const size_t part_of[] = { 0, 1, 1, 2, 3, 4 };
+    struct scene *scene = read_scene(assembly);
+    struct mass_parts parts;
+
+    (void)state;
+    assert_true(mass_parts_find(scene, &parts));
+    assert_int_equal(parts.count, 5);
+    assert_memory_equal(parts.part_of, part_of, sizeof part_of);
+    assert_string_equal(parts.list[3].name, "line 10");
+    assert_true(parts.list[4].mixed);
+    mass_parts_free(&parts);
+    scene_free(scene);
+}
+
+/* In the order of what counts first: options, the scene; names, materials, others. */
+static void test_densities(void **state)
+{
+    struct scene *scene = read_scene(assembly);
+    struct densities densities = { 0 };
+    struct mass_parts parts;
+    c205_error error;
+
+    (void)state;
+    assert_true(mass_parts_find(scene, &parts));
+    assert_true(densities_add(&densities, "Steel=7.8", &error));
+    assert_true(densities_add(&densities, "Plate=2", &error));
+    assert_true(mass_parts_check(&parts, &densities, 2, &error));
+    assert_true(densities_add_scene(&densities, scene, &error));
+    assert_false(mass_parts_weigh(&parts, &densities, &error));
+    assert_string_equal(
+        error.message, "no density is known of: line 10, line 11 (of several "
+                       "materials); --density NAME=VALUE, or --density "
+                       "default=1");
+    assert_true(densities_add(&densities, "default=3", &error));
+    assert_true(mass_parts_weigh(&parts, &densities, &error));
+    assert_close(parts.list[0].density, 2, 0);
+    assert_close(parts.list[1].density, 8.96, 0);
+    assert_close(parts.list[2].density, 7.8, 0);
+    assert_close(parts.list[3].density, 3, 0);
+    assert_close(parts.list[4].density, 3, 0);
+    assert_true(densities_add(&densities, "Brass=8", &error));
+    assert_false(
+        mass_parts_check(&parts, &densities, densities.count, &error));
+    assert_string_equal(error.message,
+                        "no part and no material is called 'Brass'; parts: "
+                        "Plate, Pin, line 10, line 11; materials: Steel, "
+                        "Copper");
+    densities_free(&densities);
+    mass_parts_free(&parts);
+    scene_free(scene);
+}
+
+static void test_wrong_densities(void **state)
+{
+    static const char *const wrong[] = {
+        "", "=1", "a", "a=", "a=0", "a=-1", "a=inf", "a=1x", "a=x", "a=nan"
+    };
+    struct densities densities = { 0 };
+    struct scene *scene = read_scene("#declare Lead_Density = 0;\n");
+    c205_error error;
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(wrong); i++)
+        assert_false(densities_add(&densities, wrong[i], &error));
+    assert_false(densities_add_scene(&densities, scene, &error));
+    assert_string_equal(error.message, "Lead_Density is not above 0");
+    assert_int_equal(densities.count, 0);
+    densities_free(&densities);
+    scene_free(scene);
+}
+
+static bool read_file(const char *text, struct densities *densities,
+                      struct diagnostics *reports)
+{
+    static const char path[] = "densities_test.txt";
+    bool good;
+
+    write_bytes(path, text, strlen(text));
+    good = densities_read(densities, path, reports);
+    remove(path);
+    return good;
+}
+
+static void test_file(void **state)
+{
+    struct densities densities = { 0 };
+    struct diagnostics reports = { 0 };
+
+    (void)state;
+    assert_true(read_file("# a table\n\n1 7.85 Carbon Steel\r\n"
+                          "2\t8.96\t\"Copper\" # soft\n3 .5 Pine",
+                          &densities, &reports));
+    assert_int_equal(densities.count, 3);
+    assert_string_equal(densities.list[0].name, "Carbon Steel");
+    assert_string_equal(densities.list[1].name, "Copper");
+    assert_close(densities.list[2].value, .5, 0);
+    assert_false(read_file("1 7.85 Steel\n2 x Copper\n3 -1 Lead\n4 5\n",
+                           &densities, &reports));
+    assert_int_equal(reports.count, 3);
+    assert_int_equal(reports.items[0].line, 2);
+    assert_string_equal(reports.items[1].message,
+                        "the density is not above 0");
+    assert_string_equal(reports.items[2].message,
+                        "a line is a number, a density and a name");
+    assert_false(densities_read(&densities, "no/such/file", &reports));
+    diagnostics_free(&reports);
+    densities_free(&densities);
+}
+
+/* ---- Units --------------------------------------------------------------- */
+
+static void test_units(void **state)
+{
+    static const char *const wrong[] = { "",     "mm",   "mm,",   ",g",
+                                         "mm,x", "g,mm", "mm,g,", "m m,g" };
+    struct mass_units units = { 0 };
+    char text[MASS_UNIT];
+
+    (void)state;
+    assert_close(mass_units_density(&units, 8.96), 8.96, 0);
+    mass_units_text(&units, 1, 2, text);
+    assert_string_equal(text, "");
+    for (size_t i = 0; i < COUNT(wrong); i++)
+        assert_false(mass_units_take(wrong[i], &units));
+    assert_true(mass_units_take("mm,g", &units));
+    assert_close(mass_units_density(&units, 8.96), .00896, 1e-15);
+    mass_units_text(&units, 1, 2, text);
+    assert_string_equal(text, "g mm^2");
+    mass_units_text(&units, 0, 3, text);
+    assert_string_equal(text, "mm^3");
+    mass_units_text(&units, 0, 1, text);
+    assert_string_equal(text, "mm");
+    mass_units_text(&units, 1, 0, text);
+    assert_string_equal(text, "g");
+    assert_true(mass_units_take("m,kg", &units));
+    assert_close(mass_units_density(&units, 1), 1000, 1e-9);
+    assert_true(mass_units_take("in,lb", &units));
+    assert_close(mass_units_density(&units, 7.85), .283598, 1e-5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_names),
+        cmocka_unit_test(test_parts),
+        cmocka_unit_test(test_densities),
+        cmocka_unit_test(test_wrong_densities),
+        cmocka_unit_test(test_file),
+        cmocka_unit_test(test_units),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
