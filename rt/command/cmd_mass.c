@@ -8,6 +8,7 @@
 #include "base/diagnostic.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
+#include "rt/mass/bodies.h"
 #include "rt/mass/figures.h"
 #include "rt/mass/parts.h"
 
@@ -23,6 +24,7 @@ struct mass_row {
 struct mass_work {
     const struct rt205_arguments *arguments;
     const struct scene *scene;
+    struct scene bodies; /* what is measured of it */
     struct mass_parts parts;
     size_t row_count;
     struct mass_row *rows;
@@ -105,6 +107,8 @@ static bool make_rows(struct mass_work *work)
     for (size_t i = 0; i < count; i++) {
         const struct mass_part *part = &work->parts.list[i];
 
+        if (part->left_out)
+            continue;
         find_row(work, row_name(work, part))->density[i] =
             mass_units_density(&work->arguments->mass.units, part->density);
     }
@@ -140,7 +144,7 @@ static bool sum_columns(struct mass_work *work)
         .context = arguments->trace.context,
     };
 
-    return columns_sum(work->scene, &options, &work->sums, &work->error);
+    return columns_sum(&work->bodies, &options, &work->sums, &work->error);
 }
 
 static bool find_figures(struct mass_work *work)
@@ -395,11 +399,35 @@ static int tell(const struct mass_work *work, const struct results *results)
 
 /* ---- The command --------------------------------------------------------- */
 
+static void warn_of_endless(const struct mass_work *work)
+{
+    for (size_t i = 0; i < work->parts.count; i++) {
+        const struct mass_part *part = &work->parts.list[i];
+
+        if (part->endless && part->left_out
+            && work->arguments->mass.parts.count == 0)
+            fprintf(stderr, "%s: warning: %s has no end: it is left out\n",
+                    work->arguments->scene, part->name);
+    }
+}
+
+static bool choose_parts(struct mass_work *work)
+{
+    const struct command_texts *names = &work->arguments->mass.parts;
+
+    if (!mass_parts_find(work->scene, &work->parts)
+        || !bodies_find_endless(work->scene, &work->parts)
+        || !mass_parts_choose(&work->parts, names->items, names->count,
+                              &work->error))
+        return false;
+    warn_of_endless(work);
+    return bodies_take(work->scene, &work->parts, &work->bodies);
+}
+
 static bool begin(struct mass_work *work)
 {
     snprintf(work->error.message, sizeof work->error.message, "no memory");
-    return mass_parts_find(work->scene, &work->parts) && weigh_parts(work)
-           && make_rows(work);
+    return choose_parts(work) && weigh_parts(work) && make_rows(work);
 }
 
 static int work_on(const struct rt205_arguments *arguments,
@@ -411,6 +439,7 @@ static int work_on(const struct rt205_arguments *arguments,
                    : cmd_failed(arguments->command, "%s", work.error.message);
 
     columns_sums_free(&work.sums);
+    bodies_free(&work.bodies);
     mass_parts_free(&work.parts);
     free(work.rows);
     free(work.densities);
@@ -484,6 +513,12 @@ static bool take_units(char *text, void *value)
 enum { RAYS_MOST = 1 << 24, REPEATS_MOST = 256 };
 
 static const struct command_option options[] = {
+    { .name = "part",
+      .value = "NAME",
+      .kind = COMMAND_TEXT,
+      .many = true,
+      .offset = CMD_PLACE(mass.parts),
+      .help = "these parts or materials alone; else all that have an end" },
     { .name = "density",
       .value = "NAME=VALUE",
       .kind = COMMAND_TEXT,

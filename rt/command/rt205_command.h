@@ -30,6 +30,7 @@ struct cmd_mass {
     double tolerance;                  /* 0: none */
     int points, by;
     bool overlaps;
+    struct command_texts parts;   /* names; none: all */
     struct command_texts density; /* NAME=VALUE */
     const char *densities;        /* a file of them, or NULL */
     double about[3];

@@ -263,29 +263,55 @@ static bool name_is_new(const struct mass_parts *parts, size_t i,
     return name;
 }
 
+/* The names of all parts, or of all materials, once each. */
+static void add_names(const struct mass_parts *parts, bool material,
+                      const char *separator, c205_error *error)
+{
+    for (size_t i = 0; i < parts->count; i++) {
+        const struct mass_part *part = &parts->list[i];
+        const char *name = material ? part->material : part->name;
+
+        if (!name_is_new(parts, i, name, material))
+            continue;
+        add_name(error, separator, name);
+        separator = ", ";
+    }
+}
+
+static bool check_name(const struct mass_parts *parts, const char *name,
+                       c205_error *error)
+{
+    if (is_there(parts, name))
+        return true;
+    snprintf(error->message, sizeof error->message,
+             "no part and no material is called '%.60s'", name);
+    add_names(parts, false, "; parts: ", error);
+    add_names(parts, true, "; materials: ", error);
+    return false;
+}
+
 bool mass_parts_check(const struct mass_parts *parts,
                       const struct densities *densities, size_t given,
                       c205_error *error)
 {
-    for (size_t k = 0; k < given; k++) {
-        const char *name = densities->list[k].name, *separator = "; parts: ";
+    for (size_t i = 0; i < given; i++)
+        if (!check_name(parts, densities->list[i].name, error))
+            return false;
+    return true;
+}
 
-        if (is_there(parts, name))
-            continue;
-        snprintf(error->message, sizeof error->message,
-                 "no part and no material is called '%.60s'", name);
+bool mass_parts_choose(struct mass_parts *parts, const char *const *names,
+                       size_t count, c205_error *error)
+{
+    for (size_t i = 0; i < parts->count; i++)
+        parts->list[i].left_out = count > 0 || parts->list[i].endless;
+    for (size_t k = 0; k < count; k++) {
+        if (!check_name(parts, names[k], error))
+            return false;
         for (size_t i = 0; i < parts->count; i++)
-            if (name_is_new(parts, i, parts->list[i].name, false)) {
-                add_name(error, separator, parts->list[i].name);
-                separator = ", ";
-            }
-        separator = "; materials: ";
-        for (size_t i = 0; i < parts->count; i++)
-            if (name_is_new(parts, i, parts->list[i].material, true)) {
-                add_name(error, separator, parts->list[i].material);
-                separator = ", ";
-            }
-        return false;
+            if (same_text(parts->list[i].name, names[k])
+                || same_text(parts->list[i].material, names[k]))
+                parts->list[i].left_out = false;
     }
     return true;
 }
@@ -319,7 +345,7 @@ bool mass_parts_weigh(struct mass_parts *parts,
         struct mass_part *part = &parts->list[i];
 
         weigh(part, densities);
-        if (part->density > 0)
+        if (part->density > 0 || part->left_out)
             continue;
         good = false;
         add_name(error, separator, part->name);

@@ -19,6 +19,8 @@ struct mass_part {
     const char *name;
     const char *material; /* NULL: its texture has no name */
     bool mixed;           /* .. it has several textures */
+    bool endless;         /* bodies.h finds that */
+    bool left_out;        /* nobody asks for it */
     double density;       /* 0: not known */
 };
 
@@ -64,7 +66,11 @@ void mass_parts_free(struct mass_parts *parts);
 bool mass_parts_check(const struct mass_parts *parts,
                       const struct densities *densities, size_t given,
                       c205_error *error);
-/* False: some have none, or are of several materials; the error names them. */
+/* These names alone, of parts or materials; without names all but those that are
+ * endless.  False: one is not there; the error lists those that are. */
+bool mass_parts_choose(struct mass_parts *parts, const char *const *names,
+                       size_t count, c205_error *error);
+/* False: some that are not left out have none, or are of several materials; the error names them. */
 bool mass_parts_weigh(struct mass_parts *parts,
                       const struct densities *densities, c205_error *error);
 

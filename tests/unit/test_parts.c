@@ -1,5 +1,5 @@
 /* test_parts.c - what objects of a scene are called and made of, and how dense. */
-#include "rt/mass/parts.h"
+#include "rt/mass/bodies.h"
 #include "rt/mass/units.h"
 #include "scene_reading.h"
 
@@ -17,6 +17,10 @@ static const char assembly[] =
     "object { Pin texture { Steel } translate 2*x }\n"
     "sphere { 0, 1 }\n"
     "union { sphere { 0, 1 texture { Steel } } box { 0, 1 texture { Copper } } }\n"
+    "#macro Twice(Thing)\n"
+    "object { Thing translate 5*x texture { Steel } }\n"
+    "#end\n"
+    "Twice(Pin)\n"
     "light_source { 9, 1 }\n";
 
 /* ---- In the scene -------------------------------------------------------- */
@@ -35,6 +39,7 @@ static void test_names(void **state)
         { "Plate", "Steel", false, 6 }, { "Pin", "Copper", false, 7 },
         { "Pin", "Copper", false, 8 },  { "Pin", "Steel", false, 9 },
         { NULL, NULL, false, 10 },      { NULL, "Steel", true, 11 },
+        { "Pin", "Steel", false, 15 },
     };
     struct scene *scene = read_scene(assembly);
 
@@ -56,7 +61,7 @@ static void test_names(void **state)
 
 static void test_parts(void **state)
 {
-    static const size_t part_of[] = { 0, 1, 1, 2, 3, 4 };
+    static const size_t part_of[] = { 0, 1, 1, 2, 3, 4, 2 };
     struct scene *scene = read_scene(assembly);
     struct mass_parts parts;
 
@@ -67,6 +72,41 @@ static void test_parts(void **state)
     assert_string_equal(parts.list[3].name, "line 10");
     assert_true(parts.list[4].mixed);
     mass_parts_free(&parts);
+    scene_free(scene);
+}
+
+/* Names of parts or materials; without any all that have an end. */
+static void test_choice(void **state)
+{
+    static const char *const names[] = { "Plate", "Copper", "Brass" };
+    struct scene *scene = read_scene("plane { y, -9 }\n");
+    struct scene *solids = read_scene(assembly);
+    struct mass_parts parts;
+    struct scene bodies;
+    c205_error error;
+
+    (void)state;
+    assert_true(mass_parts_find(scene, &parts));
+    assert_true(bodies_find_endless(scene, &parts));
+    assert_true(mass_parts_choose(&parts, NULL, 0, &error));
+    assert_true(parts.list[0].left_out);
+    assert_true(bodies_take(scene, &parts, &bodies));
+    assert_int_equal(bodies.region_count, 0);
+    bodies_free(&bodies);
+    mass_parts_free(&parts);
+    assert_true(mass_parts_find(solids, &parts));
+    assert_true(bodies_find_endless(solids, &parts));
+    assert_true(mass_parts_choose(&parts, names, 2, &error));
+    for (size_t i = 0; i < parts.count; i++)
+        assert_true(parts.list[i].left_out == (i > 1));
+    assert_true(bodies_take(solids, &parts, &bodies));
+    assert_int_equal(bodies.region_count, 3);
+    assert_int_equal(bodies.primitive_count, 4);
+    assert_int_equal(bodies.node_count, solids->regions[2].first_node + 1);
+    assert_false(mass_parts_choose(&parts, names, 3, &error));
+    bodies_free(&bodies);
+    mass_parts_free(&parts);
+    scene_free(solids);
     scene_free(scene);
 }
 
@@ -201,6 +241,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_names),
         cmocka_unit_test(test_parts),
+        cmocka_unit_test(test_choice),
         cmocka_unit_test(test_densities),
         cmocka_unit_test(test_wrong_densities),
         cmocka_unit_test(test_file),

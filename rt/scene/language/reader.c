@@ -211,8 +211,10 @@ const struct scene_value *reader_value(const struct reader *reader)
 
 const char *reader_keep_name(struct reader *reader)
 {
-    return arena_text(&reader->scene->kept, reader->token.text,
-                      reader->token.length);
+    size_t length;
+    const char *name = symbol_name(reader->token.reference.symbol, &length);
+
+    return arena_text(&reader->scene->kept, name, length);
 }
 
 const struct scene_value *reader_value_of(const struct reader *reader,

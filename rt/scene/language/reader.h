@@ -158,7 +158,8 @@ void reader_comma(struct reader *reader);
 bool reader_look_up(struct reader *reader, struct scene_token *token);
 /* The value that the next token names, or NULL. */
 const struct scene_value *reader_value(const struct reader *reader);
-/* The word of the next token, as long as the scene lives; NULL: no memory. */
+/* The name of the symbol that the next token stands for, as long as the scene lives;
+ * NULL: no memory. */
 const char *reader_keep_name(struct reader *reader);
 /* The same if it is of the kind. */
 const struct scene_value *reader_value_of(const struct reader *reader,

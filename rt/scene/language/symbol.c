@@ -242,3 +242,9 @@ void symbols_walk(const struct declared_names *symbols,
             if (symbol->level == 0 && !symbol->target.symbol)
                 tell(context, symbol->name, symbol->length, &symbol->value);
 }
+
+const char *symbol_name(const struct declared_name *symbol, size_t *length)
+{
+    *length = symbol->length;
+    return symbol->name;
+}

@@ -45,6 +45,8 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
 void symbol_hold(struct declared_name *symbol);
 /* False: nobody held it any more. */
 bool symbol_release(struct declared_name *symbol);
+/* Its name, which is not ended. */
+const char *symbol_name(const struct declared_name *symbol, size_t *length);
 /* Each of level 0, in no order. */
 void symbols_walk(const struct declared_names *symbols,
                   void (*tell)(void *context, const char *name, size_t length,
