@@ -580,6 +580,83 @@ ends 2 "$build/rt205" heat bay.pov --mode kernels
 ends 2 "$build/rt205" heat
 ends 1 "$build/rt205" heat missing.pov
 
+# masses
+cat >parts.pov <<'END'
+#version 3.7;
+#declare Copper = texture { pigment { rgb <.7, .4, .2> } }
+#declare Copper_Density = 8.96;
+#declare Pin = cylinder { 0, 2*y, .5 }
+object { Pin texture { Copper } }
+sphere { 3*x, 1 }
+plane { y, -9 }
+END
+printf '#version 3.7;\nsphere { 0, 1 }\ndisc { 4*x, z, 1 }\n' >open.pov
+printf '1 7.85 Steel\n2 .5 line 6\n' >densities.txt
+printf '1 7.85 Steel\n2 x Pine\n' >bad.txt
+ends 0 "$build/rt205" mass parts.pov --densities densities.txt --rays 512 \
+    --json mass.json
+tells err '^parts.pov: warning: line 7 has no end: it is left out$'
+tells out '^Pin  *volume  *1\.[56]'
+tells out '^Pin  *mass  *14\.'
+tells out '^line 6  *mass  *2\.'
+tells out '^all  *mass  *1[56]\.'
+tells mass.json '"figures": \['
+cp out vector
+ends 0 "$build/rt205" mass parts.pov --densities densities.txt --rays 512 \
+    --queue 77 --jobs 3
+[ "$(sed "/^stage/,\$d" out)" = "$(sed "/^stage/,\$d" vector)" ]
+verdict $? "a mass depends on the queue or the jobs"
+ends 0 "$build/rt205" mass parts.pov --densities densities.txt --rays 512 \
+    --mode scalar
+[ "$(sed '1d; /^stage/,$d' out)" = "$(sed '1d; /^stage/,$d' vector)" ]
+verdict $? "scalar and vector form find other masses"
+ends 0 "$build/rt205" mass parts.pov --part Copper --units mm,g --rays 512
+tells out '^Pin  *volume .* mm^3$'
+tells out '^Pin  *mass  *0\.014'
+tells out '^Pin  *Ixx .* g mm^2$'
+ends 0 "$build/rt205" mass parts.pov --density default=1 --by material \
+    --overlaps --about 1,2,3 --points grid --seed 7 --rays 512
+tells out '^Copper  *volume '
+tells out '^overlaps  *volume '
+tells out 'inertia I about <1, 2, 3>'
+ends 0 "$build/rt205" mass parts.pov --part Pin --rays 512 --tolerance 1e-2
+ends 1 "$build/rt205" mass parts.pov --part Pin --rays 512 --tolerance 1e-9 \
+    --limit 2048 --json never.json
+tells err 'the tolerance 1e-09 is not reached: the error of .* of Pin is '
+[ ! -e never.json ]
+verdict $? "masses that are not good enough are kept"
+ends 1 "$build/rt205" mass parts.pov --json never.json
+tells err 'no density is known of: line 6; --density NAME=VALUE'
+[ ! -s out ] && [ ! -e never.json ]
+verdict $? "masses without a density"
+ends 1 "$build/rt205" mass parts.pov --density Brass=8
+tells err "no part and no material is called 'Brass'; parts: Pin, line 6"
+ends 1 "$build/rt205" mass parts.pov --part Brass
+tells err "called 'Brass'"
+ends 1 "$build/rt205" mass parts.pov --density Copper
+tells err "a density is NAME=VALUE with a value above 0, not 'Copper'"
+ends 1 "$build/rt205" mass parts.pov --densities bad.txt
+tells err '^bad.txt:2:1: error: a line is a number, a density and a name'
+ends 1 "$build/rt205" mass parts.pov --densities missing.txt
+tells err 'missing.txt'
+ends 1 "$build/rt205" mass parts.pov --part 'line 7' --density default=1
+tells err 'the solid of line 7 has no end that is known'
+ends 1 "$build/rt205" mass open.pov --density default=1
+tells err 'the disc of line 3 is an open surface: it has no volume'
+ends 1 "$build/rt205" mass bad.pov --density default=1
+ends 2 "$build/rt205" mass
+ends 2 "$build/rt205" mass parts.pov --rays 0
+ends 2 "$build/rt205" mass parts.pov --rays 4096 --limit 512
+tells err '\-\-rays is more than --limit, 512'
+ends 2 "$build/rt205" mass parts.pov --repeats 1
+ends 2 "$build/rt205" mass parts.pov --mode kernels
+ends 2 "$build/rt205" mass parts.pov --points few
+ends 2 "$build/rt205" mass parts.pov --about 1,2
+ends 2 "$build/rt205" mass parts.pov --units mm
+ends 2 "$build/rt205" mass parts.pov --by line
+ends 2 "$build/rt205" mass parts.pov --tolerance 0
+ends 2 "$build/rt205" mass parts.pov -W 3
+
 # pictures
 ends 2 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --json ./a.png
 ends 2 "$build/rt205" render "$scene" -o a.png \
@@ -870,6 +947,7 @@ whole "$build/rt205" profile "$scene" -W 8 -H 6
 whole "$build/rt205" speedup -W 16 -H 10
 whole "$build/rt205" sweep pipes sphere -W 16 -H 16
 whole "$build/rt205" quartic four.csv
+whole "$build/rt205" mass parts.pov --density default=1 --rays 512
 ends 0 "$build/c205" model cyber205-2pipe
 tells out 'compared with 1 published figure,'
 
@@ -908,6 +986,7 @@ formats "$build/rt205" sweep pipes sphere -W 16 -H 16
 formats "$build/rt205" quartic four.csv
 formats "$build/rt205" heat bay.pov --rays 64
 formats "$build/rt205" quartic four.csv --falsi all
+formats "$build/rt205" mass parts.pov --density default=1 --rays 512
 ends 0 "$build/c205" run good.s --format csv
 tells err '^1.5$'
 
@@ -959,6 +1038,7 @@ several sweep hits sphere -W 16 -H 12
 several sweep length "$scene" --points 1,2,8,64
 several profile "$scene" -W 40 -H 30
 several quartic good.csv --falsi all
+several mass parts.pov --density default=1 --rays 512
 several render "$scene" -o jobs.png -W 40 -H 30
 
 # the order in which pixels go into queues
