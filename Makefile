@@ -63,6 +63,7 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
 	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
 	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/check_lines \
+	$(BUILD)/tests/oracle/check_mass \
 	$(BUILD)/tests/oracle/digest \
 	$(BUILD)/tests/oracle/check_language_scenes \
 	$(BUILD)/tests/oracle/draw_words
@@ -81,12 +82,13 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 
 # What check runs, and in what size: cases an operation, pairs of narrow words,
 # random programs, polynomials of a kind, scenes of solids, of many regions, with lines
-# and as texts, tries a row of the table, compilers.  Those that take longest come first.
+# and masses, and as texts, tries a row of the table, compilers.  Those that take longest
+# come first.
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
-	check-lines check-language-scenes check-language check-library \
-	check-commands check-install check-fit wasm-check
+	check-lines check-mass check-language-scenes check-language \
+	check-library check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 15000
@@ -94,6 +96,7 @@ POLYNOMIALS ?= 600
 FACES ?= 300
 REGIONS ?= 300
 SEEN ?= 100
+MASSES ?= 24
 LANGUAGE ?= 200
 TRIES ?= 300
 HOSTS ?= quick
@@ -131,6 +134,8 @@ check-long: export POLYNOMIALS = 10000
 check-long: export FACES = 20000
 check-long: export REGIONS = 10000
 check-long: export SEEN = 5000
+check-long: export MASSES = 1000
+check-long: export MASS_RAYS = 262144
 check-long: export LANGUAGE = 5000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
@@ -313,6 +318,9 @@ check-regions: $(BUILD)/tests/oracle/check_regions
 
 check-lines: $(BUILD)/tests/oracle/check_lines
 	$(call by_shares,$(SEEN))
+
+check-mass: $(BUILD)/tests/oracle/check_mass
+	$(call by_shares,$(MASSES))
 
 # Each text beside POV-Ray's picture of it.
 check-language-scenes: $(BUILD)/tests/oracle/check_language_scenes $(adapter)
@@ -507,7 +515,7 @@ clean:
 .PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-lines check-scenes check-adaptive check-language-scenes check-language \
+	check-lines check-mass check-scenes check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
 	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \

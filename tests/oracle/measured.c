@@ -3,6 +3,8 @@
 
 #include "tests/oracle/many_scenes.h"
 
+#include <string.h>
+
 static bool find_all(const struct columns_sums *sums, size_t rays_log,
                      struct measured *measured)
 {
@@ -16,6 +18,8 @@ static bool find_all(const struct columns_sums *sums, size_t rays_log,
         good = mass_figures_find(&body, &measured->part[i]);
     }
     measured->checksum = columns_checksum(sums);
+    memcpy(measured->middle, sums->middle, sizeof sums->middle);
+    memcpy(measured->width, sums->width, sizeof sums->width);
     return good
            && mass_overlap(sums, rays_log, &measured->overlap,
                            &measured->overlap_error);

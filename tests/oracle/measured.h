@@ -13,6 +13,7 @@ struct measured {
     struct mass_figures
         part[MEASURED_PARTS + 1]; /* the last one: all of them */
     double overlap, overlap_error;
+    double middle[3], width[3]; /* of the box about all of it */
     uint64_t checksum;
     c205_error error; /* if there is one */
 };

@@ -1,6 +1,7 @@
 /* test_parts.c - what objects of a scene are called and made of, and how dense. */
 #include "rt/mass/bodies.h"
 #include "rt/mass/units.h"
+#include "rt/shapes/primitive.h"
 #include "scene_reading.h"
 
 #include <stdio.h>
@@ -103,6 +104,16 @@ static void test_choice(void **state)
     assert_int_equal(bodies.region_count, 3);
     assert_int_equal(bodies.primitive_count, 4);
     assert_int_equal(bodies.node_count, solids->regions[2].first_node + 1);
+    bodies_free(&bodies);
+    assert_true(mass_parts_choose(&parts, names + 1, 1, &error));
+    assert_true(bodies_take(solids, &parts, &bodies));
+    assert_int_equal(bodies.region_count, 2);
+    for (size_t i = 0; i < 2; i++) {
+        assert_int_equal(bodies.regions[i].first_node, i);
+        assert_int_equal(bodies.nodes[i].next, i + 1);
+        assert_int_equal(bodies.nodes[i].primitive, i);
+        assert_int_equal(bodies.primitives[i].kind, PRIMITIVE_CYLINDER);
+    }
     assert_false(mass_parts_choose(&parts, names, 3, &error));
     bodies_free(&bodies);
     mass_parts_free(&parts);

@@ -1,0 +1,279 @@
+/* check_mass.c - the mass properties of solids by chance (placed_solid.h).
+ *
+ *     check_mass [SCENES [OF SHARE]] [--first]
+ *
+ * Measures a solid, and the same one scaled, turned and moved by chance: the volume is
+ * times the determinant, the centroid goes where it should, and the second moments are
+ * M S M^T times the determinant; where it is scaled alike in all directions the area
+ * is times the square.  A plain count of points inside (plain_mass.h), in a box that is
+ * larger, finds the same volume and centroid.  The scalar form and a vector form with
+ * another queue find the same, bit for bit.  Solids without volume are refused in both
+ * places.  A scene that fails is printed, and written to mass_N.pov.
+ */
+#include "tests/oracle/chance.h"
+#include "tests/oracle/many_scenes.h"
+#include "tests/oracle/measured.h"
+#include "tests/oracle/placed_solid.h"
+#include "tests/oracle/plain_mass.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define STUDENT 2.1314 /* with 15 degrees of freedom */
+enum { REASON = 200, SIGMAS = 7 };
+
+static struct columns_options usual(void)
+{
+    return (struct columns_options){ .mode = TRACE_VECTOR,
+                                     .queue = 2000,
+                                     .points = POINTS_LATTICE,
+                                     .rays_log = 9,
+                                     .repeats = 16,
+                                     .seed = 1 };
+}
+
+/* --- a solid, and where it goes ------------------------------------------- */
+
+struct motion {
+    double scale[3], turn[3], move[3];
+    bool alike;        /* in all directions */
+    double rows[3][3]; /* of the whole */
+    double determinant;
+};
+
+/* Turns about x, then y, then z, left-handed as the language's. */
+static void turn_rows(double rows[3][3], size_t axis, double degrees)
+{
+    double angle = degrees * acos(-1) / 180;
+    size_t i = (axis + 1) % 3, k = (axis + 2) % 3;
+    for (size_t column = 0; column < 3; column++) {
+        double a = rows[i][column], b = rows[k][column];
+        rows[i][column] = a * cos(angle) - b * sin(angle);
+        rows[k][column] = a * sin(angle) + b * cos(angle);
+    }
+}
+
+static struct motion random_motion(uint64_t *state)
+{
+    struct motion motion = { .alike = one_in(state, 2), .determinant = 1 };
+    for (size_t i = 0; i < 3; i++) {
+        motion.scale[i] = motion.alike && i > 0 ? motion.scale[0]
+                                                : of_any_size(state, .3, 3);
+        motion.rows[i][i] = motion.scale[i];
+        motion.determinant *= motion.scale[i];
+        motion.turn[i] = between(state, -180, 180);
+        motion.move[i] = between(state, -5, 5);
+    }
+    for (size_t i = 0; i < 3; i++)
+        turn_rows(motion.rows, i, motion.turn[i]);
+    return motion;
+}
+
+static char *text_of(const struct solid *solid, const struct motion *motion)
+{
+    char *text;
+    FILE *file = test_text(&text);
+    fprintf(file, "object {\n");
+    solid_print(solid, 1, file);
+    if (motion)
+        fprintf(file,
+                "scale <%.17g, %.17g, %.17g>\nrotate <%.17g, %.17g, %.17g>\n"
+                "translate <%.17g, %.17g, %.17g>\n",
+                motion->scale[0], motion->scale[1], motion->scale[2],
+                motion->turn[0], motion->turn[1], motion->turn[2],
+                motion->move[0], motion->move[1], motion->move[2]);
+    fprintf(file, "}\n");
+    fclose(file);
+    return text;
+}
+
+/* --- what must agree ------------------------------------------------------ */
+
+struct comparing {
+    char *reason;
+    bool good;
+};
+
+/* Two figures with their standard errors; scale: what roundings are beside. */
+static void compare(struct comparing *comparing, double a, double a_error,
+                    double b, double b_error, double scale, const char *what)
+{
+    double most = SIGMAS * hypot(a_error, b_error) + 1e-4 * fabs(scale);
+    if (comparing->good && !(fabs(a - b) <= most)) {
+        snprintf(comparing->reason, REASON,
+                 "%s: %.9g and %.9g, which may be %.2g apart", what, a, b,
+                 most);
+        comparing->good = false;
+    }
+}
+
+/* Second moments of the tensor about the centroid, and how large they are. */
+static double second_moments(const double inertia[6], double second[3][3])
+{
+    double half = (inertia[0] + inertia[1] + inertia[2]) / 2;
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = 0; k < 3; k++)
+            second[i][k] = i == k ? half - inertia[i] : -inertia[2 + i + k];
+    return half;
+}
+
+static void compare_seconds(struct comparing *comparing,
+                            const struct mass_figures *one,
+                            const struct mass_figures *other,
+                            const struct motion *motion)
+{
+    double from[3][3], to[3][3], error[3][3];
+    double size = second_moments(other->value + FIGURE_CENTRAL, to);
+    second_moments(one->value + FIGURE_CENTRAL, from);
+    for (size_t i = 0; i < 3; i++)
+        for (size_t k = 0; k < 3; k++) {
+            double moved = 0;
+            error[i][k] = 0;
+            for (size_t a = 0; a < 3; a++)
+                for (size_t b = 0; b < 3; b++) {
+                    double share = motion->rows[i][a] * motion->rows[k][b]
+                                   * motion->determinant;
+                    moved += share * from[a][b];
+                    for (size_t j = 0; j < 6; j++)
+                        error[i][k] += fabs(share)
+                                       * one->error[FIGURE_CENTRAL + j] / 6;
+                }
+            for (size_t j = 0; j < 6; j++)
+                error[i][k] += other->error[FIGURE_CENTRAL + j];
+            compare(comparing, moved, error[i][k] / STUDENT, to[i][k], 0,
+                    size, "second moments");
+        }
+}
+
+static bool same_moved(const struct measured *one,
+                       const struct measured *other,
+                       const struct motion *motion, char *reason)
+{
+    struct comparing comparing = { reason, true };
+    const struct mass_figures *a = &one->part[0], *b = &other->part[0];
+    double det = motion->determinant, size = motion->scale[0];
+    compare(&comparing, a->value[FIGURE_VOLUME] * det,
+            a->error[FIGURE_VOLUME] * det / STUDENT, b->value[FIGURE_VOLUME],
+            b->error[FIGURE_VOLUME] / STUDENT, b->value[FIGURE_VOLUME],
+            "volumes");
+    if (motion->alike)
+        compare(&comparing, a->value[FIGURE_AREA] * size * size,
+                a->error[FIGURE_AREA] * size * size / STUDENT,
+                b->value[FIGURE_AREA], b->error[FIGURE_AREA] / STUDENT,
+                b->value[FIGURE_AREA], "areas");
+    for (size_t i = 0; i < 3; i++) {
+        double moved = motion->move[i], error = 0;
+        for (size_t k = 0; k < 3; k++) {
+            moved += motion->rows[i][k] * a->value[FIGURE_CENTROID + k];
+            error += fabs(motion->rows[i][k]) * a->error[FIGURE_CENTROID + k];
+        }
+        compare(&comparing, moved, error / STUDENT,
+                b->value[FIGURE_CENTROID + i],
+                b->error[FIGURE_CENTROID + i] / STUDENT, other->width[i],
+                "centroids");
+    }
+    compare_seconds(&comparing, a, b, motion);
+    return comparing.good;
+}
+
+/* Points of a box that is a quarter larger. */
+static bool same_plain(const char *text, const struct measured *measured,
+                       uint64_t *state, char *reason)
+{
+    struct comparing comparing = { reason, true };
+    struct scene *scene = scene_of(text);
+    const struct mass_figures *figures = &measured->part[0];
+    double value[PLAIN_MASS_FIGURES], error[PLAIN_MASS_FIGURES], width[3];
+    double volume = figures->value[FIGURE_VOLUME];
+    for (size_t i = 0; i < 3; i++)
+        width[i] = 1.25 * measured->width[i];
+    plain_mass(scene, measured->middle, width, state, value, error);
+    /* the sum is no integral where one object's bodies overlap: of that here is none */
+    compare(&comparing, volume, figures->error[FIGURE_VOLUME] / STUDENT,
+            value[0], error[0], volume, "volume, and points inside");
+    for (size_t i = 0; i < 3; i++)
+        compare(&comparing,
+                volume
+                    * (figures->value[FIGURE_CENTROID + i]
+                       - measured->middle[i]),
+                (volume * figures->error[FIGURE_CENTROID + i]
+                 + width[i] * figures->error[FIGURE_VOLUME])
+                    / STUDENT,
+                value[1 + i], error[1 + i], volume * width[i],
+                "first moment, and points inside");
+    scene_free(scene);
+    return comparing.good;
+}
+
+static bool same_forms(const char *text, uint64_t *state, char *reason)
+{
+    struct columns_options options = usual();
+    struct measured vector, scalar;
+    options.rays_log = 4;
+    options.repeats = 2;
+    options.seed = below(state, 1000);
+    options.points = (enum columns_points)below(state, POINTS_KINDS);
+    options.queue = 1 + below(state, 20);
+    bool good = measure(text, options, &vector);
+    options.mode = TRACE_SCALAR;
+    good = measure(text, options, &scalar) == good
+           && (!good || scalar.checksum == vector.checksum);
+    if (!good)
+        snprintf(reason, REASON, "the forms differ");
+    return good;
+}
+
+/* --- scenes --------------------------------------------------------------- */
+
+static size_t measured_count;
+
+static bool passes(const char *still, const char *moved,
+                   const struct motion *motion, uint64_t *state, char *reason)
+{
+    struct measured one, other;
+    bool there = measure(still, usual(), &one);
+    if (measure(moved, usual(), &other) != there) {
+        snprintf(reason, REASON, "one is refused: %.150s",
+                 there ? other.error.message : one.error.message);
+        return false;
+    }
+    if (!there)
+        return true;
+    measured_count++;
+    return same_moved(&one, &other, motion, reason)
+           && same_plain(moved, &other, state, reason)
+           && same_forms(moved, state, reason);
+}
+
+static bool check_solid(size_t number, bool first)
+{
+    uint64_t state = RANDOM_SEED
+                     ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
+    const struct place place = { .at = { 0 }, .size = 1 };
+    struct motion motion;
+    struct solid *solid = solid_at(&state, &place, DULL,
+                                   (int)below(&state, 3));
+    motion = random_motion(&state);
+    char *still = text_of(solid, NULL), *moved = text_of(solid, &motion);
+    char reason[REASON] = "", path[40];
+    bool good = passes(still, moved, &motion, &state, reason);
+    snprintf(path, sizeof path, "mass_%zu.pov", number);
+    if (!good && first)
+        printf("scene %zu: %s\n", number, reason);
+    else if (!good) {
+        printf("FAIL %s: %s\n%s", path, reason, moved);
+        keep_scene(path, moved);
+    }
+    solid_free(solid);
+    free(still);
+    free(moved);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    int code = check_many(count, words, check_solid);
+    printf("%zu solids were measured\n", measured_count);
+    return code;
+}
