@@ -225,12 +225,12 @@ struct tree_node {
 
 /* What a statement of the file put into the world. */
 struct world_object {
-    const char *name; /* of the #declare that it comes from, or NULL */
-    const char
-        *material; /* .. that its texture comes from, or NULL; of several
+    const char *name;     /* of the #declare that it comes from, or NULL */
+    const char *material; /* .. that its texture comes from, or NULL; what is
+                             taken away does not count, of several
                              textures the first one's */
-    bool mixed;    /* .. there are several materials */
-    size_t line;   /* where it is written, in the main file */
+    bool mixed;           /* .. there are several materials */
+    size_t line;          /* where it is written, in the main file */
 };
 
 /* A float that #declare gave a name. */

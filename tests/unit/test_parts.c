@@ -18,6 +18,7 @@ static const char assembly[] =
     "object { Pin texture { Steel } translate 2*x }\n"
     "sphere { 0, 1 }\n"
     "union { sphere { 0, 1 texture { Steel } } box { 0, 1 texture { Copper } } }\n"
+    "difference { box { 0, 1 texture { Copper } } sphere { 0, .5 texture { Steel } } }\n"
     "#macro Twice(Thing)\n"
     "object { Thing translate 5*x texture { Steel } }\n"
     "#end\n"
@@ -40,7 +41,7 @@ static void test_names(void **state)
         { "Plate", "Steel", false, 6 }, { "Pin", "Copper", false, 7 },
         { "Pin", "Copper", false, 8 },  { "Pin", "Steel", false, 9 },
         { NULL, NULL, false, 10 },      { NULL, "Steel", true, 11 },
-        { "Pin", "Steel", false, 15 },
+        { NULL, "Copper", false, 12 },  { "Pin", "Steel", false, 16 },
     };
     struct scene *scene = read_scene(assembly);
 
@@ -62,13 +63,13 @@ static void test_names(void **state)
 
 static void test_parts(void **state)
 {
-    static const size_t part_of[] = { 0, 1, 1, 2, 3, 4, 2 };
+    static const size_t part_of[] = { 0, 1, 1, 2, 3, 4, 5, 2 };
     struct scene *scene = read_scene(assembly);
     struct mass_parts parts;
 
     (void)state;
     assert_true(mass_parts_find(scene, &parts));
-    assert_int_equal(parts.count, 5);
+    assert_int_equal(parts.count, 6);
     assert_memory_equal(parts.part_of, part_of, sizeof part_of);
     assert_string_equal(parts.list[3].name, "line 10");
     assert_true(parts.list[4].mixed);
@@ -99,15 +100,14 @@ static void test_choice(void **state)
     assert_true(bodies_find_endless(solids, &parts));
     assert_true(mass_parts_choose(&parts, names, 2, &error));
     for (size_t i = 0; i < parts.count; i++)
-        assert_true(parts.list[i].left_out == (i > 1));
+        assert_true(parts.list[i].left_out == (i > 1 && i != 5));
     assert_true(bodies_take(solids, &parts, &bodies));
-    assert_int_equal(bodies.region_count, 3);
-    assert_int_equal(bodies.primitive_count, 4);
-    assert_int_equal(bodies.node_count, solids->regions[2].first_node + 1);
+    assert_int_equal(bodies.region_count, 4);
+    assert_int_equal(bodies.primitive_count, 6);
     bodies_free(&bodies);
     assert_true(mass_parts_choose(&parts, names + 1, 1, &error));
     assert_true(bodies_take(solids, &parts, &bodies));
-    assert_int_equal(bodies.region_count, 2);
+    assert_int_equal(bodies.region_count, 3);
     for (size_t i = 0; i < 2; i++) {
         assert_int_equal(bodies.regions[i].first_node, i);
         assert_int_equal(bodies.nodes[i].next, i + 1);
@@ -150,10 +150,11 @@ static void test_densities(void **state)
     assert_true(densities_add(&densities, "Brass=8", &error));
     assert_false(
         mass_parts_check(&parts, &densities, densities.count, &error));
-    assert_string_equal(error.message,
-                        "no part and no material is called 'Brass'; parts: "
-                        "Plate, Pin, line 10, line 11; materials: Steel, "
-                        "Copper");
+    assert_string_equal(
+        error.message,
+        "no part and no material is called 'Brass'; parts: "
+        "Plate, Pin, line 10, line 11, line 12; materials: Steel, "
+        "Copper");
     densities_free(&densities);
     mass_parts_free(&parts);
     scene_free(scene);

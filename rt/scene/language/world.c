@@ -67,6 +67,23 @@ static bool check_part(struct reader *reader, struct scene_part *part,
                            primitive_kind_name(primitive->kind));
 }
 
+/* What takes away leaves its texture on the surface alone. */
+static void find_material(const struct scene_part *parts, size_t count,
+                          struct world_object *object)
+{
+    bool found = false;
+
+    for (size_t i = 0; i < count; i++) {
+        if (parts[i].primitive.inverted)
+            continue;
+        if (!found)
+            object->material = parts[i].material;
+        else if (!same_name(object->material, parts[i].material))
+            object->mixed = true;
+        found = true;
+    }
+}
+
 /* What it is called, and what it is made of. */
 static bool note_object(struct reader *reader, size_t first,
                         const struct scene_object *object,
@@ -84,11 +101,8 @@ static bool note_object(struct reader *reader, size_t first,
     scene->objects = list;
     list += scene->object_count++;
     *list = (struct world_object){ .name = object->name,
-                                   .material = parts[first].material,
                                    .line = at->main_line };
-    for (size_t i = first; i < reader->world.part_count; i++)
-        list->mixed = list->mixed
-                      || !same_name(list->material, parts[i].material);
+    find_material(parts + first, reader->world.part_count - first, list);
     return true;
 }
 
