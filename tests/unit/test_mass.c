@@ -158,6 +158,7 @@ static void test_same_bits(void **state)
 static void test_same_packets(void **state)
 {
     struct columns_options options = usual();
+    struct measured ball;
     uint64_t expected;
 
     (void)state;
@@ -170,6 +171,10 @@ static void test_same_packets(void **state)
     options.mode = TRACE_SCALAR;
     options.jobs = 2;
     assert_true(checksum_of(crowd, options) == expected);
+    options.mode = TRACE_VECTOR;
+    measure_well("sphere { 0, 1 }", options, &ball);
+    assert_true(fabs(ball.part[0].value[FIGURE_VOLUME] - 4 * acos(-1) / 3)
+                < 1e-3);
 }
 
 /* ---- Points -------------------------------------------------------------- */
