@@ -646,8 +646,6 @@ tells err 'the disc of line 3 is an open surface: it has no volume'
 ends 1 "$build/rt205" mass bad.pov --density default=1
 ends 2 "$build/rt205" mass
 ends 2 "$build/rt205" mass parts.pov --rays 0
-ends 2 "$build/rt205" mass parts.pov --rays 4096 --limit 512
-tells err '\-\-rays is more than --limit, 512'
 ends 2 "$build/rt205" mass parts.pov --repeats 1
 ends 2 "$build/rt205" mass parts.pov --mode kernels
 ends 2 "$build/rt205" mass parts.pov --points few

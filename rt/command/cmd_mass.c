@@ -460,10 +460,6 @@ static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
 
-    if (arguments->mass.rays > arguments->mass.limit)
-        return cmd_usage(arguments->command,
-                         "--rays is more than --limit, %zu",
-                         arguments->mass.limit);
     arguments->trace.width = arguments->trace.height = 1;
     return cmd_with_machine(arguments, run);
 }
@@ -567,8 +563,8 @@ static const struct command_option options[] = {
       .most = 1,
       .preset_text = "none",
       .help = "four times the rays until no error is larger" },
-    { CMD_COUNT("limit", mass.limit, 1, RAYS_MOST, 1 << 20,
-                "rays of a view at the most") },
+    { CMD_COUNT("limit", mass.limit, 1, RAYS_MOST, 1 << 19,
+                "rays of a view at the most, where there is a tolerance") },
     { .name = "points",
       .value = "KIND",
       .kind = COMMAND_CHOICE,
