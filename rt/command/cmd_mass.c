@@ -238,7 +238,7 @@ static int decimals_of(double value, double error)
                     : value != 0 ? 8 - floor(log10(fabs(value)))
                                  : 0;
 
-    return digits < 0 ? 0 : digits > 15 ? 15 : (int)digits;
+    return !(digits > 0) ? 0 : digits > 15 ? 15 : (int)digits;
 }
 
 static int error_decimals(double error)

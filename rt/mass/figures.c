@@ -163,7 +163,8 @@ static void find_values(const struct mass_body *body,
     value[FIGURE_MASS] = sum->mass;
     for (size_t i = 0; i < 3; i++) {
         centroid[i] = sum->mass != 0 ? sum->first[i] / sum->mass : 0;
-        value[FIGURE_CENTROID + i] = centroid[i] + middle[i];
+        value[FIGURE_CENTROID + i] = sum->mass != 0 ? centroid[i] + middle[i]
+                                                    : NAN;
         offset[i] = centroid[i] + middle[i] - body->about[i];
         value[FIGURE_VIEWS + i] = sum->views[i];
     }
@@ -305,6 +306,8 @@ double mass_worst(const struct mass_figures *figures,
         double share = figures->error[i] > 0 ? figures->error[i] / scale
                                              : figures->error[i];
 
+        if (isnan(figures->value[i])) /* of what is empty */
+            continue;
         if (share > worst || isnan(share)) {
             worst = isnan(share) ? INFINITY : share;
             *figure = i;

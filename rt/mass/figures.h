@@ -18,7 +18,7 @@ enum figure {
     FIGURE_VOLUME,
     FIGURE_AREA,
     FIGURE_MASS,
-    FIGURE_CENTROID, /* x, y, z, of the mass */
+    FIGURE_CENTROID, /* x, y, z, of the mass; NaN: it is 0 */
     FIGURE_INERTIA = FIGURE_CENTROID
                      + 3, /* about the point asked for: Ixx, Iyy, Izz,
                                              Ixy, Ixz, Iyz */

@@ -228,6 +228,15 @@ static bool same_forms(const char *text, uint64_t *state, char *reason)
 
 static size_t measured_count;
 
+static bool is_empty(const struct measured *measured, char *reason)
+{
+    bool empty = measured->part[0].value[FIGURE_VOLUME] == 0
+                 && isnan(measured->part[0].value[FIGURE_CENTROID]);
+    if (!empty)
+        snprintf(reason, REASON, "of two one is empty");
+    return empty;
+}
+
 static bool passes(const char *still, const char *moved,
                    const struct motion *motion, uint64_t *state, char *reason)
 {
@@ -240,6 +249,8 @@ static bool passes(const char *still, const char *moved,
     }
     if (!there)
         return true;
+    if (one.part[0].value[FIGURE_VOLUME] == 0)
+        return is_empty(&other, reason);
     measured_count++;
     return same_moved(&one, &other, motion, reason)
            && same_plain(moved, &other, state, reason)

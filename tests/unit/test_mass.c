@@ -305,6 +305,8 @@ static void refuses(const char *text, const char *why)
 
 static void test_refused(void **state)
 {
+    struct measured empty;
+
     (void)state;
     refuses("sphere { 0, 1 }\ndisc { <0,0,3>, z, 2 }",
             "the disc of line 2 is an open surface: it has no volume");
@@ -312,6 +314,11 @@ static void test_refused(void **state)
             "the solid of line 2 has no end that is known: its volume cannot "
             "be found");
     refuses("", "the scene has no bodies");
+    measure_well("intersection { sphere { 0, 1 } sphere { 3*x, 1 }\n"
+                 "sphere { 0, 9 } }\nbox { 2, 3 }",
+                 usual(), &empty);
+    assert_true(empty.part[0].value[FIGURE_VOLUME] == 0);
+    assert_true(isnan(empty.part[0].value[FIGURE_CENTROID]));
 }
 
 int main(void)
