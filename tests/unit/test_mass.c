@@ -272,6 +272,30 @@ static void test_about(void **state)
     assert_true(fabs(value[FIGURE_CENTRAL] - 16. / 3) < 2e-3);
 }
 
+/* .. where the centroid is not the middle of the box. */
+static void test_parallel_axes(void **state)
+{
+    struct measured bored;
+    const double *value = bored.part[0].value;
+    double x, y, z, volume;
+
+    (void)state;
+    measure_well("difference { box { <-1,-.5,-.25>, <1,.5,.25> }\n"
+                 "cylinder { <.4,0,-1>, <.4,0,1>, .3 } translate <3,2,1> }",
+                 usual(), &bored);
+    volume = value[FIGURE_VOLUME];
+    x = value[FIGURE_CENTROID];
+    y = value[FIGURE_CENTROID + 1];
+    z = value[FIGURE_CENTROID + 2];
+    assert_true(x < 2.95);
+    assert_true(fabs(value[FIGURE_INERTIA] - value[FIGURE_CENTRAL]
+                     - volume * (y * y + z * z))
+                < 1e-9);
+    assert_true(fabs(value[FIGURE_INERTIA + 3] - value[FIGURE_CENTRAL + 3]
+                     + volume * x * y)
+                < 1e-9);
+}
+
 /* The axes of a box that is turned, its moments rising. */
 static void test_axes(void **state)
 {
@@ -324,10 +348,15 @@ static void test_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_formulas),     cmocka_unit_test(test_same_bits),
-        cmocka_unit_test(test_same_packets), cmocka_unit_test(test_points),
-        cmocka_unit_test(test_overlap),      cmocka_unit_test(test_about),
-        cmocka_unit_test(test_axes),         cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_formulas),
+        cmocka_unit_test(test_same_bits),
+        cmocka_unit_test(test_same_packets),
+        cmocka_unit_test(test_points),
+        cmocka_unit_test(test_overlap),
+        cmocka_unit_test(test_about),
+        cmocka_unit_test(test_parallel_axes),
+        cmocka_unit_test(test_axes),
+        cmocka_unit_test(test_refused),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);
