@@ -313,6 +313,7 @@ static void test_axes(void **state)
         assert_true(fabs(figures->value[FIGURE_PRINCIPAL + i] - moments[i])
                     < 1e-3);
     }
+    assert_true(figures->axes[0][0] * figures->axes[0][1] > 0);
     assert_true(fabs(fabs(figures->axes[0][0]) - cos(acos(-1) / 6)) < 1e-2);
     assert_true(fabs(fabs(figures->axes[2][2]) - 1) < 1e-3);
 }
