@@ -3,14 +3,10 @@
 
 int main(int argc, char **argv)
 {
-    static const struct command *const commands[] = { &render_command,
-                                                      &profile_command,
-                                                      &speedup_command,
-                                                      &sweep_command,
-                                                      &quartic_command,
-                                                      &heat_command,
-                                                      &mass_command,
-                                                      NULL };
+    static const struct command *const commands[] = {
+        &render_command,  &profile_command, &speedup_command, &sweep_command,
+        &quartic_command, &heat_command,    &mass_command,    NULL
+    };
     static const struct command_example files[] = {
         { "NAME.pov", "A scene, in the part of POV-Ray's language that is "
                       "read." },

@@ -168,7 +168,7 @@ static void end_work(struct columns_work *work)
 /* The planes that the program of rays makes. */
 enum { PLACE_P, PLACE_Q, ORIGIN_P, ORIGIN_Q, RAY_PLANES };
 
-struct packet {
+struct columns_packet {
     const struct columns_work *work;
     size_t unit, view, shift, first; /* first: the number of its first ray */
     c205_word *rays;                 /* [RAY_PLANES][rays] */
@@ -183,7 +183,7 @@ static size_t axis_of(size_t view, size_t which)
     return (view + which) % 3;
 }
 
-static bool make_rays(struct packet *packet)
+static bool make_rays(struct columns_packet *packet)
 {
     const struct columns_work *work = packet->work;
     const struct columns_options *options = work->options;
@@ -211,7 +211,7 @@ static bool make_rays(struct packet *packet)
                         &work->clocks[packet->unit][STAGE_RAYS]);
 }
 
-static void lay_lines(const struct packet *packet)
+static void lay_lines(const struct columns_packet *packet)
 {
     const struct columns_sums *sums = packet->work->sums;
     size_t count = packet->work->rays_of_packet, view = packet->view;
@@ -228,7 +228,7 @@ static void lay_lines(const struct packet *packet)
     }
 }
 
-static bool find_crossings(struct packet *packet)
+static bool find_crossings(struct columns_packet *packet)
 {
     const struct columns_work *work = packet->work;
 
@@ -243,7 +243,7 @@ static bool find_crossings(struct packet *packet)
 }
 
 /* Bodies alone have volumes. */
-static bool check_crossing(const struct packet *packet,
+static bool check_crossing(const struct columns_packet *packet,
                            const struct seen_crossing *seen)
 {
     const struct primitive *primitive = &packet->work->scene
@@ -269,8 +269,8 @@ enum {
     CROSSED_SIZE
 };
 
-static void lay_crossing(const struct packet *packet, size_t ray, size_t i,
-                         size_t count, c205_word *planes)
+static void lay_crossing(const struct columns_packet *packet, size_t ray,
+                         size_t i, size_t count, c205_word *planes)
 {
     const struct seen_crossing *seen = &packet->seen.list[i];
     const size_t *part_of = packet->work->options->part_of;
@@ -285,7 +285,8 @@ static void lay_crossing(const struct packet *packet, size_t ray, size_t i,
     planes[CROSSED_WITHIN * count + i] = c205_from_integer(seen->within);
 }
 
-static bool lay_crossings(const struct packet *packet, c205_word *planes)
+static bool lay_crossings(const struct columns_packet *packet,
+                          c205_word *planes)
 {
     const struct seen_crossings *seen = &packet->seen;
     size_t count = seen->first[seen->line_count];
@@ -299,7 +300,8 @@ static bool lay_crossings(const struct packet *packet, c205_word *planes)
     return true;
 }
 
-static bool run_columns(const struct packet *packet, const c205_word *planes)
+static bool run_columns(const struct columns_packet *packet,
+                        const c205_word *planes)
 {
     const struct columns_work *work = packet->work;
     size_t count = packet->seen.first[packet->seen.line_count];
@@ -320,7 +322,7 @@ static bool run_columns(const struct packet *packet, const c205_word *planes)
                         &work->clocks[packet->unit][STAGE_SUMS]);
 }
 
-static bool add_columns(const struct packet *packet)
+static bool add_columns(const struct columns_packet *packet)
 {
     size_t count = packet->seen.first[packet->seen.line_count];
     c205_word *planes = calloc(CROSSED_SIZE * count + 1, sizeof *planes);
@@ -338,7 +340,7 @@ static bool do_packet(void *context, const struct task *task,
     const struct columns_work *work = context;
     size_t rays = work->rays_of_packet;
     size_t group = task->number / work->packets;
-    struct packet packet = {
+    struct columns_packet packet = {
         .work = work,
         .unit = task->number,
         .view = group / work->options->repeats,
