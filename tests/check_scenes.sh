@@ -97,7 +97,7 @@ same_frames() { # SCENE: of all stages and queues
     verdict $? "$1: the paper's stage by tiles gives another frame"
     same_stages "of four rays a pixel" "$1" -W 30 -H 22 --samples 2
     grep -q aperture "$1" ||
-        same_stages "of more rays where pixels differ" "$1" -W 34 -H 22 \
+        same_stages "of more rays where pixels differ" "$1" -W 34 -H 5 \
             --samples 2 --threshold .2
     [ "$(checksum "$1" --visible every)" = "$frame" ]
     verdict $? "$1: every crossing of solids gives another frame"
