@@ -199,7 +199,7 @@ static bool close_loop(struct drawing *drawing)
     if (!add_line(drawing, first))
         return false;
     glyph->count--;
-    if (glyph->count == drawing->first)
+    if (glyph->count <= drawing->first)
         return true;
     loop = glyph->points + drawing->first;
     font_turn_loop(loop, glyph->count - drawing->first, glyph->apart);

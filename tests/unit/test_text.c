@@ -1,5 +1,6 @@
 /* test_text.c - the scene language: characters of fonts, which come with
  * POV-Ray's package. */
+#include "base/file.h"
 #include "rt/scene/font.h"
 #include "rt/scene/transform.h"
 #include "rt/shapes/path.h"
@@ -8,6 +9,8 @@
 #include "tests/unit/scene_reading.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* A character's prism: how far its corners are apart, 2 with handles, and its ends. */
 struct character {
@@ -204,6 +207,108 @@ static void test_straight(void **state)
     scene_free(scene);
 }
 
+/* ---- Fonts as they may be --------------------------------------------------- */
+
+static unsigned two_bytes(const unsigned char *at)
+{
+    return (unsigned)at[0] << 8 | at[1];
+}
+
+static size_t four_bytes(const unsigned char *at)
+{
+    return (size_t)two_bytes(at) << 16 | two_bytes(at + 2);
+}
+
+/* Of a TrueType file, by its directory of tables. */
+static unsigned char *table_of(unsigned char *font, const char *name)
+{
+    unsigned count = two_bytes(font + 4);
+
+    for (unsigned char *row = font + 12; count > 0; count--, row += 16)
+        if (!memcmp(row, name, 4))
+            return font + four_bytes(row + 8);
+    fail_msg("the font has no table %s", name);
+    return NULL;
+}
+
+/* The first loop of each character that has several becomes a single point, by which
+ * fonts mark a place. */
+static void leave_points(unsigned char *font)
+{
+    const unsigned char *places = table_of(font, "loca");
+    unsigned char *glyphs = table_of(font, "glyf");
+    bool is_long = two_bytes(table_of(font, "head") + 50) != 0;
+    unsigned count = two_bytes(table_of(font, "maxp") + 4);
+
+    for (size_t i = 0; i < count; i++) {
+        size_t begin = is_long ? four_bytes(places + 4 * i)
+                               : 2 * two_bytes(places + 2 * i);
+        size_t end = is_long ? four_bytes(places + 4 * i + 4)
+                             : 2 * two_bytes(places + 2 * i + 2);
+        unsigned loops = end > begin ? two_bytes(glyphs + begin) : 0;
+        if (loops > 1 && loops < 0x8000)
+            glyphs[begin + 10] = glyphs[begin + 11] = 0;
+    }
+}
+
+/* All points belong to edges of some length, in loops that end where they begin. */
+static void check_outline(const struct glyph *glyph)
+{
+    const struct outline path = { glyph->count, glyph->points };
+    struct path_walk walk = { .path = &path, .apart = glyph->apart };
+    size_t used = 0;
+
+    while (path_next(&walk)) {
+        const double *from = walk.from;
+        used += 1 + (size_t)walk.begins;
+        used += glyph->apart - 1;
+        if (glyph->apart == 2)
+            assert_true(path_next(&walk));
+        assert_false(!memcmp(from, walk.to, 2 * sizeof *from)
+                     && !memcmp(from, from + 2, 2 * sizeof *from));
+    }
+    assert_int_equal(used, glyph->count);
+}
+
+static void check_font(const char *name, bool points)
+{
+    struct arena arena = { NULL, false };
+    const char *fault;
+    char path[100];
+    c205_error error;
+    size_t length;
+    char *bytes;
+    struct font *font;
+
+    snprintf(path, sizeof path, "/usr/share/povray-3.7/include/%s.ttf", name);
+    bytes = file_read(path, FILE_LARGEST, &length, &error);
+    assert_non_null(bytes);
+    if (points)
+        leave_points((unsigned char *)bytes);
+    font = font_open(bytes, length, &fault);
+    assert_non_null(font);
+    for (uint32_t character = 32; character < 256; character++) {
+        struct glyph glyph;
+        assert_true(font_glyph(font, character, &arena, &glyph));
+        check_outline(&glyph);
+    }
+    font_close(font);
+    free(bytes);
+    arena_free(&arena);
+}
+
+static void test_outlines(void **state)
+{
+    static const char *const names[] = { "timrom", "cyrvetic", "crystal",
+                                         "povlogo" };
+
+    (void)state;
+    for (size_t i = 0; i < 2 * COUNT(names); i++)
+        check_font(names[i / 2], i % 2);
+}
+
+/* ---- Loops that touch themselves --------------------------------------------- */
+
 enum { LOOP_MOST = 24 };
 
 /* Loops by chance on a small grid, so that they touch themselves: the same loop
@@ -292,6 +397,7 @@ int main(void)
         cmocka_unit_test(test_curves),
         cmocka_unit_test(test_slanted),
         cmocka_unit_test(test_straight),
+        cmocka_unit_test(test_outlines),
         cmocka_unit_test(test_touching_loops),
         cmocka_unit_test(test_modifiers),
         cmocka_unit_test(test_blank),
