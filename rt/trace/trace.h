@@ -38,7 +38,8 @@ enum {
 
 /* With a threshold a pixel has one ray, and the samples besides only if it differs
  * so much from a neighbour (rt/kernels/frame/adaptive.s).  That is so in blocks of
- * pixels, across and down; a band is as many whole rows of them. */
+ * pixels, across and down; a band is as many whole rows of them, one at the least. A row
+ * and the pixel to the left of it are one vector. */
 enum { TRACE_BLOCK = 32, TRACE_COLUMNS_MOST = 65534 };
 /* Pixels of a frame: what fits the memory that hosts commonly have. */
 enum { TRACE_SAMPLES_MOST = 16 };
