@@ -215,9 +215,9 @@ static bool same_forms(const char *text, uint64_t *state, char *reason)
     options.seed = below(state, 1000);
     options.points = (enum columns_points)below(state, POINTS_KINDS);
     options.queue = 1 + below(state, 20);
-    bool good = measure(text, options, &vector);
+    bool good = measure_scene(text, options, &vector);
     options.mode = TRACE_SCALAR;
-    good = measure(text, options, &scalar) == good
+    good = measure_scene(text, options, &scalar) == good
            && (!good || scalar.checksum == vector.checksum);
     if (!good)
         snprintf(reason, REASON, "the forms differ");
@@ -241,8 +241,8 @@ static bool passes(const char *still, const char *moved,
                    const struct motion *motion, uint64_t *state, char *reason)
 {
     struct measured one, other;
-    bool there = measure(still, usual(), &one);
-    if (measure(moved, usual(), &other) != there) {
+    bool there = measure_scene(still, usual(), &one);
+    if (measure_scene(moved, usual(), &other) != there) {
         snprintf(reason, REASON, "one is refused: %.150s",
                  there ? other.error.message : one.error.message);
         return false;

@@ -25,8 +25,8 @@ static bool find_all(const struct columns_sums *sums, size_t rays_log,
                            &measured->overlap_error);
 }
 
-bool measure(const char *text, struct columns_options options,
-             struct measured *measured)
+bool measure_scene(const char *text, struct columns_options options,
+                   struct measured *measured)
 {
     struct scene *scene = scene_of(text);
     c205_model *model = c205_model_find("cyber205-2pipe", &measured->error);

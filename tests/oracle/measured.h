@@ -20,7 +20,7 @@ struct measured {
 
 /* All of density one, inertia about the origin.  Options without model and parts, which
  * are found here.  False: it cannot be measured; the error says why. */
-bool measure(const char *text, struct columns_options options,
-             struct measured *measured);
+bool measure_scene(const char *text, struct columns_options options,
+                   struct measured *measured);
 
 #endif

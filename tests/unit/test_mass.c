@@ -28,7 +28,7 @@ static struct columns_options usual(void)
 static void measure_well(const char *text, struct columns_options options,
                          struct measured *measured)
 {
-    if (!measure(text, options, measured))
+    if (!measure_scene(text, options, measured))
         fail_msg("%s: %s", text, measured->error.message);
 }
 
@@ -324,7 +324,7 @@ static void refuses(const char *text, const char *why)
 {
     struct measured measured;
 
-    assert_false(measure(text, usual(), &measured));
+    assert_false(measure_scene(text, usual(), &measured));
     assert_string_equal(measured.error.message, why);
 }
 
