@@ -91,7 +91,7 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-library check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
-PROGRAMS ?= 15000
+PROGRAMS ?= 12000
 POLYNOMIALS ?= 600
 FACES ?= 200
 REGIONS ?= 200
