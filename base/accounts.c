@@ -132,6 +132,16 @@ bool accounts_add(struct accounts *accounts, const c205 *machine)
     return true;
 }
 
+bool accounts_add_all(struct accounts *accounts, const struct accounts *more)
+{
+    for (size_t i = 0; i < more->count; i++) {
+        if (!accounts_add_account(accounts, &more->items[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 void accounts_free(struct accounts *accounts)
 {
     for (size_t i = 0; i < accounts->count; i++) {

@@ -17,6 +17,8 @@ struct accounts {
 bool accounts_add(struct accounts *accounts, const c205 *machine);
 bool accounts_add_account(struct accounts *accounts,
                           const c205_account *account);
+/* All of another list. */
+bool accounts_add_all(struct accounts *accounts, const struct accounts *more);
 /* NULL: there is no such region. */
 const c205_account *accounts_find(const struct accounts *accounts,
                                   const char *region);

@@ -71,13 +71,8 @@ static bool find_row(struct heat *heat, const struct factors *factors,
                 primitive_kind_name(primitive->kind), refusal);
         return true;
     }
-    if (!factors_find(factors, i, &heat->rows[i], error))
-        return false;
-    for (size_t k = 0; k < heat->rows[i].accounts.count; k++)
-        if (!accounts_add_account(&heat->accounts,
-                                  &heat->rows[i].accounts.items[k]))
-            return false;
-    return true;
+    return factors_find(factors, i, &heat->rows[i], error)
+           && accounts_add_all(&heat->accounts, &heat->rows[i].accounts);
 }
 
 static bool find_rows(struct heat *heat, c205_error *error)
@@ -244,11 +239,6 @@ static const char *points_choice(size_t number)
     return number < 2 ? names[number] : NULL;
 }
 
-static const char *form_choice(size_t number)
-{
-    return number < TRACE_FORMS ? cmd_mode_choice(number) : NULL;
-}
-
 static const struct command_option options[] = {
     { CMD_COUNT("rays", heat.rays, 1, EMISSION_MOST, 1024,
                 "points of a surface in each repeat, and rays of those that "
@@ -263,7 +253,7 @@ static const struct command_option options[] = {
       .help = "what they are made of" },
     { CMD_COUNT("seed", heat.seed, 0, 1e9, 1,
                 "another one makes other points") },
-    CMD_MODE(form_choice, "in which form"),
+    CMD_MODE(cmd_form_choice, "in which form"),
     CMD_QUEUE("points and rays in the vector queue"),
     CMD_MODEL,
     CMD_READ,

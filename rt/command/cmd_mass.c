@@ -154,7 +154,6 @@ static bool find_figures(struct mass_work *work)
         struct mass_row *row = &work->rows[i];
         const struct mass_body body = {
             .sums = &work->sums,
-            .rays_log = work->rays_log,
             .density = row->density,
             .about = work->arguments->mass.about
         };
@@ -289,7 +288,7 @@ static struct table *table_of_figures(const struct mass_work *work)
                        work->rows[i].figures.value[k],
                        work->rows[i].figures.error[k], k);
     if (work->arguments->mass.overlaps) {
-        mass_overlap(&work->sums, work->rays_log, &volume, &error);
+        mass_overlap(&work->sums, &volume, &error);
         add_figure(table, units, "overlaps", figure_name(FIGURE_VOLUME),
                    volume, error, FIGURE_VOLUME);
     }
@@ -312,7 +311,7 @@ static struct table *table_of_axes(const struct mass_work *work)
 
 static size_t rays_of(const struct mass_work *work)
 {
-    return VIEWS * work->sums.repeats << work->rays_log;
+    return VIEWS * work->sums.repeats << work->sums.rays_log;
 }
 
 static struct table *table_of_clocks(const struct mass_work *work)
@@ -345,7 +344,7 @@ static void tell_run(const struct mass_work *work,
                 "<%g, %g, %g>, J about the centroid; Ixy = - integral of x y "
                 "dm\n",
                 arguments->scene, work->sums.repeats,
-                (size_t)1 << work->rays_log,
+                (size_t)1 << work->sums.rays_log,
                 (unsigned long long)work->sums.crossings,
                 trace_mode_name(arguments->trace.mode), sum, about[0],
                 about[1], about[2]);
@@ -464,11 +463,6 @@ static int run_command_line(void *given)
     return cmd_with_machine(arguments, run);
 }
 
-static const char *form_choice(size_t number)
-{
-    return number < TRACE_FORMS ? cmd_mode_choice(number) : NULL;
-}
-
 static const char *points_choice(size_t number)
 {
     static const char *const names[] = { [POINTS_RANDOM] = "random",
@@ -573,7 +567,7 @@ static const struct command_option options[] = {
       .preset = POINTS_LATTICE,
       .help = "where rays are" },
     { CMD_COUNT("seed", mass.seed, 0, 1000000, 1, "of shifts and points") },
-    CMD_MODE(form_choice, "in which form"),
+    CMD_MODE(cmd_form_choice, "in which form"),
     CMD_QUEUE("rays in the vector queue"),
     CMD_MODEL,
     CMD_JOBS("packets of rays at a time"),

@@ -351,11 +351,6 @@ static int run_command_line(void *given)
     return cmd_with_machine(arguments, run);
 }
 
-static const char *form_choice(size_t number)
-{
-    return number < TRACE_FORMS ? cmd_mode_choice(number) : NULL;
-}
-
 static const char *falsi_choice(size_t number)
 {
     if (number == FALSI_RULES)
@@ -366,7 +361,7 @@ static const char *falsi_choice(size_t number)
 static const struct command_option options[] = {
     CMD_FLAG("all", all, "all roots (this is what happens anyway)"),
     CMD_FLAG("first", first, "the first root of each alone"),
-    CMD_MODE(form_choice, "in which form"),
+    CMD_MODE(cmd_form_choice, "in which form"),
     CMD_QUEUE("polynomials in the vector queue"),
     { .name = "falsi",
       .value = "RULE",

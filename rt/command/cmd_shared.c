@@ -100,6 +100,11 @@ const char *cmd_mode_choice(size_t number)
                                 : NULL;
 }
 
+const char *cmd_form_choice(size_t number)
+{
+    return number < TRACE_FORMS ? cmd_mode_choice(number) : NULL;
+}
+
 const char *cmd_visible_choice(size_t number)
 {
     return number < VISIBLE_WAYS ? visible_name((enum visible)number) : NULL;

@@ -69,7 +69,8 @@ struct rt205_arguments {
 
 #define CMD_PLACE(member) offsetof(struct rt205_arguments, member)
 
-command_choice cmd_mode_choice, cmd_visible_choice, cmd_order_choice;
+command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice,
+    cmd_order_choice;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))

@@ -1,11 +1,10 @@
 #include "rt/heat/emission.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "rt/heat/alias.h"
 #include "rt/layout/program.h"
 #include "rt/layout/record.h"
@@ -20,16 +19,6 @@ struct emission {
     struct image image;    /* what is given, but for the choice */
     uint64_t choice, made; /* addresses */
 };
-
-static bool fail(c205_error *error, const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(error->message, sizeof error->message, format, arguments);
-    va_end(arguments);
-    return false;
-}
 
 /* ---- What is given -------------------------------------------------------- */
 
@@ -152,14 +141,14 @@ static bool check_options(const struct emission_options *options,
                           c205_error *error)
 {
     if (options->mode >= TRACE_FORMS)
-        return fail(error, "emission is scalar or vector");
+        return error_say(error, "emission is scalar or vector");
     if (options->points < 1 || options->points > EMISSION_MOST)
-        return fail(error, "%zu points: 1 .. %d", options->points,
-                    EMISSION_MOST);
+        return error_say(error, "%zu points: 1 .. %d", options->points,
+                         EMISSION_MOST);
     if (options->mode == TRACE_VECTOR
         && (options->queue < 1 || options->queue > EMISSION_MOST))
-        return fail(error, "a queue of %zu points: 1 .. %d", options->queue,
-                    EMISSION_MOST);
+        return error_say(error, "a queue of %zu points: 1 .. %d",
+                         options->queue, EMISSION_MOST);
     return true;
 }
 
@@ -210,8 +199,9 @@ static bool prepare(struct emission *emission,
                 && lay_out(emission, primitive, &emitter, error);
 
     if (fault)
-        fail(error, "the %s of line %zu: %s",
-             primitive_kind_name(primitive->kind), primitive->line, fault);
+        error_say(error, "the %s of line %zu: %s",
+                  primitive_kind_name(primitive->kind), primitive->line,
+                  fault);
     emitter_free(&emitter);
     return good;
 }
@@ -223,7 +213,7 @@ struct emission *emission_new(const struct primitive *primitive,
     struct emission *emission = calloc(1, sizeof *emission);
 
     if (!emission) {
-        fail(error, "no memory");
+        error_say(error, "no memory");
         return NULL;
     }
     emission->options = *options;
@@ -312,7 +302,8 @@ bool emission_run(struct emission *emission,
     c205 *machine = emission_load(emission, choice, error);
 
     return machine && program_run(machine, NULL, NULL, NULL, error)
-           && (read_points(emission, points) || fail(error, "no memory"));
+           && (read_points(emission, points)
+               || error_say(error, "no memory"));
 }
 
 const struct object *emission_program(const struct emission *emission)

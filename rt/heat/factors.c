@@ -1,10 +1,10 @@
 #include "rt/heat/factors.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "rt/shapes/primitive.h"
 
 /* Lines through points along their normals begin so far below them. */
@@ -17,12 +17,6 @@ struct factors {
     struct factors_options options;
     struct lines *normals, *rays;
 };
-
-static bool fail(c205_error *error, const char *message)
-{
-    snprintf(error->message, sizeof error->message, "%s", message);
-    return false;
-}
 
 /* ---- To begin ------------------------------------------------------------- */
 
@@ -44,12 +38,12 @@ struct factors *factors_new(const struct scene *scene,
     struct factors *factors;
 
     if (options->repeats < 2) {
-        fail(error, "errors come of two repeats or more");
+        error_say(error, "errors come of two repeats or more");
         return NULL;
     }
     factors = calloc(1, sizeof *factors);
     if (!factors) {
-        fail(error, "no memory");
+        error_say(error, "no memory");
         return NULL;
     }
     factors->scene = scene;
@@ -79,7 +73,7 @@ struct packet {
     struct emitted *points;
     struct scene_line *lines;
     size_t kept;   /* points, the first of the list */
-    double area;   /* the mean of weights, 0 of points that went */
+    double area;   /* the sum of weights, 0 of points that went */
     double *share; /* .. by receiver */
 };
 
@@ -92,14 +86,6 @@ static void put_line(const c205_word origin[3], const c205_word direction[3],
     }
 }
 
-static bool add_accounts(struct accounts *sum, const struct accounts *more)
-{
-    for (size_t i = 0; i < more->count; i++)
-        if (!accounts_add_account(sum, &more->items[i]))
-            return false;
-    return true;
-}
-
 /* Those crossings that lines find, with what that took. */
 static bool follow(const struct lines *lines, const struct scene_line *list,
                    size_t count, struct factor_row *row,
@@ -107,10 +93,10 @@ static bool follow(const struct lines *lines, const struct scene_line *list,
 {
     if (!lines_find(lines, list, count, found, error))
         return false;
-    if (add_accounts(&row->accounts, &found->accounts))
+    if (accounts_add_all(&row->accounts, &found->accounts))
         return true;
     seen_crossings_free(found);
-    return fail(error, "no memory");
+    return error_say(error, "no memory");
 }
 
 /* Is the primitive seen where the line has its origin? */
@@ -190,77 +176,109 @@ static bool run_repeat(const struct factors *factors,
     if (!options->lattice)
         choice.first = place * options->points;
     packet->area = 0;
-    memset(packet->share, 0, row->receivers * sizeof *packet->share);
     return emission_run(emission, &choice, packet->points, error)
            && (accounts_add(&row->accounts, emission_machine(emission))
-               || fail(error, "no memory"))
+               || error_say(error, "no memory"))
            && keep_faces(factors, primitive, packet, row, error)
            && (packet->kept == 0 || receive(factors, packet, row, error));
 }
 
 /* ---- All of them ------------------------------------------------------------ */
 
-/* Sums over the repeats: of areas, of shares and of their products. */
-struct sums {
-    double area, area_squares;
-    double *share, *squares, *products;
+/* What each of the repeats comes to, means over its points. */
+struct repeats {
+    size_t count;
+    double *area;
+    double *share; /* [count][receivers] */
 };
 
-static void add_repeat(struct sums *sums, const struct packet *packet,
-                       size_t points, size_t receivers)
+static bool repeats_begin(struct repeats *repeats, size_t count,
+                          size_t receivers)
 {
-    double area = packet->area / (double)points;
-
-    sums->area += area;
-    sums->area_squares += area * area;
-    for (size_t j = 0; j < receivers; j++) {
-        double share = packet->share[j] / (double)points;
-
-        sums->share[j] += share;
-        sums->squares[j] += share * share;
-        sums->products[j] += share * area;
-    }
+    repeats->count = count;
+    repeats->area = calloc(count, sizeof *repeats->area);
+    repeats->share = calloc(count * receivers, sizeof *repeats->share);
+    return repeats->area && repeats->share;
 }
 
-/* The standard error of a mean of n, from the sum of squares about it. */
-static double error_of(double squares, double n)
+static void repeats_free(struct repeats *repeats)
 {
-    return sqrt(fmax(squares, 0) / (n * (n - 1)));
+    free(repeats->area);
+    free(repeats->share);
 }
 
-/* A factor is a ratio: its error is that of share - factor area. */
-static void conclude(const struct sums *sums, double n,
-                     struct factor_row *row)
+static double sum_of(const double *values, size_t step, size_t count)
 {
-    row->area.value = sums->area / n;
-    row->area.error = error_of(sums->area_squares
-                                   - sums->area * sums->area / n,
-                               n);
-    for (size_t j = 0; j < row->receivers && sums->area > 0; j++) {
-        double factor = sums->share[j] / sums->area;
-        double squares = sums->squares[j] - 2 * factor * sums->products[j]
-                         + factor * factor * sums->area_squares;
+    double sum = 0;
 
-        row->factor[j].value = factor;
-        row->factor[j].error = error_of(squares, n) / row->area.value;
+    for (size_t k = 0; k < count; k++)
+        sum += values[k * step];
+    return sum;
+}
+
+/* The standard error of a mean, from the squares about it of so many. */
+static double error_of(double squares, size_t count)
+{
+    double n = (double)count;
+
+    return sqrt(squares / (n * (n - 1)));
+}
+
+static struct estimate area_of(const struct repeats *repeats)
+{
+    double mean = sum_of(repeats->area, 1, repeats->count)
+                  / (double)repeats->count;
+    double squares = 0;
+
+    for (size_t k = 0; k < repeats->count; k++) {
+        double beside = repeats->area[k] - mean;
+        squares += beside * beside;
     }
+    return (struct estimate){ mean, error_of(squares, repeats->count) };
+}
+
+/* A ratio: its error is that of share - factor area.  share: of the receiver, each of a
+ * repeat so many behind the one before. */
+static struct estimate factor_of(const struct repeats *repeats,
+                                 const double *share, size_t step)
+{
+    double area = sum_of(repeats->area, 1, repeats->count);
+    double factor = sum_of(share, step, repeats->count) / area, squares = 0;
+
+    for (size_t k = 0; k < repeats->count; k++) {
+        double beside = share[k * step] - factor * repeats->area[k];
+        squares += beside * beside;
+    }
+    return (struct estimate){ factor, error_of(squares, repeats->count)
+                                          * (double)repeats->count / area };
+}
+
+static void conclude(const struct repeats *repeats, struct factor_row *row)
+{
+    row->area = area_of(repeats);
+    for (size_t j = 0; j < row->receivers && row->area.value > 0; j++)
+        row->factor[j] = factor_of(repeats, repeats->share + j,
+                                   row->receivers);
 }
 
 static bool run_repeats(const struct factors *factors, size_t primitive,
                         struct emission *emission, struct packet *packet,
-                        struct sums *sums, struct factor_row *row,
+                        struct repeats *repeats, struct factor_row *row,
                         c205_error *error)
 {
     const struct factors_options *options = &factors->options;
 
     for (size_t k = 0; k < options->repeats; k++) {
+        packet->share = repeats->share + k * row->receivers;
         if (!run_repeat(factors, emission, primitive, k, packet, row, error))
             return false;
-        add_repeat(sums, packet, options->points, row->receivers);
+        repeats->area[k] = packet->area / (double)options->points;
+        for (size_t j = 0; j < row->receivers; j++)
+            packet->share[j] /= (double)options->points;
         row->tried += options->points;
         row->sent += packet->kept;
     }
-    conclude(sums, (double)options->repeats, row);
+    conclude(repeats, row);
     return true;
 }
 
@@ -273,8 +291,7 @@ void factor_row_free(struct factor_row *row)
 }
 
 static bool make_room(const struct factors *factors, struct packet *packet,
-                      struct sums *sums, double **numbers,
-                      struct factor_row *row)
+                      struct repeats *repeats, struct factor_row *row)
 {
     size_t points = factors->options.points;
     size_t receivers = factors->scene->primitive_count + 1;
@@ -285,15 +302,8 @@ static bool make_room(const struct factors *factors, struct packet *packet,
     row->factor = calloc(receivers, sizeof *row->factor);
     packet->points = malloc(points * sizeof *packet->points);
     packet->lines = malloc(points * sizeof *packet->lines);
-    *numbers = calloc(4 * receivers, sizeof **numbers);
-    if (!row->count || !row->factor || !packet->points || !packet->lines
-        || !*numbers)
-        return false;
-    packet->share = *numbers;
-    sums->share = *numbers + receivers;
-    sums->squares = *numbers + 2 * receivers;
-    sums->products = *numbers + 3 * receivers;
-    return true;
+    return row->count && row->factor && packet->points && packet->lines
+           && repeats_begin(repeats, factors->options.repeats, receivers);
 }
 
 bool factors_find(const struct factors *factors, size_t primitive,
@@ -308,22 +318,21 @@ bool factors_find(const struct factors *factors, size_t primitive,
     struct emission *emission =
         emission_new(&factors->scene->primitives[primitive], &emits, error);
     struct packet packet = { .points = NULL };
-    struct sums sums = { .area = 0 };
-    double *numbers = NULL;
+    struct repeats repeats = { .count = 0 };
     bool good;
 
     *row = (struct factor_row){ .receivers = 0 };
     if (!emission)
         return false;
-    good = make_room(factors, &packet, &sums, &numbers, row)
-               ? run_repeats(factors, primitive, emission, &packet, &sums,
+    good = make_room(factors, &packet, &repeats, row)
+               ? run_repeats(factors, primitive, emission, &packet, &repeats,
                              row, error)
-               : fail(error, "no memory");
+               : error_say(error, "no memory");
     if (!good)
         factor_row_free(row);
     emission_free(emission);
     free(packet.points);
     free(packet.lines);
-    free(numbers);
+    repeats_free(&repeats);
     return good;
 }

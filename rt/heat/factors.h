@@ -3,9 +3,11 @@
  *
  * A point that emission makes stays if the surface is seen there, that is if
  * its region has another value before it than behind it; of the points that
- * stay one ray goes out each, and what it meets first receives it.  All of it
- * is done by the machine; the counts are integers, and do not depend on the form or
- * the queue.  Source: docs/heat.md.
+ * stay one ray goes out each, and what it meets first receives it.  Points, rays and
+ * all that is seen along them are the machine's; whether a point stays, what receives
+ * a ray, and the sums of weights over these are formed by the host, in the order of
+ * the points.  The counts are integers, and do not depend on the form or the queue.
+ * Source: docs/heat.md.
  */
 #ifndef RT_FACTORS_H
 #define RT_FACTORS_H

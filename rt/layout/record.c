@@ -186,6 +186,11 @@ void record_integer(struct record *record, const char *name, size_t value)
     put_word(record, name, c205_from_integer((int64_t)value));
 }
 
+void record_signed(struct record *record, const char *name, int value)
+{
+    put_word(record, name, c205_from_integer(value));
+}
+
 void record_address(struct record *record, const char *name, uint64_t address)
 {
     put_word(record, name, address);

@@ -75,6 +75,8 @@ void record_check(struct record *record, const double *values, size_t count);
 void record_numbers(struct record *record, const char *name,
                     const double *values, size_t count);
 void record_integer(struct record *record, const char *name, size_t value);
+/* Below 0, too. */
+void record_signed(struct record *record, const char *name, int value);
 /* So many words of a field that has been put. */
 void record_read(struct record *record, const char *name, c205_word *words,
                  size_t count);

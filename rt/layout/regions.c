@@ -244,7 +244,7 @@ static void layout_region(struct record *record, const struct places *places,
                    node_at(places, region->first_node + region->node_count));
     record_address(record, "R_RESULT",
                    row_at(&places->given->values, places->results[i]));
-    record_integer(record, "R_BODY", (size_t)places->bodies[i]);
+    record_signed(record, "R_BODY", places->bodies[i]);
     record_write(record);
 }
 

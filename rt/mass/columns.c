@@ -5,18 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/hash.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/program.h"
 #include "rt/mass/programs.h"
 #include "rt/study/tasks.h"
 #include "rt/trace/lines.h"
-
-static bool fail(c205_error *error, const char *message)
-{
-    snprintf(error->message, sizeof error->message, "%s", message);
-    return false;
-}
 
 const char *columns_stage_name(enum columns_stage stage)
 {
@@ -36,11 +31,11 @@ static bool join_box(const struct bound *bound, const struct region *region,
                      double low[3], double high[3], c205_error *error)
 {
     if (bound_is_none(bound)) {
-        snprintf(error->message, sizeof error->message,
-                 "the solid of line %zu has no end that is known: its volume "
-                 "cannot be found",
-                 region->line);
-        return false;
+        return error_say(
+            error,
+            "the solid of line %zu has no end that is known: its volume "
+            "cannot be found",
+            region->line);
     }
     for (int i = 0; i < 3; i++) {
         low[i] = fmin(low[i], bound->low[i]);
@@ -56,7 +51,7 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
     double low[3] = { INFINITY, INFINITY, INFINITY };
     double high[3] = { -INFINITY, -INFINITY, -INFINITY };
     bool good = (bounds && bound_nodes(scene, bounds))
-                || fail(error, "no memory");
+                || error_say(error, "no memory");
 
     for (size_t i = 0; good && i < scene->region_count; i++)
         good = join_box(&bounds[scene->regions[i].first_node],
@@ -141,7 +136,7 @@ static bool begin_work(struct columns_work *work, c205_error *error)
     work->clocks = calloc(units, sizeof *work->clocks);
     work->crossings = calloc(units, sizeof *work->crossings);
     if (!work->words || !work->clocks || !work->crossings)
-        return fail(error, "no memory");
+        return error_say(error, "no memory");
     work->rays = assemble(work, "rays", error);
     work->columns = assemble(work, "columns", error);
     work->totals = assemble(work, "totals", error);
@@ -251,10 +246,10 @@ static bool check_crossing(const struct columns_packet *packet,
 
     if (seen->sense != 0)
         return true;
-    snprintf(packet->error->message, sizeof packet->error->message,
-             "the %s of line %zu is an open surface: it has no volume",
-             primitive_kind_name(primitive->kind), primitive->line);
-    return false;
+    return error_say(
+        packet->error,
+        "the %s of line %zu is an open surface: it has no volume",
+        primitive_kind_name(primitive->kind), primitive->line);
 }
 
 /* Where the fields of a crossing stand, in the order of columns.s. */
@@ -328,7 +323,7 @@ static bool add_columns(const struct columns_packet *packet)
     c205_word *planes = calloc(CROSSED_SIZE * count + 1, sizeof *planes);
     bool good = planes ? lay_crossings(packet, planes)
                              && run_columns(packet, planes)
-                       : fail(packet->error, "no memory");
+                       : error_say(packet->error, "no memory");
 
     free(planes);
     return good;
@@ -353,7 +348,7 @@ static bool do_packet(void *context, const struct task *task,
     bool good = packet.rays && packet.lines
                     ? make_rays(&packet) && find_crossings(&packet)
                           && add_columns(&packet)
-                    : fail(error, "no memory");
+                    : error_say(error, "no memory");
 
     seen_crossings_free(&packet.seen);
     free(packet.rays);
@@ -410,11 +405,14 @@ static bool check_options(const struct scene *scene,
                           c205_error *error)
 {
     if (options->rays_log > COLUMNS_LOG_MOST)
-        return fail(error, "at most 2^20 rays of a view under a shift");
+        return error_say(error, "at most 2^20 rays of a view under a shift");
     if (options->repeats == 0)
-        return fail(error, "one shift at the least");
+        return error_say(error, "one shift at the least");
     if (scene->region_count == 0)
-        return fail(error, "the scene has no bodies");
+        return error_say(error, "the scene has no bodies");
+    if (options->part_count > COLUMNS_PARTS_MOST)
+        return error_say(error, "%zu parts are too many: there may be %d",
+                         options->part_count, COLUMNS_PARTS_MOST);
     return true;
 }
 
@@ -428,7 +426,8 @@ bool columns_sum(const struct scene *scene,
     bool good;
 
     *sums = (struct columns_sums){ .parts = options->part_count + 1,
-                                   .repeats = options->repeats };
+                                   .repeats = options->repeats,
+                                   .rays_log = options->rays_log };
     if (!check_options(scene, options, error)
         || !find_box(scene, sums, error))
         return false;
@@ -436,7 +435,7 @@ bool columns_sum(const struct scene *scene,
                          sizeof *sums->words);
     good = sums->words ? begin_work(&work, error) && do_packets(&work, error)
                              && add_packets(&work, error)
-                       : fail(error, "no memory");
+                       : error_say(error, "no memory");
     if (good)
         add_accounts(&work);
     end_work(&work);
@@ -453,9 +452,8 @@ void columns_sums_free(struct columns_sums *sums)
 
 /* ---- What they mean ------------------------------------------------------ */
 
-double columns_integral(const struct columns_sums *sums, size_t rays_log,
-                        size_t view, size_t repeat, size_t part,
-                        enum moment moment)
+double columns_integral(const struct columns_sums *sums, size_t view,
+                        size_t repeat, size_t part, enum moment moment)
 {
     size_t shift = view * sums->repeats + repeat;
     c205_word sum =
@@ -463,7 +461,7 @@ double columns_integral(const struct columns_sums *sums, size_t rays_log,
     double area = sums->width[axis_of(view, 1)]
                   * sums->width[axis_of(view, 2)];
 
-    return ldexp(c205_to_double(sum) * area, -(int)rays_log);
+    return ldexp(c205_to_double(sum) * area, -(int)sums->rays_log);
 }
 
 uint64_t columns_checksum(const struct columns_sums *sums)

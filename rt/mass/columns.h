@@ -38,6 +38,8 @@ enum moment {
     MOMENT_AREA,
     MOMENTS
 };
+/* All sums of a packet, of the parts and of all together, are one vector. */
+enum { COLUMNS_PARTS_MOST = 65535 / MOMENTS - 1 };
 
 /* What the machines do one after another. */
 enum columns_stage {
@@ -58,7 +60,7 @@ struct columns_options {
     size_t repeats;  /* shifts, each with rays of its own */
     size_t seed;
     size_t jobs;           /* packets at a time; 0: one */
-    size_t part_count;     /* 1 at the least */
+    size_t part_count;     /* 1 .. COLUMNS_PARTS_MOST */
     const size_t *part_of; /* of each of the scene's objects, its part */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
@@ -68,6 +70,7 @@ struct columns_options {
 struct columns_sums {
     size_t parts; /* with, as the last one, all of them together */
     size_t repeats;
+    size_t rays_log;            /* 2^rays_log rays of a view under a shift */
     double middle[3], width[3]; /* of the box */
     c205_word
         *words; /* [VIEWS][repeats][parts][MOMENTS]: of all rays of a shift */
@@ -84,9 +87,8 @@ void columns_sums_free(struct columns_sums *sums);
 
 /* Of a sum over the rays of a shift the integral over space: the sum, times the area
  * that belongs to a ray. */
-double columns_integral(const struct columns_sums *sums, size_t rays_log,
-                        size_t view, size_t repeat, size_t part,
-                        enum moment moment);
+double columns_integral(const struct columns_sums *sums, size_t view,
+                        size_t repeat, size_t part, enum moment moment);
 /* 64-bit FNV-1a over all words. */
 uint64_t columns_checksum(const struct columns_sums *sums);
 

@@ -33,13 +33,13 @@ static size_t product_place(size_t i, size_t k)
 
 struct summand {
     const struct columns_sums *sums;
-    size_t rays_log, view, repeat, part;
+    size_t view, repeat, part;
 };
 
 static double integral(const struct summand *summand, enum moment moment)
 {
-    return columns_integral(summand->sums, summand->rays_log, summand->view,
-                            summand->repeat, summand->part, moment);
+    return columns_integral(summand->sums, summand->view, summand->repeat,
+                            summand->part, moment);
 }
 
 /* What a view says, a third of it, of a part of that density. */
@@ -72,9 +72,7 @@ static void add_view(const struct summand *summand, double density,
 static void find_integrals(const struct mass_body *body, size_t repeat,
                            struct integrals *sum)
 {
-    struct summand summand = { .sums = body->sums,
-                               .rays_log = body->rays_log,
-                               .repeat = repeat };
+    struct summand summand = { .sums = body->sums, .repeat = repeat };
 
     *sum = (struct integrals){ 0 };
     for (summand.part = 0; summand.part + 1 < body->sums->parts;
@@ -247,34 +245,31 @@ bool mass_figures_find(const struct mass_body *body,
 }
 
 /* The mean of the views, under a shift. */
-static double overlap_of(const struct columns_sums *sums, size_t rays_log,
-                         size_t repeat)
+static double overlap_of(const struct columns_sums *sums, size_t repeat)
 {
     double volume = 0;
 
     for (size_t view = 0; view < VIEWS; view++)
         for (size_t part = 0; part < sums->parts; part++)
             volume += (part + 1 < sums->parts ? 1 : -1)
-                      * columns_integral(sums, rays_log, view, repeat, part,
-                                         MOMENT_1);
+                      * columns_integral(sums, view, repeat, part, MOMENT_1);
     return volume / VIEWS;
 }
 
-bool mass_overlap(const struct columns_sums *sums, size_t rays_log,
-                  double *volume, double *error)
+void mass_overlap(const struct columns_sums *sums, double *volume,
+                  double *error)
 {
     double count = (double)sums->repeats, squares = 0;
 
     *volume = 0;
     for (size_t r = 0; r < sums->repeats; r++)
-        *volume += overlap_of(sums, rays_log, r) / count;
+        *volume += overlap_of(sums, r) / count;
     for (size_t r = 0; r < sums->repeats; r++) {
-        double beside = overlap_of(sums, rays_log, r) - *volume;
+        double beside = overlap_of(sums, r) - *volume;
 
         squares += beside * beside / ((count - 1) * (count - 1));
     }
     *error = interval(squares, count);
-    return true;
 }
 
 /* What an error of the figure is beside. */

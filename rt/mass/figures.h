@@ -39,7 +39,6 @@ struct mass_figures {
 /* Which parts, with which densities, make the body: 0 where one is none of it. */
 struct mass_body {
     const struct columns_sums *sums;
-    size_t rays_log;
     const double *density; /* of each part, all together not among them */
     const double *about;   /* a point */
 };
@@ -48,8 +47,8 @@ struct mass_body {
 bool mass_figures_find(const struct mass_body *body,
                        struct mass_figures *figures);
 /* The volume that more than one object claims, each time that it does, and its error. */
-bool mass_overlap(const struct columns_sums *sums, size_t rays_log,
-                  double *volume, double *error);
+void mass_overlap(const struct columns_sums *sums, double *volume,
+                  double *error);
 /* Of errors beside what they are errors of the largest, and which figure's it is:
  * moments beside the largest principal one, the centroid beside the box's diagonal. */
 double mass_worst(const struct mass_figures *figures,

@@ -7,13 +7,8 @@
 #include <string.h>
 
 #include "base/array.h"
+#include "base/error.h"
 #include "base/file.h"
-
-static bool fail(c205_error *error, const char *message)
-{
-    snprintf(error->message, sizeof error->message, "%s", message);
-    return false;
-}
 
 /* ---- Densities that are given -------------------------------------------- */
 
@@ -46,17 +41,17 @@ bool densities_add(struct densities *densities, const char *text,
 
     if (!sign || sign == text || end == sign + 1 || *end
         || !is_density(value)) {
-        snprintf(error->message, sizeof error->message,
-                 "a density is NAME=VALUE with a value above 0, not '%.100s'",
-                 text);
-        return false;
+        return error_say(
+            error,
+            "a density is NAME=VALUE with a value above 0, not '%.100s'",
+            text);
     }
     if (sign - text == 7 && !strncmp(text, "default", 7)) {
         densities->others = value;
         return true;
     }
     return keep_density(densities, text, (size_t)(sign - text), value)
-           || fail(error, "no memory");
+           || error_say(error, "no memory");
 }
 
 bool densities_add_scene(struct densities *densities,
@@ -73,13 +68,11 @@ bool densities_add_scene(struct densities *densities,
             || strcmp(given->name + length - behind, ending) != 0)
             continue;
         if (!is_density(given->value)) {
-            snprintf(error->message, sizeof error->message,
-                     "%.100s is not above 0", given->name);
-            return false;
+            return error_say(error, "%.100s is not above 0", given->name);
         }
         if (!keep_density(densities, given->name, length - behind,
                           given->value))
-            return fail(error, "no memory");
+            return error_say(error, "no memory");
     }
     return true;
 }
@@ -283,8 +276,7 @@ static bool check_name(const struct mass_parts *parts, const char *name,
 {
     if (is_there(parts, name))
         return true;
-    snprintf(error->message, sizeof error->message,
-             "no part and no material is called '%.60s'", name);
+    error_say(error, "no part and no material is called '%.60s'", name);
     add_names(parts, false, "; parts: ", error);
     add_names(parts, true, "; materials: ", error);
     return false;
@@ -340,7 +332,7 @@ bool mass_parts_weigh(struct mass_parts *parts,
     const char *separator = ": ";
     bool good = true;
 
-    fail(error, "no density is known of");
+    error_say(error, "no density is known of");
     for (size_t i = 0; i < parts->count; i++) {
         struct mass_part *part = &parts->list[i];
 

@@ -1,9 +1,9 @@
 #include "rt/roots/roots.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "rt/layout/program.h"
 
 /* Polynomials and results lie in the machine's memory plane by plane, in the
@@ -43,12 +43,6 @@ static struct object *assemble(const struct roots_options *options,
     return program_assemble(programs[options->mode], defines, error);
 }
 
-static bool fail(c205_error *error, const char *message)
-{
-    snprintf(error->message, sizeof error->message, "%s", message);
-    return false;
-}
-
 static bool write_symbol(struct root_search *search, const char *name,
                          c205_word word, c205_error *error)
 {
@@ -57,9 +51,7 @@ static bool write_symbol(struct root_search *search, const char *name,
     if (symbol
         && c205_write(search->machine, (uint64_t)symbol->value, &word, 1))
         return true;
-    snprintf(error->message, sizeof error->message,
-             "the program has no place %s", name);
-    return false;
+    return error_say(error, "the program has no place %s", name);
 }
 
 static bool read_symbol(const struct root_search *search, const char *name,
@@ -68,9 +60,7 @@ static bool read_symbol(const struct root_search *search, const char *name,
     const struct asm_symbol *symbol = object_symbol(search->program, name);
 
     if (!symbol) {
-        snprintf(error->message, sizeof error->message,
-                 "the program has no symbol %s", name);
-        return false;
+        return error_say(error, "the program has no symbol %s", name);
     }
     *value = (uint64_t)symbol->value;
     return true;
@@ -151,7 +141,7 @@ static bool lay_out(struct root_search *search,
                          error)))
         return false;
     if (count > 0 && !write_planes(search, polynomials))
-        return fail(error, "no memory for the polynomials");
+        return error_say(error, "no memory for the polynomials");
     return write_symbol(search, "roots_polynomials",
                         c205_from_integer((int64_t)count), error)
            && write_symbol(search, "roots_wanted",
@@ -183,7 +173,7 @@ struct root_search *roots_new(const struct polynomial *polynomials,
     struct root_search *search = calloc(1, sizeof *search);
 
     if (!search) {
-        fail(error, "no memory");
+        error_say(error, "no memory");
         return NULL;
     }
     search->options = *options;
@@ -250,9 +240,8 @@ bool roots_run(struct root_search *search, c205_error *error)
     if (good && options->progress)
         options->progress(options->context, search->count, search->count);
     if (stopped)
-        snprintf(error->message, sizeof error->message,
-                 "stopped after %zu of %zu polynomials", done(search),
-                 search->count);
+        error_say(error, "stopped after %zu of %zu polynomials", done(search),
+                  search->count);
     return good;
 }
 
@@ -273,7 +262,7 @@ bool roots_read(const struct root_search *search,
             roots[i].root[k] = words[i];
     }
     free(words);
-    return good || fail(error, "no memory for the roots");
+    return good || error_say(error, "no memory for the roots");
 }
 
 enum falsi roots_falsi(const struct root_search *search)

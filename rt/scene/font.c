@@ -20,6 +20,8 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include "rt/scene/vector.h"
+
 #define FLATNESS 1e-5 /* em */
 enum { PARTS_MOST = 64 /* of one curve */, TURNS_MOST = 100 };
 
@@ -131,17 +133,12 @@ static bool add_point(struct drawing *drawing, double x, double y)
     return true;
 }
 
-static bool is_at(const double a[2], const double b[2])
-{
-    return a[0] == b[0] && a[1] == b[1];
-}
-
 /* Whether another corner of the loop is where this one is. */
 static bool is_repeated(const double (*points)[2], size_t count, size_t apart,
                         size_t which)
 {
     for (size_t i = 0; i < count; i += apart)
-        if (i != which && is_at(points[i], points[which]))
+        if (i != which && equal2(points[i], points[which]))
             return true;
     return false;
 }
@@ -179,7 +176,7 @@ static bool add_line(struct drawing *drawing, const double to[2])
     const double *from = last_point(drawing);
     double middle[2] = { (from[0] + to[0]) / 2, (from[1] + to[1]) / 2 };
 
-    if (is_at(from, to))
+    if (equal2(from, to))
         return true;
     return (drawing->glyph->apart == 1
             || add_point(drawing, middle[0], middle[1]))
@@ -241,7 +238,7 @@ static int conic_to(const FT_Vector *by, const FT_Vector *to, void *context)
 
     point_of(drawing, by, handle);
     point_of(drawing, to, end);
-    if (is_at(last_point(drawing), handle) || is_at(handle, end))
+    if (equal2(last_point(drawing), handle) || equal2(handle, end))
         return !add_line(drawing, end);
     return !add_point(drawing, handle[0], handle[1])
            || !add_point(drawing, end[0], end[1]);

@@ -5,20 +5,10 @@
  */
 #include "rt/scene/raster.h"
 
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool fail(c205_error *error, const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(error->message, sizeof error->message, format, arguments);
-    va_end(arguments);
-    return false;
-}
+#include "base/error.h"
 
 /* ---- Kinds --------------------------------------------------------------- */
 
@@ -117,13 +107,14 @@ static bool take_samples(struct netpbm *file, struct raster *raster,
     for (size_t i = 0; i < count; i++) {
         uint32_t sample;
         if (!take_sample(file, &sample))
-            return fail(error, "only %zu of its %zu samples are there", i,
-                        count);
+            return error_say(error, "only %zu of its %zu samples are there",
+                             i, count);
         if (sample > raster->most)
-            return fail(error,
-                        "a sample is %lu, more than the %lu that it names as "
-                        "the greatest",
-                        (unsigned long)sample, (unsigned long)raster->most);
+            return error_say(
+                error,
+                "a sample is %lu, more than the %lu that it names as "
+                "the greatest",
+                (unsigned long)sample, (unsigned long)raster->most);
         raster->samples[i] = (uint16_t)sample;
     }
     return true;
@@ -138,14 +129,14 @@ static bool take_header(struct netpbm *file, struct raster *raster,
 
     if (!take_number(file, &width) || !take_number(file, &height)
         || !take_number(file, &raster->most))
-        return fail(error, "its first numbers are wrong");
+        return error_say(error, "its first numbers are wrong");
     if (raster->most == 0 || raster->most > UINT16_MAX)
-        return fail(error, "its greatest sample is not from 1 to %d",
-                    UINT16_MAX);
+        return error_say(error, "its greatest sample is not from 1 to %d",
+                         UINT16_MAX);
     if (width == 0 || height == 0)
-        return fail(error, "it has no pixels");
+        return error_say(error, "it has no pixels");
     if (width > RASTER_PIXELS / height)
-        return fail(error, "it has more than %d pixels", RASTER_PIXELS);
+        return error_say(error, "it has more than %d pixels", RASTER_PIXELS);
     file->wide = raster->most > UINT8_MAX;
     file->next += file->next < file->end;
     raster->width = width;
@@ -166,7 +157,7 @@ static bool read_netpbm(const char *bytes, size_t length,
     raster->samples = malloc(raster->width * raster->height * raster->channels
                              * sizeof *raster->samples);
     if (!raster->samples)
-        return fail(error, "there is not enough memory");
+        return error_say(error, "there is not enough memory");
     if (take_samples(&file, raster, error))
         return true;
     free(raster->samples);
@@ -184,6 +175,7 @@ bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
         return read_netpbm(bytes, length, raster, error);
     }
     return reads ? reads(formats[kind], bytes, length, raster, error)
-                 : fail(error, "images other than PGM and PPM cannot be read "
-                               "here");
+                 : error_say(error,
+                             "images other than PGM and PPM cannot be read "
+                             "here");
 }

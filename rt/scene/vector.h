@@ -1,11 +1,18 @@
-/* vector.h - three-vectors of doubles. */
+/* vector.h - vectors of doubles, of three components mostly. */
 #ifndef RT_SCENE_VECTOR_H
 #define RT_SCENE_VECTOR_H
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 #define PI 3.14159265358979323846
+
+/* Of two components. */
+static inline bool equal2(const double a[2], const double b[2])
+{
+    return a[0] == b[0] && a[1] == b[1];
+}
 
 static inline double dot3(const double a[3], const double b[3])
 {

@@ -3,13 +3,10 @@
 
 #include <math.h>
 
+#include "rt/scene/vector.h"
+
 /* Points so near to a loop's first close it, as in POV-Ray. */
 #define CLOSED 1e-10
-
-static bool is_at(const double a[2], const double b[2])
-{
-    return a[0] == b[0] && a[1] == b[1];
-}
 
 bool path_is_near(const double a[2], const double b[2])
 {
@@ -26,7 +23,7 @@ bool path_next(struct path_walk *walk)
     walk->from = points[walk->at++];
     walk->to = points[walk->at];
     if ((walk->at - walk->first) % walk->apart == 0
-        && is_at(walk->to, points[walk->first]))
+        && equal2(walk->to, points[walk->first]))
         walk->first = ++walk->at;
     return true;
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "rt/scene/vector.h"
+
 enum { POINTS_LEAST = 5 };
 
 static const struct shape_field fields[] = {
@@ -15,11 +17,6 @@ static const struct shape_field fields[] = {
 };
 
 /* ---- The path ------------------------------------------------------------ */
-
-static bool is_at(const double a[2], const double b[2])
-{
-    return a[0] == b[0] && a[1] == b[1];
-}
 
 /* The spline as it is written: points, of which so many are used. */
 struct spline {
@@ -40,7 +37,7 @@ static void add_parabola(struct outline *path, const double before[2],
     const double handle[2] = { here[0] + (next[0] - before[0]) / 4,
                                here[1] + (next[1] - before[1]) / 4 };
 
-    if (is_at(before, here) && is_at(here, next))
+    if (equal2(before, here) && equal2(here, next))
         return;
     add_point(path, handle);
     add_point(path, next);

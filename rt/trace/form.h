@@ -11,8 +11,7 @@ struct object *form_assemble(const struct trace_options *options,
                              const struct scene *scene, c205_error *error);
 
 /* .. that finds all that is seen along lines (lines.h), of a scene whose surfaces are
- * plain; with normals, and with
- * counts of bodies, if asked. */
+ * plain; with normals, and with counts of bodies, if asked. */
 struct object *form_assemble_lines(enum trace_mode mode, size_t queue,
                                    bool normals, bool bodies,
                                    const struct scene *scene,

@@ -1,10 +1,10 @@
 #include "rt/trace/lines.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "rt/layout/program.h"
 #include "rt/layout/trees.h"
 #include "rt/shapes/mesh.h"
@@ -17,12 +17,6 @@ struct lines {
     struct object *program;
     struct lines_layout *layout;
 };
-
-static bool fail(c205_error *error, const char *message)
-{
-    snprintf(error->message, sizeof error->message, "%s", message);
-    return false;
-}
 
 /* ---- To begin ------------------------------------------------------------ */
 
@@ -73,7 +67,7 @@ static bool lay_out(struct lines *lines, c205_error *error)
     struct scene bare;
 
     if (!find_orders(lines) || !lay_bare(lines->scene, &bare))
-        return fail(error, "no memory");
+        return error_say(error, "no memory");
     lines->program = form_assemble_lines(options->mode, options->queue,
                                          options->normals, options->bodies,
                                          &bare, error);
@@ -88,12 +82,13 @@ static bool check_options(const struct lines_options *options,
                           c205_error *error)
 {
     if (options->mode >= TRACE_FORMS)
-        return fail(error, "lines have a scalar and a vector form");
+        return error_say(error, "lines have a scalar and a vector form");
     if (options->mode == TRACE_VECTOR
         && (options->queue == 0 || options->queue > TRACE_QUEUE_MOST))
-        return fail(error, "a queue has from 1 to 65535 lines");
+        return error_say(error, "a queue has from 1 to 65535 lines");
     if (!(options->behind >= 0) || !isfinite(options->behind))
-        return fail(error, "lines begin at their origins or behind them");
+        return error_say(error,
+                         "lines begin at their origins or behind them");
     return true;
 }
 
@@ -107,7 +102,7 @@ struct lines *lines_new(const struct scene *scene,
         return NULL;
     lines = calloc(1, sizeof *lines);
     if (!lines) {
-        fail(error, "no memory");
+        error_say(error, "no memory");
         return NULL;
     }
     lines->options = *options;
@@ -194,13 +189,17 @@ static int integer_of(const struct column *column, size_t field, size_t line)
     return (int)c205_to_integer(word_of(column, field, line));
 }
 
-static size_t triangle_of(const struct lines *lines, size_t primitive,
-                          int row_at)
+/* Of a mesh the point is where its row stands in the table. */
+static size_t triangle_of(const struct column *column, size_t line,
+                          size_t primitive)
 {
+    const struct lines *lines = column->lines;
     const size_t *order = lines->orders[primitive];
 
     return order ? order[mesh_row(&lines->scene->primitives[primitive],
-                                  (size_t)row_at)]
+                                  (size_t)integer_of(column,
+                                                     column->fields.point,
+                                                     line))]
                  : 0;
 }
 
@@ -214,8 +213,7 @@ static struct seen_crossing crossing_of(const struct column *column,
         .distance = word_of(column, fields->distance, line),
         .primitive = id,
         .object = lines->scene->primitives[id].object,
-        .triangle = triangle_of(lines, id,
-                                integer_of(column, fields->point, line)),
+        .triangle = triangle_of(column, line, id),
         .sense = integer_of(column, fields->sense, line),
     };
 
@@ -330,13 +328,11 @@ static bool check_lines(const struct scene_line *list, size_t count,
                         c205_error *error)
 {
     for (size_t i = 0; i < count; i++)
-        if (!is_line(&list[i])) {
-            snprintf(error->message, sizeof error->message,
-                     "line %zu has no direction, or numbers that are not "
-                     "finite",
-                     i);
-            return false;
-        }
+        if (!is_line(&list[i]))
+            return error_say(error,
+                             "line %zu has no direction, or numbers that "
+                             "are not finite",
+                             i);
     return true;
 }
 
@@ -374,7 +370,7 @@ static bool find_packet(const struct lines *lines, c205 *machine,
         || !program_run(machine, NULL, NULL, &stopped, error))
         return false;
     return collect(lines, machine, packet, found, line)
-           || fail(error, "no memory");
+           || error_say(error, "no memory");
 }
 
 static bool find_packets(const struct lines *lines, c205 *machine,
@@ -408,7 +404,7 @@ bool lines_find(const struct lines *lines, const struct scene_line *list,
         return false;
     found->first = calloc(count + 1, sizeof *found->first);
     if (!found->first)
-        return fail(error, "no memory");
+        return error_say(error, "no memory");
     machine = c205_new(lines->options.model, error);
     good = machine && find_packets(lines, machine, list, found, error);
     c205_free(machine);

@@ -286,9 +286,8 @@ static void copy_rows(struct trace *trace, const struct band *band)
 static bool add_band(struct trace *trace, const struct band *band)
 {
     copy_rows(trace, band);
-    for (size_t i = 0; i < band->accounts.count; i++)
-        if (!accounts_add_account(&trace->accounts, &band->accounts.items[i]))
-            return false;
+    if (!accounts_add_all(&trace->accounts, &band->accounts))
+        return false;
     for (int kind = 0; kind < RAY_KINDS; kind++)
         trace->rays[kind] += band->rays[kind];
     trace->rows_done += band->rows;

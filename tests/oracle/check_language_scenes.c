@@ -506,12 +506,9 @@ static void keep_image(void)
 
 int main(int count, char **words)
 {
-    c205_error error;
     if (system("command -v povray >/dev/null") != 0)
         give_up("povray is not installed");
-    model = c205_model_find("cyber205-2pipe", &error);
-    if (!model)
-        give_up(error.message);
+    model = usual_model();
     keep_image();
     int code = check_many_ahead(count, words, check_scene, begin_scene,
                                 AHEAD);

@@ -213,10 +213,7 @@ static bool check_scene(size_t number, bool first)
 
 int main(int count, char **words)
 {
-    c205_error error;
-    model = c205_model_find("cyber205-2pipe", &error);
-    if (!model)
-        give_up(error.message);
+    model = usual_model();
     int code = check_many(count, words, check_scene);
     c205_model_free(model);
     return code;

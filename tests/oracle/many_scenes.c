@@ -13,6 +13,15 @@ void give_up(const char *message)
     exit(2);
 }
 
+c205_model *usual_model(void)
+{
+    c205_error error;
+    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    if (!model)
+        give_up(error.message);
+    return model;
+}
+
 struct scene *scene_of(const char *text)
 {
     const struct scene_options options = { .strict = false };

@@ -4,9 +4,12 @@
 #define MANY_SCENES_H
 
 #include "rt/scene/scene.h"
+#include "vm/c205.h"
 
 /* Say why, and end the program with 2. */
 void give_up(const char *message);
+/* The model that they are traced on, which the caller frees. */
+c205_model *usual_model(void);
 /* Gives up, with the text and what is wrong with it, where it is no scene. */
 struct scene *scene_of(const char *text);
 /* To a file in the folder of the run; without one nothing is lost that is not

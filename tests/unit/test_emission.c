@@ -12,22 +12,12 @@
 #include "rt/shapes/shape.h"
 #include "tests/oracle/plain_area.h"
 #include "tests/oracle/points.h"
+#include "tests/unit/emitting_shapes.h"
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/prior_model.h"
 
 static size_t tries = 4; /* of each kind */
 static uint64_t state = RANDOM_SEED;
-
-static const enum primitive_kind emitting[] = { PRIMITIVE_SPHERE,
-                                                PRIMITIVE_BOX,
-                                                PRIMITIVE_CYLINDER,
-                                                PRIMITIVE_DISC,
-                                                PRIMITIVE_CONE,
-                                                PRIMITIVE_TORUS,
-                                                PRIMITIVE_ELLIPTICAL_TORUS,
-                                                PRIMITIVE_STEINER_PATCH,
-                                                PRIMITIVE_MESH };
-enum { EMITTING = sizeof emitting / sizeof *emitting };
 
 static double some(double low, double high)
 {
@@ -37,148 +27,6 @@ static double some(double low, double high)
 static size_t between(size_t low, size_t high)
 {
     return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
-}
-
-static void some_place(double point[3])
-{
-    for (int i = 0; i < 3; i++)
-        point[i] = some(-1, 1);
-}
-
-/* ---- Shapes by chance ----------------------------------------------------- */
-
-enum { TRIANGLES = 7 };
-static struct triangle triangle_store[TRIANGLES];
-
-static void draw_mesh(struct primitive *primitive)
-{
-    primitive->shape.mesh.triangles = (struct triangles){
-        between(1, TRIANGLES), triangle_store
-    };
-    for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++)
-        for (int k = 0; k < 3; k++)
-            some_place(triangle_store[i].corners[k]);
-}
-
-static void draw_patch(struct primitive *primitive)
-{
-    static const double about[STEINER_POINTS][3] = {
-        { 1, 0, 0 },   { 0, 1, 0 },  { 0, 0, 0 },
-        { .5, .5, 0 }, { 0, .5, 0 }, { .5, 0, 0 }
-    };
-
-    for (int k = 0; k < STEINER_POINTS; k++) {
-        for (int i = 0; i < 3; i++)
-            primitive->shape.steiner_patch.points[k][i] = about[k][i]
-                                                          + some(-.2, .2);
-        primitive->shape.steiner_patch.weights[k] = 1;
-    }
-    if (between(0, 1))
-        for (int k = 0; k < STEINER_POINTS; k++)
-            primitive->shape.steiner_patch.weights[k] = some(.5, 2);
-}
-
-static void draw_axis(double base[3], double cap[3])
-{
-    some_place(base);
-    some_place(cap);
-    cap[between(0, 2)] += 1.5;
-}
-
-static void draw_cone(struct primitive *primitive)
-{
-    double radii[2] = { some(.1, 1), some(.1, 1) };
-
-    if (between(0, 2) == 0)
-        radii[between(0, 1)] = 0;
-    draw_axis(primitive->shape.cone.base, primitive->shape.cone.cap);
-    primitive->shape.cone.base_radius = radii[0];
-    primitive->shape.cone.cap_radius = radii[1];
-    primitive->shape.cone.open = between(0, 1);
-}
-
-static void draw_disc(struct primitive *primitive)
-{
-    double radius = some(.3, 1);
-
-    some_place(primitive->shape.disc.center);
-    random_direction(&state, primitive->shape.disc.normal);
-    primitive->shape.disc.radius = radius;
-    primitive->shape.disc.hole = between(0, 1) ? some(.1, .9) * radius : 0;
-}
-
-static void draw_shape(struct primitive *primitive)
-{
-    switch (primitive->kind) {
-    case PRIMITIVE_SPHERE:
-        some_place(primitive->shape.sphere.center);
-        primitive->shape.sphere.radius = some(.2, 1.5);
-        break;
-    case PRIMITIVE_BOX:
-        draw_axis(primitive->shape.box.corner[0],
-                  primitive->shape.box.corner[1]);
-        break;
-    case PRIMITIVE_CYLINDER:
-        draw_axis(primitive->shape.cylinder.base,
-                  primitive->shape.cylinder.cap);
-        primitive->shape.cylinder.radius = some(.1, 1);
-        primitive->shape.cylinder.open = between(0, 1);
-        break;
-    case PRIMITIVE_DISC: draw_disc(primitive); break;
-    case PRIMITIVE_CONE: draw_cone(primitive); break;
-    case PRIMITIVE_TORUS:
-        primitive->shape.torus.major = some(.8, 1.5);
-        primitive->shape.torus.minor = some(.1, .8);
-        break;
-    case PRIMITIVE_ELLIPTICAL_TORUS:
-        primitive->shape.elliptical_torus.major = some(.8, 1.5);
-        primitive->shape.elliptical_torus.radial = some(.1, .8);
-        primitive->shape.elliptical_torus.axial = some(.1, 1);
-        break;
-    case PRIMITIVE_STEINER_PATCH: draw_patch(primitive); break;
-    default: draw_mesh(primitive);
-    }
-}
-
-static void move(struct primitive *primitive,
-                 const struct placement *placement)
-{
-    primitive->to_world = placement->to_world;
-    primitive->to_local = placement->to_local;
-    primitive->transformed = !placement_is_none(placement);
-}
-
-/* Turned, perhaps stretched and mirrored, moved. */
-static void draw_placement(struct primitive *primitive)
-{
-    double scale[3], angles[3], by[3];
-    struct placement placement, step;
-
-    for (int i = 0; i < 3; i++) {
-        scale[i] = some(.5, 2) * (between(0, 4) == 0 ? -1 : 1);
-        angles[i] = some(-180, 180);
-        by[i] = some(-2, 2);
-    }
-    placement = placement_rotation(angles);
-    step = placement_scaling(scale);
-    placement = placement_then(&placement, &step);
-    step = placement_rotation(by);
-    placement = placement_then(&placement, &step);
-    step = placement_translation(by);
-    placement = placement_then(&placement, &step);
-    move(primitive, &placement);
-}
-
-static struct primitive draw_primitive(enum primitive_kind kind)
-{
-    struct primitive primitive = { .kind = kind, .line = 1 };
-
-    draw_shape(&primitive);
-    assert_null(shape_of(&primitive)->settle(&primitive));
-    move(&primitive, &placement_none);
-    if (between(0, 3) > 0)
-        draw_placement(&primitive);
-    return primitive;
 }
 
 /* ---- Emission ------------------------------------------------------------- */
@@ -304,7 +152,7 @@ static size_t count_astray(const struct primitive *primitive,
 /* At an edge another surface may be nearer than a ten-millionth. */
 static void check_surface(enum primitive_kind kind)
 {
-    struct primitive primitive = draw_primitive(kind);
+    struct primitive primitive = draw_emitting(kind, &state);
     struct emission_options options = { TRACE_VECTOR, 500, POINTS,
                                         between(0, 1), NULL };
 
@@ -316,8 +164,8 @@ static void check_surface(enum primitive_kind kind)
 static void test_surfaces(void **unused)
 {
     (void)unused;
-    for (size_t i = 0; i < tries * EMITTING; i++)
-        check_surface(emitting[i % EMITTING]);
+    for (size_t i = 0; i < tries * EMITTING_KINDS; i++)
+        check_surface(emitting_kinds[i % EMITTING_KINDS]);
 }
 
 /* ---- Means ---------------------------------------------------------------- */
@@ -347,7 +195,7 @@ static void assert_mean(const struct mean *mean, double expected,
 /* Weights: the area; points by their weights: the middle of the surface. */
 static void check_area(enum primitive_kind kind)
 {
-    struct primitive primitive = draw_primitive(kind);
+    struct primitive primitive = draw_emitting(kind, &state);
     struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false,
                                         NULL };
     struct plain_area expected = plain_area(&primitive);
@@ -371,8 +219,8 @@ static void check_area(enum primitive_kind kind)
 static void test_areas(void **unused)
 {
     (void)unused;
-    for (size_t i = 0; i < tries * EMITTING; i++)
-        check_area(emitting[i % EMITTING]);
+    for (size_t i = 0; i < tries * EMITTING_KINDS; i++)
+        check_area(emitting_kinds[i % EMITTING_KINDS]);
 }
 
 /* Where all parts of a surface are alike each weight is its area. */
@@ -400,9 +248,9 @@ static void test_exact_areas(void **unused)
     struct placement turned = placement_rotation((double[]){ 0, 0, 30 });
 
     (void)unused;
-    move(&sphere, &placement_none);
-    move(&cylinder, &placement_none);
-    move(&box, &turned);
+    move_shape(&sphere, &placement_none);
+    move_shape(&cylinder, &placement_none);
+    move_shape(&box, &turned);
     assert_every_weight(&sphere, 12.5663706143592);
     assert_every_weight(&cylinder, 7.85398163397448);
     assert_every_weight(&box, 7);
@@ -419,7 +267,7 @@ static void test_torus_area(void **unused)
     struct mean area = { 0 };
 
     (void)unused;
-    move(&torus, &placement_none);
+    move_shape(&torus, &placement_none);
     emit(&torus, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++)
         add_to(&area, c205_to_double(emitted[0][i].weight));
@@ -440,7 +288,7 @@ static void test_accuracy(void **unused)
     double most = 0;
 
     (void)unused;
-    move(&sphere, &placement_none);
+    move_shape(&sphere, &placement_none);
     emit(&sphere, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
         long double u = stream_word(choice.seed, choice.first + i, 0)
@@ -507,8 +355,9 @@ static void test_cosine_law(void **unused)
                                         NULL };
 
     (void)unused;
-    for (size_t i = 0; i < tries * EMITTING; i++) {
-        struct primitive primitive = draw_primitive(emitting[i % EMITTING]);
+    for (size_t i = 0; i < tries * EMITTING_KINDS; i++) {
+        struct primitive primitive =
+            draw_emitting(emitting_kinds[i % EMITTING_KINDS], &state);
         struct emission_choice choice = some_choice();
 
         emit(&primitive, options, choice, emitted[0]);
@@ -522,7 +371,7 @@ static void test_cosine_law(void **unused)
 /* The scalar form at once, the vector form in two pieces and other queues. */
 static void compare_forms(enum primitive_kind kind)
 {
-    struct primitive primitive = draw_primitive(kind);
+    struct primitive primitive = draw_emitting(kind, &state);
     size_t count = between(2, 3000), cut = between(1, count - 1);
     struct emission_options options = { TRACE_SCALAR, 0, count, between(0, 1),
                                         NULL };
@@ -544,8 +393,8 @@ static void compare_forms(enum primitive_kind kind)
 static void test_forms(void **unused)
 {
     (void)unused;
-    for (size_t i = 0; i < 2 * tries * EMITTING; i++)
-        compare_forms(emitting[i % EMITTING]);
+    for (size_t i = 0; i < 2 * tries * EMITTING_KINDS; i++)
+        compare_forms(emitting_kinds[i % EMITTING_KINDS]);
 }
 
 /* ---- Factors --------------------------------------------------------------- */
@@ -605,8 +454,8 @@ static void test_factors(void **unused)
                                   { 0, 0, 0 }, { 0, 1, 0 }, 1, 0 } };
 
     (void)unused;
-    move(&square, &placement_none);
-    move(&disc, &placement_none);
+    move_shape(&square, &placement_none);
+    move_shape(&disc, &placement_none);
     assert_share(share_through(&square, 1, in_square), 0.1998248956984);
     assert_share(share_through(&disc, .9, in_less), 0.1809950221376);
     assert_share(share_through(&disc, 1, in_unit), 0.3819660112501);
@@ -628,8 +477,8 @@ static void assert_no_emission(const struct primitive *primitive,
 
 static bool emits(enum primitive_kind kind)
 {
-    for (size_t i = 0; i < EMITTING; i++)
-        if (emitting[i] == kind)
+    for (size_t i = 0; i < EMITTING_KINDS; i++)
+        if (emitting_kinds[i] == kind)
             return true;
     return false;
 }
@@ -642,7 +491,7 @@ static void test_refused(void **unused)
     struct emission_options options = { TRACE_VECTOR, 10, 10, false, NULL };
 
     (void)unused;
-    move(&primitive, &placement_none);
+    move_shape(&primitive, &placement_none);
     assert_no_emission(&primitive, options,
                        "the torus of line 7: a torus that meets itself");
     primitive.kind = PRIMITIVE_PLANE;
@@ -658,7 +507,7 @@ static void test_refused(void **unused)
 
 static void test_options(void **unused)
 {
-    struct primitive primitive = draw_primitive(PRIMITIVE_SPHERE);
+    struct primitive primitive = draw_emitting(PRIMITIVE_SPHERE, &state);
 
     (void)unused;
     assert_no_emission(&primitive,
@@ -761,7 +610,7 @@ static void test_clocks(void **unused)
     print_message("surface        form    queue   emit  carry  direction    "
                   "all\n");
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        struct primitive primitive = draw_primitive(kinds[i]);
+        struct primitive primitive = draw_emitting(kinds[i], &state);
 
         double scalar = print_clocks(&primitive, TRACE_SCALAR, 0, model);
 

@@ -4,6 +4,7 @@
  * in all; with 2^18 errors are at most 1e-4 of a figure.
  */
 #include "base/file.h"
+#include "tests/oracle/many_scenes.h"
 #include "tests/oracle/measured.h"
 #include "tests/random.h"
 #include "tests/unit/csv_reading.h"
@@ -346,6 +347,27 @@ static void test_refused(void **state)
     assert_true(isnan(empty.part[0].value[FIGURE_CENTROID]));
 }
 
+static void test_too_many_parts(void **state)
+{
+    struct columns_options options = usual();
+    struct scene *scene = scene_of("sphere { 0, 1 }");
+    const size_t part_of[] = { 0 };
+    struct columns_sums sums;
+    c205_error error;
+
+    (void)state;
+    options.model = usual_model();
+    options.part_of = part_of;
+    options.rays_log = 0;
+    options.repeats = 1;
+    options.part_count = COLUMNS_PARTS_MOST + 1;
+    assert_false(columns_sum(scene, &options, &sums, &error));
+    assert_string_equal(error.message,
+                        "5957 parts are too many: there may be 5956");
+    c205_model_free((c205_model *)options.model);
+    scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -358,6 +380,7 @@ int main(void)
         cmocka_unit_test(test_parallel_axes),
         cmocka_unit_test(test_axes),
         cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_too_many_parts),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

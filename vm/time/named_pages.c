@@ -8,20 +8,11 @@ enum { SPAN = 256 };
 /* ---- Where its elements are ----------------------------------------------- */
 
 struct page_walk {
-    unsigned shift,
-        places; /* of a page; of a step, which is a power of two */
+    unsigned shift, places; /* a page has 2^shift bits, an element 2^places */
     uint64_t table;
     uint64_t low, high; /* the lowest page and the highest */
     uint64_t inside;    /* the farthest into its page */
 };
-
-static unsigned places_of(unsigned step)
-{
-    unsigned places = 0;
-    while (1u << places < step)
-        places++;
-    return places;
-}
 
 static inline uint64_t address_of(const struct page_walk *of, c205_word index)
 {
@@ -96,21 +87,21 @@ static void add_page(struct named_pages *named, uint64_t low,
 
 static bool is_known(const struct named_pages *named,
                      const struct index_list *list, uint64_t table,
-                     unsigned step)
+                     unsigned places)
 {
-    return named->number == list->number && named->step == step
+    return named->number == list->number && named->places == places
            && table - named->table <= named->slack;
 }
 
 bool named_pages_find(struct named_pages *named,
                       const struct index_list *list, uint64_t table,
-                      unsigned step, unsigned shift)
+                      unsigned places, unsigned shift)
 {
     struct page_walk walk = { .shift = shift,
-                              .places = places_of(step),
+                              .places = places,
                               .table = table };
     uint32_t last[NAMED_MOST] = { 0 };
-    if (is_known(named, list, table, step))
+    if (is_known(named, list, table, places))
         return true;
     named->number = 0;
     find_range(&walk, list->indices, list->count);
@@ -122,7 +113,7 @@ bool named_pages_find(struct named_pages *named,
         if (last[page - walk.low] > 0)
             add_page(named, walk.low, last, page);
     named->number = list->number;
-    named->step = step;
+    named->places = places;
     named->table = table;
     named->slack = (UINT64_C(1) << shift) - 1 - walk.inside;
     return true;

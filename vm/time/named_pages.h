@@ -8,11 +8,11 @@
 
 enum { NAMED_MOST = 64 };
 
-/* Those of the list met last, and of a table of elements of so many bits; they are
+/* Those of the list met last, and of a table of elements of 2^places bits; they are
  * the same for one that begins up to `slack` bits behind it. */
 struct named_pages {
     uint64_t number; /* the list's; 0: there was none */
-    unsigned step;
+    unsigned places;
     uint64_t table, slack;
     size_t count;
     uint64_t page[NAMED_MOST];
@@ -21,6 +21,6 @@ struct named_pages {
 /* For pages of 2^shift bits.  False: they lie too far apart to be told. */
 bool named_pages_find(struct named_pages *named,
                       const struct index_list *list, uint64_t table,
-                      unsigned step, unsigned shift);
+                      unsigned places, unsigned shift);
 
 #endif

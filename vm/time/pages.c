@@ -202,7 +202,7 @@ void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
                          struct translation *met)
 {
     struct named_pages *named = &pages->named;
-    if (named_pages_find(named, list, table, step, pages->shift)
+    if (named_pages_find(named, list, table, power_of_two(step), pages->shift)
         && all_known(pages, named))
         for (size_t i = 0; i < named->count; i++)
             touch(pages, named->page[i] << pages->shift, met);

@@ -74,6 +74,13 @@ fine_rays:      .word 0                 ; of them; 0: nothing is left to be trac
         SUBN    r0, \first, \first
         .endm
 
+; Address of plane number of a pixel, from that of plane 0 on.
+        .macro  of_plane pixel, number, address
+        ES      \address, \number
+        MPYX    fine_stride, \address, \address
+        ADDX    \address, \pixel, \address
+        .endm
+
 ; All that comes after the first rays, where rays are traced by trace_levels.
         .macro  refine_pixels begin, next, average, end, its_link
         EX      target, \begin

@@ -14,13 +14,6 @@
         .regs   r41, fine_distance_at, fine_limit
         .endshare
 
-; Address of plane number of a pixel, from that of plane 0 on.
-        .macro  of_plane pixel, number, address
-        ES      \address, \number
-        MPYX    fine_stride, \address, \address
-        ADDX    \address, \pixel, \address
-        .endm
-
         .macro  load_planes
         load_at fine_pixels, 1, fine_stride
         SHIFTI  fine_stride, 6, fine_stride

@@ -25,13 +25,6 @@
         .regs   r238, fine_next_at, fine_left_over, fine_place
         .endshare
 
-; Address of plane number of a pixel, from that of plane 0 on.
-        .macro  of_plane pixel, number, address
-        ES      \address, \number
-        MPYX    fine_stride, \address, \address
-        ADDX    \address, \pixel, \address
-        .endm
-
         .macro  load_planes
         load_word fine_pixels, fine_stride
         SHIFTI  fine_stride, 6, fine_stride

@@ -12,29 +12,29 @@
 ; Source: textbook.
 
         .macro  carry_rows x, y, z, k00, k01, k02, k10, k11, k12, k20, k21, k22, to0, to1, to2
-        column_scale \x, \k00, \to0
-        column_scale \x, \k10, \to1
-        column_scale \x, \k20, \to2
-        column_add_three \y, \k01, \to0, \k11, \to1, \k21, \to2
-        column_add_three \z, \k02, \to0, \k12, \to1, \k22, \to2
+        each_scale \x, \k00, \to0
+        each_scale \x, \k10, \to1
+        each_scale \x, \k20, \to2
+        each_add_three \y, \k01, \to0, \k11, \to1, \k21, \to2
+        each_add_three \z, \k02, \to0, \k12, \to1, \k22, \to2
         .endm
 
         .kernel carry
 emission_carry:
         carry_rows own_face_x, own_face_y, own_face_z, to_face0, to_face1, to_face2, to_face3, to_face4, to_face5, to_face6, to_face7, to_face8, face_x, face_y, face_z
-        column_times face_x, face_x, toil0
-        column_times face_y, face_y, toil1
-        column_times face_z, face_z, toil2
-        column_plus toil0, toil1, toil0
-        column_plus toil0, toil2, toil0
-        column_root toil0, toil0                        ; |N|
+        each_times face_x, face_x, toil0
+        each_times face_y, face_y, toil1
+        each_times face_z, face_z, toil2
+        each_plus toil0, toil1, toil0
+        each_plus toil0, toil2, toil0
+        each_root toil0, toil0                        ; |N|
         carry_rows own_spot_x, own_spot_y, own_spot_z, to_world0, to_world1, to_world2, to_world4, to_world5, to_world6, to_world8, to_world9, to_world10, spot_x, spot_y, spot_z
-        column_shift spot_x, to_world3, spot_x
-        column_shift spot_y, to_world7, spot_y
-        column_shift spot_z, to_world11, spot_z
-        column_reciprocal toil0, toil1
-        column_times weight, toil0, weight
-        column_times face_x, toil1, face_x
-        column_times face_y, toil1, face_y
-        column_times face_z, toil1, face_z
+        each_shift spot_x, to_world3, spot_x
+        each_shift spot_y, to_world7, spot_y
+        each_shift spot_z, to_world11, spot_z
+        each_reciprocal toil0, toil1
+        each_times weight, toil0, weight
+        each_times face_x, toil1, face_x
+        each_times face_y, toil1, face_y
+        each_times face_z, toil1, face_z
         .endkernel

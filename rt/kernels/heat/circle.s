@@ -32,44 +32,44 @@ circle_constants:
         .equ    CIRCLE_CONSTANTS, 23
         .code
 
-        .regs   r67, column_half, column_one, column_minus_one
+        .regs   r67, each_half, each_one, each_minus_one
         .regs   r70, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5, sine_6, sine_7, sine_8, sine_9
         .regs   r80, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4, cosine_5, cosine_6, cosine_7, cosine_8, cosine_9
 
         .macro  circle_load scratch
         EX      \scratch, circle_constants
         ELEN    \scratch, CIRCLE_CONSTANTS
-        SWAP    [\scratch], column_half, [r0]
+        SWAP    [\scratch], each_half, [r0]
         .endm
 
         .macro  circle_step even, odd, sine, cosine, odd_sine, odd_cosine, fourth
-        column_horner \fourth, \sine, sine_\even, \odd_sine, sine_\odd, \cosine, cosine_\even, \odd_cosine, cosine_\odd
+        each_horner \fourth, \sine, sine_\even, \odd_sine, sine_\odd, \cosine, cosine_\even, \odd_cosine, cosine_\odd
         .endm
 
 ; Both polynomials in four, those of even and odd powers of v^2, which are polynomials
 ; in v^4.  work0 .. work4 are scratch.
         .macro  circle turn, sine, cosine, work0, work1, work2, work3, work4
-        column_from column_half, \turn, \work0          ; v
-        column_times \work0, \work0, \work1             ; v^2
-        column_times \work1, \work1, \work2
-        column_scale \work2, sine_8, \sine
-        column_scale \work2, sine_9, \work3
-        column_scale \work2, cosine_8, \cosine
-        column_scale \work2, cosine_9, \work4
-        column_shift \sine, sine_6, \sine
-        column_shift \work3, sine_7, \work3
-        column_shift \cosine, cosine_6, \cosine
-        column_shift \work4, cosine_7, \work4
+        each_from each_half, \turn, \work0          ; v
+        each_times \work0, \work0, \work1             ; v^2
+        each_times \work1, \work1, \work2
+        each_scale \work2, sine_8, \sine
+        each_scale \work2, sine_9, \work3
+        each_scale \work2, cosine_8, \cosine
+        each_scale \work2, cosine_9, \work4
+        each_shift \sine, sine_6, \sine
+        each_shift \work3, sine_7, \work3
+        each_shift \cosine, cosine_6, \cosine
+        each_shift \work4, cosine_7, \work4
         circle_step 4, 5, \sine, \cosine, \work3, \work4, \work2
         circle_step 2, 3, \sine, \cosine, \work3, \work4, \work2
         circle_step 0, 1, \sine, \cosine, \work3, \work4, \work2
-        column_times \work3, \work1, \work3
-        column_times \work4, \work1, \work4
-        column_plus \sine, \work3, \sine
-        column_plus \cosine, \work4, \cosine            ; c
-        column_times \work0, \sine, \work0              ; s
-        column_plus \work0, \work0, \work1
-        column_times \work1, \cosine, \sine
-        column_times \work1, \work0, \cosine
-        column_shift \cosine, column_minus_one, \cosine
+        each_times \work3, \work1, \work3
+        each_times \work4, \work1, \work4
+        each_plus \sine, \work3, \sine
+        each_plus \cosine, \work4, \cosine            ; c
+        each_times \work0, \sine, \work0              ; s
+        each_plus \work0, \work0, \work1
+        each_times \work1, \cosine, \sine
+        each_times \work1, \work0, \cosine
+        each_shift \cosine, each_minus_one, \cosine
         .endm

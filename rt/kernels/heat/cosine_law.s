@@ -16,25 +16,25 @@
 
         .kernel direction
 emission_direction:
-        column_root draw2, toil5                        ; r
-        column_from column_one, draw2, toil6
+        each_root draw2, toil5                        ; r
+        each_from each_one, draw2, toil6
         circle  draw3, ray_y, ray_x, toil0, toil1, toil2, toil3, toil4
-        column_root toil6, toil6                        ; z
-        column_times toil5, ray_x, ray_x
-        column_times toil5, ray_y, ray_y
-        column_sign face_z, toil2
-        column_times ray_x, face_x, toil3
-        column_times ray_y, face_y, toil4
-        column_plus toil2, face_z, toil0
-        column_times toil2, ray_x, ray_x
-        column_times toil2, ray_y, ray_y
-        column_plus toil3, toil4, toil3                 ; q
-        column_over toil3, toil0, toil0
-        column_times toil6, face_z, ray_z
-        column_minus ray_z, toil3, ray_z
-        column_minus toil6, toil0, toil6                ; g
-        column_times toil6, face_x, toil3
-        column_times toil6, face_y, toil4
-        column_plus ray_x, toil3, ray_x
-        column_plus ray_y, toil4, ray_y
+        each_root toil6, toil6                        ; z
+        each_times toil5, ray_x, ray_x
+        each_times toil5, ray_y, ray_y
+        each_sign face_z, toil2
+        each_times ray_x, face_x, toil3
+        each_times ray_y, face_y, toil4
+        each_plus toil2, face_z, toil0
+        each_times toil2, ray_x, ray_x
+        each_times toil2, ray_y, ray_y
+        each_plus toil3, toil4, toil3                 ; q
+        each_over toil3, toil0, toil0
+        each_times toil6, face_z, ray_z
+        each_minus ray_z, toil3, ray_z
+        each_minus toil6, toil0, toil6                ; g
+        each_times toil6, face_x, toil3
+        each_times toil6, face_y, toil4
+        each_plus ray_x, toil3, ray_x
+        each_plus ray_y, toil4, ray_y
         .endkernel

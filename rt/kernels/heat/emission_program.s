@@ -42,7 +42,7 @@
 
 ; Columns: registers of numbers, or of descriptors.
         .equ    EMISSION_WORK, 28
-        .reg    column_linked, r91
+        .reg    each_linked, r91
         .regs   r92, own_spot_x, own_spot_y, own_spot_z, own_face_x, own_face_y, own_face_z
         .regs   r98, toil0, toil1, toil2, toil3, toil4, toil5, toil6, toil7, toil8
         .regs   r107, piece0, piece1, piece2, piece3, piece4, piece5, piece6, piece7, piece8, piece9, piece10, piece11
@@ -59,7 +59,7 @@
         .regs   r180, emission_kernel, emission_count, emission_table
 
         .regs   r183, emission_pieces, piece_at, piece_stride
-        .regs   r186, emission_link, emission_at, emission_left, column_at, column_stride
+        .regs   r186, emission_link, emission_at, emission_left, emission_plane, emission_stride
 
         .data
 emission_given: .word 0
@@ -70,12 +70,12 @@ emission_made:  .space POINTS * EMITTED_SIZE
         .include "heat/pieces.s"
 
         .macro  emission_begin
-        EX      column_at, emission_given
-        LOD     [column_at], column_at
-        ELEN    column_at, EMISSION_SIZE
-        SWAP    [column_at], emission_area, [r0]
-        circle_load column_at
+        EX      emission_plane, emission_given
+        LOD     [emission_plane], emission_plane
+        ELEN    emission_plane, EMISSION_SIZE
+        SWAP    [emission_plane], emission_area, [r0]
+        circle_load emission_plane
         ADDN    emission_count, r0, emission_pieces
         SHIFTI  emission_count, 6, piece_stride
-        EX      column_stride, 64 * POINTS
+        EX      emission_stride, 64 * POINTS
         .endm

@@ -4,7 +4,7 @@
         .endm
         .include "points/points_scalar.s"
         .include "heat/emission_program.s"
-        .include "heat/columns_scalar.s"
+        .include "heat/operations_scalar.s"
 
         .kernel begin
         emission_begin
@@ -14,16 +14,16 @@
 
 emission_next:
         .kernel queue
-        EX      column_at, points_made
+        EX      emission_plane, points_made
         .rept   STREAM_DRAWS
-        LOD     [column_at, emission_at], draw\+
-        ADDX    column_at, column_stride, column_at
+        LOD     [emission_plane, emission_at], draw\+
+        ADDX    emission_plane, emission_stride, emission_plane
         .endr
         BSAVE   emission_link, [emission_kernel]
-        EX      column_at, emission_made
+        EX      emission_plane, emission_made
         .rept   EMITTED_SIZE
-        STO     [column_at, emission_at], emitted\+
-        ADDX    column_at, column_stride, column_at
+        STO     [emission_plane, emission_at], emitted\+
+        ADDX    emission_plane, emission_stride, emission_plane
         .endr
         IBXNE   emission_at, stream_one, emission_left, emission_next, emission_at
         EXIT

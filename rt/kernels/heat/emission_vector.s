@@ -4,9 +4,9 @@
         .endm
         .include "points/points_vector.s"
         .include "heat/emission_program.s"
-        .include "heat/columns_vector.s"
+        .include "heat/operations_vector.s"
 
-        .regs   r90, column_bits
+        .regs   r90, each_bits
         .regs   r191, emission_now, emission_high
 
         .data
@@ -24,12 +24,12 @@ emission_store: .space QUEUE * EMISSION_WORK
 ; Planes from the point on that is next, as long as the queue, in registers from first
 ; on.
         .macro  emission_planes planes, count, register
-        EX      column_at, \planes
-        ADDX    column_at, emission_at, column_at
-        ADDLEN  column_at, emission_now, column_at
+        EX      emission_plane, \planes
+        ADDX    emission_plane, emission_at, emission_plane
+        ADDLEN  emission_plane, emission_now, emission_plane
         .rept   \count
-        RTOR    column_at, \register
-        ADDX    column_at, column_stride, column_at
+        RTOR    emission_plane, \register
+        ADDX    emission_plane, emission_stride, emission_plane
         .endr
         .endm
 
@@ -46,14 +46,14 @@ emission_next:
         RTOR    emission_left, emission_now
 emission_full:
         SHIFTI  emission_now, 48, emission_high
-        EX      column_at, emission_bases
-        ELEN    column_at, EMISSION_WORK
+        EX      emission_plane, emission_bases
+        ELEN    emission_plane, EMISSION_WORK
         EX      piece_at, emission_descriptors
         ELEN    piece_at, EMISSION_WORK
-        ORV     [column_at], emission_high, [piece_at]
-        SWAP    [piece_at], column_linked, [r0]
-        EX      column_bits, emission_bits
-        ADDLEN  column_bits, emission_now, column_bits
+        ORV     [emission_plane], emission_high, [piece_at]
+        SWAP    [piece_at], each_linked, [r0]
+        EX      each_bits, emission_bits
+        ADDLEN  each_bits, emission_now, each_bits
         emission_planes points_made, STREAM_DRAWS, draw\+
         emission_planes emission_made, EMITTED_SIZE, emitted\+
         BSAVE   emission_link, [emission_kernel]

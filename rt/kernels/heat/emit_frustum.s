@@ -18,24 +18,24 @@
         .kernel emit
 emit_frustum:
         pick_piece 6
-        column_times piece2, piece2, toil0
-        column_times piece3, piece3, toil1
-        column_plus piece2, piece3, toil5
-        column_minus toil1, toil0, toil1
-        column_times draw0, toil5, toil5
-        column_times draw0, toil1, toil1
-        column_plus toil1, toil0, toil1
-        column_root toil1, toil6                        ; r
+        each_times piece2, piece2, toil0
+        each_times piece3, piece3, toil1
+        each_plus piece2, piece3, toil5
+        each_minus toil1, toil0, toil1
+        each_times draw0, toil5, toil5
+        each_times draw0, toil1, toil1
+        each_plus toil1, toil0, toil1
+        each_root toil1, toil6                        ; r
         circle  draw1, own_face_z, own_face_x, toil0, toil1, toil2, toil3, toil4
-        column_plus piece2, toil6, toil0
-        column_over toil5, toil0, toil5                 ; l
-        column_times toil6, own_face_x, own_spot_x
-        column_times toil6, own_face_z, own_spot_z
-        column_times piece4, own_face_x, own_face_x
-        column_times piece4, own_face_z, own_face_z
-        column_copy piece5, own_face_y
-        column_same emission_area, weight
-        column_times toil5, piece1, piece1
-        column_plus piece1, piece0, own_spot_y
+        each_plus piece2, toil6, toil0
+        each_over toil5, toil0, toil5                 ; l
+        each_times toil6, own_face_x, own_spot_x
+        each_times toil6, own_face_z, own_spot_z
+        each_times piece4, own_face_x, own_face_x
+        each_times piece4, own_face_z, own_face_z
+        each_copy piece5, own_face_y
+        each_same emission_area, weight
+        each_times toil5, piece1, piece1
+        each_plus piece1, piece0, own_spot_y
         BIM     emission_carry
         .endkernel

@@ -8,17 +8,17 @@
 
         .kernel emit
 emit_sphere:
-        column_from column_one, draw0, toil0
-        column_times draw0, toil0, toil5
-        column_minus toil0, draw0, own_spot_y
-        column_root toil5, toil5
+        each_from each_one, draw0, toil0
+        each_times draw0, toil0, toil5
+        each_minus toil0, draw0, own_spot_y
+        each_root toil5, toil5
         circle  draw1, own_spot_z, own_spot_x, toil0, toil1, toil2, toil3, toil4
-        column_plus toil5, toil5, toil5                 ; r
-        column_times toil5, own_spot_x, own_spot_x
-        column_times toil5, own_spot_z, own_spot_z
-        column_copy own_spot_x, own_face_x
-        column_copy own_spot_y, own_face_y
-        column_copy own_spot_z, own_face_z
-        column_same emission_area, weight
+        each_plus toil5, toil5, toil5                 ; r
+        each_times toil5, own_spot_x, own_spot_x
+        each_times toil5, own_spot_z, own_spot_z
+        each_copy own_spot_x, own_face_x
+        each_copy own_spot_y, own_face_y
+        each_copy own_spot_z, own_face_z
+        each_same emission_area, weight
         BIM     emission_carry
         .endkernel

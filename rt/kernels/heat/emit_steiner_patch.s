@@ -17,53 +17,53 @@
 
 ; The polynomial, and what it grows by with p and q: in `along` and `across`.
         .macro  patch_polynomial k0, k1, k2, k3, k4, k5, value, along, across
-        column_scale toil0, \k3, \along
-        column_scale toil0, \k4, \across
-        column_shift \along, \k1, \along
-        column_shift \across, \k2, \across
-        column_add_two toil1, \k4, \along, \k5, \across   ; X_p, X_q
-        column_shift \along, \k1, toil2
-        column_shift \across, \k2, toil3
-        column_times toil2, toil0, toil2
-        column_times toil3, toil1, toil3
-        column_plus toil2, toil3, toil2
-        column_scale toil2, column_half, toil2
-        column_shift toil2, \k0, \value
+        each_scale toil0, \k3, \along
+        each_scale toil0, \k4, \across
+        each_shift \along, \k1, \along
+        each_shift \across, \k2, \across
+        each_add_two toil1, \k4, \along, \k5, \across   ; X_p, X_q
+        each_shift \along, \k1, toil2
+        each_shift \across, \k2, toil3
+        each_times toil2, toil0, toil2
+        each_times toil3, toil1, toil3
+        each_plus toil2, toil3, toil2
+        each_scale toil2, each_half, toil2
+        each_shift toil2, \k0, \value
         .endm
 
 ; The value becomes that of the point, along and across the changes of it times W.
         .macro  patch_divided value, along, across
-        column_times \value, piece9, \value
-        column_times \value, piece10, toil0
-        column_times \value, piece11, toil1
-        column_minus \along, toil0, \along
-        column_minus \across, toil1, \across
+        each_times \value, piece9, \value
+        each_times \value, piece10, toil0
+        each_times \value, piece11, toil1
+        each_minus \along, toil0, \along
+        each_minus \across, toil1, \across
         .endm
 
         .macro  patch_normal a0, b1, a1, b0, normal
-        column_times \a0, \b1, \normal
-        column_times \a1, \b0, toil0
-        column_minus \normal, toil0, \normal
-        column_times \normal, toil1, \normal
+        each_times \a0, \b1, \normal
+        each_times \a1, \b0, toil0
+        each_minus \normal, toil0, \normal
+        each_times \normal, toil1, \normal
         .endm
 
         .kernel emit
 emit_steiner_patch:
-        column_root draw0, toil0
-        column_times toil0, draw1, toil1                ; q
-        column_minus toil0, toil1, toil0                ; p
+        each_root draw0, toil0
+        each_times toil0, draw1, toil1                ; q
+        each_minus toil0, toil1, toil0                ; p
         patch_polynomial form0, form1, form2, form3, form4, form5, own_spot_x, piece0, piece1
         patch_polynomial form6, form7, form8, form9, form10, form11, own_spot_y, piece2, piece3
         patch_polynomial form12, form13, form14, form15, form16, form17, own_spot_z, piece4, piece5
         patch_polynomial form18, form19, form20, form21, form22, form23, piece9, piece10, piece11
-        column_reciprocal piece9, piece9
+        each_reciprocal piece9, piece9
         patch_divided own_spot_x, piece0, piece1
         patch_divided own_spot_y, piece2, piece3
         patch_divided own_spot_z, piece4, piece5
-        column_times piece9, piece9, toil1
+        each_times piece9, piece9, toil1
         patch_normal piece2, piece5, piece4, piece3, own_face_x
         patch_normal piece4, piece1, piece0, piece5, own_face_y
         patch_normal piece0, piece3, piece2, piece1, own_face_z
-        column_same emission_area, weight
+        each_same emission_area, weight
         BIM     emission_carry
         .endkernel

@@ -18,15 +18,15 @@
 emit_torus:
         circle  draw0, own_face_y, own_spot_y, toil0, toil1, toil2, toil3, toil4
         circle  draw1, own_face_z, own_face_x, toil0, toil1, toil2, toil3, toil4
-        column_scale own_spot_y, form1, toil0
-        column_scale own_spot_y, form2, toil1
-        column_scale own_face_y, form2, own_spot_y
-        column_scale own_face_y, form1, own_face_y
-        column_shift toil0, form0, toil0                ; rho
-        column_times toil0, own_face_x, own_spot_x
-        column_times toil0, own_face_z, own_spot_z
-        column_times toil1, own_face_x, own_face_x
-        column_times toil1, own_face_z, own_face_z
-        column_scale toil0, emission_area, weight
+        each_scale own_spot_y, form1, toil0
+        each_scale own_spot_y, form2, toil1
+        each_scale own_face_y, form2, own_spot_y
+        each_scale own_face_y, form1, own_face_y
+        each_shift toil0, form0, toil0                ; rho
+        each_times toil0, own_face_x, own_spot_x
+        each_times toil0, own_face_z, own_spot_z
+        each_times toil1, own_face_x, own_face_x
+        each_times toil1, own_face_z, own_face_z
+        each_scale toil0, emission_area, weight
         BIM     emission_carry
         .endkernel

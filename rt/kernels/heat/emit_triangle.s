@@ -9,22 +9,22 @@
 ; Source: G. Turk, "Generating random points in triangles", Graphics Gems (1990).
 
         .macro  triangle_axis corner, first, second, normal, axis
-        column_times toil0, \first, \first
-        column_times toil1, \second, \second
-        column_plus \first, \corner, \first
-        column_plus \first, \second, own_spot_\axis
-        column_copy \normal, own_face_\axis
+        each_times toil0, \first, \first
+        each_times toil1, \second, \second
+        each_plus \first, \corner, \first
+        each_plus \first, \second, own_spot_\axis
+        each_copy \normal, own_face_\axis
         .endm
 
         .kernel emit
 emit_triangle:
         pick_piece 12
-        column_root draw0, toil0                        ; s
-        column_times toil0, draw1, toil1
-        column_minus toil0, toil1, toil0
+        each_root draw0, toil0                        ; s
+        each_times toil0, draw1, toil1
+        each_minus toil0, toil1, toil0
         triangle_axis piece0, piece3, piece6, piece9, x
         triangle_axis piece1, piece4, piece7, piece10, y
         triangle_axis piece2, piece5, piece8, piece11, z
-        column_same emission_area, weight
+        each_same emission_area, weight
         BIM     emission_carry
         .endkernel

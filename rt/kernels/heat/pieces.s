@@ -12,18 +12,18 @@
 ; with general distributions" (1977).
 
         .macro  piece_word into
-        column_pick toil1, piece_at, \into
+        each_pick toil1, piece_at, \into
         ADDX    piece_at, piece_stride, piece_at
         .endm
 
         .macro  pick_piece count
         RTOR    emission_table, piece_at
-        column_scale draw4, emission_pieces, toil0
-        column_floor toil0, toil1
-        column_minus toil0, toil1, toil0
+        each_scale draw4, emission_pieces, toil0
+        each_floor toil0, toil1
+        each_minus toil0, toil1, toil0
         piece_word toil2
         piece_word toil3
-        column_choose toil0, toil2, toil1, toil3
+        each_choose toil0, toil2, toil1, toil3
         .rept   \count
         piece_word piece\+
         .endr

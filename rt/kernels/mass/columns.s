@@ -92,3 +92,13 @@ column_sums:    .word 0                 ; .. of the sums
         ES      col_work0, MOMENT_SIZE
         MPYX    col_totals, col_work0, col_totals
         .endm
+
+; Where the lanes of a sum have become one: it goes to its place, and while there are
+; more the next one is folded.
+        .macro  next_sum fold
+        LOD     [col_lanes], col_work0
+        STO     [col_sums], col_work0
+        IX      col_sums, 64
+        IX      col_lanes, 64 * LANES
+        IBXNE   col_totals, col_index_minus_one, r0, \fold, col_totals
+        .endm

@@ -106,10 +106,6 @@ columns_lane:
         IBXNE   col_lane, col_index_one, col_half_lanes, columns_lane, col_lane
         SHIFTI  col_half_lanes, -1, col_half_lanes
         IBXNE   col_half_lanes, r0, r0, columns_halve
-        LOD     [col_lanes], col_work0
-        STO     [col_sums], col_work0
-        IX      col_sums, 64
-        IX      col_lanes, 64 * LANES
-        IBXNE   col_totals, col_index_minus_one, r0, columns_fold, col_totals
+        next_sum columns_fold
         EXIT
         .endkernel

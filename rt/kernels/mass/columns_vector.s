@@ -137,10 +137,6 @@ columns_halve:
         RTOR    col_lanes, col_at
         ADDLEN  col_at, col_half_lanes, col_at
         IBXNE   col_half_lanes, r0, r0, columns_halve
-        LOD     [col_lanes], col_work0
-        STO     [col_sums], col_work0
-        IX      col_sums, 64
-        IX      col_lanes, 64 * LANES
-        IBXNE   col_totals, col_index_minus_one, r0, columns_fold, col_totals
+        next_sum columns_fold
         EXIT
         .endkernel

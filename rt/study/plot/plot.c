@@ -8,22 +8,13 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/error.h"
 #include "base/whole.h"
 #include "rt/study/plot/gnuplot.h"
 #include "rt/study/plot/script.h"
 
 static const char *const endings[] = { ".svg", ".png" };
 enum { ENDING = 4 }; /* bytes of each */
-
-static bool fail(c205_error *error, const char *format, ...)
-{
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(error->message, sizeof error->message, format, arguments);
-    va_end(arguments);
-    return false;
-}
 
 /* --- the files --------------------------------------------------------- */
 
@@ -76,7 +67,8 @@ static bool check_folder(const char *path, c205_error *error)
     else if (access(folder, W_OK | X_OK) != 0)
         code = errno;
     free(folder);
-    return code == 0 || fail(error, "%.180s: %.60s", path, strerror(code));
+    return code == 0
+           || error_say(error, "%.180s: %.60s", path, strerror(code));
 }
 
 bool plot_is_named(const char *path)
@@ -96,11 +88,11 @@ bool plot_check_path(const char *path, c205_error *error)
     const char *name = name_in(path);
 
     if (!plot_is_named(path))
-        return fail(error, "%.180s: a plot's name ends in .svg or .png",
-                    path);
+        return error_say(error, "%.180s: a plot's name ends in .svg or .png",
+                         path);
     for (const char *c = name; *c != '\0'; c++)
         if ((unsigned char)*c < ' ')
-            return fail(error, "a plot's name is one line of text");
+            return error_say(error, "a plot's name is one line of text");
     return check_folder(path, error);
 }
 
@@ -111,7 +103,7 @@ static struct whole *open_beside(const char *path, const char *end,
     struct whole *whole = beside ? whole_open(beside, error) : NULL;
 
     if (!beside)
-        fail(error, "%.180s: no memory", path);
+        error_say(error, "%.180s: no memory", path);
     free(beside);
     return whole;
 }
@@ -128,7 +120,7 @@ static bool open_files(struct files *files, const char *path,
     files->script_name = text_of("./%.*s.gp", (int)strlen(name) - ENDING,
                                  name);
     if (!files->folder || !files->name || !files->script_name)
-        return fail(error, "%.180s: no memory", path);
+        return error_say(error, "%.180s: no memory", path);
     return (files->data = open_beside(path, ".dat", error)) != NULL
            && (files->script = open_beside(path, ".gp", error)) != NULL
            && (files->picture = whole_open(path, error)) != NULL;
@@ -166,8 +158,8 @@ static bool reach(struct axis *axis, double value, const char *key,
     if (!isfinite(value))
         return true;
     if (!axis_shows(axis, value))
-        return fail(error, "%.60s: %g is not on a logarithmic axis", key,
-                    value);
+        return error_say(error, "%.60s: %g is not on a logarithmic axis", key,
+                         value);
     axis_reach(axis, value);
     return true;
 }
@@ -183,8 +175,8 @@ static bool reach_row(const struct plot *plot, const struct table *table,
         double value = table_value(table, row, column);
         sum += value;
         if (areas && value < 0)
-            return fail(error, "%.60s: an area of %g cannot be drawn",
-                        table_key(table, column), value);
+            return error_say(error, "%.60s: an area of %g cannot be drawn",
+                             table_key(table, column), value);
         if (!reach(&axes->y, areas ? sum : value, table_key(table, column),
                    error))
             return false;
@@ -220,7 +212,7 @@ static bool find_axes(const struct plot *plot, const struct table *table,
         if (!reach_row(plot, table, row, axes, error))
             return false;
     if (is_empty(x) || is_empty(y))
-        return fail(error, "%.180s: nothing to draw", plot->title);
+        return error_say(error, "%.180s: nothing to draw", plot->title);
     highest = y->high;
     if (plot->y_most > y->low)
         y->high = fmin(y->high, plot->y_most);
@@ -284,7 +276,7 @@ static bool write_files(const struct plot *plot, const struct table *table,
 {
     write_data(plot, table, files->data->file);
     if (!plot_script_write(plot, axes, files->name, files->script->file))
-        return fail(error, "%.180s: no memory", plot->title);
+        return error_say(error, "%.180s: no memory", plot->title);
     return commit(&files->data, error) && commit(&files->script, error)
            && gnuplot_draw(files->folder, files->script_name,
                            files->picture->file, error)
@@ -299,7 +291,7 @@ bool plot_write(const struct plot *plot, const struct table *table,
     bool good;
 
     if (!table_is_whole(table))
-        return fail(error, "%.180s: no memory", plot->title);
+        return error_say(error, "%.180s: no memory", plot->title);
     if (!plot_check_path(path, error)
         || !find_axes(plot, table, &axes, error))
         return false;
