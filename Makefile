@@ -87,7 +87,7 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
-	check-lines check-mass check-language-scenes check-language \
+	check-lines check-mass check-uses check-language-scenes check-language \
 	check-library check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
@@ -97,13 +97,16 @@ FACES ?= 200
 REGIONS ?= 200
 SEEN ?= 60
 MASSES ?= 24
+USES ?= some
 LANGUAGE ?= 200
 TRIES ?= 300
 HOSTS ?= quick
 DOCS ?= quick
-# Of the unit tests, scenes and pages those named, all unless told.
+# Of the unit tests, scenes, scenes of which heat and mass are asked, and pages those
+# named.
 UNITS ?= $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 SCENES ?= $(wildcard scenes/*.pov tests/scenes/*.pov)
+USED ?= $(wildcard scenes/*.pov)
 PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md)
 # So many compilers, unit tests and scenes at a time.
 JOBS ?= 2
@@ -136,6 +139,8 @@ check-long: export REGIONS = 10000
 check-long: export SEEN = 5000
 check-long: export MASSES = 1000
 check-long: export MASS_RAYS = 262144
+check-long: export USES = all
+check-long: export USED = $(SCENES)
 check-long: export LANGUAGE = 5000
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
@@ -355,6 +360,11 @@ check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 	@printf '%s\n' $(SCENES) | \
 		xargs -n 1 -P $(JOBS) sh tests/check_scenes.sh $(BUILD)
 
+# Heat and mass of scenes.
+check-uses: $(programs)
+	@printf '%s\n' $(USED) | \
+		USES="$(USES)" xargs -n 1 -P $(JOBS) sh tests/check_uses.sh $(BUILD)
+
 # More rays where pixels differ, as POV-Ray has it.
 check-adaptive: $(BUILD)/tests/oracle/check_sample $(adapter)
 	sh tests/check_adaptive.sh $(BUILD)
@@ -515,7 +525,7 @@ clean:
 .PHONY: all demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-lines check-mass check-scenes check-adaptive check-language-scenes check-language \
+	check-lines check-mass check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
 	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \

@@ -1,6 +1,7 @@
 #include "rt/study/tasks.h"
 
 #include <pthread.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -10,6 +11,7 @@ enum { STEPS = 1000000 };
 /* What is known of a run. */
 struct state {
     struct crew *crew;
+    size_t number;
     double weight, share; /* share: of it that is done, 0 to 1 */
 };
 
@@ -17,9 +19,10 @@ struct crew {
     const struct tasks *tasks;
     pthread_mutex_t lock; /* of all below */
     size_t next;          /* the run to begin next */
-    bool stop, failed;
-    c205_error error; /* of the first that failed */
-    double weight;    /* of all */
+    bool cancelled;       /* by who watches */
+    size_t failed;        /* the lowest run that failed; SIZE_MAX: none */
+    c205_error error;     /* of that one, whichever failed first in time */
+    double weight;        /* of all */
     struct state *states;
 };
 
@@ -30,6 +33,13 @@ static size_t steps_done(const struct crew *crew)
     for (size_t i = 0; i < crew->tasks->count; i++)
         done += crew->states[i].weight * crew->states[i].share;
     return (size_t)(STEPS * (done / crew->weight));
+}
+
+/* With lock held. What comes before a run that failed goes on to its own end, and what
+   comes after it is in vain: so the error is the same whoever is the faster. */
+static bool wanted(const struct crew *crew, size_t number)
+{
+    return !crew->cancelled && number < crew->failed;
 }
 
 /* Never all of them: that is told once, at the end. */
@@ -46,8 +56,8 @@ static bool tell(void *context, size_t done, size_t all)
     steps = steps_done(crew);
     if (!tasks->progress(tasks->progress_context,
                          steps < STEPS ? steps : STEPS - 1, STEPS))
-        crew->stop = true;
-    go_on = !crew->stop;
+        crew->cancelled = true;
+    go_on = wanted(crew, state->number);
     pthread_mutex_unlock(&crew->lock);
     return go_on;
 }
@@ -58,7 +68,7 @@ static bool take_next(struct crew *crew, size_t *number)
     bool more;
 
     pthread_mutex_lock(&crew->lock);
-    more = !crew->stop && crew->next < crew->tasks->count;
+    more = crew->next < crew->tasks->count && wanted(crew, crew->next);
     if (more)
         *number = crew->next++;
     pthread_mutex_unlock(&crew->lock);
@@ -75,10 +85,10 @@ static void run_one(struct crew *crew, size_t number)
 
     pthread_mutex_lock(&crew->lock);
     state->share = 1;
-    if (!good && !crew->failed)
+    if (!good && number < crew->failed) {
+        crew->failed = number;
         crew->error = error;
-    crew->failed |= !good;
-    crew->stop |= !good;
+    }
     pthread_mutex_unlock(&crew->lock);
 }
 
@@ -116,6 +126,7 @@ static void weigh(struct crew *crew)
         struct state *state = &crew->states[i];
 
         state->crew = crew;
+        state->number = i;
         state->weight = tasks->weight ? tasks->weight(tasks->context, i) : 1;
         crew->weight += state->weight;
     }
@@ -123,7 +134,7 @@ static void weigh(struct crew *crew)
 
 bool tasks_run(const struct tasks *tasks, c205_error *error)
 {
-    struct crew crew = { .tasks = tasks };
+    struct crew crew = { .tasks = tasks, .failed = SIZE_MAX };
     bool good;
 
     crew.states = calloc(tasks->count + 1, sizeof *crew.states);
@@ -134,9 +145,9 @@ bool tasks_run(const struct tasks *tasks, c205_error *error)
     weigh(&crew);
     work_together(&crew);
     pthread_mutex_destroy(&crew.lock);
-    good = !crew.failed && crew.next == tasks->count;
+    good = crew.failed == SIZE_MAX && crew.next == tasks->count;
     snprintf(error->message, sizeof error->message, "stopped");
-    if (crew.failed)
+    if (crew.failed != SIZE_MAX)
         *error = crew.error;
     free(crew.states);
     if (good && tasks->progress)

@@ -34,7 +34,8 @@ struct tasks {
     void *progress_context;
 };
 
-/* Run them all.  False: the error is that of the first that failed. */
+/* Run them all.  False: the error is that of the lowest number that
+ * failed, however many jobs there are. */
 bool tasks_run(const struct tasks *tasks, c205_error *error);
 
 #endif

@@ -25,6 +25,7 @@ static bool lay_bare(const struct scene *scene, struct scene *bare)
 {
     *bare = *scene;
     bare->camera = (struct camera){ 0 };
+    bare->sky = (struct pigment){ .kind = PIGMENT_COLOR };
     bare->fog_count = bare->light_count = bare->image_count = 0;
     bare->every_crossing = true;
     bare->primitives = calloc(scene->primitive_count + 1,

@@ -19,6 +19,7 @@ struct bench {
     size_t count;
     int times[MOST]; /* that each ran */
     size_t bad;      /* the one that fails; MOST: none */
+    bool slow;       /* it takes its time, and all after it fail at once */
     size_t last, all, ends;
     size_t stop_at; /* progress says to stop at so much; SIZE_MAX: never */
     bool falls;     /* progress went back */
@@ -40,6 +41,12 @@ static bool run(void *context, const struct task *task, c205_error *error)
     struct bench *bench = context;
 
     bench->times[task->number]++;
+    if (bench->slow && task->number == bench->bad)
+        usleep(2000);
+    if (bench->slow && task->number > bench->bad) {
+        snprintf(error->message, sizeof error->message, "worse");
+        return false;
+    }
     for (size_t step = 0; step <= STEPS; step++)
         if (task->progress && !task->progress(task->context, step, STEPS)
             && step < STEPS) { /* done is done */
@@ -121,6 +128,26 @@ static void test_a_bad_one(void **state)
     }
 }
 
+/* Many fail, and the lowest of them last: it is the one that is told. */
+static void test_the_lowest_of_many(void **state)
+{
+    uint64_t random = RANDOM_SEED + 3;
+    c205_error error;
+
+    (void)state;
+    for (int i = 0; i < 100; i++) {
+        struct bench bench = { .count = 1 + below(&random, MOST),
+                               .slow = true,
+                               .stop_at = SIZE_MAX };
+        char expected[32];
+
+        bench.bad = below(&random, bench.count);
+        snprintf(expected, sizeof expected, "bad %zu", bench.bad);
+        assert_false(go(&bench, 2 + below(&random, 7), i % 2, &error));
+        assert_string_equal(error.message, expected);
+    }
+}
+
 static void test_told_to_stop(void **state)
 {
     c205_error error;
@@ -157,6 +184,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_each_once),
         cmocka_unit_test(test_a_bad_one),
+        cmocka_unit_test(test_the_lowest_of_many),
         cmocka_unit_test(test_told_to_stop),
         cmocka_unit_test(test_jobs_wanted),
     };
