@@ -252,7 +252,7 @@ static bool check_crossing(const struct columns_packet *packet,
         primitive_kind_name(primitive->kind), primitive->line);
 }
 
-/* Where the fields of a crossing stand, in the order of columns.s. */
+/* Where the fields of a crossing stand, in the order of crossed.s. */
 enum {
     CROSSED_S,
     CROSSED_NORMAL,
@@ -295,24 +295,34 @@ static bool lay_crossings(const struct columns_packet *packet,
     return true;
 }
 
+/* The crossings, and room for so many sums: the address of these. */
+static uint64_t give_crossed(const struct columns_packet *packet,
+                             const c205_word *planes, size_t totals,
+                             struct mass_run *run)
+{
+    size_t count = packet->seen.first[packet->seen.line_count];
+
+    mass_give(run, "crossed_count", count);
+    mass_give_room(run, "crossed_planes", planes, CROSSED_SIZE * count);
+    mass_give(run, "crossed_totals", totals);
+    mass_give_room(run, "crossed_lanes", NULL,
+                   totals * layout_symbol(&run->layout, "LANES"));
+    return mass_give_room(run, "crossed_sums", NULL, totals);
+}
+
 static bool run_columns(const struct columns_packet *packet,
                         const c205_word *planes)
 {
     const struct columns_work *work = packet->work;
-    size_t count = packet->seen.first[packet->seen.line_count];
     size_t rays = work->rays_of_packet, width = shift_width(work);
     struct mass_run run;
     uint64_t made;
 
     mass_run_begin(&run, work->columns, work->options->model, packet->error);
-    mass_give(&run, "column_count", count);
+    made = give_crossed(packet, planes, width, &run);
     mass_give(&run, "column_parts", work->options->part_count);
     mass_give(&run, "column_rays", rays);
-    mass_give_room(&run, "column_planes", planes, CROSSED_SIZE * count);
     mass_give_room(&run, "column_places", packet->rays, 2 * rays);
-    mass_give_room(&run, "column_lanes", NULL,
-                   width * layout_symbol(&run.layout, "LANES"));
-    made = mass_give_room(&run, "column_sums", NULL, width);
     return mass_run_end(&run, made, work->words + packet->unit * width, width,
                         &work->clocks[packet->unit][STAGE_SUMS]);
 }

@@ -1,30 +1,11 @@
 ; columns_scalar.s - the sums of columns.s, one crossing after another.
 
         .include "mass/columns.s"
+        .include "mass/crossed_scalar.s"
 
-        .regs   r32, col_s, col_normal, col_ray, col_part, col_sense, col_inside, col_within
-        .regs   r39, col_p, col_q, col_w, col_c
-        .regs   r43, moment0, moment1, moment2, moment3, moment4, moment5, moment6, moment7, moment8, moment9, moment10
-        .regs   r54, col_at, col_lane, col_lanes_most, col_upper, col_count, col_last
-
-; The next word of the crossing.
-        .macro  crossed_word register
-        LOD     [col_work0], \register
-        ADDX    col_work0, col_stride, col_work0
-        .endm
-
-; col_w := w, by how many bodies the ray is in; else on at the label.
-        .macro  find_weight bodies, unseen
-        IBXEQ   col_sense, r0, r0, \unseen
-        IBXNE   col_sense, r0, col_index_one, weight_leaves\@
-        IBXNE   \bodies, r0, col_index_one, \unseen
-        RTOR    col_minus_one, col_w
-        BIM     weight_found\@
-weight_leaves\@:
-        IBXNE   \bodies, r0, r0, \unseen
-        RTOR    col_one, col_w
-weight_found\@:
-        .endm
+        .regs   r42, col_p, col_q, col_c
+        .regs   r45, moment0, moment1, moment2, moment3, moment4, moment5, moment6, moment7, moment8, moment9, moment10
+        .regs   r56, col_last
 
 ; What the crossing adds.
         .macro  find_moments
@@ -62,19 +43,10 @@ weight_found\@:
         .kernel columns
 columns:
         columns_begin
-        ES      col_lane, 0
-        ES      col_lanes_most, LANES
+        lanes_begin
         RTOR    col_parts, col_last
 columns_next:
-        IBXEQ   col_left, r0, r0, columns_fold
-        RTOR    col_planes, col_work0
-        crossed_word col_s
-        crossed_word col_normal
-        crossed_word col_ray
-        crossed_word col_part
-        crossed_word col_sense
-        crossed_word col_inside
-        crossed_word col_within
+        crossed_next columns_fold
         LOD     [col_places, col_ray], col_p
         LOD     [col_q_at, col_ray], col_q
         find_weight col_inside, columns_within
@@ -85,27 +57,9 @@ columns_within:
         find_moments
         add_moments col_last
 columns_added:
-        IX      col_planes, 64
-        SUBX    col_left, col_index_one, col_left
-        IBXNE   col_lane, col_index_one, col_lanes_most, columns_next, col_lane
-        ES      col_lane, 0
-        BIM     columns_next
+        crossed_done columns_next
 
-; The lanes of each sum become one.
 columns_fold:
-        ES      col_half_lanes, LANES / 2
-columns_halve:
-        ES      col_lane, 0
-        SHIFTI  col_half_lanes, 6, col_work0
-        ADDX    col_lanes, col_work0, col_upper
-columns_lane:
-        LOD     [col_lanes, col_lane], col_work0
-        LOD     [col_upper, col_lane], col_work1
-        ADDN    col_work0, col_work1, col_work0
-        STO     [col_lanes, col_lane], col_work0
-        IBXNE   col_lane, col_index_one, col_half_lanes, columns_lane, col_lane
-        SHIFTI  col_half_lanes, -1, col_half_lanes
-        IBXNE   col_half_lanes, r0, r0, columns_halve
-        next_sum columns_fold
+        fold_lanes
         EXIT
         .endkernel

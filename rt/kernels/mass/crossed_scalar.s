@@ -1,0 +1,68 @@
+; crossed_scalar.s - one crossing after another, for the scalar forms of their sums.
+
+        .regs   r32, col_s, col_normal, col_ray, col_part, col_sense, col_inside, col_within
+        .regs   r39, col_w, col_lane, col_lanes_most
+
+; The next crossing; none left: to the label.
+        .macro  crossed_next none
+        IBXEQ   col_left, r0, r0, \none
+        RTOR    col_planes, col_work0
+        crossed_word col_s
+        crossed_word col_normal
+        crossed_word col_ray
+        crossed_word col_part
+        crossed_word col_sense
+        crossed_word col_inside
+        crossed_word col_within
+        .endm
+
+        .macro  crossed_word register
+        LOD     [col_work0], \register
+        ADDX    col_work0, col_stride, col_work0
+        .endm
+
+        .macro  crossed_done again
+        IX      col_planes, 64
+        SUBX    col_left, col_index_one, col_left
+        IBXNE   col_lane, col_index_one, col_lanes_most, \again, col_lane
+        ES      col_lane, 0
+        BIM     \again
+        .endm
+
+        .macro  lanes_begin
+        ES      col_lane, 0
+        ES      col_lanes_most, LANES
+        .endm
+
+; col_w := w, -1 where the ray comes in, by how many bodies it is in; else on at the
+; label.
+        .macro  find_weight bodies, unseen
+        IBXEQ   col_sense, r0, r0, \unseen
+        IBXNE   col_sense, r0, col_index_one, weight_leaves\@
+        IBXNE   \bodies, r0, col_index_one, \unseen
+        RTOR    col_minus_one, col_w
+        BIM     weight_found\@
+weight_leaves\@:
+        IBXNE   \bodies, r0, r0, \unseen
+        RTOR    col_one, col_w
+weight_found\@:
+        .endm
+
+; The lanes of each sum become one.
+        .macro  fold_lanes
+fold_sum\@:
+        ES      col_half_lanes, LANES / 2
+fold_halve\@:
+        ES      col_lane, 0
+        SHIFTI  col_half_lanes, 6, col_work0
+        ADDX    col_lanes, col_work0, col_upper
+fold_lane\@:
+        LOD     [col_lanes, col_lane], col_work0
+        LOD     [col_upper, col_lane], col_work1
+        ADDN    col_work0, col_work1, col_work0
+        STO     [col_lanes, col_lane], col_work0
+        IBXNE   col_lane, col_index_one, col_half_lanes, fold_lane\@, col_lane
+        SHIFTI  col_half_lanes, -1, col_half_lanes
+        IBXNE   col_half_lanes, r0, r0, fold_halve\@
+        next_sum fold_sum\@
+        .endm

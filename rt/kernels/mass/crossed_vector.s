@@ -1,0 +1,86 @@
+; crossed_vector.s - LANES crossings at a time, for the vector forms of their sums.
+
+        .regs   r32, v_s, v_normal, v_ray, v_part, v_sense, v_inside, v_within
+        .regs   r39, b_enter, b_leave, b_seen, b_part
+        .regs   r43, v_w, col_n, col_count
+
+        .data
+        .align  64
+crossed_store:  .space LANES
+crossed_bits:   .space LANES / 64 * 4 + 4
+        .code
+
+        .macro  crossed_bit bits, number
+        EX      \bits, crossed_bits + LANES * (\number)
+        ADDLEN  \bits, col_n, \bits
+        .endm
+
+; The next plane of crossings.
+        .macro  crossed_plane vector
+        ADDLEN  col_work0, col_n, \vector
+        ADDX    col_work0, col_stride, col_work0
+        .endm
+
+; The next crossings, as many as there are lanes; none left: to the label.
+        .macro  crossed_next none
+        IBXEQ   col_left, r0, r0, \none
+        ES      col_n, LANES
+        IBXLE   col_n, r0, col_left, crossed_full\@
+        RTOR    col_left, col_n
+crossed_full\@:
+        RTOR    col_planes, col_work0
+        crossed_plane v_s
+        crossed_plane v_normal
+        crossed_plane v_ray
+        crossed_plane v_part
+        crossed_plane v_sense
+        crossed_plane v_inside
+        crossed_plane v_within
+        EX      v_w, crossed_store
+        ADDLEN  v_w, col_n, v_w
+        crossed_bit b_enter, 0
+        crossed_bit b_leave, 1
+        crossed_bit b_seen, 2
+        crossed_bit b_part, 3
+        .endm
+
+        .macro  crossed_done again
+        SHIFTI  col_n, 6, col_work0
+        ADDX    col_planes, col_work0, col_planes
+        SUBX    col_left, col_n, col_left
+        BIM     \again
+        .endm
+
+; The crossings where the ray comes in, where it leaves, and both, by how many bodies
+; it is in.
+        .macro  find_seen bodies
+        CMPEQV  [v_sense], col_index_one, [b_enter]
+        CMPEQV  [\bodies], col_index_one, [b_part]
+        ANDB    [b_enter], [b_part], [b_enter]
+        CMPEQV  [v_sense], col_index_minus_one, [b_leave]
+        CMPEQV  [\bodies], r0, [b_part]
+        ANDB    [b_leave], [b_part], [b_leave]
+        ORB     [b_enter], [b_leave], [b_seen]
+        .endm
+
+; [v_w] := w, -1 where the ray comes in.
+        .macro  find_weights entering
+        VTOV    col_one, [v_w]
+        VTOV    col_minus_one, [v_w] ? [\entering]
+        .endm
+
+; The lanes of each sum become one.
+        .macro  fold_lanes
+fold_sum\@:
+        ES      col_half_lanes, LANES / 2
+        ADDLEN  col_lanes, col_half_lanes, col_at
+fold_halve\@:
+        SHIFTI  col_half_lanes, 6, col_work0
+        ADDX    col_at, col_work0, col_upper
+        ADDNV   [col_at], [col_upper], [col_at]
+        SHIFTI  col_half_lanes, -1, col_half_lanes
+        RTOR    col_lanes, col_at
+        ADDLEN  col_at, col_half_lanes, col_at
+        IBXNE   col_half_lanes, r0, r0, fold_halve\@
+        next_sum fold_sum\@
+        .endm
