@@ -26,6 +26,7 @@ struct mass_work {
     const struct scene *scene;
     struct scene bodies; /* what is measured of it */
     struct mass_parts parts;
+    struct overlaps overlaps; /* of bodies, if they are asked */
     size_t row_count;
     struct mass_row *rows;
     double *densities; /* of all rows */
@@ -137,6 +138,7 @@ static bool sum_columns(struct mass_work *work)
         .repeats = arguments->mass.repeats,
         .seed = arguments->mass.seed,
         .jobs = arguments->trace.jobs,
+        .overlaps = &work->overlaps,
         .part_count = work->parts.count,
         .part_of = work->parts.part_of,
         .model = arguments->trace.model,
@@ -219,6 +221,13 @@ static const struct table_column figure_columns[] = {
     { "error", "+-", TABLE_NUMBER, 0 },
     { "unit", "unit", TABLE_TEXT, 0 },
 };
+static const struct table_column overlap_columns[] = {
+    { "part", "part", TABLE_TEXT, 0 },
+    { "other", "other", TABLE_TEXT, 0 },
+    { "volume", "volume", TABLE_NUMBER, 0 },
+    { "error", "+-", TABLE_NUMBER, 0 },
+    { "unit", "unit", TABLE_TEXT, 0 },
+};
 static const struct table_column axis_columns[] = {
     { "part", "part", TABLE_TEXT, 0 }, { "moment", "moment", TABLE_TEXT, 0 },
     { "x", "x", TABLE_NUMBER, 6 },     { "y", "y", TABLE_NUMBER, 6 },
@@ -295,6 +304,29 @@ static struct table *table_of_figures(const struct mass_work *work)
     return table;
 }
 
+/* Of pairs that claim something both. */
+static struct table *table_of_overlaps(const struct mass_work *work)
+{
+    struct table *table = table_new(TABLE_COLUMNS(overlap_columns));
+    char unit[MASS_UNIT];
+
+    unit_of(&work->arguments->mass.units, FIGURE_VOLUME, unit);
+    for (size_t i = 0; table && i < work->overlaps.count; i++) {
+        double volume, error;
+
+        if (!mass_overlap_of(&work->sums, i, &volume, &error))
+            continue;
+        for (size_t k = 0; k < 2; k++)
+            table_text(table,
+                       work->parts.list[work->overlaps.pairs[i].parts[k]]
+                           .name);
+        table_rounded(table, volume, decimals_of(volume, error));
+        table_rounded(table, error, error_decimals(error));
+        table_text(table, unit);
+    }
+    return table;
+}
+
 static struct table *table_of_axes(const struct mass_work *work)
 {
     struct table *table = table_new(TABLE_COLUMNS(axis_columns));
@@ -319,6 +351,8 @@ static struct table *table_of_clocks(const struct mass_work *work)
     struct table *table = table_new(TABLE_COLUMNS(clock_columns));
 
     for (int i = 0; table && i < COLUMNS_STAGES; i++) {
+        if (i == STAGE_OVERLAPS && work->overlaps.count == 0)
+            continue;
         table_text(table, columns_stage_name((enum columns_stage)i));
         table_count(table, work->sums.clocks[i]);
         table_number(table,
@@ -366,6 +400,11 @@ static int tell_tables(const struct mass_work *work,
     int code = results_show(results, table_of_figures(work), "figures",
                             "Figures");
 
+    if (code == CMD_DONE && work->arguments->mass.overlaps) {
+        results_gap(results);
+        code = results_show(results, table_of_overlaps(work), "overlaps",
+                            "Overlaps");
+    }
     results_gap(results);
     if (code == CMD_DONE)
         code = results_show(results, table_of_axes(work), "axes",
@@ -420,7 +459,10 @@ static bool choose_parts(struct mass_work *work)
                               &work->error))
         return false;
     warn_of_endless(work);
-    return bodies_take(work->scene, &work->parts, &work->bodies);
+    return bodies_take(work->scene, &work->parts, &work->bodies)
+           && (!work->arguments->mass.overlaps
+               || overlaps_find(&work->bodies, work->parts.part_of,
+                                work->parts.count, &work->overlaps));
 }
 
 static bool begin(struct mass_work *work)
@@ -438,6 +480,7 @@ static int work_on(const struct rt205_arguments *arguments,
                    : cmd_failed(arguments->command, "%s", work.error.message);
 
     columns_sums_free(&work.sums);
+    overlaps_free(&work.overlaps);
     bodies_free(&work.bodies);
     mass_parts_free(&work.parts);
     free(work.rows);
@@ -545,7 +588,7 @@ static const struct command_option options[] = {
       .preset = BY_PART,
       .help = "what is added up" },
     CMD_FLAG("overlaps", mass.overlaps,
-             "also the volume that several objects claim"),
+             "also the volumes that several objects claim, pair by pair"),
     { CMD_COUNT("rays", mass.rays, 1, RAYS_MOST, 65536,
                 "of a view, in all shifts; made a power of two in each") },
     { CMD_COUNT("repeats", mass.repeats, 4, REPEATS_MOST, 16,

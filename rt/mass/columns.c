@@ -9,16 +9,15 @@
 #include "base/hash.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/program.h"
-#include "rt/mass/programs.h"
+#include "rt/mass/overlaps.h"
 #include "rt/study/tasks.h"
 #include "rt/trace/lines.h"
 
 const char *columns_stage_name(enum columns_stage stage)
 {
     static const char *const names[COLUMNS_STAGES] = {
-        [STAGE_RAYS] = "rays",
-        [STAGE_CROSSINGS] = "crossings",
-        [STAGE_SUMS] = "sums",
+        [STAGE_RAYS] = "rays",     [STAGE_CROSSINGS] = "crossings",
+        [STAGE_SUMS] = "sums",     [STAGE_OVERLAPS] = "overlaps",
         [STAGE_TOTALS] = "totals",
     };
 
@@ -64,6 +63,12 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
     return good;
 }
 
+/* Words of a shift, or of a packet: sums of parts, then of pairs. */
+static size_t width_of(const struct columns_sums *sums)
+{
+    return sums->parts * MOMENTS + sums->pairs;
+}
+
 /* ---- What all packets share ---------------------------------------------- */
 
 /* Rays begin so far behind the middle of the box, in its half widths. */
@@ -73,18 +78,13 @@ struct columns_work {
     const struct scene *scene;
     const struct columns_options *options;
     struct columns_sums *sums;
-    struct object *rays, *columns, *totals;
+    struct object *rays, *columns, *overlaps, *totals;
     struct lines *lines[VIEWS];
     size_t rays_of_packet, packets; /* packets: of a view under a shift */
     c205_word *words; /* of each packet: [VIEWS][repeats][packets][sums] */
     uint64_t (*clocks)[COLUMNS_STAGES]; /* .. likewise */
     uint64_t *crossings;
 };
-
-static size_t shift_width(const struct columns_work *work)
-{
-    return work->sums->parts * MOMENTS;
-}
 
 static size_t unit_count(const struct columns_work *work)
 {
@@ -132,15 +132,16 @@ static bool begin_work(struct columns_work *work, c205_error *error)
     work->rays_of_packet = rays < COLUMNS_PACKET ? rays : COLUMNS_PACKET;
     work->packets = rays / work->rays_of_packet;
     units = unit_count(work);
-    work->words = calloc(units * shift_width(work), sizeof *work->words);
+    work->words = calloc(units * width_of(work->sums), sizeof *work->words);
     work->clocks = calloc(units, sizeof *work->clocks);
     work->crossings = calloc(units, sizeof *work->crossings);
     if (!work->words || !work->clocks || !work->crossings)
         return error_say(error, "no memory");
     work->rays = assemble(work, "rays", error);
     work->columns = assemble(work, "columns", error);
+    work->overlaps = assemble(work, "overlaps", error);
     work->totals = assemble(work, "totals", error);
-    good = work->rays && work->columns && work->totals;
+    good = work->rays && work->columns && work->overlaps && work->totals;
     for (size_t view = 0; good && view < VIEWS; view++)
         good = begin_view(work, view, error);
     return good;
@@ -152,6 +153,7 @@ static void end_work(struct columns_work *work)
         lines_free(work->lines[view]);
     object_free(work->rays);
     object_free(work->columns);
+    object_free(work->overlaps);
     object_free(work->totals);
     free(work->words);
     free(work->clocks);
@@ -295,6 +297,11 @@ static bool lay_crossings(const struct columns_packet *packet,
     return true;
 }
 
+static c205_word *words_of(const struct columns_packet *packet)
+{
+    return packet->work->words + packet->unit * width_of(packet->work->sums);
+}
+
 /* The crossings, and room for so many sums: the address of these. */
 static uint64_t give_crossed(const struct columns_packet *packet,
                              const c205_word *planes, size_t totals,
@@ -314,7 +321,8 @@ static bool run_columns(const struct columns_packet *packet,
                         const c205_word *planes)
 {
     const struct columns_work *work = packet->work;
-    size_t rays = work->rays_of_packet, width = shift_width(work);
+    size_t rays = work->rays_of_packet;
+    size_t width = work->sums->parts * MOMENTS;
     struct mass_run run;
     uint64_t made;
 
@@ -323,8 +331,26 @@ static bool run_columns(const struct columns_packet *packet,
     mass_give(&run, "column_parts", work->options->part_count);
     mass_give(&run, "column_rays", rays);
     mass_give_room(&run, "column_places", packet->rays, 2 * rays);
-    return mass_run_end(&run, made, work->words + packet->unit * width, width,
+    return mass_run_end(&run, made, words_of(packet), width,
                         &work->clocks[packet->unit][STAGE_SUMS]);
+}
+
+static bool run_overlaps(const struct columns_packet *packet,
+                         const c205_word *planes)
+{
+    const struct columns_work *work = packet->work;
+    const struct columns_sums *sums = work->sums;
+    struct mass_run run;
+    uint64_t made;
+
+    if (sums->pairs == 0)
+        return true;
+    mass_run_begin(&run, work->overlaps, work->options->model, packet->error);
+    made = give_crossed(packet, planes, sums->pairs, &run);
+    overlaps_give(work->options->overlaps, &run);
+    return mass_run_end(&run, made, words_of(packet) + sums->parts * MOMENTS,
+                        sums->pairs,
+                        &work->clocks[packet->unit][STAGE_OVERLAPS]);
 }
 
 static bool add_columns(const struct columns_packet *packet)
@@ -333,6 +359,7 @@ static bool add_columns(const struct columns_packet *packet)
     c205_word *planes = calloc(CROSSED_SIZE * count + 1, sizeof *planes);
     bool good = planes ? lay_crossings(packet, planes)
                              && run_columns(packet, planes)
+                             && run_overlaps(packet, planes)
                        : error_say(packet->error, "no memory");
 
     free(planes);
@@ -384,7 +411,7 @@ static bool do_packets(struct columns_work *work, c205_error *error)
 static bool add_packets(struct columns_work *work, c205_error *error)
 {
     struct columns_sums *sums = work->sums;
-    size_t groups = VIEWS * sums->repeats, width = shift_width(work);
+    size_t groups = VIEWS * sums->repeats, width = width_of(work->sums);
     struct mass_run run;
     uint64_t made;
 
@@ -423,6 +450,11 @@ static bool check_options(const struct scene *scene,
     if (options->part_count > COLUMNS_PARTS_MOST)
         return error_say(error, "%zu parts are too many: there may be %d",
                          options->part_count, COLUMNS_PARTS_MOST);
+    if (options->overlaps && options->overlaps->count > COLUMNS_PAIRS_MOST)
+        return error_say(
+            error,
+            "%zu pairs of parts may overlap: of %d at the most it is found how much",
+            options->overlaps->count, COLUMNS_PAIRS_MOST);
     return true;
 }
 
@@ -436,12 +468,15 @@ bool columns_sum(const struct scene *scene,
     bool good;
 
     *sums = (struct columns_sums){ .parts = options->part_count + 1,
+                                   .pairs = options->overlaps
+                                                ? options->overlaps->count
+                                                : 0,
                                    .repeats = options->repeats,
                                    .rays_log = options->rays_log };
     if (!check_options(scene, options, error)
         || !find_box(scene, sums, error))
         return false;
-    sums->words = calloc(VIEWS * sums->repeats * shift_width(&work),
+    sums->words = calloc(VIEWS * sums->repeats * width_of(sums),
                          sizeof *sums->words);
     good = sums->words ? begin_work(&work, error) && do_packets(&work, error)
                              && add_packets(&work, error)
@@ -462,20 +497,32 @@ void columns_sums_free(struct columns_sums *sums)
 
 /* ---- What they mean ------------------------------------------------------ */
 
-double columns_integral(const struct columns_sums *sums, size_t view,
-                        size_t repeat, size_t part, enum moment moment)
+/* Of a sum, that which stands there among those of a shift. */
+static double integral_of(const struct columns_sums *sums, size_t view,
+                          size_t repeat, size_t place)
 {
     size_t shift = view * sums->repeats + repeat;
-    c205_word sum =
-        sums->words[(shift * sums->parts + part) * MOMENTS + moment];
+    c205_word sum = sums->words[shift * width_of(sums) + place];
     double area = sums->width[axis_of(view, 1)]
                   * sums->width[axis_of(view, 2)];
 
     return ldexp(c205_to_double(sum) * area, -(int)sums->rays_log);
 }
 
+double columns_integral(const struct columns_sums *sums, size_t view,
+                        size_t repeat, size_t part, enum moment moment)
+{
+    return integral_of(sums, view, repeat, part * MOMENTS + moment);
+}
+
+double columns_overlap(const struct columns_sums *sums, size_t view,
+                       size_t repeat, size_t pair)
+{
+    return integral_of(sums, view, repeat, sums->parts * MOMENTS + pair);
+}
+
 uint64_t columns_checksum(const struct columns_sums *sums)
 {
     return hash_words(HASH_START, sums->words,
-                      VIEWS * sums->repeats * sums->parts * MOMENTS);
+                      VIEWS * sums->repeats * width_of(sums));
 }

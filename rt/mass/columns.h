@@ -11,6 +11,7 @@
 #ifndef RT_MASS_COLUMNS_H
 #define RT_MASS_COLUMNS_H
 
+#include "rt/mass/overlaps.h"
 #include "rt/trace/trace.h"
 
 enum { VIEWS = 3, COLUMNS_PACKET = 4096, COLUMNS_LOG_MOST = 20 };
@@ -38,14 +39,18 @@ enum moment {
     MOMENT_AREA,
     MOMENTS
 };
-/* All sums of a packet, of the parts and of all together, are one vector. */
-enum { COLUMNS_PARTS_MOST = 65535 / MOMENTS - 1 };
+/* All sums of a packet, of the parts, of all together and of the pairs, are one vector. */
+enum {
+    COLUMNS_PAIRS_MOST = 16384,
+    COLUMNS_PARTS_MOST = (65535 - COLUMNS_PAIRS_MOST) / MOMENTS - 1
+};
 
 /* What the machines do one after another. */
 enum columns_stage {
     STAGE_RAYS,
     STAGE_CROSSINGS,
     STAGE_SUMS,
+    STAGE_OVERLAPS, /* if they are asked */
     STAGE_TOTALS,
     COLUMNS_STAGES
 };
@@ -62,6 +67,7 @@ struct columns_options {
     size_t jobs;           /* packets at a time; 0: one */
     size_t part_count;     /* 1 .. COLUMNS_PARTS_MOST */
     const size_t *part_of; /* of each of the scene's objects, its part */
+    const struct overlaps *overlaps; /* .. of these parts; NULL: not asked */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
@@ -69,11 +75,12 @@ struct columns_options {
 
 struct columns_sums {
     size_t parts; /* with, as the last one, all of them together */
+    size_t pairs;
     size_t repeats;
     size_t rays_log;            /* 2^rays_log rays of a view under a shift */
     double middle[3], width[3]; /* of the box */
-    c205_word
-        *words; /* [VIEWS][repeats][parts][MOMENTS]: of all rays of a shift */
+    c205_word *words; /* of all rays of a shift: [VIEWS][repeats], in each
+                  [parts][MOMENTS], then [pairs] */
     uint64_t clocks[COLUMNS_STAGES];
     uint64_t crossings;
 };
@@ -89,6 +96,9 @@ void columns_sums_free(struct columns_sums *sums);
  * that belongs to a ray. */
 double columns_integral(const struct columns_sums *sums, size_t view,
                         size_t repeat, size_t part, enum moment moment);
+/* .. the volume that both parts of a pair claim. */
+double columns_overlap(const struct columns_sums *sums, size_t view,
+                       size_t repeat, size_t pair);
 /* 64-bit FNV-1a over all words. */
 uint64_t columns_checksum(const struct columns_sums *sums);
 

@@ -245,10 +245,12 @@ bool mass_figures_find(const struct mass_body *body,
 }
 
 /* The mean of the views, under a shift. */
-static double overlap_of(const struct columns_sums *sums, size_t repeat)
+static double overlap_of_all(const struct columns_sums *sums, size_t repeat,
+                             size_t none)
 {
     double volume = 0;
 
+    (void)none;
     for (size_t view = 0; view < VIEWS; view++)
         for (size_t part = 0; part < sums->parts; part++)
             volume += (part + 1 < sums->parts ? 1 : -1)
@@ -256,20 +258,51 @@ static double overlap_of(const struct columns_sums *sums, size_t repeat)
     return volume / VIEWS;
 }
 
-void mass_overlap(const struct columns_sums *sums, double *volume,
-                  double *error)
+static double overlap_of_pair(const struct columns_sums *sums, size_t repeat,
+                              size_t pair)
+{
+    double volume = 0;
+
+    for (size_t view = 0; view < VIEWS; view++)
+        volume += columns_overlap(sums, view, repeat, pair);
+    return volume / VIEWS;
+}
+
+/* The mean of what is found under each shift, and its error. */
+static void find_mean(const struct columns_sums *sums,
+                      double (*of)(const struct columns_sums *sums,
+                                   size_t repeat, size_t which),
+                      size_t which, double *volume, double *error)
 {
     double count = (double)sums->repeats, squares = 0;
 
     *volume = 0;
     for (size_t r = 0; r < sums->repeats; r++)
-        *volume += overlap_of(sums, r) / count;
+        *volume += of(sums, r, which) / count;
     for (size_t r = 0; r < sums->repeats; r++) {
-        double beside = overlap_of(sums, r) - *volume;
+        double beside = of(sums, r, which) - *volume;
 
         squares += beside * beside / ((count - 1) * (count - 1));
     }
     *error = interval(squares, count);
+}
+
+void mass_overlap(const struct columns_sums *sums, double *volume,
+                  double *error)
+{
+    find_mean(sums, overlap_of_all, 0, volume, error);
+}
+
+/* What is no more than roundings leave of bodies that touch. */
+static const double TOUCHING = 0x1p-36;
+
+bool mass_overlap_of(const struct columns_sums *sums, size_t pair,
+                     double *volume, double *error)
+{
+    const double *width = sums->width;
+
+    find_mean(sums, overlap_of_pair, pair, volume, error);
+    return fabs(*volume) > TOUCHING * width[0] * width[1] * width[2];
 }
 
 /* What an error of the figure is beside. */

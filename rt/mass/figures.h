@@ -49,6 +49,9 @@ bool mass_figures_find(const struct mass_body *body,
 /* The volume that more than one object claims, each time that it does, and its error. */
 void mass_overlap(const struct columns_sums *sums, double *volume,
                   double *error);
+/* .. that the parts of a pair claim both.  False: none, but for roundings. */
+bool mass_overlap_of(const struct columns_sums *sums, size_t pair,
+                     double *volume, double *error);
 /* Of errors beside what they are errors of the largest, and which figure's it is:
  * moments beside the largest principal one, the centroid beside the box's diagonal. */
 double mass_worst(const struct mass_figures *figures,

@@ -349,6 +349,7 @@ static void test_refused(void **state)
 
 static void test_too_many_parts(void **state)
 {
+    const struct overlaps many = { .count = COLUMNS_PAIRS_MOST + 1 };
     struct columns_options options = usual();
     struct scene *scene = scene_of("sphere { 0, 1 }");
     const size_t part_of[] = { 0 };
@@ -363,7 +364,13 @@ static void test_too_many_parts(void **state)
     options.part_count = COLUMNS_PARTS_MOST + 1;
     assert_false(columns_sum(scene, &options, &sums, &error));
     assert_string_equal(error.message,
-                        "5957 parts are too many: there may be 5956");
+                        "4468 parts are too many: there may be 4467");
+    options.part_count = 1;
+    options.overlaps = &many;
+    assert_false(columns_sum(scene, &options, &sums, &error));
+    assert_string_equal(error.message,
+                        "16385 pairs of parts may overlap: of 16384 at the "
+                        "most it is found how much");
     c205_model_free((c205_model *)options.model);
     scene_free(scene);
 }

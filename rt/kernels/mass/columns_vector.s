@@ -58,7 +58,7 @@ columns_next:
         VXTOV   [v_ray], [col_places], [v_p]
         VXTOV   [v_ray], [col_q_at], [v_q]
         find_seen v_inside
-        find_weights b_enter
+        find_weights
         find_moments
         RTOR    col_lanes, col_at
         ES      col_part, 0
@@ -74,7 +74,7 @@ columns_add:
 columns_added:
         IBXNE   col_part, col_index_one, col_parts, columns_part, col_part
         find_seen v_within
-        find_weights b_enter
+        find_weights
         find_moments
         RTOR    b_seen, b_part
         add_moments

@@ -63,10 +63,10 @@ crossed_full\@:
         ORB     [b_enter], [b_leave], [b_seen]
         .endm
 
-; [v_w] := w, -1 where the ray comes in.
-        .macro  find_weights entering
+; [v_w] := w, -1 at crossings in [b_enter].
+        .macro  find_weights
         VTOV    col_one, [v_w]
-        VTOV    col_minus_one, [v_w] ? [\entering]
+        VTOV    col_minus_one, [v_w] ? [b_enter]
         .endm
 
 ; The lanes of each sum become one.

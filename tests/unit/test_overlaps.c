@@ -1,0 +1,237 @@
+/* test_overlaps.c - the volumes that parts claim both: of boxes by chance, with faces on
+ * whole numbers, beside those of the cells between them. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/mass/figures.h"
+#include "rt/mass/parts.h"
+#include "tests/oracle/many_scenes.h"
+#include "tests/random.h"
+
+#define STUDENT 2.3646 /* with 7 degrees of freedom */
+enum { SIDE = 9, PARTS_MOST = 50, BOXES_MOST = 160, SCENES = 8 };
+
+/* ---- Boxes by chance ----------------------------------------------------- */
+
+struct box {
+    size_t part;
+    int low[3], high[3];
+};
+
+struct crowd {
+    size_t part_count, box_count;
+    struct box boxes[BOXES_MOST];
+    char *text;
+};
+
+/* The n-th of a part is an object of its own, all of them of one name. */
+static void write_text(struct crowd *crowd)
+{
+    size_t length;
+    FILE *file = open_memstream(&crowd->text, &length);
+
+    assert_non_null(file);
+    for (size_t i = 0; i < crowd->box_count; i++) {
+        const struct box *box = &crowd->boxes[i];
+
+        fprintf(file,
+                "#declare P%zu = box { <%d, %d, %d>, <%d, %d, %d> }\n"
+                "object { P%zu }\n",
+                box->part, box->low[0], box->low[1], box->low[2],
+                box->high[0], box->high[1], box->high[2], box->part);
+    }
+    fclose(file);
+}
+
+static void draw_box(struct box *box, uint64_t *random)
+{
+    for (int k = 0; k < 3; k++) {
+        int a = (int)xorshift_between(random, 0, SIDE - 1);
+        int b = (int)xorshift_between(random, 0, SIDE - 1);
+
+        box->low[k] = a < b ? a : b;
+        box->high[k] = (a < b ? b : a) + 1;
+    }
+}
+
+/* Few parts of many boxes, or many of few: more than a word has bits. */
+static void draw(struct crowd *crowd, uint64_t *random)
+{
+    bool many = xorshift_between(random, 0, 3) == 0;
+
+    crowd->part_count = (size_t)(many ? PARTS_MOST
+                                      : xorshift_between(random, 1, 5));
+    crowd->box_count = 0;
+    for (size_t part = 0; part < crowd->part_count; part++) {
+        int64_t count = xorshift_between(random, 1, many ? 2 : 9);
+
+        for (int64_t i = 0; i < count; i++) {
+            struct box *box = &crowd->boxes[crowd->box_count++];
+
+            box->part = part;
+            draw_box(box, random);
+        }
+    }
+    write_text(crowd);
+}
+
+/* ---- What must be found -------------------------------------------------- */
+
+static bool covers(const struct box *box, const int cell[3])
+{
+    bool inside = true;
+
+    for (int k = 0; k < 3; k++)
+        inside = inside && box->low[k] <= cell[k] && cell[k] < box->high[k];
+    return inside;
+}
+
+/* Of each pair of parts the cells that both claim; of a part with itself, that several of
+ * its boxes do. */
+static void count_cells(const struct crowd *crowd,
+                        double cells[PARTS_MOST][PARTS_MOST])
+{
+    memset(cells, 0, sizeof(double[PARTS_MOST][PARTS_MOST]));
+    for (int i = 0; i < SIDE * SIDE * SIDE; i++) {
+        const int cell[3] = { i % SIDE, i / SIDE % SIDE, i / SIDE / SIDE };
+        int count[PARTS_MOST] = { 0 };
+
+        for (size_t k = 0; k < crowd->box_count; k++)
+            count[crowd->boxes[k].part] += covers(&crowd->boxes[k], cell);
+        for (size_t a = 0; a < crowd->part_count; a++)
+            for (size_t b = a; b < crowd->part_count; b++)
+                cells[a][b] += a == b ? count[a] > 1
+                                      : count[a] > 0 && count[b] > 0;
+    }
+}
+
+struct found {
+    struct mass_parts parts;
+    struct overlaps overlaps;
+    struct columns_sums sums;
+    uint64_t checksum;
+};
+
+static void find(const struct crowd *crowd, enum trace_mode mode,
+                 size_t queue, struct found *found)
+{
+    struct scene *scene = scene_of(crowd->text);
+    c205_model *model = usual_model();
+    struct columns_options options = { .mode = mode,
+                                       .queue = queue,
+                                       .points = POINTS_LATTICE,
+                                       .rays_log = 5,
+                                       .repeats = 8,
+                                       .seed = 1,
+                                       .jobs = 2,
+                                       .model = model };
+    c205_error error;
+
+    assert_true(mass_parts_find(scene, &found->parts));
+    assert_true(overlaps_find(scene, found->parts.part_of, found->parts.count,
+                              &found->overlaps));
+    options.part_count = found->parts.count;
+    options.part_of = found->parts.part_of;
+    options.overlaps = &found->overlaps;
+    if (!columns_sum(scene, &options, &found->sums, &error))
+        fail_msg("%s%s", crowd->text, error.message);
+    found->checksum = columns_checksum(&found->sums);
+    scene_free(scene);
+    c205_model_free(model);
+}
+
+static void forget(struct found *found)
+{
+    columns_sums_free(&found->sums);
+    overlaps_free(&found->overlaps);
+    mass_parts_free(&found->parts);
+}
+
+/* Every pair that claims something is there, and what is told is that. */
+static void check(const struct crowd *crowd, const struct found *found)
+{
+    static double cells[PARTS_MOST][PARTS_MOST];
+
+    count_cells(crowd, cells);
+    assert_int_equal(found->parts.count, crowd->part_count);
+    for (size_t i = 0; i < found->overlaps.count; i++) {
+        const size_t *parts = found->overlaps.pairs[i].parts;
+        double expected = cells[parts[0]][parts[1]], volume, error;
+        bool some = mass_overlap_of(&found->sums, i, &volume, &error);
+
+        if (some != (expected > 0)
+            || fabs(volume - expected) > 8 * error / STUDENT + 1e-6)
+            fail_msg("%sP%zu and P%zu claim both %.9g, not %.9g: the error "
+                     "is %.2g",
+                     crowd->text, parts[0], parts[1], volume, expected,
+                     error);
+        cells[parts[0]][parts[1]] = 0;
+    }
+    for (size_t a = 0; a < crowd->part_count; a++)
+        for (size_t b = a; b < crowd->part_count; b++)
+            if (cells[a][b] > 0)
+                fail_msg("%sP%zu and P%zu are no pair", crowd->text, a, b);
+}
+
+/* ---- The tests ----------------------------------------------------------- */
+
+static void test_boxes(void **state)
+{
+    uint64_t random = RANDOM_SEED + 11;
+
+    (void)state;
+    for (int i = 0; i < SCENES; i++) {
+        struct crowd crowd;
+        struct found vector, scalar;
+
+        draw(&crowd, &random);
+        find(&crowd, TRACE_VECTOR, 2000, &vector);
+        check(&crowd, &vector);
+        find(&crowd, TRACE_SCALAR, 0, &scalar);
+        if (vector.checksum != scalar.checksum)
+            fail_msg("%sthe forms differ", crowd.text);
+        forget(&vector);
+        forget(&scalar);
+        free(crowd.text);
+    }
+}
+
+/* Bodies that meet at a face claim nothing both; those that are apart are not asked. */
+static void test_touching(void **state)
+{
+    struct crowd crowd = {
+        .part_count = 3,
+        .box_count = 4,
+        .boxes = { { 0, { 0, 0, 0 }, { 3, 3, 3 } },
+                   { 1, { 3, 1, 1 }, { 5, 2, 2 } },
+                   { 1, { 5, 0, 0 }, { 6, 9, 9 } },
+                   { 2, { 8, 8, 8 }, { 9, 9, 9 } } },
+    };
+    struct found found;
+
+    (void)state;
+    write_text(&crowd);
+    find(&crowd, TRACE_VECTOR, 77, &found);
+    check(&crowd, &found);
+    for (size_t i = 0; i < found.overlaps.count; i++)
+        assert_int_not_equal(found.overlaps.pairs[i].parts[1], 2);
+    forget(&found);
+    free(crowd.text);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_boxes),
+        cmocka_unit_test(test_touching),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
