@@ -36,12 +36,13 @@ struct language {
     FILE *text_of_all; /* where text goes to again behind an image, or NULL */
     int depth;         /* of blocks */
     size_t names[LANGUAGE_NAMES];
-    bool streams; /* Stream is a seed */
-    bool library; /* colors.inc is there */
-    bool turning; /* I is a loop's float */
-    bool calling; /* a macro may be called */
-    bool clear;   /* light may pass: no fog */
-    bool metals;  /* it passes nowhere */
+    bool streams;  /* Stream is a seed */
+    bool library;  /* colors.inc is there */
+    bool turning;  /* I is a loop's float */
+    bool calling;  /* a macro may be called */
+    bool clear;    /* light may pass: no fog */
+    bool metals;   /* it passes nowhere */
+    bool clipping; /* what is drawn clips: it is no mesh */
 };
 
 /* --- lines ---------------------------------------------------------------- */

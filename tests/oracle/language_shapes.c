@@ -242,7 +242,8 @@ void open_solid_shape(struct language *draw, bool closed)
 {
     if (opens_blob(draw))
         return;
-    bool star = draw->state % 10 == 0; /* nothing else depends on it */
+    /* Nothing else depends on it. */
+    bool star = draw->state % 10 == 0 && !draw->clipping;
     size_t which = below(&draw->state, CLOSED);
     uint64_t state = stream_beside(draw->state, 5, 1);
     if (!star && closed_shapes[which] == open_torus && one_in(&state, 2)) {

@@ -31,10 +31,12 @@ static void say_shift(struct language *draw)
 }
 
 /* By what has an end not turned inside out: POV-Ray looks at quadrics and quartics
- * in the box about what clips them, inside out or not. */
+ * in the box about what clips them, inside out or not.  Not by meshes: POV-Ray
+ * loses crossings of a mesh with a ray while it asks whether they lie inside of another one. */
 static void say_clip(struct language *draw)
 {
     open_block(draw, "clipped_by {");
+    draw->clipping = true;
     for (size_t left = 1 + one_in(&draw->state, 4); left > 0; left--) {
         bool solid = one_in(&draw->state, 3);
         if (solid)
@@ -46,6 +48,7 @@ static void say_clip(struct language *draw)
             say_line(draw, "inverse");
         close_block(draw, "}");
     }
+    draw->clipping = false;
     close_block(draw, "}");
 }
 
