@@ -32,7 +32,7 @@ base_c = $(call c_of,base)
 asm_c = $(call c_of,asm)
 c205_c = $(call c_of,asm/command)
 rt_c = $(call c_of,$(addprefix rt/,scene scene/language shapes layout trace \
-	picture roots heat mass study study/sweep study/plot))
+	picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
 observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \

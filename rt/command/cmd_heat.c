@@ -46,6 +46,7 @@ factors_options(const struct rt205_arguments *arguments)
         .repeats = arguments->heat.repeats,
         .lattice = arguments->heat.points == 0,
         .seed = arguments->heat.seed,
+        .jobs = arguments->trace.jobs,
         .model = arguments->trace.model,
     };
 }
@@ -255,6 +256,7 @@ static const struct command_option options[] = {
                 "another one makes other points") },
     CMD_MODE(cmd_form_choice, "in which form"),
     CMD_QUEUE("points and rays in the vector queue"),
+    CMD_JOBS("repeats at a time"),
     CMD_MODEL,
     CMD_READ,
     CMD_RESULTS,

@@ -15,7 +15,6 @@
 struct emission {
     struct emission_options options;
     struct object *program;
-    c205 *machine;
     struct image image;    /* what is given, but for the choice */
     uint64_t choice, made; /* addresses */
 };
@@ -165,9 +164,7 @@ static bool assemble(struct emission *emission, c205_error *error)
 
     emission->program = program_assemble(programs[options->mode], defines,
                                          error);
-    if (emission->program)
-        emission->machine = c205_new(options->model, error);
-    return emission->machine != NULL;
+    return emission->program != NULL;
 }
 
 static const char *find_emitter(const struct primitive *primitive,
@@ -228,90 +225,53 @@ void emission_free(struct emission *emission)
     if (!emission)
         return;
     image_free(&emission->image);
-    c205_free(emission->machine);
     object_free(emission->program);
     free(emission);
 }
 
 /* ---- Runs ----------------------------------------------------------------- */
 
-c205 *emission_load(struct emission *emission,
-                    const struct emission_choice *choice, c205_error *error)
+static bool load(const struct emission *emission, c205 *machine,
+                 const struct emission_choice *choice, c205_error *error)
 {
     /* Integers have the exponent 0. */
     const c205_word words[] = { choice->seed, choice->first, choice->m,
                                 choice->shift };
 
-    if (!c205_load(emission->machine, &emission->program->program, error)
-        || !image_load(&emission->image, emission->machine, error))
-        return NULL;
-    c205_write(emission->machine, emission->choice, words,
-               sizeof words / sizeof *words);
-    return emission->machine;
-}
-
-/* Planes of the machine's, and where they go in a point. */
-struct plane_field {
-    const char *name;
-    size_t planes, offset;
-};
-
-static bool read_field(const struct emission *emission,
-                       const struct plane_field *field,
-                       struct emitted *points, c205_word *plane)
-{
-    size_t count = emission->options.points;
-    uint64_t first = (uint64_t)object_symbol(emission->program, field->name)
-                         ->value;
-
-    for (size_t k = 0; k < field->planes; k++) {
-        size_t offset = field->offset + k * sizeof *plane;
-
-        if (!c205_read(emission->machine,
-                       emission->made + UINT64_C(64) * count * (first + k),
-                       plane, count))
-            return false;
-        for (size_t i = 0; i < count; i++)
-            memcpy((char *)(points + i) + offset, plane + i, sizeof *plane);
-    }
-    return true;
-}
-
-static bool read_points(const struct emission *emission,
-                        struct emitted *points)
-{
-    static const struct plane_field fields[] = {
-        { "EMITTED_SPOT", 3, offsetof(struct emitted, spot) },
-        { "EMITTED_FACE", 3, offsetof(struct emitted, face) },
-        { "EMITTED_WEIGHT", 1, offsetof(struct emitted, weight) },
-        { "EMITTED_RAY", 3, offsetof(struct emitted, ray) },
-    };
-    c205_word *plane = malloc(emission->options.points * sizeof *plane);
-    bool good = plane != NULL;
-
-    for (size_t i = 0; good && i < sizeof fields / sizeof *fields; i++)
-        good = read_field(emission, &fields[i], points, plane);
-    free(plane);
-    return good;
-}
-
-bool emission_run(struct emission *emission,
-                  const struct emission_choice *choice,
-                  struct emitted *points, c205_error *error)
-{
-    c205 *machine = emission_load(emission, choice, error);
-
-    return machine && program_run(machine, NULL, NULL, NULL, error)
-           && (read_points(emission, points)
+    return c205_load(machine, &emission->program->program, error)
+           && image_load(&emission->image, machine, error)
+           && (c205_write(machine, emission->choice, words,
+                          sizeof words / sizeof *words)
                || error_say(error, "no memory"));
+}
+
+c205 *emission_load(const struct emission *emission,
+                    const struct emission_choice *choice, c205_error *error)
+{
+    c205 *machine = c205_new(emission->options.model, error);
+
+    if (machine && load(emission, machine, choice, error))
+        return machine;
+    c205_free(machine);
+    return NULL;
+}
+
+bool emission_run(const struct emission *emission,
+                  const struct emission_choice *choice, c205_word *planes,
+                  struct accounts *accounts, c205_error *error)
+{
+    size_t words = EMITTED_PLANES * emission->options.points;
+    c205 *machine = emission_load(emission, choice, error);
+    bool good = machine && program_run(machine, NULL, NULL, NULL, error)
+                && ((c205_read(machine, emission->made, planes, words)
+                     && (!accounts || accounts_add(accounts, machine)))
+                    || error_say(error, "no memory"));
+
+    c205_free(machine);
+    return good;
 }
 
 const struct object *emission_program(const struct emission *emission)
 {
     return emission->program;
-}
-
-const c205 *emission_machine(const struct emission *emission)
-{
-    return emission->machine;
 }

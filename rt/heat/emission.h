@@ -10,6 +10,7 @@
 #define RT_EMISSION_H
 
 #include "asm/assemble.h"
+#include "base/accounts.h"
 #include "rt/shapes/primitive.h"
 #include "rt/trace/trace.h"
 
@@ -30,13 +31,19 @@ struct emission_choice {
     uint64_t seed, first, m, shift;
 };
 
-/* In the machine's own numbers, in the world. */
-struct emitted {
-    /* The point, and its outward normal of length one: of a complement in a tree it
-     * points into it; of what has no outside, to either side. */
-    c205_word spot[3], face[3];
-    c205_word weight; /* an area; the mean of all is that of the surface */
-    c205_word ray[3]; /* of length one, by the cosine law about the normal */
+/* What is made of points: planes of a word for each, in the machine's own numbers, in the
+ * world; as emission_program.s has them. */
+enum emitted {
+    EMITTED_SPOT, /* x, y, z of the point */
+    /* .. of its outward normal of length one: of a complement in a tree it points into it;
+     * of what has no outside, to either side. */
+    EMITTED_FACE = EMITTED_SPOT + 3,
+    EMITTED_WEIGHT = EMITTED_FACE
+                     + 3, /* an area; the mean of all is that of the
+                                          surface */
+    EMITTED_RAY, /* of a direction of length one, by the cosine law about the
+                    normal */
+    EMITTED_PLANES = EMITTED_RAY + 3
 };
 
 struct emission;
@@ -51,16 +58,16 @@ struct emission *emission_new(const struct primitive *primitive,
                               c205_error *error);
 void emission_free(struct emission *emission);
 
-/* As many as the options say.  False: a trap, no memory. */
-bool emission_run(struct emission *emission,
-                  const struct emission_choice *choice,
-                  struct emitted *points, c205_error *error);
+/* As many as the options say, EMITTED_PLANES planes, in a machine of its own, whose
+ * accounts are added (NULL: to none); any number of threads may run one emission at a
+ * time.  False: a trap, no memory. */
+bool emission_run(const struct emission *emission,
+                  const struct emission_choice *choice, c205_word *planes,
+                  struct accounts *accounts, c205_error *error);
 
 const struct object *emission_program(const struct emission *emission);
-/* As it was after the last run: for its accounts. */
-const c205 *emission_machine(const struct emission *emission);
-/* As it was before the next run, with the choice made: for who listens. */
-c205 *emission_load(struct emission *emission,
+/* A machine before such a run, which the caller frees: for who listens. */
+c205 *emission_load(const struct emission *emission,
                     const struct emission_choice *choice, c205_error *error);
 
 #endif

@@ -1,21 +1,24 @@
 #include "rt/heat/factors.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/error.h"
+#include "rt/layout/single_run.h"
+#include "rt/layout/program.h"
 #include "rt/shapes/primitive.h"
+#include "rt/study/tasks.h"
 
 /* Lines through points along their normals begin so far below them. */
 static const double below = 1e-3;
-/* What is within k_delta of a point is where it is. */
-static const double near = 1e-7;
 
 struct factors {
     const struct scene *scene;
     struct factors_options options;
     struct lines *normals, *rays;
+    struct object *faces, *received;
 };
 
 /* ---- To begin ------------------------------------------------------------- */
@@ -29,6 +32,32 @@ static struct lines *begin_lines(const struct factors *factors, double behind,
                                            .model = factors->options.model };
 
     return lines_new(factors->scene, &options, error);
+}
+
+static struct object *assemble(const struct factors *factors,
+                               const char *name, c205_error *error)
+{
+    static const struct asm_define none[] = { { NULL, 0 } };
+    char path[64];
+
+    snprintf(path, sizeof path, "heat/%s_%s.s", name,
+             trace_mode_name(factors->options.mode));
+    return program_assemble(path, none, error);
+}
+
+static bool prepare(struct factors *factors, c205_error *error)
+{
+    factors->normals = begin_lines(factors, below, error);
+    if (!factors->normals)
+        return false;
+    factors->rays = begin_lines(factors, 0, error);
+    if (!factors->rays)
+        return false;
+    factors->faces = assemble(factors, "faces", error);
+    if (!factors->faces)
+        return false;
+    factors->received = assemble(factors, "received", error);
+    return factors->received;
 }
 
 struct factors *factors_new(const struct scene *scene,
@@ -48,10 +77,7 @@ struct factors *factors_new(const struct scene *scene,
     }
     factors->scene = scene;
     factors->options = *options;
-    factors->normals = begin_lines(factors, below, error);
-    if (factors->normals)
-        factors->rays = begin_lines(factors, 0, error);
-    if (factors->rays)
+    if (prepare(factors, error))
         return factors;
     factors_free(factors);
     return NULL;
@@ -63,158 +89,289 @@ void factors_free(struct factors *factors)
         return;
     lines_free(factors->normals);
     lines_free(factors->rays);
+    object_free(factors->faces);
+    object_free(factors->received);
     free(factors);
 }
 
-/* ---- One repeat ------------------------------------------------------------ */
+/* ---- A packet -------------------------------------------------------------- */
 
-/* What is done of a repeat, and what it comes to. */
+/* One repeat of an emitter: what its rays come to, and what that took. */
 struct packet {
-    struct emitted *points;
-    struct scene_line *lines;
-    size_t kept;   /* points, the first of the list */
-    double area;   /* the sum of weights, 0 of points that went */
-    double *share; /* .. by receiver */
+    uint64_t sent;
+    c205_word *sums; /* of weights, by receiver, then of all */
+    c205_word *counts;
+    struct accounts accounts;
 };
 
-static void put_line(const c205_word origin[3], const c205_word direction[3],
-                     struct scene_line *line)
+struct packet_run {
+    const struct factors *factors;
+    const struct emission *emission;
+    size_t primitive, repeat;
+    struct packet *packet;
+    c205_word *made;  /* planes of all points, */
+    c205_word *stays; /* of those that stay, and their number */
+    struct scene_line *lines;
+    c205_error *error;
+};
+
+static size_t receiver_count(const struct factors *factors)
 {
-    for (int i = 0; i < 3; i++) {
-        line->origin[i] = c205_to_double(origin[i]);
-        line->direction[i] = c205_to_double(direction[i]);
-    }
-}
-
-/* Those crossings that lines find, with what that took. */
-static bool follow(const struct lines *lines, const struct scene_line *list,
-                   size_t count, struct factor_row *row,
-                   struct seen_crossings *found, c205_error *error)
-{
-    if (!lines_find(lines, list, count, found, error))
-        return false;
-    if (accounts_add_all(&row->accounts, &found->accounts))
-        return true;
-    seen_crossings_free(found);
-    return error_say(error, "no memory");
-}
-
-/* Is the primitive seen where the line has its origin? */
-static bool is_seen(const struct seen_crossings *found, size_t line,
-                    size_t primitive)
-{
-    for (size_t k = found->first[line]; k < found->first[line + 1]; k++)
-        if (found->list[k].primitive == primitive
-            && fabs(c205_to_double(found->list[k].distance)) < near)
-            return true;
-    return false;
-}
-
-/* Points that are not on a face go. */
-static bool keep_faces(const struct factors *factors, size_t primitive,
-                       struct packet *packet, struct factor_row *row,
-                       c205_error *error)
-{
-    size_t count = factors->options.points;
-    struct seen_crossings found = { 0 };
-
-    for (size_t i = 0; i < count; i++)
-        put_line(packet->points[i].spot, packet->points[i].face,
-                 &packet->lines[i]);
-    if (!follow(factors->normals, packet->lines, count, row, &found, error))
-        return false;
-    packet->kept = 0;
-    for (size_t i = 0; i < count; i++)
-        if (is_seen(&found, i, primitive))
-            packet->points[packet->kept++] = packet->points[i];
-    seen_crossings_free(&found);
-    return true;
-}
-
-/* The weights of rays go to what they meet first, and those that meet nothing to
- * the environment. */
-static bool receive(const struct factors *factors, struct packet *packet,
-                    struct factor_row *row, c205_error *error)
-{
-    struct seen_crossings found = { 0 };
-
-    for (size_t i = 0; i < packet->kept; i++)
-        put_line(packet->points[i].spot, packet->points[i].ray,
-                 &packet->lines[i]);
-    if (!follow(factors->rays, packet->lines, packet->kept, row, &found,
-                error))
-        return false;
-    for (size_t i = 0; i < packet->kept; i++) {
-        size_t first = found.first[i];
-        size_t receiver = first < found.first[i + 1]
-                              ? found.list[first].primitive
-                              : row->receivers - 1;
-        double weight = c205_to_double(packet->points[i].weight);
-
-        row->count[receiver]++;
-        packet->share[receiver] += weight;
-        packet->area += weight;
-    }
-    seen_crossings_free(&found);
-    return true;
+    return factors->scene->primitive_count + 1;
 }
 
 /* Each primitive has shifts, or rays, of its own. */
-static bool run_repeat(const struct factors *factors,
-                       struct emission *emission, size_t primitive,
-                       size_t repeat, struct packet *packet,
-                       struct factor_row *row, c205_error *error)
+static bool emit(const struct packet_run *run)
 {
-    const struct factors_options *options = &factors->options;
-    size_t place = primitive * options->repeats + repeat;
-    unsigned m = 0;
+    const struct factors_options *options = &run->factors->options;
+    size_t place = run->primitive * options->repeats + run->repeat;
     struct emission_choice choice = { .seed = options->seed, .shift = place };
 
-    while (m < 20 && (UINT64_C(1) << m) < options->points)
-        m++;
-    choice.m = m;
+    while (choice.m < 20 && (UINT64_C(1) << choice.m) < options->points)
+        choice.m++;
     if (!options->lattice)
         choice.first = place * options->points;
-    packet->area = 0;
-    return emission_run(emission, &choice, packet->points, error)
-           && (accounts_add(&row->accounts, emission_machine(emission))
-               || error_say(error, "no memory"))
-           && keep_faces(factors, primitive, packet, row, error)
-           && (packet->kept == 0 || receive(factors, packet, row, error));
+    return emission_run(run->emission, &choice, run->made,
+                        &run->packet->accounts, run->error);
 }
 
-/* ---- All of them ------------------------------------------------------------ */
+/* Those crossings that lines find from the points on in directions of these planes. */
+static bool follow(const struct packet_run *run, const struct lines *lines,
+                   const c205_word *planes, enum emitted direction,
+                   size_t count, struct seen_crossings *found)
+{
+    size_t points = run->factors->options.points;
 
-/* What each of the repeats comes to, means over its points. */
-struct repeats {
-    size_t count;
-    double *area;
-    double *share; /* [count][receivers] */
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < 3; k++) {
+            run->lines[i].origin[k] = c205_to_double(
+                planes[(EMITTED_SPOT + k) * points + i]);
+            run->lines[i].direction[k] = c205_to_double(
+                planes[(direction + k) * points + i]);
+        }
+    if (!lines_find(lines, run->lines, count, found, run->error))
+        return false;
+    if (accounts_add_all(&run->packet->accounts, &found->accounts))
+        return true;
+    seen_crossings_free(found);
+    return error_say(run->error, "no memory");
+}
+
+static void begin_run(const struct packet_run *packet,
+                      const struct object *program, struct single_run *run)
+{
+    single_run_begin(run, program, packet->factors->options.model,
+                     packet->error);
+    run->accounts = &packet->packet->accounts;
+}
+
+/* The planes of a crossing, as in faces.s. */
+enum { FACE_DISTANCE, FACE_PRIMITIVE, FACE_POINT, FACE_PLANES };
+
+static c205_word *lay_crossings(const struct seen_crossings *found)
+{
+    size_t count = found->first[found->line_count];
+    c205_word *planes = calloc(FACE_PLANES * count + 1, sizeof *planes);
+
+    for (size_t line = 0; planes && line < found->line_count; line++)
+        for (size_t i = found->first[line]; i < found->first[line + 1]; i++) {
+            const struct seen_crossing *seen = &found->list[i];
+
+            planes[FACE_DISTANCE * count + i] = seen->distance;
+            planes[FACE_PRIMITIVE * count + i] = c205_from_integer(
+                (int64_t)seen->primitive);
+            planes[FACE_POINT * count + i] = c205_from_integer((int64_t)line);
+        }
+    return planes;
+}
+
+static bool run_faces(const struct packet_run *packet, const c205_word *list,
+                      size_t crossings)
+{
+    size_t points = packet->factors->options.points;
+    size_t words = EMITTED_PLANES * points;
+    struct single_run run;
+    uint64_t made, clocks = 0;
+
+    begin_run(packet, packet->factors->faces, &run);
+    single_run_word(&run, "faces_points", points);
+    single_run_word(&run, "faces_planes", EMITTED_PLANES);
+    single_run_room(&run, "faces_from", packet->made, words);
+    made = single_run_room(&run, "faces_made", NULL, words + 1);
+    single_run_word(&run, "faces_crossings", crossings);
+    single_run_room(&run, "faces_list", list, FACE_PLANES * crossings);
+    single_run_word(&run, "faces_primitive", packet->primitive);
+    single_run_room(&run, "faces_kept", NULL, points);
+    if (!single_run_end(&run, made, packet->stays, words + 1, &clocks))
+        return false;
+    packet->packet->sent = (uint64_t)c205_to_integer(packet->stays[words]);
+    return true;
+}
+
+/* Points that are not on a face go. */
+static bool keep_faces(const struct packet_run *packet)
+{
+    const struct factors *factors = packet->factors;
+    struct seen_crossings found = { 0 };
+    c205_word *list;
+    bool good;
+
+    if (!follow(packet, factors->normals, packet->made, EMITTED_FACE,
+                factors->options.points, &found))
+        return false;
+    list = lay_crossings(&found);
+    good = list ? run_faces(packet, list, found.first[found.line_count])
+                : error_say(packet->error, "no memory");
+    free(list);
+    seen_crossings_free(&found);
+    return good;
+}
+
+/* Of each ray, what it meets first; of one that meets nothing, the environment. */
+static void list_receivers(const struct packet_run *packet,
+                           const struct seen_crossings *found,
+                           c205_word *list)
+{
+    size_t environment = receiver_count(packet->factors) - 1;
+
+    for (size_t i = 0; i < found->line_count; i++) {
+        size_t first = found->first[i];
+
+        list[i] = c205_from_integer(
+            first < found->first[i + 1]
+                ? (int64_t)found->list[first].primitive
+                : (int64_t)environment);
+    }
+}
+
+static bool run_received(const struct packet_run *packet,
+                         const c205_word *list)
+{
+    const struct packet *made = packet->packet;
+    size_t rays = (size_t)made->sent,
+           points = packet->factors->options.points;
+    size_t receivers = receiver_count(packet->factors);
+    struct single_run run;
+    uint64_t sums, clocks = 0;
+
+    begin_run(packet, packet->factors->received, &run);
+    single_run_word(&run, "received_rays", rays);
+    single_run_word(&run, "received_receivers", receivers);
+    single_run_room(&run, "received_weights",
+                    packet->stays + EMITTED_WEIGHT * points, rays);
+    single_run_room(&run, "received_list", list, rays);
+    sums = single_run_room(&run, "received_sums", NULL, 2 * receivers + 1);
+    layout_word(&run.layout, "received_counts",
+                sums + 64 * (receivers + UINT64_C(1)));
+    single_run_room(&run, "received_room", NULL, rays);
+    single_run_room(&run, "received_places", NULL, receivers);
+    return single_run_end(&run, sums, made->sums, 2 * receivers + 1, &clocks);
+}
+
+/* The weights of rays go to what these meet first. */
+static bool receive(const struct packet_run *packet)
+{
+    size_t rays = (size_t)packet->packet->sent;
+    struct seen_crossings found = { 0 };
+    c205_word *list;
+    bool good;
+
+    if (rays == 0)
+        return true;
+    if (!follow(packet, packet->factors->rays, packet->stays, EMITTED_RAY,
+                rays, &found))
+        return false;
+    list = calloc(rays, sizeof *list);
+    if (list)
+        list_receivers(packet, &found, list);
+    good = list ? run_received(packet, list)
+                : error_say(packet->error, "no memory");
+    free(list);
+    seen_crossings_free(&found);
+    return good;
+}
+
+static bool run_packet(struct packet_run *run)
+{
+    size_t points = run->factors->options.points;
+    size_t words = EMITTED_PLANES * points;
+    bool good;
+
+    run->made = malloc(words * sizeof *run->made);
+    run->stays = malloc((words + 1) * sizeof *run->stays);
+    run->lines = malloc(points * sizeof *run->lines);
+    good = run->made && run->stays && run->lines
+               ? emit(run) && keep_faces(run) && receive(run)
+               : error_say(run->error, "no memory");
+    free(run->made);
+    free(run->stays);
+    free(run->lines);
+    return good;
+}
+
+/* ---- The packets of a row ---------------------------------------------------- */
+
+struct packets {
+    const struct factors *factors;
+    const struct emission *emission;
+    size_t primitive, receivers;
+    struct packet *list;
+    c205_word *words; /* of all, 2 receivers + 1 each */
 };
 
-static bool repeats_begin(struct repeats *repeats, size_t count,
-                          size_t receivers)
+static bool packets_begin(struct packets *packets)
 {
-    repeats->count = count;
-    repeats->area = calloc(count, sizeof *repeats->area);
-    repeats->share = calloc(count * receivers, sizeof *repeats->share);
-    return repeats->area && repeats->share;
+    const struct factors_options *options = &packets->factors->options;
+    size_t width = 2 * packets->receivers + 1;
+
+    packets->list = calloc(options->repeats, sizeof *packets->list);
+    packets->words = calloc(options->repeats * width, sizeof *packets->words);
+    if (!packets->list || !packets->words)
+        return false;
+    for (size_t i = 0; i < options->repeats; i++)
+        packets->list[i] = (struct packet){
+            .sums = packets->words + i * width,
+            .counts = packets->words + i * width + packets->receivers + 1,
+            .accounts = { .model = options->model },
+        };
+    return true;
 }
 
-static void repeats_free(struct repeats *repeats)
+static void packets_end(struct packets *packets)
 {
-    free(repeats->area);
-    free(repeats->share);
+    for (size_t i = 0; packets->list && i < packets->factors->options.repeats;
+         i++)
+        accounts_free(&packets->list[i].accounts);
+    free(packets->list);
+    free(packets->words);
 }
 
-static double sum_of(const double *values, size_t step, size_t count)
+static bool do_packet(void *context, const struct task *task,
+                      c205_error *error)
 {
-    double sum = 0;
+    const struct packets *packets = context;
+    struct packet_run run = { .factors = packets->factors,
+                              .emission = packets->emission,
+                              .primitive = packets->primitive,
+                              .repeat = task->number,
+                              .packet = &packets->list[task->number],
+                              .error = error };
 
-    for (size_t k = 0; k < count; k++)
-        sum += values[k * step];
-    return sum;
+    return run_packet(&run);
 }
+
+static bool run_packets(struct packets *packets, c205_error *error)
+{
+    const struct factors_options *options = &packets->factors->options;
+    const struct tasks tasks = { .count = options->repeats,
+                                 .jobs = options->jobs,
+                                 .run = do_packet,
+                                 .context = packets };
+
+    return tasks_run(&tasks, error);
+}
+
+/* ---- What they say ----------------------------------------------------------- */
 
 /* The standard error of a mean, from the squares about it of so many. */
 static double error_of(double squares, size_t count)
@@ -224,62 +381,83 @@ static double error_of(double squares, size_t count)
     return sqrt(squares / (n * (n - 1)));
 }
 
-static struct estimate area_of(const struct repeats *repeats)
+/* Of a repeat, the mean over its points of what a receiver gets; behind the last
+ * receiver, of all weights, which is the area. */
+static double share_of(const struct packets *packets, size_t repeat,
+                       size_t receiver)
 {
-    double mean = sum_of(repeats->area, 1, repeats->count)
-                  / (double)repeats->count;
+    return c205_to_double(packets->list[repeat].sums[receiver])
+           / (double)packets->factors->options.points;
+}
+
+static double sum_of(const struct packets *packets, size_t receiver)
+{
+    double sum = 0;
+
+    for (size_t k = 0; k < packets->factors->options.repeats; k++)
+        sum += share_of(packets, k, receiver);
+    return sum;
+}
+
+static struct estimate area_of(const struct packets *packets)
+{
+    size_t count = packets->factors->options.repeats;
+    double mean = sum_of(packets, packets->receivers) / (double)count;
     double squares = 0;
 
-    for (size_t k = 0; k < repeats->count; k++) {
-        double beside = repeats->area[k] - mean;
+    for (size_t k = 0; k < count; k++) {
+        double beside = share_of(packets, k, packets->receivers) - mean;
         squares += beside * beside;
     }
-    return (struct estimate){ mean, error_of(squares, repeats->count) };
+    return (struct estimate){ mean, error_of(squares, count) };
 }
 
-/* A ratio: its error is that of share - factor area.  share: of the receiver, each of a
- * repeat so many behind the one before. */
-static struct estimate factor_of(const struct repeats *repeats,
-                                 const double *share, size_t step)
+/* A ratio: its error is that of share - factor area. */
+static struct estimate factor_of(const struct packets *packets,
+                                 size_t receiver)
 {
-    double area = sum_of(repeats->area, 1, repeats->count);
-    double factor = sum_of(share, step, repeats->count) / area, squares = 0;
+    size_t count = packets->factors->options.repeats;
+    double area = sum_of(packets, packets->receivers);
+    double factor = sum_of(packets, receiver) / area, squares = 0;
 
-    for (size_t k = 0; k < repeats->count; k++) {
-        double beside = share[k * step] - factor * repeats->area[k];
+    for (size_t k = 0; k < count; k++) {
+        double beside = share_of(packets, k, receiver)
+                        - factor * share_of(packets, k, packets->receivers);
         squares += beside * beside;
     }
-    return (struct estimate){ factor, error_of(squares, repeats->count)
-                                          * (double)repeats->count / area };
+    return (struct estimate){ factor, error_of(squares, count) * (double)count
+                                          / area };
 }
 
-static void conclude(const struct repeats *repeats, struct factor_row *row)
+static bool conclude(const struct packets *packets, struct factor_row *row)
 {
-    row->area = area_of(repeats);
-    for (size_t j = 0; j < row->receivers && row->area.value > 0; j++)
-        row->factor[j] = factor_of(repeats, repeats->share + j,
-                                   row->receivers);
-}
+    const struct factors_options *options = &packets->factors->options;
+    bool good = true;
 
-static bool run_repeats(const struct factors *factors, size_t primitive,
-                        struct emission *emission, struct packet *packet,
-                        struct repeats *repeats, struct factor_row *row,
-                        c205_error *error)
-{
-    const struct factors_options *options = &factors->options;
+    for (size_t k = 0; good && k < options->repeats; k++) {
+        const struct packet *packet = &packets->list[k];
 
-    for (size_t k = 0; k < options->repeats; k++) {
-        packet->share = repeats->share + k * row->receivers;
-        if (!run_repeat(factors, emission, primitive, k, packet, row, error))
-            return false;
-        repeats->area[k] = packet->area / (double)options->points;
-        for (size_t j = 0; j < row->receivers; j++)
-            packet->share[j] /= (double)options->points;
         row->tried += options->points;
-        row->sent += packet->kept;
+        row->sent += packet->sent;
+        for (size_t j = 0; j < row->receivers; j++)
+            row->count[j] += (uint64_t)c205_to_integer(packet->counts[j]);
+        good = accounts_add_all(&row->accounts, &packet->accounts);
     }
-    conclude(repeats, row);
-    return true;
+    row->area = area_of(packets);
+    for (size_t j = 0; j < row->receivers && row->area.value > 0; j++)
+        row->factor[j] = factor_of(packets, j);
+    return good;
+}
+
+static bool row_begin(const struct factors *factors, struct factor_row *row)
+{
+    size_t receivers = receiver_count(factors);
+
+    *row = (struct factor_row){ .receivers = receivers };
+    row->accounts.model = factors->options.model;
+    row->count = calloc(receivers, sizeof *row->count);
+    row->factor = calloc(receivers, sizeof *row->factor);
+    return row->count && row->factor;
 }
 
 void factor_row_free(struct factor_row *row)
@@ -290,20 +468,13 @@ void factor_row_free(struct factor_row *row)
     *row = (struct factor_row){ .receivers = 0 };
 }
 
-static bool make_room(const struct factors *factors, struct packet *packet,
-                      struct repeats *repeats, struct factor_row *row)
+static bool find_row(struct packets *packets, struct factor_row *row,
+                     c205_error *error)
 {
-    size_t points = factors->options.points;
-    size_t receivers = factors->scene->primitive_count + 1;
-
-    *row = (struct factor_row){ .receivers = receivers };
-    row->accounts.model = factors->options.model;
-    row->count = calloc(receivers, sizeof *row->count);
-    row->factor = calloc(receivers, sizeof *row->factor);
-    packet->points = malloc(points * sizeof *packet->points);
-    packet->lines = malloc(points * sizeof *packet->lines);
-    return row->count && row->factor && packet->points && packet->lines
-           && repeats_begin(repeats, factors->options.repeats, receivers);
+    if (!packets_begin(packets) || !row_begin(packets->factors, row))
+        return error_say(error, "no memory");
+    return run_packets(packets, error)
+           && (conclude(packets, row) || error_say(error, "no memory"));
 }
 
 bool factors_find(const struct factors *factors, size_t primitive,
@@ -317,22 +488,19 @@ bool factors_find(const struct factors *factors, size_t primitive,
                                             .model = options->model };
     struct emission *emission =
         emission_new(&factors->scene->primitives[primitive], &emits, error);
-    struct packet packet = { .points = NULL };
-    struct repeats repeats = { .count = 0 };
+    struct packets packets = { .factors = factors,
+                               .emission = emission,
+                               .primitive = primitive,
+                               .receivers = receiver_count(factors) };
     bool good;
 
     *row = (struct factor_row){ .receivers = 0 };
     if (!emission)
         return false;
-    good = make_room(factors, &packet, &repeats, row)
-               ? run_repeats(factors, primitive, emission, &packet, &repeats,
-                             row, error)
-               : error_say(error, "no memory");
+    good = find_row(&packets, row, error);
     if (!good)
         factor_row_free(row);
     emission_free(emission);
-    free(packet.points);
-    free(packet.lines);
-    repeats_free(&repeats);
+    packets_end(&packets);
     return good;
 }

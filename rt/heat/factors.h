@@ -4,9 +4,10 @@
  * A point that emission makes stays if the surface is seen there, that is if
  * its region has another value before it than behind it; of the points that
  * stay one ray goes out each, and what it meets first receives it.  Points, rays and
- * all that is seen along them are the machine's; whether a point stays, what receives
- * a ray, and the sums of weights over these are formed by the host, in the order of
- * the points.  The counts are integers, and do not depend on the form or the queue.
+ * all that is seen along them are the machine's, and so are which points stay, and the
+ * counts and sums of weights by receiver: packet by packet, one of each repeat, in machines
+ * of its own.  They do not depend on the form, the queue or the jobs; of the few sums the
+ * host finds means and errors.
  * Source: docs/heat.md.
  */
 #ifndef RT_FACTORS_H
@@ -24,6 +25,7 @@ struct factors_options {
     size_t repeats;       /* 2 or more: their spread gives the errors */
     bool lattice;         /* .. under independent shifts; else random */
     uint64_t seed;
+    size_t jobs;             /* repeats at a time; 0: one */
     const c205_model *model; /* must outlive the factors */
 };
 

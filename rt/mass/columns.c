@@ -187,25 +187,25 @@ static bool make_rays(struct columns_packet *packet)
     const struct columns_sums *sums = work->sums;
     size_t count = work->rays_of_packet;
     size_t shift = packet->view * options->repeats + packet->shift;
-    struct mass_run run;
+    struct single_run run;
     uint64_t made;
 
-    mass_run_begin(&run, work->rays, options->model, packet->error);
-    mass_give(&run, "rays_seed", options->seed);
-    mass_give(&run, "rays_first", packet->first);
-    mass_give(&run, "rays_m", options->rays_log);
-    mass_give(&run, "rays_shift", shift);
-    mass_give(&run, "rays_number", shift << options->rays_log);
-    mass_give(&run, "rays_count", count);
+    single_run_begin(&run, work->rays, options->model, packet->error);
+    single_run_word(&run, "rays_seed", options->seed);
+    single_run_word(&run, "rays_first", packet->first);
+    single_run_word(&run, "rays_m", options->rays_log);
+    single_run_word(&run, "rays_shift", shift);
+    single_run_word(&run, "rays_number", shift << options->rays_log);
+    single_run_word(&run, "rays_count", count);
     for (size_t i = 0; i < 2; i++) {
         size_t axis = axis_of(packet->view, i + 1);
 
-        mass_give_number(&run, "rays_width", i, sums->width[axis]);
-        mass_give_number(&run, "rays_middle", i, sums->middle[axis]);
+        single_run_number(&run, "rays_width", i, sums->width[axis]);
+        single_run_number(&run, "rays_middle", i, sums->middle[axis]);
     }
-    made = mass_give_room(&run, "rays_made", NULL, RAY_PLANES * count);
-    return mass_run_end(&run, made, packet->rays, RAY_PLANES * count,
-                        &work->clocks[packet->unit][STAGE_RAYS]);
+    made = single_run_room(&run, "rays_made", NULL, RAY_PLANES * count);
+    return single_run_end(&run, made, packet->rays, RAY_PLANES * count,
+                          &work->clocks[packet->unit][STAGE_RAYS]);
 }
 
 static void lay_lines(const struct columns_packet *packet)
@@ -305,16 +305,16 @@ static c205_word *words_of(const struct columns_packet *packet)
 /* The crossings, and room for so many sums: the address of these. */
 static uint64_t give_crossed(const struct columns_packet *packet,
                              const c205_word *planes, size_t totals,
-                             struct mass_run *run)
+                             struct single_run *run)
 {
     size_t count = packet->seen.first[packet->seen.line_count];
 
-    mass_give(run, "crossed_count", count);
-    mass_give_room(run, "crossed_planes", planes, CROSSED_SIZE * count);
-    mass_give(run, "crossed_totals", totals);
-    mass_give_room(run, "crossed_lanes", NULL,
-                   totals * layout_symbol(&run->layout, "LANES"));
-    return mass_give_room(run, "crossed_sums", NULL, totals);
+    single_run_word(run, "crossed_count", count);
+    single_run_room(run, "crossed_planes", planes, CROSSED_SIZE * count);
+    single_run_word(run, "crossed_totals", totals);
+    single_run_room(run, "crossed_lanes", NULL,
+                    totals * layout_symbol(&run->layout, "LANES"));
+    return single_run_room(run, "crossed_sums", NULL, totals);
 }
 
 static bool run_columns(const struct columns_packet *packet,
@@ -323,16 +323,17 @@ static bool run_columns(const struct columns_packet *packet,
     const struct columns_work *work = packet->work;
     size_t rays = work->rays_of_packet;
     size_t width = work->sums->parts * MOMENTS;
-    struct mass_run run;
+    struct single_run run;
     uint64_t made;
 
-    mass_run_begin(&run, work->columns, work->options->model, packet->error);
+    single_run_begin(&run, work->columns, work->options->model,
+                     packet->error);
     made = give_crossed(packet, planes, width, &run);
-    mass_give(&run, "column_parts", work->options->part_count);
-    mass_give(&run, "column_rays", rays);
-    mass_give_room(&run, "column_places", packet->rays, 2 * rays);
-    return mass_run_end(&run, made, words_of(packet), width,
-                        &work->clocks[packet->unit][STAGE_SUMS]);
+    single_run_word(&run, "column_parts", work->options->part_count);
+    single_run_word(&run, "column_rays", rays);
+    single_run_room(&run, "column_places", packet->rays, 2 * rays);
+    return single_run_end(&run, made, words_of(packet), width,
+                          &work->clocks[packet->unit][STAGE_SUMS]);
 }
 
 static bool run_overlaps(const struct columns_packet *packet,
@@ -340,17 +341,19 @@ static bool run_overlaps(const struct columns_packet *packet,
 {
     const struct columns_work *work = packet->work;
     const struct columns_sums *sums = work->sums;
-    struct mass_run run;
+    struct single_run run;
     uint64_t made;
 
     if (sums->pairs == 0)
         return true;
-    mass_run_begin(&run, work->overlaps, work->options->model, packet->error);
+    single_run_begin(&run, work->overlaps, work->options->model,
+                     packet->error);
     made = give_crossed(packet, planes, sums->pairs, &run);
     overlaps_give(work->options->overlaps, &run);
-    return mass_run_end(&run, made, words_of(packet) + sums->parts * MOMENTS,
-                        sums->pairs,
-                        &work->clocks[packet->unit][STAGE_OVERLAPS]);
+    return single_run_end(&run, made,
+                          words_of(packet) + sums->parts * MOMENTS,
+                          sums->pairs,
+                          &work->clocks[packet->unit][STAGE_OVERLAPS]);
 }
 
 static bool add_columns(const struct columns_packet *packet)
@@ -412,18 +415,18 @@ static bool add_packets(struct columns_work *work, c205_error *error)
 {
     struct columns_sums *sums = work->sums;
     size_t groups = VIEWS * sums->repeats, width = width_of(work->sums);
-    struct mass_run run;
+    struct single_run run;
     uint64_t made;
 
-    mass_run_begin(&run, work->totals, work->options->model, error);
-    mass_give(&run, "total_groups", groups);
-    mass_give(&run, "total_rows", work->packets);
-    mass_give(&run, "total_width", width);
-    mass_give_room(&run, "totals_from", work->words,
-                   groups * work->packets * width);
-    made = mass_give_room(&run, "totals_made", NULL, groups * width);
-    return mass_run_end(&run, made, sums->words, groups * width,
-                        &sums->clocks[STAGE_TOTALS]);
+    single_run_begin(&run, work->totals, work->options->model, error);
+    single_run_word(&run, "total_groups", groups);
+    single_run_word(&run, "total_rows", work->packets);
+    single_run_word(&run, "total_width", width);
+    single_run_room(&run, "totals_from", work->words,
+                    groups * work->packets * width);
+    made = single_run_room(&run, "totals_made", NULL, groups * width);
+    return single_run_end(&run, made, sums->words, groups * width,
+                          &sums->clocks[STAGE_TOTALS]);
 }
 
 static void add_accounts(const struct columns_work *work)

@@ -351,7 +351,7 @@ static void give_parts(struct tables *tables)
     record_end(&record);
 }
 
-static void give_tables(struct tables *tables, struct mass_run *run)
+static void give_tables(struct tables *tables, struct single_run *run)
 {
     size_t bits;
 
@@ -359,17 +359,17 @@ static void give_tables(struct tables *tables, struct mass_run *run)
     give_groups(tables);
     give_levels(tables);
     give_pairs(tables);
-    mass_give_room(run, "overlap_pairs", tables->words,
-                   2 * tables->overlaps->count);
+    single_run_room(run, "overlap_pairs", tables->words,
+                    2 * tables->overlaps->count);
     give_parts(tables);
-    mass_give(run, "overlap_groups", tables->group_count);
-    mass_give_room(run, "overlap_carries", NULL, tables->group_count);
+    single_run_word(run, "overlap_groups", tables->group_count);
+    single_run_room(run, "overlap_carries", NULL, tables->group_count);
     bits = layout_symbol(&run->layout, "LEVEL_BITS");
-    mass_give_room(run, "overlap_bits", NULL,
-                   tables->level_count * bits / 64);
+    single_run_room(run, "overlap_bits", NULL,
+                    tables->level_count * bits / 64);
 }
 
-void overlaps_give(const struct overlaps *overlaps, struct mass_run *run)
+void overlaps_give(const struct overlaps *overlaps, struct single_run *run)
 {
     size_t words = 2 * overlaps->count + overlaps->part_count;
     struct tables tables = {

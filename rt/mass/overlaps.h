@@ -7,7 +7,7 @@
 #ifndef RT_MASS_OVERLAPS_H
 #define RT_MASS_OVERLAPS_H
 
-#include "rt/mass/programs.h"
+#include "rt/layout/single_run.h"
 #include "rt/scene/scene.h"
 
 /* The lower part comes first. */
@@ -29,6 +29,6 @@ bool overlaps_find(const struct scene *scene, const size_t *part_of,
 void overlaps_free(struct overlaps *overlaps);
 
 /* What the program of overlaps is given besides the crossings; what fails fails the run. */
-void overlaps_give(const struct overlaps *overlaps, struct mass_run *run);
+void overlaps_give(const struct overlaps *overlaps, struct single_run *run);
 
 #endif

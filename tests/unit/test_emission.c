@@ -44,27 +44,44 @@ static struct emission *begin(const struct primitive *primitive,
     return emission;
 }
 
-static void run(struct emission *emission,
-                const struct emission_choice *choice, struct emitted *points)
+/* A point of the planes. */
+struct emitted_point {
+    c205_word spot[3], face[3], weight, ray[3];
+};
+
+static void run(const struct emission *emission, size_t count,
+                const struct emission_choice *choice,
+                struct emitted_point *points, struct accounts *accounts)
 {
+    static c205_word planes[EMITTED_PLANES * EMISSION_MOST];
     c205_error error = { "" };
 
-    if (!emission_run(emission, choice, points, &error))
+    if (!emission_run(emission, choice, planes, accounts, &error))
         fail_msg("%s", error.message);
+    for (size_t i = 0; i < count; i++) {
+        struct emitted_point *point = &points[i];
+
+        for (size_t k = 0; k < 3; k++) {
+            point->spot[k] = planes[(EMITTED_SPOT + k) * count + i];
+            point->face[k] = planes[(EMITTED_FACE + k) * count + i];
+            point->ray[k] = planes[(EMITTED_RAY + k) * count + i];
+        }
+        point->weight = planes[EMITTED_WEIGHT * count + i];
+    }
 }
 
 static void emit(const struct primitive *primitive,
                  struct emission_options options,
-                 struct emission_choice choice, struct emitted *points)
+                 struct emission_choice choice, struct emitted_point *points)
 {
     struct emission *emission = begin(primitive, options);
 
-    run(emission, &choice, points);
+    run(emission, options.points, &choice, points, NULL);
     emission_free(emission);
 }
 
 enum { POINTS = 4000 };
-static struct emitted emitted[2][EMISSION_MOST];
+static struct emitted_point emitted[2][EMISSION_MOST];
 
 static struct emission_choice some_choice(void)
 {
@@ -127,7 +144,7 @@ static bool encloses(const struct primitive *primitive, const double spot[3],
 
 /* How many points are not found on the surface, or have the wrong side up. */
 static size_t count_astray(const struct primitive *primitive,
-                           const struct emitted *points, size_t count)
+                           const struct emitted_point *points, size_t count)
 {
     bool sided = !shape_is_surface(primitive);
     size_t astray = 0;
@@ -312,7 +329,7 @@ static void test_accuracy(void **unused)
 
 /* D . n = sqrt (1 - u) of the third number, exactly that of the law. */
 static void check_cosines(const struct emission_choice *choice,
-                          const struct emitted *points, size_t count)
+                          const struct emitted_point *points, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         double face[3], ray[3];
@@ -326,7 +343,7 @@ static void check_cosines(const struct emission_choice *choice,
 }
 
 /* The mean of D is 2/3 n, that of D D^T is (1 + n n^T) / 4. */
-static void check_moments(const struct emitted *points, size_t count)
+static void check_moments(const struct emitted_point *points, size_t count)
 {
     struct mean first[3] = { { 0 } }, second[3][3] = { { { 0 } } };
 
@@ -583,8 +600,8 @@ static double print_clocks(const struct primitive *primitive,
     double all;
 
     assert_non_null(emission);
-    run(emission, &(struct emission_choice){ .seed = 1 }, emitted[0]);
-    assert_true(accounts_add(&accounts, emission_machine(emission)));
+    run(emission, EMISSION_MOST, &(struct emission_choice){ .seed = 1 },
+        emitted[0], &accounts);
     all = clocks_a_point(&accounts, NULL);
     print_message("%-13s  %-6s  %5zu  %5.1f  %5.1f  %9.1f  %5.1f\n",
                   primitive_kind_name(primitive->kind), trace_mode_name(mode),

@@ -209,6 +209,7 @@ static void test_forms(void **state)
 
             vector.mode = TRACE_VECTOR;
             vector.queue = queues[i];
+            vector.jobs = 2 * i;
             compare_rows(scene, vector, &scalar);
         }
         factor_row_free(&scalar);

@@ -84,7 +84,7 @@ static void test_assembled(void **state)
             check_assembled(kernel->name, defines);
         }
     }
-    assert_int_equal(programs, 17);
+    assert_int_equal(programs, 23);
 }
 
 /* The cylinder as it is studied. */
@@ -550,6 +550,7 @@ static void emit_watched(const struct primitive *primitive)
         if (!machine)
             fail_msg("%s", error.message);
         run_watched(emission_program(emission), machine, "emission");
+        c205_free(machine);
         emission_free(emission);
     }
 }

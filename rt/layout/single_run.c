@@ -1,26 +1,27 @@
-#include "rt/mass/programs.h"
+#include "rt/layout/single_run.h"
 
+#include "base/error.h"
 #include "rt/layout/program.h"
 
-void mass_run_begin(struct mass_run *run, const struct object *program,
-                    const c205_model *model, c205_error *error)
+void single_run_begin(struct single_run *run, const struct object *program,
+                      const c205_model *model, c205_error *error)
 {
-    *run = (struct mass_run){ .model = model,
-                              .program = program,
-                              .error = error };
+    *run = (struct single_run){ .model = model,
+                                .program = program,
+                                .error = error };
     run->layout = (struct record_layout){ .image = &run->image,
                                           .program = program,
                                           .error = error,
                                           .free = program_end(program) };
 }
 
-void mass_give(struct mass_run *run, const char *name, size_t value)
+void single_run_word(struct single_run *run, const char *name, size_t value)
 {
     layout_word(&run->layout, name, c205_from_integer((int64_t)value));
 }
 
-void mass_give_number(struct mass_run *run, const char *name, size_t i,
-                      double value)
+void single_run_number(struct single_run *run, const char *name, size_t i,
+                       double value)
 {
     uint64_t address = layout_symbol(&run->layout, name) + 64 * i;
     c205_word word = c205_from_double(value);
@@ -28,8 +29,8 @@ void mass_give_number(struct mass_run *run, const char *name, size_t i,
     layout_words(&run->layout, address, &word, 1);
 }
 
-uint64_t mass_give_room(struct mass_run *run, const char *name,
-                        const c205_word *words, size_t count)
+uint64_t single_run_room(struct single_run *run, const char *name,
+                         const c205_word *words, size_t count)
 {
     uint64_t address = layout_reserve(&run->layout, count);
 
@@ -39,7 +40,7 @@ uint64_t mass_give_room(struct mass_run *run, const char *name,
     return address;
 }
 
-static bool run_on(struct mass_run *run, c205 *machine, uint64_t from,
+static bool run_on(struct single_run *run, c205 *machine, uint64_t from,
                    c205_word *words, size_t count)
 {
     bool stopped = false;
@@ -50,8 +51,8 @@ static bool run_on(struct mass_run *run, c205 *machine, uint64_t from,
            && c205_read(machine, from, words, count);
 }
 
-bool mass_run_end(struct mass_run *run, uint64_t from, c205_word *words,
-                  size_t count, uint64_t *clocks)
+bool single_run_end(struct single_run *run, uint64_t from, c205_word *words,
+                    size_t count, uint64_t *clocks)
 {
     c205 *machine = run->layout.failed ? NULL
                                        : c205_new(run->model, run->error);
@@ -59,6 +60,8 @@ bool mass_run_end(struct mass_run *run, uint64_t from, c205_word *words,
 
     if (good)
         *clocks += c205_clock(machine);
+    if (good && run->accounts && !accounts_add(run->accounts, machine))
+        good = error_say(run->error, "no memory");
     c205_free(machine);
     image_free(&run->image);
     return good;

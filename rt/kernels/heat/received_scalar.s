@@ -1,0 +1,76 @@
+; received_scalar.s - the sums of received.s, ray by ray: counted, then each weight put to
+; its place behind the others of its receiver, and folded.
+
+        .include "heat/received.s"
+
+        .regs   r30, rec_ray, rec_receiver, rec_first, rec_low
+
+; rec_count words from rec_first on become one, which goes to the next sum.
+        .macro  fold_weights
+        BIM     fold_whole\@
+fold_halve\@:
+        ADDX    rec_count, rec_one, rec_half
+        SHIFTI  rec_half, -1, rec_half  ; what stays
+        SUBX    rec_count, rec_half, rec_count
+        SHIFTI  rec_half, 6, rec_work
+        ADDX    rec_first, rec_work, rec_upper
+        ES      rec_at, 0
+fold_next\@:
+        LOD     [rec_first, rec_at], rec_low
+        LOD     [rec_upper, rec_at], rec_work
+        ADDN    rec_low, rec_work, rec_low
+        STO     [rec_first, rec_at], rec_low
+        IBXNE   rec_at, rec_one, rec_count, fold_next\@, rec_at
+        RTOR    rec_half, rec_count
+fold_whole\@:
+        IBXNE   rec_count, r0, rec_one, fold_halve\@
+        LOD     [rec_first], rec_work
+        STO     [rec_sums], rec_work
+        .endm
+
+        .entry  received
+        .kernel received
+received:
+        received_begin
+        ES      rec_ray, 0
+received_count:
+        LOD     [rec_list, rec_ray], rec_receiver
+        LOD     [rec_counts, rec_receiver], rec_count
+        ADDX    rec_count, rec_one, rec_count
+        STO     [rec_counts, rec_receiver], rec_count
+        IBXNE   rec_ray, rec_one, rec_rays, received_count, rec_ray
+
+        ES      rec_at, 0               ; places in the room
+        ES      rec_receiver, 0
+received_place:
+        STO     [rec_places, rec_receiver], rec_at
+        LOD     [rec_counts, rec_receiver], rec_count
+        ADDX    rec_at, rec_count, rec_at
+        IBXNE   rec_receiver, rec_one, rec_left, received_place, rec_receiver
+
+        ES      rec_ray, 0
+received_put:
+        LOD     [rec_list, rec_ray], rec_receiver
+        LOD     [rec_weights, rec_ray], rec_work
+        LOD     [rec_places, rec_receiver], rec_at
+        STO     [rec_room, rec_at], rec_work
+        ADDX    rec_at, rec_one, rec_at
+        STO     [rec_places, rec_receiver], rec_at
+        IBXNE   rec_ray, rec_one, rec_rays, received_put, rec_ray
+
+        RTOR    rec_room, rec_first
+received_next:
+        LOD     [rec_counts], rec_count
+        IBXEQ   rec_count, r0, r0, received_none
+        SHIFTI  rec_count, 6, rec_receiver
+        fold_weights
+        ADDX    rec_first, rec_receiver, rec_first
+received_none:
+        IX      rec_sums, 64
+        IX      rec_counts, 64
+        IBXNE   rec_left, rec_minus_one, r0, received_next, rec_left
+        RTOR    rec_weights, rec_first
+        RTOR    rec_rays, rec_count
+        fold_weights
+        EXIT
+        .endkernel

@@ -1,0 +1,247 @@
+/* test_heat_programs.c - which points stay, and what receivers get, by lists by chance: the
+ * programs beside plain loops, both forms bit for bit. */
+#include "rt/layout/program.h"
+#include "rt/layout/single_run.h"
+#include "tests/random.h"
+#include "tests/unit/prior_model.h"
+#include "tests/unit/scene_reading.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static uint64_t random_state = RANDOM_SEED + 31;
+
+static size_t below(size_t most)
+{
+    return (size_t)xorshift_between(&random_state, 0, (int64_t)most - 1);
+}
+
+/* Lengths where queues, words and pairs end. */
+static size_t some_length(size_t most)
+{
+    static const size_t ends[] = { 1, 2, 3, 63, 64, 65, 4095, 4096, 4097 };
+    size_t length = below(3) ? 1 + below(100)
+                             : ends[below(sizeof ends / sizeof *ends)];
+
+    return length < most ? length : most;
+}
+
+static struct object *assemble(const char *name)
+{
+    static const struct asm_define none[] = { { NULL, 0 } };
+    c205_error error;
+    struct object *program = program_assemble(name, none, &error);
+
+    if (!program)
+        fail_msg("%s", error.message);
+    return program;
+}
+
+static void end(struct single_run *run, uint64_t from, c205_word *words,
+                size_t count)
+{
+    uint64_t clocks = 0;
+
+    if (!single_run_end(run, from, words, count, &clocks))
+        fail_msg("%s", run->error->message);
+    assert_true(clocks > 0);
+}
+
+/* ---- What receivers get --------------------------------------------------- */
+
+struct receiving {
+    size_t rays, receivers;
+    c205_word *weights, *list;
+};
+
+static void receive(const struct object *program,
+                    const struct receiving *given, c205_word *words)
+{
+    size_t receivers = given->receivers;
+    struct single_run run;
+    c205_error error = { "" };
+    uint64_t sums;
+
+    single_run_begin(&run, program, prior_model, &error);
+    single_run_word(&run, "received_rays", given->rays);
+    single_run_word(&run, "received_receivers", receivers);
+    single_run_room(&run, "received_weights", given->weights, given->rays);
+    single_run_room(&run, "received_list", given->list, given->rays);
+    sums = single_run_room(&run, "received_sums", NULL, 2 * receivers + 1);
+    layout_word(&run.layout, "received_counts", sums + 64 * (receivers + 1));
+    single_run_room(&run, "received_room", NULL, given->rays);
+    single_run_room(&run, "received_places", NULL, receivers);
+    end(&run, sums, words, 2 * receivers + 1);
+}
+
+static void check_received(const struct receiving *given,
+                           const c205_word *words)
+{
+    double all = 0;
+
+    for (size_t r = 0; r < given->receivers; r++) {
+        double sum = 0;
+        int64_t count = 0;
+
+        for (size_t i = 0; i < given->rays; i++)
+            if (c205_to_integer(given->list[i]) == (int64_t)r) {
+                sum += c205_to_double(given->weights[i]);
+                count++;
+            }
+        assert_int_equal(c205_to_integer(words[given->receivers + 1 + r]),
+                         count);
+        if (!(fabs(c205_to_double(words[r]) - sum) <= 1e-12 * sum))
+            fail_msg("receiver %zu gets %.15g, not %.15g", r,
+                     c205_to_double(words[r]), sum);
+        all += sum;
+    }
+    assert_true(fabs(c205_to_double(words[given->receivers]) - all)
+                <= 1e-12 * all);
+}
+
+static void test_received(void **state)
+{
+    struct object *forms[] = { assemble("heat/received_scalar.s"),
+                               assemble("heat/received_vector.s") };
+
+    (void)state;
+    for (int i = 0; i < 60; i++) {
+        struct receiving given = { .rays = some_length(65535),
+                                   .receivers = some_length(300) };
+        size_t width = 2 * given.receivers + 1;
+        c205_word *words[2];
+
+        given.weights = calloc(given.rays, sizeof *given.weights);
+        given.list = calloc(given.rays, sizeof *given.list);
+        for (size_t k = 0; k < given.rays; k++) {
+            given.weights[k] = c205_from_double(
+                xorshift_real(&random_state, .1, 7));
+            given.list[k] = c205_from_integer((int64_t)below(
+                below(2) ? given.receivers : 1 + given.receivers / 9));
+        }
+        for (int form = 0; form < 2; form++) {
+            words[form] = calloc(width, sizeof **words);
+            receive(forms[form], &given, words[form]);
+        }
+        check_received(&given, words[0]);
+        assert_memory_equal(words[0], words[1], width * sizeof **words);
+        free(words[0]);
+        free(words[1]);
+        free(given.weights);
+        free(given.list);
+    }
+    object_free(forms[0]);
+    object_free(forms[1]);
+}
+
+/* ---- Which points stay ------------------------------------------------------ */
+
+enum { PLANES = 3, LIST_PLANES = 3, OWN = 5 };
+
+struct staying {
+    size_t points, crossings;
+    c205_word *planes, *list;
+};
+
+static void stay(const struct object *program, const struct staying *given,
+                 c205_word *words)
+{
+    size_t count = PLANES * given->points;
+    struct single_run run;
+    c205_error error = { "" };
+    uint64_t made;
+
+    single_run_begin(&run, program, prior_model, &error);
+    single_run_word(&run, "faces_points", given->points);
+    single_run_word(&run, "faces_planes", PLANES);
+    single_run_room(&run, "faces_from", given->planes, count);
+    made = single_run_room(&run, "faces_made", NULL, count + 1);
+    single_run_word(&run, "faces_crossings", given->crossings);
+    single_run_room(&run, "faces_list", given->list,
+                    LIST_PLANES * given->crossings);
+    single_run_word(&run, "faces_primitive", OWN);
+    single_run_room(&run, "faces_kept", NULL, given->points);
+    end(&run, made, words, count + 1);
+}
+
+/* Near the origin and of another primitive, of its own and far off, both, neither. */
+static void draw_crossings(const struct staying *given)
+{
+    static const double distances[] = { 0, 9e-8, -9e-8, 1.1e-7, -1.1e-7, 2 };
+
+    for (size_t i = 0; i < given->crossings; i++) {
+        given->list[i] = c205_from_double(distances[below(6)]);
+        given->list[given->crossings + i] = c205_from_integer(
+            (int64_t)(below(2) ? OWN : below(2 * OWN)));
+        given->list[2 * given->crossings + i] = c205_from_integer(
+            (int64_t)below(given->points));
+    }
+}
+
+static bool stays(const struct staying *given, size_t point)
+{
+    for (size_t i = 0; i < given->crossings; i++)
+        if (fabs(c205_to_double(given->list[i])) < 1e-7
+            && c205_to_integer(given->list[given->crossings + i]) == OWN
+            && c205_to_integer(given->list[2 * given->crossings + i])
+                   == (int64_t)point)
+            return true;
+    return false;
+}
+
+static void check_staying(const struct staying *given, const c205_word *words)
+{
+    size_t kept = 0;
+
+    for (size_t i = 0; i < given->points; i++) {
+        if (!stays(given, i))
+            continue;
+        for (size_t k = 0; k < PLANES; k++)
+            assert_true(words[k * given->points + kept]
+                        == given->planes[k * given->points + i]);
+        kept++;
+    }
+    assert_int_equal(c205_to_integer(words[PLANES * given->points]), kept);
+}
+
+static void test_staying(void **state)
+{
+    struct object *forms[] = { assemble("heat/faces_scalar.s"),
+                               assemble("heat/faces_vector.s") };
+
+    (void)state;
+    for (int i = 0; i < 60; i++) {
+        struct staying given = { .points = some_length(5000) };
+        size_t words;
+
+        given.crossings = below(4) ? some_length(5000) : 0;
+        words = PLANES * given.points;
+        given.planes = calloc(words, sizeof *given.planes);
+        given.list = calloc(LIST_PLANES * given.crossings + 1,
+                            sizeof *given.list);
+        for (size_t k = 0; k < words; k++)
+            given.planes[k] = xorshift(&random_state);
+        draw_crossings(&given);
+        for (int form = 0; form < 2; form++) {
+            c205_word *made = calloc(words + 1, sizeof *made);
+
+            stay(forms[form], &given, made);
+            check_staying(&given, made);
+            free(made);
+        }
+        free(given.planes);
+        free(given.list);
+    }
+    object_free(forms[0]);
+    object_free(forms[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_received),
+        cmocka_unit_test(test_staying),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
