@@ -124,14 +124,17 @@ static void find(const struct crowd *crowd, enum trace_mode mode,
 {
     struct scene *scene = scene_of(crowd->text);
     c205_model *model = usual_model();
-    struct columns_options options = { .mode = mode,
-                                       .queue = queue,
-                                       .points = POINTS_LATTICE,
-                                       .rays_log = 5,
-                                       .repeats = 8,
-                                       .seed = 1,
-                                       .jobs = 2,
-                                       .model = model };
+    struct columns_options options = {
+        .mode = mode,
+        .queue = queue,
+        .points = POINTS_LATTICE,
+        /* More than a strip of crossings, where parts are many. */
+        .rays_log = crowd->part_count > 9 ? 6 : 5,
+        .repeats = 8,
+        .seed = 1,
+        .jobs = 2,
+        .model = model
+    };
     c205_error error;
 
     assert_true(mass_parts_find(scene, &found->parts));
