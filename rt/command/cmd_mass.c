@@ -9,8 +9,8 @@
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 #include "rt/mass/bodies.h"
+#include "rt/mass/densities.h"
 #include "rt/mass/figures.h"
-#include "rt/mass/parts.h"
 
 enum { BY_PART, BY_MATERIAL };
 
@@ -25,10 +25,11 @@ struct mass_work {
     const struct rt205_arguments *arguments;
     const struct scene *scene;
     struct scene bodies; /* what is measured of it */
-    struct mass_parts parts;
+    struct scene_parts parts;
     struct overlaps overlaps; /* of bodies, if they are asked */
     size_t row_count;
     struct mass_row *rows;
+    double *weights;   /* densities of parts */
     double *densities; /* of all rows */
     size_t rays_log;   /* of a view under a shift */
     struct columns_sums sums;
@@ -40,41 +41,43 @@ struct mass_work {
 /* ---- Densities and rows -------------------------------------------------- */
 
 static bool take_densities(struct mass_work *work,
-                           struct densities *densities)
+                           struct given_values *densities)
 {
     const struct cmd_mass *wishes = &work->arguments->mass;
     struct diagnostics reports = { 0 };
     bool good = true;
 
     for (size_t i = 0; good && i < wishes->density.count; i++)
-        good = densities_add(densities, wishes->density.items[i],
-                             &work->error);
-    good = good
-           && mass_parts_check(&work->parts, densities, densities->count,
-                               &work->error);
+        good = given_add(densities, wishes->density.items[i], &work->error);
+    good = good && given_check(densities, &work->parts, NULL, &work->error);
     if (good && wishes->densities
-        && !densities_read(densities, wishes->densities, &reports)) {
+        && !given_read(densities, wishes->densities, &reports)) {
         diagnostics_print(&reports, stderr);
         snprintf(work->error.message, sizeof work->error.message,
                  "the file of densities is not used");
         good = false;
     }
     diagnostics_free(&reports);
-    return good && densities_add_scene(densities, work->scene, &work->error);
+    return good && given_add_scene(densities, work->scene, &work->error);
 }
 
+/* Of each part. */
 static bool weigh_parts(struct mass_work *work)
 {
-    struct densities densities = { 0 };
-    bool good = take_densities(work, &densities)
-                && mass_parts_weigh(&work->parts, &densities, &work->error);
+    struct given_values densities;
+    bool good;
 
-    densities_free(&densities);
+    given_begin(&densities, &density_kind);
+    work->weights = calloc(work->parts.count + 1, sizeof *work->weights);
+    good = work->weights && take_densities(work, &densities)
+           && densities_find(&densities, &work->parts, work->weights,
+                             &work->error);
+    given_free(&densities);
     return good;
 }
 
 static const char *row_name(const struct mass_work *work,
-                            const struct mass_part *part)
+                            const struct scene_part *part)
 {
     if (work->arguments->mass.by == BY_PART)
         return part->name;
@@ -106,12 +109,13 @@ static bool make_rows(struct mass_work *work)
     if (!work->rows || !work->densities)
         return false;
     for (size_t i = 0; i < count; i++) {
-        const struct mass_part *part = &work->parts.list[i];
+        const struct scene_part *part = &work->parts.list[i];
 
         if (part->left_out)
             continue;
-        find_row(work, row_name(work, part))->density[i] =
-            mass_units_density(&work->arguments->mass.units, part->density);
+        find_row(work, row_name(work, part))
+            ->density[i] = mass_units_density(&work->arguments->mass.units,
+                                              work->weights[i]);
     }
     if (work->row_count > 1) {
         struct mass_row *all = &work->rows[work->row_count];
@@ -440,7 +444,7 @@ static int tell(const struct mass_work *work, const struct results *results)
 static void warn_of_endless(const struct mass_work *work)
 {
     for (size_t i = 0; i < work->parts.count; i++) {
-        const struct mass_part *part = &work->parts.list[i];
+        const struct scene_part *part = &work->parts.list[i];
 
         if (part->endless && part->left_out
             && work->arguments->mass.parts.count == 0)
@@ -453,10 +457,10 @@ static bool choose_parts(struct mass_work *work)
 {
     const struct command_texts *names = &work->arguments->mass.parts;
 
-    if (!mass_parts_find(work->scene, &work->parts)
+    if (!scene_parts_find(work->scene, &work->parts)
         || !bodies_find_endless(work->scene, &work->parts)
-        || !mass_parts_choose(&work->parts, names->items, names->count,
-                              &work->error))
+        || !scene_parts_choose(&work->parts, names->items, names->count,
+                               &work->error))
         return false;
     warn_of_endless(work);
     return bodies_take(work->scene, &work->parts, &work->bodies)
@@ -482,8 +486,9 @@ static int work_on(const struct rt205_arguments *arguments,
     columns_sums_free(&work.sums);
     overlaps_free(&work.overlaps);
     bodies_free(&work.bodies);
-    mass_parts_free(&work.parts);
+    scene_parts_free(&work.parts);
     free(work.rows);
+    free(work.weights);
     free(work.densities);
     return code;
 }

@@ -4,16 +4,16 @@
 
 #include "rt/layout/bounds.h"
 
-static struct mass_part *part_of(const struct mass_parts *parts,
-                                 const struct scene *scene,
-                                 const struct region *region)
+static struct scene_part *part_of(const struct scene_parts *parts,
+                                  const struct scene *scene,
+                                  const struct region *region)
 {
     size_t object = scene->primitives[region->first_primitive].object;
 
     return &parts->list[parts->part_of[object]];
 }
 
-bool bodies_find_endless(const struct scene *scene, struct mass_parts *parts)
+bool bodies_find_endless(const struct scene *scene, struct scene_parts *parts)
 {
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     bool good = bounds && bound_nodes(scene, bounds);
@@ -54,7 +54,7 @@ static void copy_region(const struct scene *scene,
     bodies->node_count += region->node_count;
 }
 
-bool bodies_take(const struct scene *scene, const struct mass_parts *parts,
+bool bodies_take(const struct scene *scene, const struct scene_parts *parts,
                  struct scene *bodies)
 {
     *bodies = *scene;

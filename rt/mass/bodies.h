@@ -2,14 +2,15 @@
 #ifndef RT_MASS_BODIES_H
 #define RT_MASS_BODIES_H
 
-#include "rt/mass/parts.h"
+#include "rt/scene/parts.h"
 
 /* Parts that reach for ever, or have no bound that is known, are marked endless.
  * False: no memory. */
-bool bodies_find_endless(const struct scene *scene, struct mass_parts *parts);
+bool bodies_find_endless(const struct scene *scene,
+                         struct scene_parts *parts);
 /* The regions of parts that are not left out; what primitives point to is the scene's, which
  * must outlive it.  Objects keep their numbers.  False: no memory. */
-bool bodies_take(const struct scene *scene, const struct mass_parts *parts,
+bool bodies_take(const struct scene *scene, const struct scene_parts *parts,
                  struct scene *bodies);
 void bodies_free(struct scene *bodies);
 

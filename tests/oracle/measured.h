@@ -4,7 +4,7 @@
 #define MEASURED_H
 
 #include "rt/mass/figures.h"
-#include "rt/mass/parts.h"
+#include "rt/scene/parts.h"
 
 enum { MEASURED_PARTS = 4 };
 

@@ -1,5 +1,6 @@
 /* test_parts.c - what objects of a scene are called and made of, and how dense. */
 #include "rt/mass/bodies.h"
+#include "rt/mass/densities.h"
 #include "rt/mass/units.h"
 #include "rt/shapes/primitive.h"
 #include "scene_reading.h"
@@ -65,15 +66,15 @@ static void test_parts(void **state)
 {
     static const size_t part_of[] = { 0, 1, 1, 2, 3, 4, 5, 2 };
     struct scene *scene = read_scene(assembly);
-    struct mass_parts parts;
+    struct scene_parts parts;
 
     (void)state;
-    assert_true(mass_parts_find(scene, &parts));
+    assert_true(scene_parts_find(scene, &parts));
     assert_int_equal(parts.count, 6);
     assert_memory_equal(parts.part_of, part_of, sizeof part_of);
     assert_string_equal(parts.list[3].name, "line 10");
     assert_true(parts.list[4].mixed);
-    mass_parts_free(&parts);
+    scene_parts_free(&parts);
     scene_free(scene);
 }
 
@@ -83,29 +84,29 @@ static void test_choice(void **state)
     static const char *const names[] = { "Plate", "Copper", "Brass" };
     struct scene *scene = read_scene("plane { y, -9 }\n");
     struct scene *solids = read_scene(assembly);
-    struct mass_parts parts;
+    struct scene_parts parts;
     struct scene bodies;
     c205_error error;
 
     (void)state;
-    assert_true(mass_parts_find(scene, &parts));
+    assert_true(scene_parts_find(scene, &parts));
     assert_true(bodies_find_endless(scene, &parts));
-    assert_true(mass_parts_choose(&parts, NULL, 0, &error));
+    assert_true(scene_parts_choose(&parts, NULL, 0, &error));
     assert_true(parts.list[0].left_out);
     assert_true(bodies_take(scene, &parts, &bodies));
     assert_int_equal(bodies.region_count, 0);
     bodies_free(&bodies);
-    mass_parts_free(&parts);
-    assert_true(mass_parts_find(solids, &parts));
+    scene_parts_free(&parts);
+    assert_true(scene_parts_find(solids, &parts));
     assert_true(bodies_find_endless(solids, &parts));
-    assert_true(mass_parts_choose(&parts, names, 2, &error));
+    assert_true(scene_parts_choose(&parts, names, 2, &error));
     for (size_t i = 0; i < parts.count; i++)
         assert_true(parts.list[i].left_out == (i > 1 && i != 5));
     assert_true(bodies_take(solids, &parts, &bodies));
     assert_int_equal(bodies.region_count, 4);
     assert_int_equal(bodies.primitive_count, 6);
     bodies_free(&bodies);
-    assert_true(mass_parts_choose(&parts, names + 1, 1, &error));
+    assert_true(scene_parts_choose(&parts, names + 1, 1, &error));
     assert_true(bodies_take(solids, &parts, &bodies));
     assert_int_equal(bodies.region_count, 3);
     for (size_t i = 0; i < 2; i++) {
@@ -114,9 +115,9 @@ static void test_choice(void **state)
         assert_int_equal(bodies.nodes[i].primitive, i);
         assert_int_equal(bodies.primitives[i].kind, PRIMITIVE_CYLINDER);
     }
-    assert_false(mass_parts_choose(&parts, names, 3, &error));
+    assert_false(scene_parts_choose(&parts, names, 3, &error));
     bodies_free(&bodies);
-    mass_parts_free(&parts);
+    scene_parts_free(&parts);
     scene_free(solids);
     scene_free(scene);
 }
@@ -125,38 +126,38 @@ static void test_choice(void **state)
 static void test_densities(void **state)
 {
     struct scene *scene = read_scene(assembly);
-    struct densities densities = { 0 };
-    struct mass_parts parts;
+    struct given_values densities = { .kind = &density_kind, .others = NAN };
+    struct scene_parts parts;
     c205_error error;
+    double found[5];
 
     (void)state;
-    assert_true(mass_parts_find(scene, &parts));
-    assert_true(densities_add(&densities, "Steel=7.8", &error));
-    assert_true(densities_add(&densities, "Plate=2", &error));
-    assert_true(mass_parts_check(&parts, &densities, 2, &error));
-    assert_true(densities_add_scene(&densities, scene, &error));
-    assert_false(mass_parts_weigh(&parts, &densities, &error));
+    assert_true(scene_parts_find(scene, &parts));
+    assert_true(given_add(&densities, "Steel=7.8", &error));
+    assert_true(given_add(&densities, "Plate=2", &error));
+    assert_true(given_check(&densities, &parts, NULL, &error));
+    assert_true(given_add_scene(&densities, scene, &error));
+    assert_false(densities_find(&densities, &parts, found, &error));
     assert_string_equal(
         error.message, "no density is known of: line 10, line 11 (of several "
                        "materials); --density NAME=VALUE, or --density "
                        "default=1");
-    assert_true(densities_add(&densities, "default=3", &error));
-    assert_true(mass_parts_weigh(&parts, &densities, &error));
-    assert_close(parts.list[0].density, 2, 0);
-    assert_close(parts.list[1].density, 8.96, 0);
-    assert_close(parts.list[2].density, 7.8, 0);
-    assert_close(parts.list[3].density, 3, 0);
-    assert_close(parts.list[4].density, 3, 0);
-    assert_true(densities_add(&densities, "Brass=8", &error));
-    assert_false(
-        mass_parts_check(&parts, &densities, densities.count, &error));
+    assert_true(given_add(&densities, "default=3", &error));
+    assert_true(densities_find(&densities, &parts, found, &error));
+    assert_close(found[0], 2, 0);
+    assert_close(found[1], 8.96, 0);
+    assert_close(found[2], 7.8, 0);
+    assert_close(found[3], 3, 0);
+    assert_close(found[4], 3, 0);
+    assert_true(given_add(&densities, "Brass=8", &error));
+    assert_false(given_check(&densities, &parts, NULL, &error));
     assert_string_equal(
         error.message,
         "no part and no material is called 'Brass'; parts: "
         "Plate, Pin, line 10, line 11, line 12; materials: Steel, "
         "Copper");
-    densities_free(&densities);
-    mass_parts_free(&parts);
+    given_free(&densities);
+    scene_parts_free(&parts);
     scene_free(scene);
 }
 
@@ -165,35 +166,35 @@ static void test_wrong_densities(void **state)
     static const char *const wrong[] = {
         "", "=1", "a", "a=", "a=0", "a=-1", "a=inf", "a=1x", "a=x", "a=nan"
     };
-    struct densities densities = { 0 };
+    struct given_values densities = { .kind = &density_kind, .others = NAN };
     struct scene *scene = read_scene("#declare Lead_Density = 0;\n");
     c205_error error;
 
     (void)state;
     for (size_t i = 0; i < COUNT(wrong); i++)
-        assert_false(densities_add(&densities, wrong[i], &error));
-    assert_false(densities_add_scene(&densities, scene, &error));
+        assert_false(given_add(&densities, wrong[i], &error));
+    assert_false(given_add_scene(&densities, scene, &error));
     assert_string_equal(error.message, "Lead_Density is not above 0");
     assert_int_equal(densities.count, 0);
-    densities_free(&densities);
+    given_free(&densities);
     scene_free(scene);
 }
 
-static bool read_file(const char *text, struct densities *densities,
+static bool read_file(const char *text, struct given_values *densities,
                       struct diagnostics *reports)
 {
     static const char path[] = "densities_test.txt";
     bool good;
 
     write_bytes(path, text, strlen(text));
-    good = densities_read(densities, path, reports);
+    good = given_read(densities, path, reports);
     remove(path);
     return good;
 }
 
 static void test_file(void **state)
 {
-    struct densities densities = { 0 };
+    struct given_values densities = { .kind = &density_kind, .others = NAN };
     struct diagnostics reports = { 0 };
 
     (void)state;
@@ -212,9 +213,9 @@ static void test_file(void **state)
                         "the density is not above 0");
     assert_string_equal(reports.items[2].message,
                         "a line is a number, a density and a name");
-    assert_false(densities_read(&densities, "no/such/file", &reports));
+    assert_false(given_read(&densities, "no/such/file", &reports));
     diagnostics_free(&reports);
-    densities_free(&densities);
+    given_free(&densities);
 }
 
 /* ---- Units --------------------------------------------------------------- */

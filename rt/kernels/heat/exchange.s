@@ -1,0 +1,72 @@
+; exchange.s - what grey diffuse surfaces exchange by radiation; what the two forms have in
+; common.
+;
+; Of surface i, with the area A_i, the emissivity e_i and the temperature T_i, comes the
+; radiosity J_i, and the irradiation H_i meets it; F_ij is the factor from i to j, and behind
+; the surfaces stands the environment, black, with the temperature T_e:
+;
+;   J_i = e_i sigma T_i^4 + (1 - e_i) H_i
+;   H_i = F_i1 J_1 + .. + F_in J_n + F_ie sigma T_e^4
+;   Q_i = A_i (J_i - H_i)           the heat that it loses, a net flow
+;   Q_e = sum of A_i F_ie (sigma T_e^4 - J_i)
+;
+; A surface that is adiabatic has the emissivity 0: what meets it leaves it.
+;
+; The equations (I - (1 - e) F) J = b are solved by Gaussian elimination, column by column:
+;
+;   L = A(k+1 .., k) / A(k, k)      A(k+1 .., j) := A(k+1 .., j) - A(k, j) L     j > k, and b
+;
+; without pivoting, as no row's other factors exceed its diagonal in sum, which elimination
+; keeps so.  A diagonal below LEAST is that of an exchange which has no solution: surfaces
+; that are adiabatic and see none but each other.
+;
+; Sums are formed by halves: of m words the last m / 2 are added to the first.
+;
+; In:  what stands below.
+; Out: exchange_made: planes J, H, Q of n words, then Q_e, the sum of all flows, and the number
+;      of the surface, from 1 on, where there was no solution, else 0.
+; Source: Hottel and Sarofim, Radiative Transfer (1967); elimination: Wilkinson, The
+; Algebraic Eigenvalue Problem (1965), 4; sigma: CODATA 2018.
+
+        .data
+exchange_given:
+exchange_count: .word 0                 ; surfaces, n, an integer
+exchange_factors: .word 0               ; address of n + 1 columns F_1j .. F_nj
+exchange_areas: .word 0                 ; .. of three planes: A,
+exchange_emissivities: .word 0          ; e,
+exchange_temperatures: .word 0          ; T
+exchange_matrix: .word 0                ; .. of room for n columns, b, and a column
+exchange_made:  .word 0                 ; .. of what is found
+exchange_outside: .word 0.0             ; T_e
+                .word 5.670374419e-8    ; sigma
+                .word 1.0, 1e-12         ; LEAST
+                .word 1, -1
+                .equ    EXCHANGE_GIVEN, 13
+        .code
+
+        .regs   r10, exc_n, exc_factors, exc_areas, exc_emissivities, exc_temperatures
+        .regs   r15, exc_matrix, exc_made, exc_outside, exc_sigma, exc_unit, exc_least
+        .regs   r21, exc_one, exc_minus_one
+        .regs   r23, exc_stride         ; from a column, or a plane, to the next, in bits
+        .regs   r24, exc_b, exc_spare   ; addresses of b and of the column behind
+        .regs   r26, exc_j, exc_h, exc_q, exc_end
+        .regs   r30, exc_column, exc_left, exc_at, exc_work0, exc_work1, exc_work2
+        .regs   r36, exc_pivot, exc_k, exc_below, exc_row, exc_half, exc_upper
+
+        .macro  exchange_begin
+        EX      exc_work0, exchange_given
+        ELEN    exc_work0, EXCHANGE_GIVEN
+        SWAP    [exc_work0], exc_n, [r0]
+        SHIFTI  exc_n, 6, exc_stride
+        MPYX    exc_n, exc_stride, exc_b
+        ADDX    exc_matrix, exc_b, exc_b
+        ADDX    exc_b, exc_stride, exc_spare
+        RTOR    exc_made, exc_j
+        ADDX    exc_j, exc_stride, exc_h
+        ADDX    exc_h, exc_stride, exc_q
+        ADDX    exc_q, exc_stride, exc_end
+        MPYS    exc_outside, exc_outside, exc_outside
+        MPYS    exc_outside, exc_outside, exc_outside
+        MPYS    exc_sigma, exc_outside, exc_outside     ; of the environment, J
+        .endm
+

@@ -1,0 +1,41 @@
+#include "rt/mass/densities.h"
+
+#include <math.h>
+
+#include "base/error.h"
+
+static bool is_density(double value)
+{
+    return value > 0 && isfinite(value);
+}
+
+const struct value_kind density_kind = { .name = "density",
+                                         .ending = "_Density",
+                                         .range = "above 0",
+                                         .allows = is_density };
+
+bool densities_find(const struct given_values *given,
+                    const struct scene_parts *parts, double *densities,
+                    c205_error *error)
+{
+    const char *separator = ": ";
+    bool good = true;
+
+    error_say(error, "no density is known of");
+    for (size_t i = 0; i < parts->count; i++) {
+        const struct scene_part *part = &parts->list[i];
+
+        densities[i] = given_of_part(given, part);
+        if (!isnan(densities[i]) || part->left_out)
+            continue;
+        good = false;
+        scene_parts_add_name(error, separator, part->name);
+        separator = ", ";
+        if (part->mixed)
+            scene_parts_add_name(error, " ", "(of several materials)");
+    }
+    if (!good)
+        scene_parts_add_name(error, "; ",
+                             "--density NAME=VALUE, or --density default=1");
+    return good;
+}

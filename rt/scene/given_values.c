@@ -1,0 +1,205 @@
+#include "rt/scene/given_values.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/array.h"
+#include "base/error.h"
+#include "base/file.h"
+
+/* ---- Options ------------------------------------------------------------- */
+
+void given_begin(struct given_values *given, const struct value_kind *kind)
+{
+    *given = (struct given_values){ .kind = kind, .others = NAN };
+}
+
+static bool keep(struct given_values *given, const char *name, size_t length,
+                 double value)
+{
+    struct given_value *list = array_grow(given->list, given->count,
+                                          sizeof *list);
+    char *kept = arena_text(&given->kept, name, length);
+
+    if (list)
+        given->list = list;
+    if (!list || !kept)
+        return false;
+    list[given->count++] = (struct given_value){ kept, value };
+    return true;
+}
+
+/* A number in range, or the word. */
+static bool is_value(const struct value_kind *kind, const char *text,
+                     double *value)
+{
+    char *end;
+
+    *value = strtod(text, &end);
+    if (end > text && !*end)
+        return kind->allows(*value);
+    *value = kind->word_value;
+    return kind->word && strcmp(text, kind->word) == 0;
+}
+
+bool given_add(struct given_values *given, const char *text,
+               c205_error *error)
+{
+    const char *sign = strchr(text, '=');
+    double value;
+
+    if (!sign || sign == text || !is_value(given->kind, sign + 1, &value)) {
+        bool vowel = strchr("aeiou", given->kind->name[0]);
+
+        return error_say(error,
+                         "%s %s is NAME=VALUE with a value %s, not '%.100s'",
+                         vowel ? "an" : "a", given->kind->name,
+                         given->kind->range, text);
+    }
+    if (sign - text == 7 && !strncmp(text, "default", 7)) {
+        given->others = value;
+        return true;
+    }
+    return keep(given, text, (size_t)(sign - text), value)
+           || error_say(error, "no memory");
+}
+
+bool given_add_scene(struct given_values *given, const struct scene *scene,
+                     c205_error *error)
+{
+    const char *ending = given->kind->ending;
+    size_t behind = strlen(ending);
+
+    for (size_t i = 0; i < scene->float_count; i++) {
+        const struct declared_float *declared = &scene->floats[i];
+        size_t length = strlen(declared->name);
+
+        if (length <= behind
+            || strcmp(declared->name + length - behind, ending) != 0)
+            continue;
+        if (!given->kind->allows(declared->value))
+            return error_say(error, "%.100s is not %s", declared->name,
+                             given->kind->range);
+        if (!keep(given, declared->name, length - behind, declared->value))
+            return error_say(error, "no memory");
+    }
+    return true;
+}
+
+void given_free(struct given_values *given)
+{
+    free(given->list);
+    arena_free(&given->kept);
+}
+
+/* ---- A file of them ------------------------------------------------------ */
+
+static bool is_blank(char letter)
+{
+    return letter == ' ' || letter == '\t' || letter == '\r' || letter == '"';
+}
+
+/* A number and the blanks around it; false: there is none. */
+static bool skip_number(char **text, double *value)
+{
+    char *end;
+
+    *value = strtod(*text, &end);
+    if (end == *text || !is_blank(*end))
+        return false;
+    for (*text = end; is_blank(**text); (*text)++)
+        ;
+    return true;
+}
+
+/* False: it is wrong, and the message says what; of an empty one nothing is. */
+static bool take_line(struct given_values *given, char *line,
+                      c205_error *error)
+{
+    char *remark = strchr(line, '#');
+    double number, value;
+    size_t length;
+
+    if (remark)
+        *remark = '\0';
+    while (is_blank(*line))
+        line++;
+    for (length = strlen(line); length > 0 && is_blank(line[length - 1]);)
+        line[--length] = '\0';
+    if (length == 0)
+        return true;
+    if (!skip_number(&line, &number) || !skip_number(&line, &value) || !*line)
+        return error_say(error, "a line is a number, a %s and a name",
+                         given->kind->name);
+    if (!given->kind->allows(value))
+        return error_say(error, "the %s is not %s", given->kind->name,
+                         given->kind->range);
+    return keep(given, line, strlen(line), value)
+           || error_say(error, "no memory");
+}
+
+bool given_read(struct given_values *given, const char *path,
+                struct diagnostics *reports)
+{
+    enum { LARGEST = 1 << 24 };
+    struct position position = { .file = path };
+    size_t length;
+    c205_error error;
+    char *text = file_read(path, LARGEST, &length, &error);
+    bool good = true;
+
+    if (!text) {
+        diagnostics_add(reports, SEVERITY_ERROR, &position, error.message);
+        return false;
+    }
+    position.column = 1;
+    for (char *line = text, *next; line; line = next) {
+        next = strchr(line, '\n');
+        if (next)
+            *next++ = '\0';
+        position.line++;
+        if (!take_line(given, line, &error)) {
+            diagnostics_add(reports, SEVERITY_ERROR, &position,
+                            error.message);
+            good = false;
+        }
+    }
+    free(text);
+    return good;
+}
+
+/* ---- Which has which ----------------------------------------------------- */
+
+bool given_check(const struct given_values *given,
+                 const struct scene_parts *parts, const char *besides,
+                 c205_error *error)
+{
+    for (size_t i = 0; i < given->count; i++) {
+        const char *name = given->list[i].name;
+
+        if (besides && strcmp(name, besides) == 0)
+            continue;
+        if (!scene_parts_check(parts, name, error))
+            return false;
+    }
+    return true;
+}
+
+double given_of_name(const struct given_values *given, const char *name)
+{
+    for (size_t i = 0; name && i < given->count; i++)
+        if (strcmp(given->list[i].name, name) == 0)
+            return given->list[i].value;
+    return NAN;
+}
+
+double given_of_part(const struct given_values *given,
+                     const struct scene_part *part)
+{
+    double value = given_of_name(given, part->name);
+
+    if (isnan(value) && !part->mixed)
+        value = given_of_name(given, part->material);
+    return isnan(value) ? given->others : value;
+}

@@ -1,0 +1,141 @@
+#include "rt/scene/parts.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/error.h"
+
+/* ---- Parts --------------------------------------------------------------- */
+
+static bool same_text(const char *one, const char *other)
+{
+    return one && other ? strcmp(one, other) == 0 : one == other;
+}
+
+static const char *object_name(struct scene_parts *parts,
+                               const struct world_object *object)
+{
+    char line[40];
+
+    if (object->name)
+        return object->name;
+    snprintf(line, sizeof line, "line %zu", object->line);
+    return arena_text(&parts->kept, line, strlen(line));
+}
+
+/* The number of the object's part, which may be a new one. */
+static size_t find_part(struct scene_parts *parts,
+                        const struct world_object *object, const char *name)
+{
+    size_t i = 0;
+
+    while (i < parts->count
+           && !(same_text(parts->list[i].name, name)
+                && same_text(parts->list[i].material, object->material)))
+        i++;
+    if (i == parts->count)
+        parts->list[parts->count++] = (struct scene_part){
+            .name = name, .material = object->material
+        };
+    parts->list[i].mixed |= object->mixed;
+    return i;
+}
+
+bool scene_parts_find(const struct scene *scene, struct scene_parts *parts)
+{
+    *parts = (struct scene_parts){ 0 };
+    parts->list = calloc(scene->object_count + 1, sizeof *parts->list);
+    parts->part_of = calloc(scene->object_count + 1, sizeof *parts->part_of);
+    for (size_t i = 0;
+         parts->list && parts->part_of && i < scene->object_count; i++) {
+        const char *name = object_name(parts, &scene->objects[i]);
+
+        if (!name)
+            return false;
+        parts->part_of[i] = find_part(parts, &scene->objects[i], name);
+    }
+    return parts->list && parts->part_of;
+}
+
+void scene_parts_free(struct scene_parts *parts)
+{
+    free(parts->list);
+    free(parts->part_of);
+    arena_free(&parts->kept);
+}
+
+/* ---- Names --------------------------------------------------------------- */
+
+void scene_parts_add_name(c205_error *error, const char *separator,
+                          const char *name)
+{
+    size_t used = strlen(error->message), room = sizeof error->message;
+
+    if (used + strlen(separator) + strlen(name) + 5 < room)
+        snprintf(error->message + used, room - used, "%s%s", separator, name);
+    else if (used + 4 < room && strcmp(error->message + used - 3, "..."))
+        snprintf(error->message + used, room - used, "...");
+}
+
+static bool is_there(const struct scene_parts *parts, const char *name)
+{
+    for (size_t i = 0; i < parts->count; i++)
+        if (same_text(parts->list[i].name, name)
+            || same_text(parts->list[i].material, name))
+            return true;
+    return false;
+}
+
+static bool name_is_new(const struct scene_parts *parts, size_t i,
+                        const char *name, bool material)
+{
+    for (size_t k = 0; k < i; k++)
+        if (same_text(material ? parts->list[k].material
+                               : parts->list[k].name,
+                      name))
+            return false;
+    return name;
+}
+
+/* The names of all parts, or of all materials, once each. */
+static void add_names(const struct scene_parts *parts, bool material,
+                      const char *separator, c205_error *error)
+{
+    for (size_t i = 0; i < parts->count; i++) {
+        const struct scene_part *part = &parts->list[i];
+        const char *name = material ? part->material : part->name;
+
+        if (!name_is_new(parts, i, name, material))
+            continue;
+        scene_parts_add_name(error, separator, name);
+        separator = ", ";
+    }
+}
+
+bool scene_parts_check(const struct scene_parts *parts, const char *name,
+                       c205_error *error)
+{
+    if (is_there(parts, name))
+        return true;
+    error_say(error, "no part and no material is called '%.60s'", name);
+    add_names(parts, false, "; parts: ", error);
+    add_names(parts, true, "; materials: ", error);
+    return false;
+}
+
+bool scene_parts_choose(struct scene_parts *parts, const char *const *names,
+                        size_t count, c205_error *error)
+{
+    for (size_t i = 0; i < parts->count; i++)
+        parts->list[i].left_out = count > 0 || parts->list[i].endless;
+    for (size_t k = 0; k < count; k++) {
+        if (!scene_parts_check(parts, names[k], error))
+            return false;
+        for (size_t i = 0; i < parts->count; i++)
+            if (same_text(parts->list[i].name, names[k])
+                || same_text(parts->list[i].material, names[k]))
+                parts->list[i].left_out = false;
+    }
+    return true;
+}

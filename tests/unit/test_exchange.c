@@ -1,0 +1,320 @@
+/* test_exchange.c - what grey surfaces exchange: known cases, and enclosures by chance beside
+ * elimination in long doubles. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/heat/exchange.h"
+#include "tests/random.h"
+#include "tests/unit/prior_model.h"
+
+#define SIGMA 5.670374419e-8
+enum { MOST = 70 };
+
+/* Surfaces, and the factors between them. */
+struct enclosure {
+    size_t count;
+    double area[MOST], emissivity[MOST], temperature[MOST];
+    double factors[MOST * (MOST + 1)], outside;
+};
+
+static struct exchange_given given_of(const struct enclosure *enclosure,
+                                      enum trace_mode mode)
+{
+    return (struct exchange_given){ .mode = mode,
+                                    .count = enclosure->count,
+                                    .area = enclosure->area,
+                                    .emissivity = enclosure->emissivity,
+                                    .temperature = enclosure->temperature,
+                                    .factors = enclosure->factors,
+                                    .outside = enclosure->outside,
+                                    .model = prior_model };
+}
+
+/* The same in both forms, to the bit. */
+static void solve(const struct enclosure *enclosure, struct exchange *vector)
+{
+    struct exchange_given given = given_of(enclosure, TRACE_VECTOR);
+    struct exchange scalar;
+    size_t size = enclosure->count * sizeof(double);
+    c205_error error = { "" };
+
+    if (!exchange_find(&given, vector, &error))
+        fail_msg("%s", error.message);
+    given.mode = TRACE_SCALAR;
+    assert_true(exchange_find(&given, &scalar, &error));
+    assert_memory_equal(vector->radiosity, scalar.radiosity, size);
+    assert_memory_equal(vector->irradiation, scalar.irradiation, size);
+    assert_memory_equal(vector->flow, scalar.flow, size);
+    assert_memory_equal(&vector->outside, &scalar.outside, sizeof(double));
+    assert_memory_equal(&vector->sum, &scalar.sum, sizeof(double));
+    exchange_free(&scalar);
+}
+
+static void assert_near(double found, double expected, double scale)
+{
+    if (!(fabs(found - expected) <= 1e-9 * scale))
+        fail_msg("%.14g is not %.14g", found, expected);
+}
+
+/* ---- Known cases: exchange.csv ---------------------------------------------- */
+
+static void test_spheres(void **state)
+{
+    const double pi = acos(-1);
+    const struct enclosure spheres = {
+        .count = 2,
+        .area = { 4 * pi, 16 * pi },
+        .emissivity = { .8, .5 },
+        .temperature = { 500, 300 },
+        .factors = { 0, 1, 0, .25, .75, 0 },
+    };
+    struct exchange exchange;
+
+    (void)state;
+    solve(&spheres, &exchange);
+    assert_near(exchange.flow[0], 25842.18560027, 25842);
+    assert_near(exchange.flow[1], -25842.18560027, 25842);
+    assert_near(exchange.sum, 0, 25842);
+    exchange_free(&exchange);
+}
+
+static void test_cube(void **state)
+{
+    const double beside = 0.2000437760754, opposite = 1 - 4 * beside;
+    static const double flows[] = { 36940.48878972, -9963.172602644,
+                                    -6744.32904677, -6744.32904677,
+                                    -6744.32904677, -6744.32904677 };
+    struct enclosure cube = { .count = 6 };
+    struct exchange exchange;
+
+    (void)state;
+    for (size_t i = 0; i < 6; i++) {
+        cube.area[i] = 1;
+        cube.emissivity[i] = i == 0 ? .9 : i == 1 ? .5 : .3;
+        cube.temperature[i] = i == 0 ? 1000 : i == 1 ? 500 : 300;
+        for (size_t j = 0; j < 6; j++)
+            cube.factors[7 * i + j] = i == j           ? 0
+                                      : i / 2 == j / 2 ? opposite
+                                                       : beside;
+    }
+    solve(&cube, &exchange);
+    for (size_t i = 0; i < 6; i++)
+        assert_near(exchange.flow[i], flows[i], 36940);
+    assert_near(exchange.sum, 0, 36940);
+    exchange_free(&exchange);
+}
+
+/* Of the tube, a fin and the other one, and what comes out of the opening. */
+static void check_bay(double emissivity, double expected)
+{
+    const double pi = acos(-1), r1 = 1, r2 = 1.8, length = .7;
+    const double tube = 2 * pi * r1 * length;
+    const double fin = pi * (r2 * r2 - r1 * r1), open = 2 * pi * r2 * length;
+    const double to_fin = 0.2905664373995, fin_open = 0.3732069283742;
+    struct enclosure bay = { .count = 3 };
+    struct exchange exchange;
+    double back = to_fin * tube / fin;
+
+    for (size_t i = 0; i < 3; i++) {
+        bay.area[i] = i ? fin : tube;
+        bay.emissivity[i] = emissivity;
+        bay.temperature[i] = 400;
+    }
+    bay.factors[1] = bay.factors[2] = to_fin;
+    bay.factors[3] = 1 - 2 * to_fin;
+    for (size_t i = 1; i < 3; i++) {
+        bay.factors[4 * i] = back;
+        bay.factors[4 * i + 3 - i] = 1 - back - fin_open;
+        bay.factors[4 * i + 3] = fin_open;
+    }
+    solve(&bay, &exchange);
+    assert_near(-exchange.outside / (open * SIGMA * 2.56e10), expected, 1);
+    exchange_free(&exchange);
+}
+
+static void test_finned_bay(void **state)
+{
+    (void)state;
+    check_bay(.5, 0.647282105266);
+    check_bay(1, 0.8961829422213);
+}
+
+/* ---- By chance -------------------------------------------------------------- */
+
+/* Of exchange areas that are alike both ways; of areas, what closes the rows. */
+static void draw(struct enclosure *enclosure, uint64_t *random)
+{
+    size_t n = enclosure->count = (size_t)xorshift_between(random, 1, MOST);
+    double shared[MOST][MOST + 1];
+
+    enclosure->outside = xorshift_real(random, 0, 500);
+    for (size_t i = 0; i < n; i++) {
+        for (size_t j = 0; j <= i; j++)
+            shared[i][j] = shared[j][i] = xorshift(random) % 3
+                                              ? xorshift_real(random, 0, 1)
+                                              : 0;
+        shared[i][n] = xorshift_real(random, .01, 1);
+    }
+    for (size_t i = 0; i < n; i++) {
+        enclosure->area[i] = 0;
+        for (size_t j = 0; j <= n; j++)
+            enclosure->area[i] += shared[i][j];
+        for (size_t j = 0; j <= n; j++)
+            enclosure->factors[i * (n + 1) + j] = shared[i][j]
+                                                  / enclosure->area[i];
+        enclosure->emissivity[i] = xorshift_between(random, 0, 4)
+                                       ? xorshift_real(random, 0, 1)
+                                       : (double)xorshift_between(random, 0,
+                                                                  1);
+        enclosure->temperature[i] = xorshift_real(random, 0, 2000);
+    }
+}
+
+/* Radiosities by elimination with pivots, row by row. */
+static void eliminate(const struct enclosure *enclosure,
+                      long double radiosity[MOST])
+{
+    static long double rows[MOST][MOST + 1];
+    size_t n = enclosure->count;
+
+    for (size_t i = 0; i < n; i++) {
+        const double *factors = enclosure->factors + i * (n + 1);
+        long double e = enclosure->emissivity[i];
+        long double t = enclosure->temperature[i], o = enclosure->outside;
+
+        for (size_t j = 0; j < n; j++)
+            rows[i][j] = (i == j) - (1 - e) * factors[j];
+        rows[i][n] = e * SIGMA * t * t * t * t
+                     + (1 - e) * factors[n] * SIGMA * o * o * o * o;
+    }
+    for (size_t k = 0; k < n; k++) {
+        size_t best = k;
+
+        for (size_t i = k; i < n; i++)
+            if (fabsl(rows[i][k]) > fabsl(rows[best][k]))
+                best = i;
+        for (size_t j = 0; j <= n; j++) {
+            long double other = rows[k][j];
+
+            rows[k][j] = rows[best][j];
+            rows[best][j] = other;
+        }
+        for (size_t i = 0; i < n; i++) {
+            long double times = rows[i][k] / rows[k][k];
+
+            for (size_t j = k; i != k && j <= n; j++)
+                rows[i][j] -= times * rows[k][j];
+        }
+    }
+    for (size_t i = 0; i < n; i++)
+        radiosity[i] = rows[i][n] / rows[i][i];
+}
+
+static void check_enclosure(const struct enclosure *enclosure)
+{
+    size_t n = enclosure->count;
+    long double radiosity[MOST], o = enclosure->outside, all = 0;
+    long double outside = SIGMA * o * o * o * o, out = 0;
+    double scale = SIGMA * 1.6e13;
+    struct exchange exchange;
+
+    eliminate(enclosure, radiosity);
+    solve(enclosure, &exchange);
+    for (size_t i = 0; i < n; i++) {
+        const double *factors = enclosure->factors + i * (n + 1);
+        long double meets = factors[n] * outside, flow;
+
+        for (size_t j = 0; j < n; j++)
+            meets += factors[j] * radiosity[j];
+        flow = enclosure->area[i] * (radiosity[i] - meets);
+        out += enclosure->area[i] * factors[n] * (outside - radiosity[i]);
+        all += enclosure->area[i];
+        assert_near(exchange.radiosity[i], (double)radiosity[i], scale);
+        assert_near(exchange.irradiation[i], (double)meets, scale);
+        assert_near(exchange.flow[i], (double)flow,
+                    scale * enclosure->area[i]);
+        if (enclosure->emissivity[i] == 0)
+            assert_near(exchange.flow[i], 0, scale * enclosure->area[i]);
+    }
+    assert_near(exchange.outside, (double)out, scale * (double)all);
+    assert_near(exchange.sum, 0, 1e-3 * scale * (double)all);
+    exchange_free(&exchange);
+}
+
+static void test_enclosures(void **state)
+{
+    uint64_t random = RANDOM_SEED + 17;
+
+    (void)state;
+    for (int i = 0; i < 40; i++) {
+        struct enclosure enclosure;
+
+        draw(&enclosure, &random);
+        check_enclosure(&enclosure);
+    }
+}
+
+/* ---- What is refused ---------------------------------------------------------- */
+
+static void refuses(const struct enclosure *enclosure, const char *message)
+{
+    struct exchange exchange;
+    c205_error error = { "" };
+
+    for (int mode = 0; mode < TRACE_FORMS; mode++) {
+        const struct exchange_given given = given_of(enclosure,
+                                                     (enum trace_mode)mode);
+
+        assert_false(exchange_find(&given, &exchange, &error));
+        if (!strstr(error.message, message))
+            fail_msg("%s: %s", message, error.message);
+    }
+}
+
+static void test_refused(void **state)
+{
+    const struct enclosure pair = { .count = 2,
+                                    .area = { 1, 1 },
+                                    .emissivity = { .5, .5 },
+                                    .temperature = { 300, 400 },
+                                    .factors = { 0, 1, 0, 1, 0, 0 } };
+    struct enclosure other = pair;
+
+    (void)state;
+    other.emissivity[0] = other.emissivity[1] = 0;
+    refuses(&other, "the exchange has no solution: surface 2 is of some that "
+                    "are adiabatic");
+    other = pair;
+    other.emissivity[1] = 1.25;
+    refuses(&other, "the emissivity 1.25 of surface 2 is not 0 to 1");
+    other.emissivity[1] = NAN;
+    refuses(&other, "of surface 2 is not 0 to 1");
+    other = pair;
+    other.temperature[0] = NAN;
+    refuses(&other, "surface 1 has no temperature");
+    other = pair;
+    other.area[1] = 0;
+    refuses(&other, "surface 2 has no area");
+    other = pair;
+    other.outside = -1;
+    refuses(&other, "the environment has no temperature");
+    other.count = 0;
+    refuses(&other, "0 surfaces: 1 .. 4096 exchange");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_spheres),    cmocka_unit_test(test_cube),
+        cmocka_unit_test(test_finned_bay), cmocka_unit_test(test_enclosures),
+        cmocka_unit_test(test_refused),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
