@@ -566,7 +566,7 @@ for mode in scalar vector; do
 done
 cmp -s scalar.factors vector.factors
 verdict $? "scalar and vector form find other factors"
-tells out "^    *1  environment  0\.[34]"
+tells out "^1 *environment  0\.[34]"
 ends 0 "$build/rt205" heat bay.pov --rays 64 --points random --seed 7 --json heat.json
 tells heat.json "\"factors\""
 echo "plane { y, -1 } sphere { 0, 1 }" >floor.pov
@@ -577,8 +577,35 @@ ends 2 "$build/rt205" heat bay.pov --rays 65536
 ends 2 "$build/rt205" heat bay.pov --repeats 1
 ends 2 "$build/rt205" heat bay.pov --points square
 ends 2 "$build/rt205" heat bay.pov --mode kernels
+ends 2 "$build/rt205" heat bay.pov --by line
 ends 2 "$build/rt205" heat
 ends 1 "$build/rt205" heat missing.pov
+
+cat >shell.pov <<'END'
+#declare Ball = sphere { 0, 1 }
+#declare Shell = difference { sphere { 0, 2.5 } sphere { 0, 2 } }
+#declare Ball_Temperature = 500;
+object { Ball } object { Shell }
+END
+heat="heat shell.pov --by part --rays 64 --repeats 4 --exchange"
+ends 0 "$build/rt205" $heat --temperature Shell=300 --emissivity Ball=.5 --json heat.json
+tells out "^Ball  *0\.500  500\.0"
+tells out "^all  *-*[0-9]"
+tells heat.json "\"flows\""
+ends 0 "$build/rt205" $heat --temperature Shell=adiabatic --temperature environment=20
+ends 1 "$build/rt205" $heat
+tells err "no temperature is known of: Shell; --temperature NAME=KELVINS, or default=300"
+ends 1 "$build/rt205" $heat --temperature Lid=3
+tells err "no part and no material is called 'Lid'; parts: Ball, Shell"
+ends 1 "$build/rt205" $heat --temperature Shell=-3
+tells err "a temperature is NAME=VALUE with a value not below 0, not 'Shell=-3'"
+ends 1 "$build/rt205" $heat --temperature Shell=3 --emissivity Shell=1.5
+tells err "an emissivity is NAME=VALUE with a value 0 to 1"
+ends 1 "$build/rt205" heat floor.pov --rays 64 --exchange --temperature default=300
+tells err "surface 1, the plane of line 1, receives alone"
+echo "camera { location -5*z }" >nothing.pov
+ends 1 "$build/rt205" heat nothing.pov
+tells err "the scene has no surfaces"
 
 # masses
 cat >parts.pov <<'END'

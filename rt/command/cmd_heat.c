@@ -1,44 +1,35 @@
-/* cmd_heat.c - rt205 heat: shape factors between the surfaces of a scene. */
+/* cmd_heat.c - rt205 heat: shape factors between the surfaces of a scene, and what these
+ * exchange. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
-#include "rt/heat/factors.h"
+#include "rt/heat/thermal.h"
 
-static const struct table_column area_columns[] = {
-    { "surface", "surface", TABLE_COUNT, 0 },
-    { "kind", "kind", TABLE_TEXT, 0 },
-    { "line", "line", TABLE_COUNT, 0 },
-    { "area", "area", TABLE_NUMBER, 6 },
-    { "area_error", "+-", TABLE_NUMBER, 6 },
-    { "points", "points", TABLE_COUNT, 0 },
-    { "rays", "rays", TABLE_COUNT, 0 },
-};
-
-static const struct table_column factor_columns[] = {
-    { "from", "from", TABLE_COUNT, 0 },
-    { "to", "to", TABLE_TEXT, 0 },
-    { "factor", "factor", TABLE_NUMBER, 6 },
-    { "factor_error", "+-", TABLE_NUMBER, 6 },
-    { "rays", "rays", TABLE_COUNT, 0 },
-    { "back", "A F - A' F', sigmas", TABLE_NUMBER, 2 },
-};
-
-/* All rows of a scene; one that has no emission has no counts. */
+/* All that is found of a scene. */
 struct heat {
     const struct rt205_arguments *arguments;
     const struct scene *scene;
-    struct factor_row *rows;
+    struct named_parts parts;
+    struct surfaces surfaces;
+    struct given_values emissivities, temperatures;
+    struct factor_row
+        *rows; /* of the primitives; one that has no emission has no
+                                counts */
+    struct thermal thermal;
     struct accounts accounts;
+    c205_error error;
 };
 
 /* ---- The work ------------------------------------------------------------- */
 
-static struct factors_options
-factors_options(const struct rt205_arguments *arguments)
+static struct factors_options factors_options(const struct heat *heat)
 {
+    const struct rt205_arguments *arguments = heat->arguments;
+
     return (struct factors_options){
         .mode = arguments->trace.mode,
         .queue = arguments->trace.queue,
@@ -47,6 +38,8 @@ factors_options(const struct rt205_arguments *arguments)
         .lattice = arguments->heat.points == 0,
         .seed = arguments->heat.seed,
         .jobs = arguments->trace.jobs,
+        .receiver_of = heat->surfaces.surface_of,
+        .receivers = heat->surfaces.count,
         .model = arguments->trace.model,
     };
 }
@@ -61,7 +54,7 @@ static bool go_on(const struct heat *heat, size_t done)
 }
 
 static bool find_row(struct heat *heat, const struct factors *factors,
-                     size_t i, c205_error *error)
+                     size_t i)
 {
     const struct primitive *primitive = &heat->scene->primitives[i];
     const char *refusal = emission_refusal(primitive);
@@ -72,102 +65,206 @@ static bool find_row(struct heat *heat, const struct factors *factors,
                 primitive_kind_name(primitive->kind), refusal);
         return true;
     }
-    return factors_find(factors, i, &heat->rows[i], error)
+    return factors_find(factors, i, &heat->rows[i], &heat->error)
            && accounts_add_all(&heat->accounts, &heat->rows[i].accounts);
 }
 
-static bool find_rows(struct heat *heat, c205_error *error)
+static bool find_rows(struct heat *heat)
 {
-    struct factors_options options = factors_options(heat->arguments);
-    struct factors *factors = factors_new(heat->scene, &options, error);
+    struct factors_options options = factors_options(heat);
+    struct factors *factors = factors_new(heat->scene, &options,
+                                          &heat->error);
     bool good = factors != NULL;
 
     for (size_t i = 0; good && i < heat->scene->primitive_count; i++) {
-        good = find_row(heat, factors, i, error);
+        good = find_row(heat, factors, i);
         if (good && !go_on(heat, i + 1)) {
-            snprintf(error->message, sizeof error->message,
-                     "stopped after %zu of %zu surfaces", i + 1,
-                     heat->scene->primitive_count);
-            good = false;
+            good = error_say(&heat->error,
+                             "stopped after %zu of %zu surfaces", i + 1,
+                             heat->scene->primitive_count);
         }
     }
     factors_free(factors);
     return good;
 }
 
+/* ---- What is given ---------------------------------------------------------- */
+
+static bool take_given(struct heat *heat, struct given_values *given,
+                       const struct value_kind *kind,
+                       const struct command_texts *texts, const char *besides)
+{
+    bool good = true;
+
+    given_begin(given, kind);
+    for (size_t i = 0; good && i < texts->count; i++)
+        good = given_add(given, texts->items[i], &heat->error);
+    return good && given_check(given, &heat->parts, besides, &heat->error)
+           && given_add_scene(given, heat->scene, &heat->error);
+}
+
+static bool begin(struct heat *heat)
+{
+    const struct cmd_heat *wishes = &heat->arguments->heat;
+
+    if (!named_parts_find(heat->scene, &heat->parts)
+        || !surfaces_find(heat->scene, &heat->parts,
+                          (enum surfaces_by)wishes->by, &heat->surfaces))
+        return error_say(&heat->error, "no memory");
+    if (heat->scene->primitive_count == 0)
+        return error_say(&heat->error, "the scene has no surfaces");
+    return take_given(heat, &heat->emissivities, &emissivity_kind,
+                      &wishes->emissivities, NULL)
+           && take_given(heat, &heat->temperatures, &temperature_kind,
+                         &wishes->temperatures, thermal_environment);
+}
+
+static bool find_exchange(struct heat *heat)
+{
+    const struct trace_options *trace = &heat->arguments->trace;
+
+    if (!heat->arguments->heat.exchange)
+        return true;
+    return thermal_find(&heat->surfaces, &heat->parts, &heat->emissivities,
+                        &heat->temperatures, trace->mode, trace->model,
+                        &heat->thermal, &heat->error)
+           && (accounts_add_all(&heat->accounts,
+                                &heat->thermal.exchange.accounts)
+               || error_say(&heat->error, "no memory"));
+}
+
+/* ---- Tables ----------------------------------------------------------------- */
+
+static const struct table_column area_columns[] = {
+    { "surface", "surface", TABLE_TEXT, 0 },
+    { "kind", "kind", TABLE_TEXT, 0 },
+    { "line", "line", TABLE_COUNT, 0 },
+    { "area", "area", TABLE_NUMBER, 6 },
+    { "area_error", "+-", TABLE_NUMBER, 6 },
+    { "points", "points", TABLE_COUNT, 0 },
+    { "rays", "rays", TABLE_COUNT, 0 },
+};
+static const struct table_column factor_columns[] = {
+    { "from", "from", TABLE_TEXT, 0 },
+    { "to", "to", TABLE_TEXT, 0 },
+    { "factor", "factor", TABLE_NUMBER, 6 },
+    { "factor_error", "+-", TABLE_NUMBER, 6 },
+    { "rays", "rays", TABLE_COUNT, 0 },
+    { "back", "A F - A' F', sigmas", TABLE_NUMBER, 2 },
+};
+static const struct table_column flow_columns[] = {
+    { "surface", "surface", TABLE_TEXT, 0 },
+    { "emissivity", "emissivity", TABLE_NUMBER, 3 },
+    { "temperature", "K", TABLE_NUMBER, 1 },
+    { "radiosity", "J, W/m^2", TABLE_NUMBER, 3 },
+    { "irradiation", "H, W/m^2", TABLE_NUMBER, 3 },
+    { "flow", "loses, W", TABLE_NUMBER, 3 },
+};
+
+/* Of a part or a material the kind and the line are those of its first primitive. */
+static struct table *table_of_areas(const struct heat *heat)
+{
+    struct table *table = table_new(TABLE_COLUMNS(area_columns));
+
+    for (size_t i = 0; table && i < heat->surfaces.count; i++) {
+        const struct surface *surface = &heat->surfaces.list[i];
+
+        if (surface->tried == 0)
+            continue;
+        table_text(table, surface->name);
+        table_text(table, primitive_kind_name(surface->first->kind));
+        table_count(table, surface->first->line);
+        table_number(table, surface->area.value);
+        table_number(table, surface->area.error);
+        table_count(table, surface->tried);
+        table_count(table, surface->sent);
+    }
+    return table;
+}
+
+static const char *receiver_name(const struct surfaces *surfaces, size_t j)
+{
+    return j == surfaces->count ? thermal_environment
+                                : surfaces->list[j].name;
+}
+
+static struct table *table_of_factors(const struct surfaces *surfaces)
+{
+    struct table *table = table_new(TABLE_COLUMNS(factor_columns));
+
+    for (size_t i = 0; table && i < surfaces->count; i++)
+        for (size_t j = 0; j <= surfaces->count; j++) {
+            const struct surface *surface = &surfaces->list[i];
+
+            if (surface->count[j] == 0)
+                continue;
+            table_text(table, surface->name);
+            table_text(table, receiver_name(surfaces, j));
+            table_number(table, surface->factor[j].value);
+            table_number(table, surface->factor[j].error);
+            table_count(table, surface->count[j]);
+            table_number(table, surfaces_reciprocity(surfaces, i, j));
+        }
+    return table;
+}
+
+static void add_flow(struct table *table, const char *name, double emissivity,
+                     double temperature, double flow)
+{
+    table_text(table, name);
+    table_number(table, emissivity);
+    table_number(table, temperature);
+    table_number(table, NAN);
+    table_number(table, NAN);
+    table_number(table, flow);
+}
+
+/* Then that of the environment, and of all together. */
+static struct table *table_of_flows(const struct heat *heat)
+{
+    const struct thermal *thermal = &heat->thermal;
+    const struct exchange *exchange = &thermal->exchange;
+    struct table *table = table_new(TABLE_COLUMNS(flow_columns));
+
+    for (size_t i = 0; table && i < thermal->count; i++) {
+        table_text(table, heat->surfaces.list[thermal->surface[i]].name);
+        table_number(table, thermal->emissivity[i]);
+        table_number(table, thermal->temperature[i]);
+        table_number(table, exchange->radiosity[i]);
+        table_number(table, exchange->irradiation[i]);
+        table_number(table, exchange->flow[i]);
+    }
+    if (table) {
+        add_flow(table, thermal_environment, 1, thermal->outside,
+                 exchange->outside);
+        add_flow(table, "all", NAN, NAN, exchange->sum);
+    }
+    return table;
+}
+
 /* ---- What is told ----------------------------------------------------------- */
 
-static void add_area(struct table *table, const struct heat *heat, size_t i)
+/* A table that nobody needs after that. */
+static bool tell_part(const struct results *results, struct table *table,
+                      const char *key, const char *heading)
 {
-    const struct primitive *primitive = &heat->scene->primitives[i];
-    const struct factor_row *row = &heat->rows[i];
+    bool good = table && results_part(results, table, key, heading);
 
-    table_count(table, i + 1);
-    table_text(table, primitive_kind_name(primitive->kind));
-    table_count(table, primitive->line);
-    table_number(table, row->area.value);
-    table_number(table, row->area.error);
-    table_count(table, row->tried);
-    table_count(table, row->sent);
-}
-
-/* By how many standard errors A F from i to j differs from that back. */
-static double reciprocity(const struct heat *heat, size_t i, size_t j)
-{
-    const struct factor_row *from = &heat->rows[i];
-    const struct factor_row *to = &heat->rows[j];
-    double there, back, error;
-
-    if (i == j || j == heat->scene->primitive_count || to->receivers == 0)
-        return NAN;
-    there = from->area.value * from->factor[j].value;
-    back = to->area.value * to->factor[i].value;
-    error = hypot(from->area.value * from->factor[j].error,
-                  to->area.value * to->factor[i].error);
-    return error > 0 ? (there - back) / error : NAN;
-}
-
-static void add_factor(struct table *table, const struct heat *heat, size_t i,
-                       size_t j)
-{
-    const struct factor_row *row = &heat->rows[i];
-    char text[24];
-
-    if (row->count[j] == 0)
-        return;
-    snprintf(text, sizeof text, "%zu", j + 1);
-    table_count(table, i + 1);
-    table_text(table,
-               j == heat->scene->primitive_count ? "environment" : text);
-    table_number(table, row->factor[j].value);
-    table_number(table, row->factor[j].error);
-    table_count(table, row->count[j]);
-    table_number(table, reciprocity(heat, i, j));
+    table_free(table);
+    return good;
 }
 
 static bool tell_tables(const struct heat *heat,
                         const struct results *results)
 {
-    struct table *areas = table_new(TABLE_COLUMNS(area_columns));
-    struct table *factors = table_new(TABLE_COLUMNS(factor_columns));
-    struct table *clocks = accounts_of_run(&heat->accounts);
-    bool good = areas && factors && clocks;
-
-    for (size_t i = 0; good && i < heat->scene->primitive_count; i++) {
-        if (heat->rows[i].receivers > 0)
-            add_area(areas, heat, i);
-        for (size_t j = 0; j < heat->rows[i].receivers; j++)
-            add_factor(factors, heat, i, j);
-    }
-    good = good
-           && results_part(results, areas, "areas", "Areas that are seen")
-           && results_part(results, factors, "factors", "Factors")
-           && results_part(results, clocks, "clocks",
-                           "Where the clocks went");
-    table_free(areas);
-    table_free(factors);
-    table_free(clocks);
-    return good;
+    return tell_part(results, table_of_areas(heat), "areas",
+                     "Areas that are seen")
+           && tell_part(results, table_of_factors(&heat->surfaces), "factors",
+                        "Factors")
+           && (!heat->arguments->heat.exchange
+               || tell_part(results, table_of_flows(heat), "flows", "Flows"))
+           && tell_part(results, accounts_of_run(&heat->accounts), "clocks",
+                        "Where the clocks went");
 }
 
 static bool tell(const struct heat *heat, const struct results *results)
@@ -176,7 +273,7 @@ static bool tell(const struct heat *heat, const struct results *results)
     struct json *json = results->json;
 
     results_say(results,
-                "%s: %zu repeats of %zu points of each surface, %s\n",
+                "%s: %zu repeats of %zu points of each primitive, %s\n",
                 arguments->scene, arguments->heat.repeats,
                 arguments->heat.rays,
                 arguments->heat.points == 0 ? "of the lattice" : "random");
@@ -193,36 +290,47 @@ static bool tell(const struct heat *heat, const struct results *results)
 
 /* ---- The command -------------------------------------------------------------- */
 
-static bool find_and_tell(struct heat *heat, const struct results *results,
-                          c205_error *error)
+static bool find_all(struct heat *heat)
 {
-    size_t count = heat->scene->primitive_count;
-    bool good;
+    heat->rows = calloc(heat->scene->primitive_count + 1, sizeof *heat->rows);
+    if (!heat->rows)
+        return error_say(&heat->error, "no memory");
+    if (!begin(heat) || !find_rows(heat))
+        return false;
+    surfaces_combine(&heat->surfaces, heat->rows);
+    return find_exchange(heat);
+}
 
-    heat->rows = calloc(count + 1, sizeof *heat->rows);
-    good = heat->rows && find_rows(heat, error) && tell(heat, results);
-    for (size_t i = 0; heat->rows && i < count; i++)
+static void forget(struct heat *heat)
+{
+    for (size_t i = 0; heat->rows && i < heat->scene->primitive_count; i++)
         factor_row_free(&heat->rows[i]);
     free(heat->rows);
+    thermal_free(&heat->thermal);
+    given_free(&heat->emissivities);
+    given_free(&heat->temperatures);
+    surfaces_free(&heat->surfaces);
+    named_parts_free(&heat->parts);
     accounts_free(&heat->accounts);
-    return good;
 }
 
 static int run(const struct rt205_arguments *arguments,
                const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
-    struct heat heat = { .arguments = arguments, .scene = scene };
-    c205_error error = { "no memory" };
+    struct heat heat = { .arguments = arguments,
+                         .scene = scene,
+                         .accounts = { .model = arguments->trace.model } };
     bool good;
 
     if (!scene)
         return CMD_FAILED;
-    heat.accounts.model = arguments->trace.model;
-    good = find_and_tell(&heat, results, &error);
+    good = find_all(&heat)
+           && (tell(&heat, results) || error_say(&heat.error, "no memory"));
+    forget(&heat);
     scene_free(scene);
     return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+                : cmd_failed(arguments->command, "%s", heat.error.message);
 }
 
 static int run_command_line(void *given)
@@ -240,7 +348,41 @@ static const char *points_choice(size_t number)
     return number < 2 ? names[number] : NULL;
 }
 
+static const char *by_choice(size_t number)
+{
+    static const char *const names[SURFACES_BY] = {
+        [BY_PRIMITIVE] = "primitive",
+        [BY_PART] = "part",
+        [BY_MATERIAL] = "material",
+    };
+
+    return number < SURFACES_BY ? names[number] : NULL;
+}
+
 static const struct command_option options[] = {
+    { .name = "by",
+      .value = "WHAT",
+      .kind = COMMAND_CHOICE,
+      .offset = CMD_PLACE(heat.by),
+      .choice = by_choice,
+      .help = "what the surfaces are" },
+    CMD_FLAG(
+        "exchange", heat.exchange,
+        "also what they lose, of grey diffuse surfaces; lengths are metres"),
+    { .name = "temperature",
+      .value = "NAME=KELVINS",
+      .kind = COMMAND_TEXT,
+      .many = true,
+      .offset = CMD_PLACE(heat.temperatures),
+      .help =
+          "of a part or a material, or adiabatic; of the environment (0); "
+          "default: of all that have none" },
+    { .name = "emissivity",
+      .value = "NAME=SHARE",
+      .kind = COMMAND_TEXT,
+      .many = true,
+      .offset = CMD_PLACE(heat.emissivities),
+      .help = "of a part or a material; of all others 1" },
     { CMD_COUNT("rays", heat.rays, 1, EMISSION_MOST, 1024,
                 "points of a surface in each repeat, and rays of those that "
                 "are seen") },
@@ -263,6 +405,13 @@ static const struct command_option options[] = {
     COMMAND_END
 };
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+static const struct command_example examples[] = {
+    { "rt205 heat SCENE --by part --rays 4096", "factors between its parts" },
+    { "rt205 heat SCENE --by part --exchange --temperature default=300 "
+      "--temperature Tube=450",
+      "and what they exchange" },
+    { NULL, NULL }
+};
 
 const struct command heat_command = {
     .name = "heat",
@@ -270,7 +419,10 @@ const struct command heat_command = {
     .function = run_command_line,
     .options = options,
     .operands = operands,
-    .details = "Surfaces are the scene's primitives, in its order. Each "
-               "radiates on its outward side, where it is seen; what its "
-               "rays meet first receives them. Errors are standard errors.",
+    .examples = examples,
+    .details =
+        "Each primitive radiates on its outward side, where it is seen; what "
+        "its rays meet first receives them. Errors are standard errors. "
+        "Floats NAME_Temperature and NAME_Emissivity of the scene are "
+        "those of NAME; options come first.",
 };

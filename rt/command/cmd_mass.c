@@ -25,7 +25,7 @@ struct mass_work {
     const struct rt205_arguments *arguments;
     const struct scene *scene;
     struct scene bodies; /* what is measured of it */
-    struct scene_parts parts;
+    struct named_parts parts;
     struct overlaps overlaps; /* of bodies, if they are asked */
     size_t row_count;
     struct mass_row *rows;
@@ -77,7 +77,7 @@ static bool weigh_parts(struct mass_work *work)
 }
 
 static const char *row_name(const struct mass_work *work,
-                            const struct scene_part *part)
+                            const struct named_part *part)
 {
     if (work->arguments->mass.by == BY_PART)
         return part->name;
@@ -109,7 +109,7 @@ static bool make_rows(struct mass_work *work)
     if (!work->rows || !work->densities)
         return false;
     for (size_t i = 0; i < count; i++) {
-        const struct scene_part *part = &work->parts.list[i];
+        const struct named_part *part = &work->parts.list[i];
 
         if (part->left_out)
             continue;
@@ -444,7 +444,7 @@ static int tell(const struct mass_work *work, const struct results *results)
 static void warn_of_endless(const struct mass_work *work)
 {
     for (size_t i = 0; i < work->parts.count; i++) {
-        const struct scene_part *part = &work->parts.list[i];
+        const struct named_part *part = &work->parts.list[i];
 
         if (part->endless && part->left_out
             && work->arguments->mass.parts.count == 0)
@@ -457,9 +457,9 @@ static bool choose_parts(struct mass_work *work)
 {
     const struct command_texts *names = &work->arguments->mass.parts;
 
-    if (!scene_parts_find(work->scene, &work->parts)
+    if (!named_parts_find(work->scene, &work->parts)
         || !bodies_find_endless(work->scene, &work->parts)
-        || !scene_parts_choose(&work->parts, names->items, names->count,
+        || !named_parts_choose(&work->parts, names->items, names->count,
                                &work->error))
         return false;
     warn_of_endless(work);
@@ -486,7 +486,7 @@ static int work_on(const struct rt205_arguments *arguments,
     columns_sums_free(&work.sums);
     overlaps_free(&work.overlaps);
     bodies_free(&work.bodies);
-    scene_parts_free(&work.parts);
+    named_parts_free(&work.parts);
     free(work.rows);
     free(work.weights);
     free(work.densities);

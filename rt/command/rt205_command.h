@@ -37,6 +37,15 @@ struct cmd_mass {
     struct mass_units units;
 };
 
+/* What is asked of radiant heat. */
+struct cmd_heat {
+    size_t rays, repeats, seed;
+    int points; /* 0: of the lattice, 1: random */
+    int by;
+    bool exchange;
+    struct command_texts emissivities, temperatures; /* NAME=VALUE */
+};
+
 struct rt205_arguments {
     const char *command;
     const char *scene;  /* the file to work on, or NULL; of a sweep
@@ -55,10 +64,7 @@ struct rt205_arguments {
     bool details, passes; /* of the speedup table; the passes are the root
                              solver's, one by one */
     bool formulations;    /* of the cylinder, in place of that table */
-    struct {
-        size_t rays, repeats, seed;
-        int points; /* 0: of the lattice, 1: random */
-    } heat;
+    struct cmd_heat heat;
     int falsi; /* the rule; FALSI_RULES: all of them, compared */
     struct cmd_mass mass;
     struct progress progress;

@@ -24,11 +24,12 @@ struct factors {
 /* ---- To begin ------------------------------------------------------------- */
 
 static struct lines *begin_lines(const struct factors *factors, double behind,
-                                 c205_error *error)
+                                 bool bodies, c205_error *error)
 {
     const struct lines_options options = { .mode = factors->options.mode,
                                            .queue = factors->options.queue,
                                            .behind = behind,
+                                           .bodies = bodies,
                                            .model = factors->options.model };
 
     return lines_new(factors->scene, &options, error);
@@ -47,10 +48,10 @@ static struct object *assemble(const struct factors *factors,
 
 static bool prepare(struct factors *factors, c205_error *error)
 {
-    factors->normals = begin_lines(factors, below, error);
+    factors->normals = begin_lines(factors, below, false, error);
     if (!factors->normals)
         return false;
-    factors->rays = begin_lines(factors, 0, error);
+    factors->rays = begin_lines(factors, 0, true, error);
     if (!factors->rays)
         return false;
     factors->faces = assemble(factors, "faces", error);
@@ -98,8 +99,8 @@ void factors_free(struct factors *factors)
 
 /* One repeat of an emitter: what its rays come to, and what that took. */
 struct packet {
-    uint64_t sent;
-    c205_word *sums; /* of weights, by receiver, then of all */
+    uint64_t stay;   /* points on faces */
+    c205_word *sums; /* of weights, by receiver, of what is covered, of all */
     c205_word *counts;
     struct accounts accounts;
 };
@@ -117,7 +118,11 @@ struct packet_run {
 
 static size_t receiver_count(const struct factors *factors)
 {
-    return factors->scene->primitive_count + 1;
+    const struct factors_options *options = &factors->options;
+
+    return 1
+           + (options->receiver_of ? options->receivers
+                                   : factors->scene->primitive_count);
 }
 
 /* Each primitive has shifts, or rays, of its own. */
@@ -166,7 +171,7 @@ static void begin_run(const struct packet_run *packet,
 }
 
 /* The planes of a crossing, as in faces.s. */
-enum { FACE_DISTANCE, FACE_PRIMITIVE, FACE_POINT, FACE_PLANES };
+enum { FACE_DISTANCE, FACE_PRIMITIVE, FACE_POINT, FACE_SENSE, FACE_PLANES };
 
 static c205_word *lay_crossings(const struct seen_crossings *found)
 {
@@ -181,6 +186,8 @@ static c205_word *lay_crossings(const struct seen_crossings *found)
             planes[FACE_PRIMITIVE * count + i] = c205_from_integer(
                 (int64_t)seen->primitive);
             planes[FACE_POINT * count + i] = c205_from_integer((int64_t)line);
+            planes[FACE_SENSE * count + i] = c205_from_integer(seen->sense
+                                                               + 2);
         }
     return planes;
 }
@@ -204,7 +211,7 @@ static bool run_faces(const struct packet_run *packet, const c205_word *list,
     single_run_room(&run, "faces_kept", NULL, points);
     if (!single_run_end(&run, made, packet->stays, words + 1, &clocks))
         return false;
-    packet->packet->sent = (uint64_t)c205_to_integer(packet->stays[words]);
+    packet->packet->stay = (uint64_t)c205_to_integer(packet->stays[words]);
     return true;
 }
 
@@ -227,7 +234,24 @@ static bool keep_faces(const struct packet_run *packet)
     return good;
 }
 
-/* Of each ray, what it meets first; of one that meets nothing, the environment. */
+/* A line that leaves more bodies than it comes into began within one. */
+static bool begins_within(const struct seen_crossings *found, size_t line)
+{
+    for (size_t k = found->first[line]; k < found->first[line + 1]; k++)
+        if (found->list[k].within < 0)
+            return true;
+    return false;
+}
+
+static size_t receiver_of(const struct factors *factors, size_t primitive)
+{
+    const size_t *receivers = factors->options.receiver_of;
+
+    return receivers ? receivers[primitive] : primitive;
+}
+
+/* Of each ray, what it meets first; of one that meets nothing, the environment; of one from
+ * a point that another body covers, nothing: the place behind the environment. */
 static void list_receivers(const struct packet_run *packet,
                            const struct seen_crossings *found,
                            c205_word *list)
@@ -235,12 +259,14 @@ static void list_receivers(const struct packet_run *packet,
     size_t environment = receiver_count(packet->factors) - 1;
 
     for (size_t i = 0; i < found->line_count; i++) {
-        size_t first = found->first[i];
+        size_t first = found->first[i], receiver = environment;
 
-        list[i] = c205_from_integer(
-            first < found->first[i + 1]
-                ? (int64_t)found->list[first].primitive
-                : (int64_t)environment);
+        if (begins_within(found, i))
+            receiver = environment + 1;
+        else if (first < found->first[i + 1])
+            receiver = receiver_of(packet->factors,
+                                   found->list[first].primitive);
+        list[i] = c205_from_integer((int64_t)receiver);
     }
 }
 
@@ -248,9 +274,9 @@ static bool run_received(const struct packet_run *packet,
                          const c205_word *list)
 {
     const struct packet *made = packet->packet;
-    size_t rays = (size_t)made->sent,
+    size_t rays = (size_t)made->stay,
            points = packet->factors->options.points;
-    size_t receivers = receiver_count(packet->factors);
+    size_t receivers = receiver_count(packet->factors) + 1;
     struct single_run run;
     uint64_t sums, clocks = 0;
 
@@ -271,7 +297,7 @@ static bool run_received(const struct packet_run *packet,
 /* The weights of rays go to what these meet first. */
 static bool receive(const struct packet_run *packet)
 {
-    size_t rays = (size_t)packet->packet->sent;
+    size_t rays = (size_t)packet->packet->stay;
     struct seen_crossings found = { 0 };
     c205_word *list;
     bool good;
@@ -316,13 +342,13 @@ struct packets {
     const struct emission *emission;
     size_t primitive, receivers;
     struct packet *list;
-    c205_word *words; /* of all, 2 receivers + 1 each */
+    c205_word *words; /* of all */
 };
 
 static bool packets_begin(struct packets *packets)
 {
     const struct factors_options *options = &packets->factors->options;
-    size_t width = 2 * packets->receivers + 1;
+    size_t width = 2 * packets->receivers + 3;
 
     packets->list = calloc(options->repeats, sizeof *packets->list);
     packets->words = calloc(options->repeats * width, sizeof *packets->words);
@@ -331,7 +357,7 @@ static bool packets_begin(struct packets *packets)
     for (size_t i = 0; i < options->repeats; i++)
         packets->list[i] = (struct packet){
             .sums = packets->words + i * width,
-            .counts = packets->words + i * width + packets->receivers + 1,
+            .counts = packets->words + i * width + packets->receivers + 2,
             .accounts = { .model = options->model },
         };
     return true;
@@ -381,13 +407,28 @@ static double error_of(double squares, size_t count)
     return sqrt(squares / (n * (n - 1)));
 }
 
-/* Of a repeat, the mean over its points of what a receiver gets; behind the last
- * receiver, of all weights, which is the area. */
+/* Of a repeat, the mean over its points of what a receiver gets. */
 static double share_of(const struct packets *packets, size_t repeat,
                        size_t receiver)
 {
     return c205_to_double(packets->list[repeat].sums[receiver])
            / (double)packets->factors->options.points;
+}
+
+/* .. of all but what is covered. */
+static double area_in(const struct packets *packets, size_t repeat)
+{
+    return share_of(packets, repeat, packets->receivers + 1)
+           - share_of(packets, repeat, packets->receivers);
+}
+
+static double sum_of_areas(const struct packets *packets)
+{
+    double sum = 0;
+
+    for (size_t k = 0; k < packets->factors->options.repeats; k++)
+        sum += area_in(packets, k);
+    return sum;
 }
 
 static double sum_of(const struct packets *packets, size_t receiver)
@@ -402,11 +443,11 @@ static double sum_of(const struct packets *packets, size_t receiver)
 static struct estimate area_of(const struct packets *packets)
 {
     size_t count = packets->factors->options.repeats;
-    double mean = sum_of(packets, packets->receivers) / (double)count;
+    double mean = sum_of_areas(packets) / (double)count;
     double squares = 0;
 
     for (size_t k = 0; k < count; k++) {
-        double beside = share_of(packets, k, packets->receivers) - mean;
+        double beside = area_in(packets, k) - mean;
         squares += beside * beside;
     }
     return (struct estimate){ mean, error_of(squares, count) };
@@ -417,12 +458,12 @@ static struct estimate factor_of(const struct packets *packets,
                                  size_t receiver)
 {
     size_t count = packets->factors->options.repeats;
-    double area = sum_of(packets, packets->receivers);
+    double area = sum_of_areas(packets);
     double factor = sum_of(packets, receiver) / area, squares = 0;
 
     for (size_t k = 0; k < count; k++) {
         double beside = share_of(packets, k, receiver)
-                        - factor * share_of(packets, k, packets->receivers);
+                        - factor * area_in(packets, k);
         squares += beside * beside;
     }
     return (struct estimate){ factor, error_of(squares, count) * (double)count
@@ -438,13 +479,15 @@ static bool conclude(const struct packets *packets, struct factor_row *row)
         const struct packet *packet = &packets->list[k];
 
         row->tried += options->points;
-        row->sent += packet->sent;
+        row->sent += packet->stay
+                     - (uint64_t)c205_to_integer(
+                         packet->counts[row->receivers]);
         for (size_t j = 0; j < row->receivers; j++)
             row->count[j] += (uint64_t)c205_to_integer(packet->counts[j]);
         good = accounts_add_all(&row->accounts, &packet->accounts);
     }
     row->area = area_of(packets);
-    for (size_t j = 0; j < row->receivers && row->area.value > 0; j++)
+    for (size_t j = 0; j < row->receivers && row->sent > 0; j++)
         row->factor[j] = factor_of(packets, j);
     return good;
 }

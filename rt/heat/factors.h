@@ -2,8 +2,9 @@
  * and the areas of what is seen of it.
  *
  * A point that emission makes stays if the surface is seen there, that is if
- * its region has another value before it than behind it; of the points that
- * stay one ray goes out each, and what it meets first receives it.  Points, rays and
+ * its region has another value before it than behind it, and no other
+ * body covers it; of the points that stay one ray goes out each, and what it meets first
+ * receives it.  Points, rays and
  * all that is seen along them are the machine's, and so are which points stay, and the
  * counts and sums of weights by receiver: packet by packet, one of each repeat, in machines
  * of its own.  They do not depend on the form, the queue or the jobs; of the few sums the
@@ -25,7 +26,11 @@ struct factors_options {
     size_t repeats;       /* 2 or more: their spread gives the errors */
     bool lattice;         /* .. under independent shifts; else random */
     uint64_t seed;
-    size_t jobs;             /* repeats at a time; 0: one */
+    size_t jobs; /* repeats at a time; 0: one */
+    /* What receives as one: of each of the scene's primitives a number, below so many;
+     * NULL: each for itself. */
+    const size_t *receiver_of;
+    size_t receivers;
     const c205_model *model; /* must outlive the factors */
 };
 
@@ -36,11 +41,11 @@ struct estimate {
 
 /* Of one emitter. */
 struct factor_row {
-    struct estimate area;    /* seen of it, in the world */
-    uint64_t tried, sent;    /* points, and the rays of those that stayed */
-    size_t receivers;        /* the scene's primitives, and the environment */
-    uint64_t *count;         /* of rays, by receiver; their sum is sent */
-    struct estimate *factor; /* .. as a share of the area; their sum is 1 */
+    struct estimate area;     /* seen of it, in the world */
+    uint64_t tried, sent;     /* points, and the rays of those that stayed */
+    size_t receivers;         /* all that receive, and the environment */
+    uint64_t *count;          /* of rays, by receiver; their sum is sent */
+    struct estimate *factor;  /* .. as a share of the area; their sum is 1 */
     struct accounts accounts; /* of all machines */
 };
 void factor_row_free(struct factor_row *row);

@@ -4,7 +4,7 @@
 
 #include "rt/layout/bounds.h"
 
-static struct scene_part *part_of(const struct scene_parts *parts,
+static struct named_part *part_of(const struct named_parts *parts,
                                   const struct scene *scene,
                                   const struct region *region)
 {
@@ -13,7 +13,7 @@ static struct scene_part *part_of(const struct scene_parts *parts,
     return &parts->list[parts->part_of[object]];
 }
 
-bool bodies_find_endless(const struct scene *scene, struct scene_parts *parts)
+bool bodies_find_endless(const struct scene *scene, struct named_parts *parts)
 {
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     bool good = bounds && bound_nodes(scene, bounds);
@@ -54,7 +54,7 @@ static void copy_region(const struct scene *scene,
     bodies->node_count += region->node_count;
 }
 
-bool bodies_take(const struct scene *scene, const struct scene_parts *parts,
+bool bodies_take(const struct scene *scene, const struct named_parts *parts,
                  struct scene *bodies)
 {
     *bodies = *scene;

@@ -15,7 +15,7 @@ const struct value_kind density_kind = { .name = "density",
                                          .allows = is_density };
 
 bool densities_find(const struct given_values *given,
-                    const struct scene_parts *parts, double *densities,
+                    const struct named_parts *parts, double *densities,
                     c205_error *error)
 {
     const char *separator = ": ";
@@ -23,19 +23,19 @@ bool densities_find(const struct given_values *given,
 
     error_say(error, "no density is known of");
     for (size_t i = 0; i < parts->count; i++) {
-        const struct scene_part *part = &parts->list[i];
+        const struct named_part *part = &parts->list[i];
 
         densities[i] = given_of_part(given, part);
         if (!isnan(densities[i]) || part->left_out)
             continue;
         good = false;
-        scene_parts_add_name(error, separator, part->name);
+        named_parts_add_name(error, separator, part->name);
         separator = ", ";
         if (part->mixed)
-            scene_parts_add_name(error, " ", "(of several materials)");
+            named_parts_add_name(error, " ", "(of several materials)");
     }
     if (!good)
-        scene_parts_add_name(error, "; ",
+        named_parts_add_name(error, "; ",
                              "--density NAME=VALUE, or --density default=1");
     return good;
 }

@@ -9,7 +9,7 @@ extern const struct value_kind density_kind;
 /* Of each part; of one that is left out it may be NaN.  False: some others have none, or
  * are of several materials; the error names them. */
 bool densities_find(const struct given_values *given,
-                    const struct scene_parts *parts, double *densities,
+                    const struct named_parts *parts, double *densities,
                     c205_error *error);
 
 #endif

@@ -172,7 +172,7 @@ bool given_read(struct given_values *given, const char *path,
 /* ---- Which has which ----------------------------------------------------- */
 
 bool given_check(const struct given_values *given,
-                 const struct scene_parts *parts, const char *besides,
+                 const struct named_parts *parts, const char *besides,
                  c205_error *error)
 {
     for (size_t i = 0; i < given->count; i++) {
@@ -180,7 +180,7 @@ bool given_check(const struct given_values *given,
 
         if (besides && strcmp(name, besides) == 0)
             continue;
-        if (!scene_parts_check(parts, name, error))
+        if (!named_parts_check(parts, name, error))
             return false;
     }
     return true;
@@ -195,7 +195,7 @@ double given_of_name(const struct given_values *given, const char *name)
 }
 
 double given_of_part(const struct given_values *given,
-                     const struct scene_part *part)
+                     const struct named_part *part)
 {
     double value = given_of_name(given, part->name);
 

@@ -52,11 +52,11 @@ void given_free(struct given_values *given);
 /* False: one of the names so far is not that of a part or a material, nor this one (NULL: there
  * is no other); the error lists those that there are. */
 bool given_check(const struct given_values *given,
-                 const struct scene_parts *parts, const char *besides,
+                 const struct named_parts *parts, const char *besides,
                  c205_error *error);
 /* NaN: the part has none. */
 double given_of_part(const struct given_values *given,
-                     const struct scene_part *part);
+                     const struct named_part *part);
 /* .. nobody has that name. */
 double given_of_name(const struct given_values *given, const char *name);
 

@@ -13,7 +13,7 @@ static bool same_text(const char *one, const char *other)
     return one && other ? strcmp(one, other) == 0 : one == other;
 }
 
-static const char *object_name(struct scene_parts *parts,
+static const char *object_name(struct named_parts *parts,
                                const struct world_object *object)
 {
     char line[40];
@@ -25,7 +25,7 @@ static const char *object_name(struct scene_parts *parts,
 }
 
 /* The number of the object's part, which may be a new one. */
-static size_t find_part(struct scene_parts *parts,
+static size_t find_part(struct named_parts *parts,
                         const struct world_object *object, const char *name)
 {
     size_t i = 0;
@@ -35,16 +35,16 @@ static size_t find_part(struct scene_parts *parts,
                 && same_text(parts->list[i].material, object->material)))
         i++;
     if (i == parts->count)
-        parts->list[parts->count++] = (struct scene_part){
+        parts->list[parts->count++] = (struct named_part){
             .name = name, .material = object->material
         };
     parts->list[i].mixed |= object->mixed;
     return i;
 }
 
-bool scene_parts_find(const struct scene *scene, struct scene_parts *parts)
+bool named_parts_find(const struct scene *scene, struct named_parts *parts)
 {
-    *parts = (struct scene_parts){ 0 };
+    *parts = (struct named_parts){ 0 };
     parts->list = calloc(scene->object_count + 1, sizeof *parts->list);
     parts->part_of = calloc(scene->object_count + 1, sizeof *parts->part_of);
     for (size_t i = 0;
@@ -58,7 +58,7 @@ bool scene_parts_find(const struct scene *scene, struct scene_parts *parts)
     return parts->list && parts->part_of;
 }
 
-void scene_parts_free(struct scene_parts *parts)
+void named_parts_free(struct named_parts *parts)
 {
     free(parts->list);
     free(parts->part_of);
@@ -67,7 +67,7 @@ void scene_parts_free(struct scene_parts *parts)
 
 /* ---- Names --------------------------------------------------------------- */
 
-void scene_parts_add_name(c205_error *error, const char *separator,
+void named_parts_add_name(c205_error *error, const char *separator,
                           const char *name)
 {
     size_t used = strlen(error->message), room = sizeof error->message;
@@ -78,7 +78,7 @@ void scene_parts_add_name(c205_error *error, const char *separator,
         snprintf(error->message + used, room - used, "...");
 }
 
-static bool is_there(const struct scene_parts *parts, const char *name)
+static bool is_there(const struct named_parts *parts, const char *name)
 {
     for (size_t i = 0; i < parts->count; i++)
         if (same_text(parts->list[i].name, name)
@@ -87,7 +87,7 @@ static bool is_there(const struct scene_parts *parts, const char *name)
     return false;
 }
 
-static bool name_is_new(const struct scene_parts *parts, size_t i,
+static bool name_is_new(const struct named_parts *parts, size_t i,
                         const char *name, bool material)
 {
     for (size_t k = 0; k < i; k++)
@@ -99,21 +99,21 @@ static bool name_is_new(const struct scene_parts *parts, size_t i,
 }
 
 /* The names of all parts, or of all materials, once each. */
-static void add_names(const struct scene_parts *parts, bool material,
+static void add_names(const struct named_parts *parts, bool material,
                       const char *separator, c205_error *error)
 {
     for (size_t i = 0; i < parts->count; i++) {
-        const struct scene_part *part = &parts->list[i];
+        const struct named_part *part = &parts->list[i];
         const char *name = material ? part->material : part->name;
 
         if (!name_is_new(parts, i, name, material))
             continue;
-        scene_parts_add_name(error, separator, name);
+        named_parts_add_name(error, separator, name);
         separator = ", ";
     }
 }
 
-bool scene_parts_check(const struct scene_parts *parts, const char *name,
+bool named_parts_check(const struct named_parts *parts, const char *name,
                        c205_error *error)
 {
     if (is_there(parts, name))
@@ -124,13 +124,13 @@ bool scene_parts_check(const struct scene_parts *parts, const char *name,
     return false;
 }
 
-bool scene_parts_choose(struct scene_parts *parts, const char *const *names,
+bool named_parts_choose(struct named_parts *parts, const char *const *names,
                         size_t count, c205_error *error)
 {
     for (size_t i = 0; i < parts->count; i++)
         parts->list[i].left_out = count > 0 || parts->list[i].endless;
     for (size_t k = 0; k < count; k++) {
-        if (!scene_parts_check(parts, names[k], error))
+        if (!named_parts_check(parts, names[k], error))
             return false;
         for (size_t i = 0; i < parts->count; i++)
             if (same_text(parts->list[i].name, names[k])

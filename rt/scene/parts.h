@@ -10,7 +10,7 @@
 #include "rt/scene/scene.h"
 #include "vm/c205.h"
 
-struct scene_part {
+struct named_part {
     const char *name;
     const char *material; /* NULL: its texture has no name */
     bool mixed;           /* .. it has several textures */
@@ -18,28 +18,28 @@ struct scene_part {
     bool left_out; /* nobody asks for it */
 };
 
-struct scene_parts {
+struct named_parts {
     size_t count;
-    struct scene_part *list; /* in the order of their first objects */
+    struct named_part *list; /* in the order of their first objects */
     size_t *part_of;         /* of each of the scene's objects */
     struct arena kept;
 };
 
 /* The scene must outlive the parts.  False: no memory. */
-bool scene_parts_find(const struct scene *scene, struct scene_parts *parts);
-void scene_parts_free(struct scene_parts *parts);
+bool named_parts_find(const struct scene *scene, struct named_parts *parts);
+void named_parts_free(struct named_parts *parts);
 
 /* False: the name is not that of a part or a material; the error lists those that there
  * are. */
-bool scene_parts_check(const struct scene_parts *parts, const char *name,
+bool named_parts_check(const struct named_parts *parts, const char *name,
                        c205_error *error);
 /* These names alone, of parts or materials; without names all but those that are
  * endless.  False: one is not there. */
-bool scene_parts_choose(struct scene_parts *parts, const char *const *names,
+bool named_parts_choose(struct named_parts *parts, const char *const *names,
                         size_t count, c205_error *error);
 
 /* Behind an error's message; lists that are too long for it end in dots. */
-void scene_parts_add_name(c205_error *error, const char *separator,
+void named_parts_add_name(c205_error *error, const char *separator,
                           const char *name);
 
 #endif

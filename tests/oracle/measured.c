@@ -30,8 +30,8 @@ bool measure_scene(const char *text, struct columns_options options,
     struct scene *scene = scene_of(text);
     c205_model *model = usual_model();
     struct columns_sums sums = { 0 };
-    struct scene_parts parts;
-    if (!scene_parts_find(scene, &parts) || parts.count > MEASURED_PARTS)
+    struct named_parts parts;
+    if (!named_parts_find(scene, &parts) || parts.count > MEASURED_PARTS)
         give_up("the scene cannot be measured");
     measured->parts = parts.count;
     options.part_count = parts.count;
@@ -40,7 +40,7 @@ bool measure_scene(const char *text, struct columns_options options,
     bool good = columns_sum(scene, &options, &sums, &measured->error)
                 && find_all(&sums, measured);
     columns_sums_free(&sums);
-    scene_parts_free(&parts);
+    named_parts_free(&parts);
     c205_model_free(model);
     scene_free(scene);
     return good;

@@ -5,6 +5,9 @@
  */
 #include "rt/heat/factors.h"
 
+#include <stdio.h>
+
+#include "tests/random.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
@@ -101,6 +104,104 @@ static void test_areas(void **state)
     (void)state;
     for (size_t i = 0; i < COUNT(solids); i++)
         check_area(solids[i].solid, solids[i].area);
+}
+
+/* ---- Bodies that overlap and touch --------------------------------------------- */
+
+enum { SIDE = 4, BOXES = 5, CROWDS = 6 };
+
+struct grid_box {
+    int low[3], high[3];
+};
+
+static bool has_cell(const struct grid_box *box, const int cell[3])
+{
+    bool inside = true;
+
+    for (int k = 0; k < 3; k++)
+        inside = inside && box->low[k] <= cell[k] && cell[k] < box->high[k];
+    return inside;
+}
+
+static size_t first_with(const struct grid_box *boxes, const int cell[3])
+{
+    size_t i = 0;
+
+    while (i < BOXES && !has_cell(&boxes[i], cell))
+        i++;
+    return i;
+}
+
+/* Faces of cells that look into the open: each is of the first box that ends there. */
+static void count_faces(const struct grid_box *boxes, double faces[BOXES])
+{
+    for (int i = 0; i < SIDE * SIDE * SIDE; i++)
+        for (int face = 0; face < 6; face++) {
+            const int cell[3] = { i % SIDE, i / SIDE % SIDE,
+                                  i / SIDE / SIDE };
+            int next[3] = { cell[0], cell[1], cell[2] };
+            size_t owner = first_with(boxes, cell);
+
+            next[face / 2] += face % 2 ? 1 : -1;
+            if (owner < BOXES && first_with(boxes, next) == BOXES)
+                faces[owner]++;
+        }
+}
+
+static char *draw_crowd(struct grid_box *boxes, uint64_t *random)
+{
+    size_t length;
+    char *text;
+    FILE *file = open_memstream(&text, &length);
+
+    for (size_t i = 0; i < BOXES; i++) {
+        for (int k = 0; k < 3; k++) {
+            int a = (int)xorshift_between(random, 0, SIDE - 1);
+            int b = (int)xorshift_between(random, 0, SIDE - 1);
+
+            boxes[i].low[k] = a < b ? a : b;
+            boxes[i].high[k] = (a < b ? b : a) + 1;
+        }
+        fprintf(file, "box { <%d, %d, %d>, <%d, %d, %d> }\n", boxes[i].low[0],
+                boxes[i].low[1], boxes[i].low[2], boxes[i].high[0],
+                boxes[i].high[1], boxes[i].high[2]);
+    }
+    fclose(file);
+    return text;
+}
+
+static void check_crowd(uint64_t *random)
+{
+    struct grid_box boxes[BOXES];
+    double faces[BOXES] = { 0 };
+    char *text = draw_crowd(boxes, random);
+    struct factors_options options = usual;
+    struct scene *scene = read_scene(text);
+    struct factors *factors;
+
+    options.points = 512;
+    factors = begin(scene, options);
+    count_faces(boxes, faces);
+    for (size_t i = 0; i < BOXES; i++) {
+        struct factor_row row = find(factors, i);
+
+        if (fabs(row.area.value - faces[i]) > 8 * row.area.error + 1e-9)
+            fail_msg("%sbox %zu shows %g +- %g, not %g", text, i + 1,
+                     row.area.value, row.area.error, faces[i]);
+        factor_row_free(&row);
+    }
+    factors_free(factors);
+    scene_free(scene);
+    free(text);
+}
+
+static void test_crowds(void **state)
+{
+    uint64_t random = RANDOM_SEED + 23;
+
+    (void)state;
+    for (int i = 0; i < CROWDS; i++)
+        check_crowd(&random);
 }
 
 /* ---- Factors ------------------------------------------------------------------ */
@@ -241,9 +342,8 @@ static void test_refused(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),
-        cmocka_unit_test(test_known_factors),
-        cmocka_unit_test(test_forms),
+        cmocka_unit_test(test_areas),         cmocka_unit_test(test_crowds),
+        cmocka_unit_test(test_known_factors), cmocka_unit_test(test_forms),
         cmocka_unit_test(test_refused),
     };
 

@@ -136,7 +136,7 @@ static void test_received(void **state)
 
 /* ---- Which points stay ------------------------------------------------------ */
 
-enum { PLANES = 3, LIST_PLANES = 3, OWN = 5 };
+enum { PLANES = 3, LIST_PLANES = 4, OWN = 5 };
 
 struct staying {
     size_t points, crossings;
@@ -175,18 +175,44 @@ static void draw_crossings(const struct staying *given)
             (int64_t)(below(2) ? OWN : below(2 * OWN)));
         given->list[2 * given->crossings + i] = c205_from_integer(
             (int64_t)below(given->points));
+        given->list[3 * given->crossings + i] = c205_from_integer(
+            (int64_t)(1 + below(3)));
     }
+}
+
+static bool is_near(const struct staying *given, size_t i, size_t point)
+{
+    return fabs(c205_to_double(given->list[i])) < 1e-7
+           && c205_to_integer(given->list[2 * given->crossings + i])
+                  == (int64_t)point;
+}
+
+static int64_t primitive_of(const struct staying *given, size_t i)
+{
+    return c205_to_integer(given->list[given->crossings + i]);
+}
+
+/* The last of its own crossings with the point, 0: there is none. */
+static int64_t sense_of(const struct staying *given, size_t point)
+{
+    int64_t sense = 0;
+
+    for (size_t i = 0; i < given->crossings; i++)
+        if (is_near(given, i, point) && primitive_of(given, i) == OWN)
+            sense = c205_to_integer(given->list[3 * given->crossings + i]);
+    return sense;
 }
 
 static bool stays(const struct staying *given, size_t point)
 {
+    int64_t sense = sense_of(given, point);
+
     for (size_t i = 0; i < given->crossings; i++)
-        if (fabs(c205_to_double(given->list[i])) < 1e-7
-            && c205_to_integer(given->list[given->crossings + i]) == OWN
-            && c205_to_integer(given->list[2 * given->crossings + i])
-                   == (int64_t)point)
-            return true;
-    return false;
+        if (is_near(given, i, point) && primitive_of(given, i) < OWN
+            && c205_to_integer(given->list[3 * given->crossings + i])
+                   == sense)
+            return false;
+    return sense > 0;
 }
 
 static void check_staying(const struct staying *given, const c205_word *words)
@@ -214,7 +240,9 @@ static void test_staying(void **state)
         struct staying given = { .points = some_length(5000) };
         size_t words;
 
-        given.crossings = below(4) ? some_length(5000) : 0;
+        given.crossings = below(5) == 0   ? 0
+                          : below(4) == 0 ? 4097 + below(5000)
+                                          : some_length(5000);
         words = PLANES * given.points;
         given.planes = calloc(words, sizeof *given.planes);
         given.list = calloc(LIST_PLANES * given.crossings + 1,

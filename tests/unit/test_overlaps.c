@@ -113,7 +113,7 @@ static void count_cells(const struct crowd *crowd,
 }
 
 struct found {
-    struct scene_parts parts;
+    struct named_parts parts;
     struct overlaps overlaps;
     struct columns_sums sums;
     uint64_t checksum;
@@ -137,7 +137,7 @@ static void find(const struct crowd *crowd, enum trace_mode mode,
     };
     c205_error error;
 
-    assert_true(scene_parts_find(scene, &found->parts));
+    assert_true(named_parts_find(scene, &found->parts));
     assert_true(overlaps_find(scene, found->parts.part_of, found->parts.count,
                               &found->overlaps));
     options.part_count = found->parts.count;
@@ -154,7 +154,7 @@ static void forget(struct found *found)
 {
     columns_sums_free(&found->sums);
     overlaps_free(&found->overlaps);
-    scene_parts_free(&found->parts);
+    named_parts_free(&found->parts);
 }
 
 /* Every pair that claims something is there, and what is told is that. */

@@ -66,15 +66,15 @@ static void test_parts(void **state)
 {
     static const size_t part_of[] = { 0, 1, 1, 2, 3, 4, 5, 2 };
     struct scene *scene = read_scene(assembly);
-    struct scene_parts parts;
+    struct named_parts parts;
 
     (void)state;
-    assert_true(scene_parts_find(scene, &parts));
+    assert_true(named_parts_find(scene, &parts));
     assert_int_equal(parts.count, 6);
     assert_memory_equal(parts.part_of, part_of, sizeof part_of);
     assert_string_equal(parts.list[3].name, "line 10");
     assert_true(parts.list[4].mixed);
-    scene_parts_free(&parts);
+    named_parts_free(&parts);
     scene_free(scene);
 }
 
@@ -84,29 +84,29 @@ static void test_choice(void **state)
     static const char *const names[] = { "Plate", "Copper", "Brass" };
     struct scene *scene = read_scene("plane { y, -9 }\n");
     struct scene *solids = read_scene(assembly);
-    struct scene_parts parts;
+    struct named_parts parts;
     struct scene bodies;
     c205_error error;
 
     (void)state;
-    assert_true(scene_parts_find(scene, &parts));
+    assert_true(named_parts_find(scene, &parts));
     assert_true(bodies_find_endless(scene, &parts));
-    assert_true(scene_parts_choose(&parts, NULL, 0, &error));
+    assert_true(named_parts_choose(&parts, NULL, 0, &error));
     assert_true(parts.list[0].left_out);
     assert_true(bodies_take(scene, &parts, &bodies));
     assert_int_equal(bodies.region_count, 0);
     bodies_free(&bodies);
-    scene_parts_free(&parts);
-    assert_true(scene_parts_find(solids, &parts));
+    named_parts_free(&parts);
+    assert_true(named_parts_find(solids, &parts));
     assert_true(bodies_find_endless(solids, &parts));
-    assert_true(scene_parts_choose(&parts, names, 2, &error));
+    assert_true(named_parts_choose(&parts, names, 2, &error));
     for (size_t i = 0; i < parts.count; i++)
         assert_true(parts.list[i].left_out == (i > 1 && i != 5));
     assert_true(bodies_take(solids, &parts, &bodies));
     assert_int_equal(bodies.region_count, 4);
     assert_int_equal(bodies.primitive_count, 6);
     bodies_free(&bodies);
-    assert_true(scene_parts_choose(&parts, names + 1, 1, &error));
+    assert_true(named_parts_choose(&parts, names + 1, 1, &error));
     assert_true(bodies_take(solids, &parts, &bodies));
     assert_int_equal(bodies.region_count, 3);
     for (size_t i = 0; i < 2; i++) {
@@ -115,9 +115,9 @@ static void test_choice(void **state)
         assert_int_equal(bodies.nodes[i].primitive, i);
         assert_int_equal(bodies.primitives[i].kind, PRIMITIVE_CYLINDER);
     }
-    assert_false(scene_parts_choose(&parts, names, 3, &error));
+    assert_false(named_parts_choose(&parts, names, 3, &error));
     bodies_free(&bodies);
-    scene_parts_free(&parts);
+    named_parts_free(&parts);
     scene_free(solids);
     scene_free(scene);
 }
@@ -127,12 +127,12 @@ static void test_densities(void **state)
 {
     struct scene *scene = read_scene(assembly);
     struct given_values densities = { .kind = &density_kind, .others = NAN };
-    struct scene_parts parts;
+    struct named_parts parts;
     c205_error error;
     double found[5];
 
     (void)state;
-    assert_true(scene_parts_find(scene, &parts));
+    assert_true(named_parts_find(scene, &parts));
     assert_true(given_add(&densities, "Steel=7.8", &error));
     assert_true(given_add(&densities, "Plate=2", &error));
     assert_true(given_check(&densities, &parts, NULL, &error));
@@ -157,7 +157,7 @@ static void test_densities(void **state)
         "Plate, Pin, line 10, line 11, line 12; materials: Steel, "
         "Copper");
     given_free(&densities);
-    scene_parts_free(&parts);
+    named_parts_free(&parts);
     scene_free(scene);
 }
 

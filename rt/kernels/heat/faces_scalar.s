@@ -2,35 +2,61 @@
 
         .include "heat/faces.s"
 
-        .regs   r30, face_distance, face_own, face_point
-        .regs   r33, face_plane, face_next, face_plane_left
+        .regs   r30, face_distance, face_own, face_point, face_sense, face_found
+        .regs   r35, face_plane_left, face_zero
+
+; The next crossing; none left: to the first label, one that is far: to the second.
+        .macro  crossing_next none, far
+        IBXEQ   face_left, r0, r0, \none
+        LOD     [face_row], face_distance
+        ADDX    face_row, face_step, face_at
+        LOD     [face_at], face_own
+        ADDX    face_at, face_step, face_at
+        ABS     face_distance, face_distance
+        CFPGE   face_distance, face_near, \far
+        LOD     [face_at], face_point
+        ADDX    face_at, face_step, face_at
+        LOD     [face_at], face_sense
+        .endm
+
+        .macro  crossing_done again
+        IX      face_row, 64
+        SUBX    face_left, face_one, face_left
+        BIM     \again
+        .endm
 
         .entry  faces
         .kernel faces
 faces:
         faces_begin
-faces_next:
-        IBXEQ   face_left, r0, r0, faces_found
-        ADDX    face_list, face_step, face_at
-        LOD     [face_list], face_distance
-        LOD     [face_at], face_own
-        ADDX    face_at, face_step, face_at
-        LOD     [face_at], face_point
-        ABS     face_distance, face_distance
+        ES      face_zero, 0
+        RTOR    face_list, face_row
+        RTOR    face_crossings, face_left
+faces_own:
+        crossing_next faces_found, faces_marked
         IBXNE   face_own, r0, face_primitive, faces_marked
-        CFPGE   face_distance, face_near, faces_marked
-        STO     [face_kept, face_point], face_one
+        STO     [face_kept, face_point], face_sense
 faces_marked:
-        IX      face_list, 64
-        SUBX    face_left, face_one, face_left
-        BIM     faces_next
+        crossing_done faces_own
 
 faces_found:
+        RTOR    face_list, face_row
+        RTOR    face_crossings, face_left
+faces_other:
+        crossing_next faces_left, faces_cleared
+        IBXGE   face_own, r0, face_primitive, faces_cleared
+        LOD     [face_kept, face_point], face_found
+        IBXNE   face_found, r0, face_sense, faces_cleared
+        STO     [face_kept, face_point], face_zero
+faces_cleared:
+        crossing_done faces_other
+
+faces_left:
         ES      face_count, 0
         ES      face_point, 0
 faces_point:
-        LOD     [face_kept, face_point], face_own
-        IBXNE   face_own, r0, face_one, faces_copied
+        LOD     [face_kept, face_point], face_found
+        IBXEQ   face_found, r0, r0, faces_copied
         RTOR    face_from, face_at
         RTOR    face_made, face_to
         RTOR    face_planes, face_plane_left

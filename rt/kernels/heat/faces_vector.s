@@ -3,64 +3,105 @@
         .include "heat/faces.s"
 
         .equ    STRIP, 4096
-        .regs   r30, v_distance, v_primitive, v_point, v_list, b_near, b_own, b_kept
-        .regs   r37, face_n
+        .regs   r30, v_distance, v_primitive, v_point, v_sense, v_list, v_senses, v_kept
+        .regs   r37, b_near, b_own, b_kept, face_n, face_zero
 
         .data
         .align  64
-face_store:     .space 2 * STRIP
+face_store:     .space 3 * STRIP
 face_bits:      .space STRIP / 64 * 2
 kept_bits:      .space 65536 / 64
         .code
-
-        .macro  face_vector vector, number
-        EX      \vector, face_store + 64 * STRIP * (\number)
-        ADDLEN  \vector, face_n, \vector
-        .endm
 
         .macro  face_bit bits, number
         EX      \bits, face_bits + STRIP * (\number)
         ADDLEN  \bits, face_n, \bits
         .endm
 
+; The next strip of crossings, those in it that are near, [b_near]; none left: to the
+; label.
+        .macro  strip_next none
+        IBXEQ   face_left, r0, r0, \none
+        EX      face_n, STRIP
+        IBXLE   face_n, r0, face_left, strip_full\@
+        RTOR    face_left, face_n
+strip_full\@:
+        ADDLEN  face_row, face_n, v_primitive
+        ADDX    v_primitive, face_step, v_primitive
+        ADDX    v_primitive, face_step, v_point
+        ADDX    v_point, face_step, v_sense
+        EX      v_distance, face_store
+        ADDLEN  v_distance, face_n, v_distance
+        face_bit b_near, 0
+        face_bit b_own, 1
+        ADDLEN  face_row, face_n, face_work
+        ABSV    [face_work], [v_distance]
+        CMPLTV  [v_distance], face_near, [b_near]
+        .endm
+
+; The points of crossings in [b_near] that are in [b_own], too, and their senses; none: to
+; the label.
+        .macro  strip_points none
+        ANDB    [b_near], [b_own], [b_near]
+        CNTOB   [b_near], face_count
+        IBXEQ   face_count, r0, r0, \none
+        EX      v_list, face_store
+        ADDLEN  v_list, face_count, v_list
+        EX      v_senses, face_store + 64 * STRIP
+        ADDLEN  v_senses, face_count, v_senses
+        CPSV    [v_point], [v_list] ? [b_near]
+        CPSV    [v_sense], [v_senses] ? [b_near]
+        .endm
+
+        .macro  strip_done again
+        SHIFTI  face_n, 6, face_work
+        ADDX    face_row, face_work, face_row
+        SUBX    face_left, face_n, face_left
+        BIM     \again
+        .endm
+
         .entry  faces
         .kernel faces
 faces:
         faces_begin
-faces_next:
-        IBXEQ   face_left, r0, r0, faces_found
-        EX      face_n, STRIP
-        IBXLE   face_n, r0, face_left, faces_full
-        RTOR    face_left, face_n
-faces_full:
-        ADDLEN  face_list, face_n, v_primitive
-        ADDX    v_primitive, face_step, v_primitive
-        ADDX    v_primitive, face_step, v_point
-        face_vector v_distance, 0
-        face_bit b_near, 0
-        face_bit b_own, 1
-        ADDLEN  face_list, face_n, face_work
-        ABSV    [face_work], [v_distance]
-        CMPLTV  [v_distance], face_near, [b_near]
+        ES      face_zero, 0
+        RTOR    face_list, face_row
+        RTOR    face_crossings, face_left
+faces_own:
+        strip_next faces_found
         CMPEQV  [v_primitive], face_primitive, [b_own]
-        ANDB    [b_near], [b_own], [b_near]
-        CNTOB   [b_near], face_count
-        IBXEQ   face_count, r0, r0, faces_marked
-        EX      v_list, face_store + 64 * STRIP
-        ADDLEN  v_list, face_count, v_list
-        CPSV    [v_point], [v_list] ? [b_near]
-        VTOVX   [v_list], face_one, [face_kept]
+        strip_points faces_marked
+        VTOVX   [v_list], [v_senses], [face_kept]
 faces_marked:
-        SHIFTI  face_n, 6, face_work
-        ADDX    face_list, face_work, face_list
-        SUBX    face_left, face_n, face_left
-        BIM     faces_next
+        strip_done faces_own
 
 faces_found:
+        RTOR    face_list, face_row
+        RTOR    face_crossings, face_left
+faces_other:
+        strip_next faces_left
+        CMPLTV  [v_primitive], face_primitive, [b_own]
+        strip_points faces_cleared
+        EX      v_kept, face_store + 128 * STRIP
+        ADDLEN  v_kept, face_count, v_kept
+        VXTOV   [v_list], [face_kept], [v_kept]
+        EX      b_own, face_bits + STRIP
+        ADDLEN  b_own, face_count, b_own
+        CMPEQV  [v_kept], [v_senses], [b_own]
+        CNTOB   [b_own], face_count
+        IBXEQ   face_count, r0, r0, faces_cleared
+        EX      face_work, face_store + 64 * STRIP
+        ADDLEN  face_work, face_count, face_work
+        CPSV    [v_list], [face_work] ? [b_own]
+        VTOVX   [face_work], face_zero, [face_kept]
+faces_cleared:
+        strip_done faces_other
+
+faces_left:
         EX      b_kept, kept_bits
         ADDLEN  b_kept, face_points, b_kept
         ADDLEN  face_kept, face_points, face_work
-        CMPEQV  [face_work], face_one, [b_kept]
+        CMPGEV  [face_work], face_one, [b_kept]
         CNTOB   [b_kept], face_count
         ADDLEN  face_from, face_points, face_at
         ADDLEN  face_made, face_count, face_to

@@ -1,0 +1,240 @@
+#include "rt/heat/thermal.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "base/error.h"
+
+static bool is_emissivity(double value)
+{
+    return value >= 0 && value <= 1;
+}
+
+static bool is_temperature(double value)
+{
+    return value >= 0 && isfinite(value);
+}
+
+/* No temperature is below 0. */
+enum { ADIABATIC = -1 };
+
+const struct value_kind emissivity_kind = { .name = "emissivity",
+                                            .ending = "_Emissivity",
+                                            .range = "0 to 1",
+                                            .allows = is_emissivity };
+const struct value_kind temperature_kind = { .name = "temperature",
+                                             .ending = "_Temperature",
+                                             .range = "not below 0",
+                                             .allows = is_temperature,
+                                             .word = "adiabatic",
+                                             .word_value = ADIABATIC };
+const char thermal_environment[] = "environment";
+
+/* ---- What is given ---------------------------------------------------------- */
+
+struct thermal_work {
+    const struct surfaces *surfaces;
+    const struct named_parts *parts;
+    const struct given_values *emissivities, *temperatures;
+    struct thermal *thermal;
+    c205_error *error;
+};
+
+static void take_values(const struct thermal_work *work, size_t i)
+{
+    struct thermal *thermal = work->thermal;
+    const struct surface *surface = &work->surfaces
+                                         ->list[thermal->surface[i]];
+    const struct named_part *part = &work->parts->list[surface->part];
+    double emissivity = given_of_part(work->emissivities, part);
+    double temperature = given_of_part(work->temperatures, part);
+
+    thermal->emissivity[i] = isnan(emissivity) ? 1 : emissivity;
+    thermal->temperature[i] = temperature;
+}
+
+/* Those that something is seen of. */
+static bool list_surfaces(const struct thermal_work *work)
+{
+    struct thermal *thermal = work->thermal;
+
+    for (size_t i = 0; i < work->surfaces->count; i++) {
+        const struct surface *surface = &work->surfaces->list[i];
+
+        if (surface->receives_alone)
+            return error_say(work->error,
+                             "surface %s, the %s of line %zu, receives "
+                             "alone: nothing is known of what it gives",
+                             surface->name,
+                             primitive_kind_name(surface->first->kind),
+                             surface->first->line);
+        if (surface->sent > 0)
+            thermal->surface[thermal->count++] = i;
+    }
+    return thermal->count > 0 || error_say(work->error, "nothing is seen");
+}
+
+static bool find_values(const struct thermal_work *work)
+{
+    struct thermal *thermal = work->thermal;
+    const char *separator = ": ";
+    bool good = true;
+
+    error_say(work->error, "no temperature is known of");
+    for (size_t i = 0; i < thermal->count; i++) {
+        take_values(work, i);
+        if (!isnan(thermal->temperature[i]))
+            continue;
+        good = false;
+        named_parts_add_name(work->error, separator,
+                             work->surfaces->list[thermal->surface[i]].name);
+        separator = ", ";
+    }
+    if (!good)
+        named_parts_add_name(work->error, "; ",
+                             "--temperature NAME=KELVINS, or default=300");
+    return good;
+}
+
+/* NaNs are alike. */
+static bool alike(double one, double other)
+{
+    return one == other || (isnan(one) && isnan(other));
+}
+
+/* All parts of a surface have what the first of them has. */
+static bool check_parts(const struct thermal_work *work)
+{
+    const struct surfaces *surfaces = work->surfaces;
+
+    for (size_t i = 0; i < surfaces->primitive_count; i++) {
+        const struct surface *surface = &surfaces
+                                             ->list[surfaces->surface_of[i]];
+        const struct named_part *first = &work->parts->list[surface->part];
+        const struct named_part *part = &work->parts
+                                             ->list[surfaces->part_of[i]];
+
+        if (!alike(given_of_part(work->temperatures, part),
+                   given_of_part(work->temperatures, first))
+            || !alike(given_of_part(work->emissivities, part),
+                      given_of_part(work->emissivities, first)))
+            return error_say(work->error,
+                             "surface %s is of parts with other temperatures "
+                             "or emissivities, %s and %s",
+                             surface->name, first->name, part->name);
+    }
+    return true;
+}
+
+static void find_outside(const struct thermal_work *work)
+{
+    double outside = given_of_name(work->temperatures, thermal_environment);
+
+    work->thermal->outside = outside > 0 ? outside : 0;
+}
+
+/* ---- The exchange ------------------------------------------------------------- */
+
+/* Of surfaces that something is seen of: rows of factors, as each has them. */
+static void fill_factors(const struct thermal_work *work, double *factors)
+{
+    const struct thermal *thermal = work->thermal;
+    size_t n = thermal->count;
+
+    for (size_t i = 0; i < n; i++) {
+        const struct estimate
+            *from = work->surfaces->list[thermal->surface[i]].factor;
+
+        for (size_t j = 0; j < n; j++)
+            factors[i * (n + 1) + j] = from[thermal->surface[j]].value;
+        factors[i * (n + 1) + n] = from[work->surfaces->count].value;
+    }
+}
+
+/* What is adiabatic gives all that it gets. */
+static void split_values(struct thermal *thermal, double *emissivity)
+{
+    for (size_t i = 0; i < thermal->count; i++) {
+        bool adiabatic = thermal->temperature[i] < 0;
+
+        emissivity[i] = adiabatic ? 0 : thermal->emissivity[i];
+        if (adiabatic)
+            thermal->temperature[i] = NAN;
+    }
+}
+
+static bool find_exchange(const struct thermal_work *work,
+                          enum trace_mode mode, const c205_model *model)
+{
+    struct thermal *thermal = work->thermal;
+    size_t n = thermal->count;
+    double *factors = calloc(n * (n + 1), sizeof *factors);
+    double *area = calloc(2 * n, sizeof *area), *emissivity = area + n;
+    const struct exchange_given given = {
+        .mode = mode,
+        .count = n,
+        .area = area,
+        .emissivity = emissivity,
+        .temperature = thermal->temperature,
+        .factors = factors,
+        .outside = thermal->outside,
+        .model = model,
+    };
+    bool good = factors && area;
+
+    if (good) {
+        fill_factors(work, factors);
+        split_values(thermal, emissivity);
+        for (size_t i = 0; i < n; i++)
+            area[i] = work->surfaces->list[thermal->surface[i]].area.value;
+    }
+    good = good ? exchange_find(&given, &thermal->exchange, work->error)
+                : error_say(work->error, "no memory");
+    free(factors);
+    free(area);
+    return good;
+}
+
+static bool begin(const struct surfaces *surfaces, struct thermal *thermal)
+{
+    size_t count = surfaces->count + 1;
+
+    *thermal = (struct thermal){ 0 };
+    thermal->surface = calloc(count, sizeof *thermal->surface);
+    thermal->emissivity = calloc(count, sizeof *thermal->emissivity);
+    thermal->temperature = calloc(count, sizeof *thermal->temperature);
+    return thermal->surface && thermal->emissivity && thermal->temperature;
+}
+
+void thermal_free(struct thermal *thermal)
+{
+    free(thermal->surface);
+    free(thermal->emissivity);
+    free(thermal->temperature);
+    exchange_free(&thermal->exchange);
+    *thermal = (struct thermal){ 0 };
+}
+
+bool thermal_find(const struct surfaces *surfaces,
+                  const struct named_parts *parts,
+                  const struct given_values *emissivities,
+                  const struct given_values *temperatures,
+                  enum trace_mode mode, const c205_model *model,
+                  struct thermal *thermal, c205_error *error)
+{
+    const struct thermal_work work = { .surfaces = surfaces,
+                                       .parts = parts,
+                                       .emissivities = emissivities,
+                                       .temperatures = temperatures,
+                                       .thermal = thermal,
+                                       .error = error };
+    bool good = begin(surfaces, thermal) || error_say(error, "no memory");
+
+    if (good)
+        find_outside(&work);
+    good = good && list_surfaces(&work) && check_parts(&work)
+           && find_values(&work) && find_exchange(&work, mode, model);
+    if (!good)
+        thermal_free(thermal);
+    return good;
+}

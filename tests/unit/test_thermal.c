@@ -1,0 +1,269 @@
+/* test_thermal.c - surfaces of a scene by primitive, part and material, and what they exchange. */
+#include <stdio.h>
+
+#include "rt/heat/thermal.h"
+#include "tests/unit/prior_model.h"
+#include "tests/unit/scene_reading.h"
+
+#define SIGMA 5.670374419e-8
+
+/* A ball in a shell, which has two surfaces. */
+static const char ball[] =
+    "#declare Copper = texture { pigment { rgb 1 } }\n"
+    "#declare Ball = sphere { 0, 1 texture { Copper } }\n"
+    "#declare Shell = difference { sphere { 0, 2.5 } sphere { 0, 2 } }\n"
+    "#declare Ball_Temperature = 500;\n#declare Copper_Emissivity = .8;\n"
+    "object { Ball } object { Shell }\n";
+
+struct study {
+    struct scene *scene;
+    struct named_parts parts;
+    struct surfaces surfaces;
+    struct factor_row *rows;
+};
+
+static void find_rows(struct study *study)
+{
+    const struct factors_options options = {
+        .mode = TRACE_VECTOR,
+        .queue = 2000,
+        .points = 1024,
+        .repeats = 16,
+        .lattice = true,
+        .seed = 1,
+        .receiver_of = study->surfaces.surface_of,
+        .receivers = study->surfaces.count,
+        .model = prior_model
+    };
+    size_t count = study->scene->primitive_count;
+    c205_error error = { "" };
+    struct factors *factors = factors_new(study->scene, &options, &error);
+
+    assert_non_null(factors);
+    study->rows = calloc(count + 1, sizeof *study->rows);
+    for (size_t i = 0; i < count; i++)
+        if (!emission_refusal(&study->scene->primitives[i])
+            && !factors_find(factors, i, &study->rows[i], &error))
+            fail_msg("%s", error.message);
+    factors_free(factors);
+    surfaces_combine(&study->surfaces, study->rows);
+}
+
+static struct study begin(const char *text, enum surfaces_by by)
+{
+    struct study study = { .scene = read_scene(text) };
+
+    assert_true(named_parts_find(study.scene, &study.parts));
+    assert_true(
+        surfaces_find(study.scene, &study.parts, by, &study.surfaces));
+    find_rows(&study);
+    return study;
+}
+
+static void end(struct study *study)
+{
+    for (size_t i = 0; i < study->scene->primitive_count; i++)
+        factor_row_free(&study->rows[i]);
+    free(study->rows);
+    surfaces_free(&study->surfaces);
+    named_parts_free(&study->parts);
+    scene_free(study->scene);
+}
+
+/* Texts NAME=VALUE, with a blank between; the scene's come last. */
+static void give(const struct study *study, const struct value_kind *kind,
+                 const char *texts, struct given_values *given)
+{
+    char copy[200];
+    c205_error error = { "" };
+
+    given_begin(given, kind);
+    snprintf(copy, sizeof copy, "%s", texts);
+    for (char *text = strtok(copy, " "); text; text = strtok(NULL, " "))
+        if (!given_add(given, text, &error))
+            fail_msg("%s", error.message);
+    assert_true(given_add_scene(given, study->scene, &error));
+}
+
+static bool exchange(const struct study *study, const char *temperatures,
+                     const char *emissivities, struct thermal *thermal,
+                     c205_error *error)
+{
+    struct given_values temperature, emissivity;
+    bool good;
+
+    give(study, &temperature_kind, temperatures, &temperature);
+    give(study, &emissivity_kind, emissivities, &emissivity);
+    good = thermal_find(&study->surfaces, &study->parts, &emissivity,
+                        &temperature, TRACE_VECTOR, prior_model, thermal,
+                        error);
+    given_free(&temperature);
+    given_free(&emissivity);
+    return good;
+}
+
+static void assert_flow(double found, double expected)
+{
+    if (!(fabs(found - expected) <= 0.01 * fabs(expected)))
+        fail_msg("a flow is %.9g, not %.9g", found, expected);
+}
+
+/* ---- Surfaces ----------------------------------------------------------------- */
+
+static void assert_estimate(struct estimate found, double expected)
+{
+    if (!(fabs(found.value - expected) <= 5 * found.error + 1e-9))
+        fail_msg("%.9g +- %.2g is not %.9g", found.value, found.error,
+                 expected);
+}
+
+static void test_parts(void **state)
+{
+    double pi = acos(-1);
+    struct study study = begin(ball, BY_PART);
+    const struct surface *shell = &study.surfaces.list[1];
+
+    (void)state;
+    assert_int_equal(study.surfaces.count, 2);
+    assert_string_equal(study.surfaces.list[0].name, "Ball");
+    assert_string_equal(shell->name, "Shell");
+    assert_estimate(shell->area, 4 * pi * (4 + 6.25));
+    assert_int_equal(shell->tried, 2 * 16 * 1024);
+    /* Of what is inside a quarter goes to the ball. */
+    assert_estimate(shell->factor[0], .25 * 4 / 10.25);
+    assert_estimate(shell->factor[1], .75 * 4 / 10.25);
+    assert_estimate(shell->factor[2], 6.25 / 10.25);
+    assert_int_equal(shell->count[0] + shell->count[1] + shell->count[2],
+                     shell->sent);
+    assert_true(fabs(surfaces_reciprocity(&study.surfaces, 0, 1)) < 5);
+    assert_true(isnan(surfaces_reciprocity(&study.surfaces, 1, 1)));
+    assert_true(isnan(surfaces_reciprocity(&study.surfaces, 1, 2)));
+    end(&study);
+}
+
+static void test_groups(void **state)
+{
+    struct study study = begin(ball, BY_MATERIAL);
+
+    (void)state;
+    assert_int_equal(study.surfaces.count, 2);
+    assert_string_equal(study.surfaces.list[0].name, "Copper");
+    assert_string_equal(study.surfaces.list[1].name, "none");
+    end(&study);
+    study = begin(ball, BY_PRIMITIVE);
+    assert_int_equal(study.surfaces.count, 3);
+    assert_string_equal(study.surfaces.list[2].name, "3");
+    end(&study);
+}
+
+/* ---- Flows -------------------------------------------------------------------- */
+
+/* exchange.csv has the flow to a shell of 300 K and .5. */
+static void test_flows(void **state)
+{
+    double pi = acos(-1), fourth = 3e2 * 3e2 * 3e2 * 3e2;
+    struct study study = begin(ball, BY_PRIMITIVE);
+    struct thermal thermal;
+    c205_error error;
+
+    (void)state;
+    assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
+    assert_int_equal(thermal.count, 3);
+    assert_flow(thermal.exchange.flow[0], 25842.18560027);
+    assert_flow(thermal.exchange.flow[2], -25842.18560027);
+    assert_flow(thermal.exchange.flow[1],
+                .5 * SIGMA * fourth * 4 * pi * 6.25);
+    thermal_free(&thermal);
+    end(&study);
+}
+
+/* Through an adiabatic shell all goes out that the ball gives. */
+static void test_adiabatic(void **state)
+{
+    double pi = acos(-1), fourth = 5e2 * 5e2 * 5e2 * 5e2;
+    struct study study = begin(ball, BY_PART);
+    struct thermal thermal;
+    c205_error error;
+
+    (void)state;
+    assert_true(exchange(&study, "Shell=adiabatic environment=300", "Ball=1",
+                         &thermal, &error));
+    assert_close(thermal.outside, 300, 0);
+    assert_true(isnan(thermal.temperature[1]));
+    assert_true(fabs(thermal.exchange.flow[1]) < 1e-6);
+    assert_true(thermal.exchange.flow[0] > 0);
+    assert_true(thermal.exchange.flow[0] < SIGMA * fourth * 4 * pi);
+    thermal_free(&thermal);
+    end(&study);
+}
+
+/* ---- What is refused ------------------------------------------------------------ */
+
+static void refuses(const struct study *study, const char *temperatures,
+                    const char *emissivities, const char *message)
+{
+    struct thermal thermal;
+    c205_error error = { "" };
+
+    assert_false(
+        exchange(study, temperatures, emissivities, &thermal, &error));
+    if (!strstr(error.message, message))
+        fail_msg("%s: %s", message, error.message);
+}
+
+static void test_refused(void **state)
+{
+    struct study study = begin(ball, BY_PART);
+
+    (void)state;
+    refuses(&study, "", "",
+            "no temperature is known of: Shell; --temperature NAME=KELVINS, "
+            "or default=300");
+    end(&study);
+    study = begin("plane { y, 0 } sphere { 2*y, 1 }", BY_PRIMITIVE);
+    refuses(&study, "default=300", "",
+            "surface 1, the plane of line 1, receives alone");
+    end(&study);
+    study = begin("#declare Tin = texture { pigment { rgb 1 } }\n"
+                  "#declare A = sphere { 0, 1 texture { Tin } }\n"
+                  "#declare B = sphere { 3*x, 1 texture { Tin } }\n"
+                  "object { A } object { B }\n",
+                  BY_MATERIAL);
+    refuses(
+        &study, "A=300 B=400", "",
+        "surface Tin is of parts with other temperatures or emissivities, "
+        "A and B");
+    refuses(&study, "default=300", "A=.5", "A and B");
+    end(&study);
+}
+
+static void test_wrong_values(void **state)
+{
+    static const char *const wrong[] = { "a=-1", "a=nan", "a=x", "=3", "a" };
+    struct given_values given;
+    c205_error error;
+
+    (void)state;
+    given_begin(&given, &temperature_kind);
+    for (size_t i = 0; i < COUNT(wrong); i++)
+        assert_false(given_add(&given, wrong[i], &error));
+    assert_true(given_add(&given, "a=adiabatic", &error));
+    given_free(&given);
+    given_begin(&given, &emissivity_kind);
+    assert_false(given_add(&given, "a=1.5", &error));
+    assert_string_equal(error.message, "an emissivity is NAME=VALUE with a "
+                                       "value 0 to 1, not 'a=1.5'");
+    assert_false(given_add(&given, "a=adiabatic", &error));
+    given_free(&given);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_parts),   cmocka_unit_test(test_groups),
+        cmocka_unit_test(test_flows),   cmocka_unit_test(test_adiabatic),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_wrong_values),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
