@@ -2,7 +2,7 @@
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | bench | san | fuzz | cover | check-long | wasm-check |
+# make all | docs | mpi | bench | san | fuzz | cover | check-long | wasm-check |
 #      format | lint | install | clean
 
 BUILD ?= build
@@ -31,8 +31,8 @@ vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
 asm_c = $(call c_of,asm)
 c205_c = $(call c_of,asm/command)
-rt_c = $(call c_of,$(addprefix rt/,scene scene/language shapes layout trace \
-	picture roots study study/sweep study/plot heat mass))
+rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
+	trace picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
 observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \
@@ -44,6 +44,7 @@ objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 libraries = $(addprefix $(BUILD)/,librt205.a libc205asm.a libbase.a libc205.a)
 programs = $(BUILD)/c205 $(BUILD)/rt205
 adapter = $(BUILD)/rt205_oiio.so
+ranks = $(BUILD)/rt205_mpi.so
 # What is installed of them: three libraries, each with the names of these headers
 # alone, and with its own copy of what it needs of base.
 api = $(BUILD)/api
@@ -53,7 +54,8 @@ asm_api = $(addprefix asm/,assemble.h disassemble.h expect.h listing.h object.h 
 	base/diagnostic.h base/sink.h
 rt_api = $(addprefix rt/,scene/raster.h scene/scene.h scene/image_map.h \
 	scene/language/scene_read.h shapes/primitive.h shapes/shapes.def \
-	layout/layout.h layout/bounding.h picture/picture.h trace/band.h \
+	layout/layout.h layout/bounding.h farm/farm.h farm/ranks.h farm/unit_file.h \
+	farm/words.h picture/picture.h trace/band.h \
 	trace/observer.h trace/trace.h trace/order.h trace/vector_use.h trace/visible.h) \
 	$(addprefix base/,accounts.h arena.h json.h table.h)
 unit_tests = $(addprefix $(BUILD)/tests/unit/,$(UNITS))
@@ -75,6 +77,7 @@ benches = $(patsubst tests/%.c,$(BUILD)/tests/%,$(wildcard tests/bench_*.c))
 
 build_packages = build-essential pkg-config libopenimageio-dev libfreetype-dev
 fit_packages = libceres-dev
+mpi_packages = openmpi-bin libopenmpi-dev
 exact_packages = libmpfr-dev libgmp-dev
 test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 	libcmocka-dev groff-base povray povray-includes gnuplot-nox \
@@ -186,6 +189,14 @@ $(BUILD)/rt/study/fit/ceres_fit.o: rt/study/fit/ceres_fit.cc
 # FreeType's own headers may say what ours must not.
 $(BUILD)/rt/scene/font.o: override C_FLAGS += \
 	$(subst -I,-isystem ,$(shell pkg-config --cflags freetype2))
+
+# What carries messages between ranks; neither demo nor check needs it.
+mpi:
+	@sh .ci/need $(mpi_packages)
+	@$(MAKE) --no-print-directory $(ranks)
+$(ranks): rt/farm/mpi/ranks_mpi.c rt/farm/ranks.h rt/farm/words.h
+	@mkdir -p $(@D)
+	mpicc $(filter-out -MMD -MP,$(C_FLAGS)) -fPIC -shared -o $@ $<
 
 $(adapter): rt/picture/picture_oiio.cc
 	@mkdir -p $(@D)
@@ -344,6 +355,12 @@ check-emission: $(BUILD)/tests/unit/test_emission
 check-timing: $(BUILD)/tests/unit/test_timing $(BUILD)/tests/unit/test_renaming
 	$(BUILD)/tests/unit/test_timing $(TRIES)
 	$(BUILD)/tests/unit/test_renaming $(PROGRAMS)
+
+# Runs over several processes; not a part of check.
+check-mpi: $(programs) $(adapter)
+	@sh .ci/need $(test_packages) $(mpi_packages)
+	@$(MAKE) --no-print-directory mpi
+	sh tests/check_mpi.sh $(BUILD)
 
 # Not a part of check: every fault planted must be found; ONLY=text: those of
 # which the list says so.
@@ -508,7 +525,7 @@ install: all $(installed) $(installed_pc) $(pages)
 	for page in $(pages:$(share)/%=%); do \
 		install -D -m 644 $(share)/$$page \
 			$(DESTDIR)$(PREFIX)/share/$$page; done
-	install -m 644 $(adapter) $(DESTDIR)$(LIBDIR)
+	install -m 644 $(adapter) $(wildcard $(ranks)) $(DESTDIR)$(LIBDIR)
 	install -m 644 $(installed) $(DESTDIR)$(PREFIX)/lib
 	install -m 644 $(installed_pc) $(DESTDIR)$(PREFIX)/lib/pkgconfig
 	for header in $(vm_api) $(asm_api) $(rt_api); do \
@@ -522,10 +539,10 @@ install: all $(installed) $(installed_pc) $(pages)
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all demo tests check check-long check-rooms check-unit check-programs \
+.PHONY: all mpi demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-lines check-mass check-scenes check-uses check-adaptive check-language-scenes check-language \
+	check-lines check-mass check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
 	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \

@@ -409,28 +409,46 @@ static int parse_operands(const struct parsing *parsing, char **words)
 
 /* ---- Files that get in each other's way --------------------------------- */
 
-/* NULL: the option names no file that is written, or none at all. */
+/* The i-th file that the option has written; NULL: there are no more. */
 static const char *written_by(const struct parsing *parsing,
-                              const struct command_option *option)
+                              const struct command_option *option, size_t i)
 {
+    const struct command_texts *texts = place_of(option, parsing->arguments);
     const char *path = NULL;
-    if ((option->kind == COMMAND_OUTPUT || option->kind == COMMAND_FILE)
-        && !option->many) {
-        memcpy(&path, place_of(option, parsing->arguments), sizeof path);
+    if (option->kind != COMMAND_OUTPUT && option->kind != COMMAND_FILE) {
+        return NULL;
     }
-    return path;
+    if (option->many) {
+        return i < texts->count ? texts->items[i] : NULL;
+    }
+    memcpy(&path, texts, sizeof path);
+    return i == 0 ? path : NULL;
+}
+
+static bool writes(const struct parsing *parsing,
+                   const struct command_option *option, const char *path)
+{
+    const char *other;
+    for (size_t i = 0; (other = written_by(parsing, option, i)); i++) {
+        if (file_is_one(path, other)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static int check_outputs(const struct parsing *parsing)
 {
     const struct command_option *a = parsing->command->options, *b;
     for (; command_is_row(a); a++) {
-        const char *path = written_by(parsing, a);
-        for (b = a + 1; path && command_is_row(b); b++) {
-            const char *other = written_by(parsing, b);
-            if (other && file_is_one(path, other)) {
-                return cmd_usage(parsing->name, "--%s and --%s name one file",
-                                 a->name, b->name);
+        const char *path;
+        for (size_t i = 0; (path = written_by(parsing, a, i)); i++) {
+            for (b = a + 1; command_is_row(b); b++) {
+                if (writes(parsing, b, path)) {
+                    return cmd_usage(parsing->name,
+                                     "--%s and --%s name one file", a->name,
+                                     b->name);
+                }
             }
         }
     }

@@ -1146,7 +1146,7 @@ wait $!
 [ $? -eq 1 ] && [ $(($(date +%s) - begun)) -le 5 ]
 verdict $? "100,000 spheres do not stop soon"
 ends 1 "$build/rt205" render many.pov -o many.png --resume good.csv
-tells err "does not hold bands"
+tells err "does not hold units of work"
 printf '#version 3.7;\n' >none.pov
 ends 0 "$build/rt205" render none.pov -o none.png -W 40 -H 30 --resume none.kept
 tells err "the scene has no objects"
@@ -1193,7 +1193,7 @@ frame --mode scalar --resume bands.kept | cmp -s - serial
 verdict $? "a frame that is gone on with differs from a whole one"
 printf 'no bands' >other.kept
 ends 1 "$build/rt205" render "$scene" -o bands.png --resume other.kept
-tells err 'does not hold bands'
+tells err 'does not hold units of work'
 ends 2 "$build/rt205" render "$scene" -o bands.png --resume bands.png
 ends 2 "$build/rt205" render "$scene" -o bands.png --resume ./bands.png
 ends 2 "$build/rt205" render "$scene" -o bands.png --jobs 0

@@ -226,29 +226,28 @@ static int tell(const struct rt205_arguments *arguments,
 
 /* ---- A frame from its beginning to its end ------------------------------- */
 
-/* What the file that --resume names already has. */
+/* What the files that --resume names already have. */
 static void tell_kept(const struct rt205_arguments *arguments,
                       const struct trace *trace)
 {
-    size_t kept = trace_bands_done(trace);
+    const char *path = arguments->units.resume.items[0];
 
-    if (kept > 0)
+    if (arguments->units.farm.kept > 0)
         fprintf(stderr, "%s: the frame goes on from %s: %zu of %zu bands\n",
-                arguments->command, arguments->resume, kept,
+                arguments->command, path, arguments->units.farm.kept,
                 trace_bands(trace));
     else
         fprintf(stderr, "%s: the frame begins: %s has no band yet\n",
-                arguments->command, arguments->resume);
+                arguments->command, path);
 }
 
 static bool keep(const struct rt205_arguments *arguments, struct trace *trace,
                  c205_error *error)
 {
-    if (!arguments->resume)
-        return true;
-    if (!trace_keep(trace, arguments->resume, error))
+    if (!trace_keep(trace, error))
         return false;
-    tell_kept(arguments, trace);
+    if (arguments->units.resume.count > 0)
+        tell_kept(arguments, trace);
     return true;
 }
 
@@ -275,11 +274,11 @@ static void tell_resume(const struct rt205_arguments *arguments,
 {
     size_t kept = trace_bands_done(trace);
 
-    if (arguments->resume && kept > 0)
+    if (arguments->units.resume.count > 0 && kept > 0)
         snprintf(told, size,
                  "; --resume goes on from %.100s: %zu of %zu bands",
-                 arguments->resume, kept, trace_bands(trace));
-    else if (arguments->resume)
+                 arguments->units.resume.items[0], kept, trace_bands(trace));
+    else if (arguments->units.resume.count > 0)
         snprintf(told, size, "; no band is done: --resume begins anew");
 }
 
@@ -302,6 +301,8 @@ static int trace_and_write(const struct rt205_arguments *arguments,
 
     if (!trace_run(trace, &error))
         return end_early(arguments, trace, &error);
+    if (!farm_collects(&arguments->units.farm))
+        return cmd_tell_share(arguments, trace_bands(trace));
     if (!arguments->output || write_picture(arguments, trace, &error)) {
         trace_forget(trace);
         return tell(arguments, trace, results);
@@ -364,6 +365,8 @@ static int check_files(const struct rt205_arguments *arguments)
                          "--half does not go with --no-picture");
     if (arguments->no_picture)
         return CMD_DONE;
+    if (!arguments->output && arguments->units.farm.parts > 0)
+        return CMD_DONE;
     if (!arguments->output)
         return cmd_usage(arguments->command,
                          "name the picture with -o (--no-picture: none)");
@@ -381,8 +384,7 @@ static int run_command_line(void *given)
     struct rt205_arguments *arguments = given;
     int code = check_files(arguments);
 
-    return code == CMD_DONE ? cmd_with_machine(arguments, render_scene)
-                            : code;
+    return code == CMD_DONE ? cmd_with_farm(arguments, render_scene) : code;
 }
 
 static const struct command_option options[] = {
@@ -404,11 +406,7 @@ static const struct command_option options[] = {
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),
-    { .name = "resume",
-      .value = "FILE",
-      .kind = COMMAND_FILE,
-      .offset = CMD_PLACE(resume),
-      .help = "keep finished bands there; go on from those it has" },
+    CMD_FARM("bands"),
     CMD_FLAG(
         "accounts", accounts,
         "also where the clocks went, cause by cause and region by region"),

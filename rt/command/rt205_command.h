@@ -10,6 +10,7 @@
 #include "base/command_options.h"
 #include "base/progress.h"
 #include "base/results.h"
+#include "rt/farm/farm.h"
 #include "rt/mass/units.h"
 #include "rt/roots/roots.h"
 #include "rt/scene/language/scene_read.h"
@@ -46,12 +47,19 @@ struct cmd_heat {
     struct command_texts emissivities, temperatures; /* NAME=VALUE */
 };
 
+/* How units of work are done and kept. */
+struct cmd_units {
+    struct command_texts resume; /* files; none: nothing is kept */
+    size_t ranks;                /* processes to begin; 0: this one alone */
+    struct farm farm;
+    struct ranks joined;
+};
+
 struct rt205_arguments {
     const char *command;
     const char *scene;  /* the file to work on, or NULL; of a sweep
                                    perhaps a primitive */
     const char *output; /* NULL: not wanted */
-    const char *resume; /* keeps finished bands, or NULL */
     const char *model;
     struct results results;
     struct trace_options trace; /* its model is not yet set */
@@ -67,6 +75,7 @@ struct rt205_arguments {
     struct cmd_heat heat;
     int falsi; /* the rule; FALSI_RULES: all of them, compared */
     struct cmd_mass mass;
+    struct cmd_units units;
     struct progress progress;
     struct command_texts search; /* folders for includes */
 };
@@ -102,6 +111,17 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice,
 #define CMD_JOBS(what) \
     { CMD_COUNT("jobs", trace.jobs, 1, TRACE_JOBS_MOST, 0, what), \
       .preset_text = "one for each processor" }
+#define CMD_FARM(units_) \
+    { .name = "resume", .value = "FILE", .kind = COMMAND_FILE, \
+      .many = true, .offset = CMD_PLACE(units.resume), \
+      .help = "keep finished " units_ " there, go on from those it has; of " \
+              "further files take theirs" }, \
+    { .name = "part", .value = "K/N", .kind = COMMAND_OWN, \
+      .offset = CMD_PLACE(units.farm), .take = cmd_take_part, \
+      .wants = "two numbers, the first not above the second: 1/4", \
+      .help = "keep the K-th of N shares of the " units_ ", and no more" }, \
+    { CMD_COUNT("ranks", units.ranks, 1, RANKS_MOST, 0, \
+                "processes, by MPI") }
 #define CMD_VIEW(usual, usual_text) \
     { .name = "distance", .value = "D", .kind = COMMAND_NUMBER, \
       .offset = CMD_PLACE(view.distance), .most = 1e6, \
@@ -158,6 +178,14 @@ enum { CMD_UNDRAWN = CMD_USAGE + 1 };
  * CMD_DONE or CMD_UNDRAWN, else dropped.  The exit code: of what is not drawn
  * CMD_FAILED. */
 int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work);
+
+/* The same for a command with units of work, which other ranks may do: these tell and write
+ * nothing. */
+int cmd_with_farm(struct rt205_arguments *arguments, cmd_work *work);
+/* What a share of so many units comes to: CMD_DONE. */
+int cmd_tell_share(const struct rt205_arguments *arguments, size_t units);
+enum { RANKS_MOST = 4096 };
+bool cmd_take_part(char *text, void *farm);
 
 /* The scene of the arguments; its reports go to stderr.  NULL: it has errors,
  * which have been told. */

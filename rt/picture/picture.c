@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/whole.h"
+#include "rt/adapter/adapter.h"
 
 #include <dlfcn.h>
 #include <errno.h>
@@ -18,8 +19,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Where it is installed, seen from the program's folder. */
-#define FROM_BIN "/../lib/rt205"
 
 static bool fail(struct picture_error *error, const char *format, ...)
 {
@@ -146,31 +145,17 @@ static void separate(const struct picture_image *image,
 
 /* --- the adapter ------------------------------------------------------- */
 
-static bool program_folder(char *folder, size_t size)
+static bool adapter_path(char path[ADAPTER_PATH], struct picture_error *error)
 {
-    ssize_t length = readlink("/proc/self/exe", folder, size - 1);
-    if (length <= 0)
-        return false;
-    folder[length] = '\0';
-    char *slash = strrchr(folder, '/');
-    if (slash)
-        *slash = '\0';
-    return slash != NULL;
+    c205_error cause;
+    return adapter_find(PICTURE_ADAPTER_FILE, path, &cause)
+           || fail(error, "pictures: %s", cause.message);
 }
 
-enum { ADAPTER_PATH = 4096 + sizeof PICTURE_ADAPTER_FILE };
-
-static bool adapter_is_in(const char *folder, char path[ADAPTER_PATH])
-{
-    snprintf(path, ADAPTER_PATH, "%s/%s", folder, PICTURE_ADAPTER_FILE);
-    return access(path, R_OK) == 0;
-}
-
-static const struct picture_adapter *adapter_in(const char *folder,
-                                                struct picture_error *error)
+static const struct picture_adapter *find_adapter(struct picture_error *error)
 {
     char path[ADAPTER_PATH];
-    if (!adapter_is_in(folder, path))
+    if (!adapter_path(path, error))
         return NULL;
     /* Lazily: a third of the time that it takes goes for names that nobody
      * calls. */
@@ -179,45 +164,6 @@ static const struct picture_adapter *adapter_in(const char *folder,
     if (!table)
         fail(error, "pictures: %s", dlerror());
     return table;
-}
-
-/* Where the adapter may be: folders, as many as there are. */
-struct adapter_places {
-    char beside[4096], installed[4096 + sizeof FROM_BIN];
-    const char *folders[3];
-    size_t count;
-};
-
-static void find_places(struct adapter_places *places)
-{
-    const char *named = getenv("RT205_LIBDIR");
-    strcpy(places->beside, ".");
-    program_folder(places->beside, sizeof places->beside);
-    snprintf(places->installed, sizeof places->installed, "%s%s",
-             places->beside, FROM_BIN);
-    places->count = 0;
-    if (named)
-        places->folders[places->count++] = named;
-    places->folders[places->count++] = places->beside;
-    places->folders[places->count++] = places->installed;
-}
-
-static bool fail_nowhere(const struct adapter_places *places,
-                         struct picture_error *error)
-{
-    return fail(error, "pictures: no %s in %s or %s", PICTURE_ADAPTER_FILE,
-                places->beside, places->installed);
-}
-
-static const struct picture_adapter *find_adapter(struct picture_error *error)
-{
-    const struct picture_adapter *found = NULL;
-    struct adapter_places places;
-    find_places(&places);
-    fail_nowhere(&places, error);
-    for (size_t i = 0; !found && i < places.count; i++)
-        found = adapter_in(places.folders[i], error);
-    return found;
 }
 
 /* Loaded once and kept: the library does not bear unloading. */
@@ -247,20 +193,10 @@ static void *load(void *context)
     return NULL;
 }
 
-static bool adapter_is_somewhere(struct picture_error *error)
-{
-    struct adapter_places places;
-    char path[ADAPTER_PATH];
-    find_places(&places);
-    for (size_t i = 0; i < places.count; i++)
-        if (adapter_is_in(places.folders[i], path))
-            return true;
-    return fail_nowhere(&places, error);
-}
-
 struct picture_loader *picture_load(struct picture_error *error)
 {
-    if (!adapter_is_somewhere(error))
+    char path[ADAPTER_PATH];
+    if (!adapter_path(path, error))
         return NULL;
     struct picture_loader *loader = calloc(1, sizeof *loader);
     if (!loader)

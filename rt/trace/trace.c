@@ -6,9 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "rt/trace/band_file.h"
+#include "rt/farm/farm.h"
+#include "rt/trace/band_words.h"
 #include "rt/trace/form.h"
 #include "rt/trace/planes.h"
+#include "base/error.h"
 #include "base/hash.h"
 
 struct trace {
@@ -20,14 +22,13 @@ struct trace {
 
     size_t band_rows; /* of each band but perhaps the last */
     size_t band_count;
-    bool *taken;                /* bands that are done or being done */
     struct frame_planes planes; /* FRAME_CHANNELS, as far as they are done */
     size_t hits;
     size_t rows_done, bands_done;
     size_t rows_of_parts; /* done, of bands that were stopped */
     struct accounts accounts;
     uint64_t rays[RAY_KINDS];
-    struct band_file *file; /* that keeps the bands, or NULL */
+    struct farm alone, *farm; /* alone: if there is no other one */
 
     /* While it runs, all of the above that changes is under the lock. */
     pthread_mutex_t lock, watching;
@@ -40,18 +41,11 @@ struct trace {
 /* One thread's work: a band at a time. */
 struct job {
     struct trace *trace;
-    pthread_t thread;
+    struct band_tracer tracer;
     size_t pixels; /* of its band that are begun */
 };
 
 /* ---- Whether to go on ---------------------------------------------------- */
-
-static void stop_with(struct trace *trace, const c205_error *why)
-{
-    if (!trace->stop)
-        trace->error = *why;
-    trace->stop = true;
-}
 
 static size_t pixels_done(const struct trace *trace)
 {
@@ -67,15 +61,13 @@ static bool ask(struct trace *trace)
 {
     const struct trace_options *options = &trace->options;
     size_t all = options->width * options->height, done = pixels_done(trace);
-    c205_error why;
 
     if (trace->stop || !options->progress
         || options->progress(options->context, done, all))
         return !trace->stop;
-    snprintf(why.message, sizeof why.message,
-             "stopped after %zu of %zu pixels", done, all);
-    stop_with(trace, &why);
-    return false;
+    trace->stop = true;
+    return error_say(&trace->error, "stopped after %zu of %zu pixels", done,
+                     all);
 }
 
 static bool go_on(void *context)
@@ -190,9 +182,7 @@ static bool prepare(struct trace *trace, const struct scene *scene,
         return false;
     snprintf(error->message, sizeof error->message,
              "no memory for the frame");
-    trace->taken = calloc(trace->band_count, sizeof *trace->taken);
-    return trace->taken
-           && planes_take(&trace->planes, FRAME_CHANNELS * pixels);
+    return planes_take(&trace->planes, FRAME_CHANNELS * pixels);
 }
 
 enum trace_order trace_order(const struct trace_options *options)
@@ -217,6 +207,7 @@ struct trace *trace_new(const struct scene *scene,
     pthread_mutex_init(&trace->lock, NULL);
     pthread_mutex_init(&trace->watching, NULL);
     trace->options = *options;
+    trace->farm = options->farm ? options->farm : &trace->alone;
     trace->options.samples = samples_across(options, scene);
     trace->accounts.model = options->model;
     trace->gamma = scene->assumed_gamma > 0
@@ -247,13 +238,12 @@ void trace_free(struct trace *trace)
 {
     if (!trace)
         return;
-    band_file_close(trace->file, false);
+    farm_end(trace->farm, false);
     pthread_mutex_destroy(&trace->lock);
     pthread_mutex_destroy(&trace->watching);
     accounts_free(&trace->accounts);
     layout_free(trace->layout);
     object_free(trace->program);
-    free(trace->taken);
     planes_give_back(&trace->planes);
     free(trace);
 }
@@ -295,38 +285,39 @@ static bool add_band(struct trace *trace, const struct band *band)
     return true;
 }
 
-/* A band from the file, if it is one of this trace's. */
-static bool add_kept(void *context, const struct band *band)
+/* A band that is done, here or elsewhere. */
+static bool take_band(void *context, size_t number, struct unit_words *words,
+                      c205_error *error)
 {
     struct trace *trace = context;
-    size_t i = band->first_row / trace->band_rows;
+    struct band band = { .first_row = number * trace->band_rows,
+                         .rows = rows_of(trace, number),
+                         .accounts = { .model = trace->options.model } };
+    bool good;
 
-    if (i >= trace->band_count || trace->taken[i]
-        || band->first_row != i * trace->band_rows
-        || band->rows != rows_of(trace, i))
-        return true;
-    trace->taken[i] = true;
-    return add_band(trace, band);
+    pthread_mutex_lock(&trace->lock);
+    good = (band_take(&band, trace->options.width, words)
+            && add_band(trace, &band))
+           || error_say(error, "no memory");
+    pthread_mutex_unlock(&trace->lock);
+    band_free(&band);
+    return good;
 }
 
-bool trace_keep(struct trace *trace, const char *path, c205_error *error)
+bool trace_keep(struct trace *trace, c205_error *error)
 {
     c205 *machine = trace_machine(trace, error);
-    uint64_t key = machine ? band_file_key(machine) : 0;
+    const uint64_t size[] = { trace->options.width, trace->options.height,
+                              trace->band_rows };
+    uint64_t key = machine ? farm_key("frame", machine, size, 3) : 0;
 
     c205_free(machine);
-    if (!machine)
-        return false;
-    trace->file = band_file_open(path, key, trace->options.width,
-                                 trace->options.model, add_kept, trace,
-                                 error);
-    return trace->file != NULL;
+    return machine && farm_keep(trace->farm, key, error);
 }
 
 void trace_forget(struct trace *trace)
 {
-    band_file_close(trace->file, true);
-    trace->file = NULL;
+    farm_end(trace->farm, true);
 }
 
 /* ---- Jobs ---------------------------------------------------------------- */
@@ -343,34 +334,6 @@ static bool tell_progress(void *context, size_t pixels)
     return going;
 }
 
-static bool take_next(struct trace *trace, struct band *band)
-{
-    bool found = false;
-
-    pthread_mutex_lock(&trace->lock);
-    for (size_t i = 0; i < trace->band_count && !found && !trace->stop; i++)
-        if (!trace->taken[i]) {
-            found = trace->taken[i] = true;
-            *band = (struct band){ .first_row = i * trace->band_rows,
-                                   .rows = rows_of(trace, i) };
-        }
-    pthread_mutex_unlock(&trace->lock);
-    return found;
-}
-
-static void finish_band(struct job *job, const struct band *band)
-{
-    struct trace *trace = job->trace;
-    c205_error why = { "no memory" };
-
-    pthread_mutex_lock(&trace->lock);
-    job->pixels = 0;
-    if (!add_band(trace, band)
-        || (trace->file && !band_file_add(trace->file, band, &why)))
-        stop_with(trace, &why);
-    pthread_mutex_unlock(&trace->lock);
-}
-
 static void keep_part(struct trace *trace, const struct band *band)
 {
     pthread_mutex_lock(&trace->lock);
@@ -380,71 +343,91 @@ static void keep_part(struct trace *trace, const struct band *band)
     pthread_mutex_unlock(&trace->lock);
 }
 
-static void *do_job(void *context)
+/* Why this band is not done: of all that are stopped the reason is one. */
+static bool end_stopped(struct trace *trace, const struct band *band,
+                        c205_error *error)
 {
-    struct job *job = context;
-    struct trace *trace = job->trace;
-    struct band_tracer tracer = { .work = &trace->work,
-                                  .lock = &trace->watching };
-    struct band band;
-
-    while (take_next(trace, &band)) {
-        bool stopped = false;
-        c205_error why;
-
-        if (band_trace(&tracer, &band, job, &stopped, &why)) {
-            finish_band(job, &band);
-        } else if (stopped) {
-            keep_part(trace, &band);
-        } else {
-            pthread_mutex_lock(&trace->lock);
-            stop_with(trace, &why);
-            pthread_mutex_unlock(&trace->lock);
-        }
-        band_free(&band);
-    }
-    c205_free(tracer.machine);
-    return NULL;
+    keep_part(trace, band);
+    *error = trace->error;
+    return false;
 }
 
-/* The first job is this thread's own. */
-static void do_jobs(struct trace *trace)
+static bool run_band(void *context, size_t number, size_t unit,
+                     struct unit_words *words, c205_error *error)
 {
-    size_t begun = 1;
+    struct trace *trace = context;
+    struct job *job = &trace->jobs[number];
+    struct band band = { .first_row = unit * trace->band_rows,
+                         .rows = rows_of(trace, unit) };
+    bool stopped = false;
+    bool good = band_trace(&job->tracer, &band, job, &stopped, error);
 
-    while (begun < trace->job_count
-           && pthread_create(&trace->jobs[begun].thread, NULL, do_job,
-                             &trace->jobs[begun])
-                  == 0)
-        begun++;
-    do_job(&trace->jobs[0]);
-    for (size_t i = 1; i < begun; i++)
-        pthread_join(trace->jobs[i].thread, NULL);
+    if (good)
+        band_put(&band, trace->options.width, words);
+    else if (stopped)
+        end_stopped(trace, &band, error);
+    band_free(&band);
+    pthread_mutex_lock(&trace->lock);
+    job->pixels = 0;
+    pthread_mutex_unlock(&trace->lock);
+    return good;
+}
+
+static bool watch(void *context, size_t done, c205_error *error)
+{
+    struct trace *trace = context;
+
+    (void)done;
+    if (go_on(trace))
+        return true;
+    *error = trace->error;
+    return false;
+}
+
+static bool begin_jobs(struct trace *trace)
+{
+    size_t jobs = trace->options.jobs > 0 ? trace->options.jobs : 1;
+
+    trace->job_count = jobs < trace->band_count ? jobs : trace->band_count;
+    trace->jobs = calloc(trace->job_count, sizeof *trace->jobs);
+    for (size_t i = 0; trace->jobs && i < trace->job_count; i++)
+        trace->jobs[i] = (struct job){
+            .trace = trace,
+            .tracer = { .work = &trace->work, .lock = &trace->watching }
+        };
+    return trace->jobs;
+}
+
+static void end_jobs(struct trace *trace)
+{
+    for (size_t i = 0; i < trace->job_count; i++)
+        c205_free(trace->jobs[i].tracer.machine);
+    free(trace->jobs);
+    trace->jobs = NULL;
+    trace->job_count = 0;
 }
 
 bool trace_run(struct trace *trace, c205_error *error)
 {
     const struct trace_options *options = &trace->options;
-    size_t jobs = options->jobs > 0 ? options->jobs : 1;
+    const struct farm_work work = { .farm = trace->farm,
+                                    .count = trace->band_count,
+                                    .jobs = options->jobs,
+                                    .run = run_band,
+                                    .take = take_band,
+                                    .go_on = options->progress ? watch : NULL,
+                                    .context = trace };
+    bool good;
 
-    trace->job_count = jobs < trace->band_count ? jobs : trace->band_count;
-    trace->jobs = calloc(trace->job_count, sizeof *trace->jobs);
-    snprintf(error->message, sizeof error->message, "no memory");
-    if (!trace->jobs)
-        return false;
-    for (size_t i = 0; i < trace->job_count; i++)
-        trace->jobs[i].trace = trace;
+    if (!begin_jobs(trace))
+        return error_say(error, "no memory");
     trace->work.progress = options->progress ? tell_progress : NULL;
-    do_jobs(trace);
-    free(trace->jobs);
-    trace->jobs = NULL;
-    trace->job_count = 0;
-    if (trace->stop)
-        *error = trace->error;
-    else if (options->progress)
+    good = farm_run(&work, error);
+    end_jobs(trace);
+    if (good && options->progress)
         options->progress(options->context, options->width * options->height,
                           options->width * options->height);
-    return !trace->stop;
+    return good;
 }
 
 /* ---- What came of it ----------------------------------------------------- */

@@ -45,6 +45,8 @@ enum { TRACE_BLOCK = 32, TRACE_COLUMNS_MOST = 65534 };
 enum { TRACE_SAMPLES_MOST = 16 };
 #define TRACE_PIXELS_MOST ((size_t)1 << 26)
 
+struct farm;
+
 struct trace_options {
     enum trace_mode mode;
     size_t width, height;   /* pixels */
@@ -72,6 +74,9 @@ struct trace_options {
      * know. */
     bool (*progress)(void *context, size_t done, size_t pixels);
     void *context;
+    struct farm
+        *farm; /* that does the bands (rt/farm/farm.h), and outlives the
+                          trace; NULL: threads, and nothing is kept */
 };
 
 /* The order that a stage takes, told or not. */
@@ -84,10 +89,10 @@ struct trace *trace_new(const struct scene *scene,
                         c205_error *error);
 void trace_free(struct trace *trace);
 
-/* Keep the bands in a file as they are finished (band_file.h), and take from
- * it those that it has, of this very frame; before the run. */
-bool trace_keep(struct trace *trace, const char *path, c205_error *error);
-/* The frame is safe elsewhere: remove the file that trace_keep named. */
+/* Keep the bands in the files of the farm as they are finished, and take from them those
+ * that they have, of this very frame; before the run. */
+bool trace_keep(struct trace *trace, c205_error *error);
+/* The frame is safe elsewhere: remove the file that keeps it. */
 void trace_forget(struct trace *trace);
 
 /* Rays of a pixel, across and down: more than the options say where the scene's

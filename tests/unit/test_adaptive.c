@@ -5,6 +5,8 @@
 #include "tests/oracle/plain_adaptive.h"
 #include "tests/unit/traced_frame.h"
 
+#include "rt/farm/farm.h"
+
 #include <unistd.h>
 
 #define SEEN \
@@ -399,7 +401,7 @@ static bool wait_on(void *context, size_t done, size_t all)
 }
 
 static struct trace *begin_kept(const struct scene *scene, double threshold,
-                                struct patience *patience, const char *path)
+                                struct patience *patience, struct farm *farm)
 {
     struct trace_options options = { .mode = TRACE_SCALAR,
                                      .width = 65,
@@ -409,6 +411,7 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
                                      .band = 1,
                                      .model = prior_model,
                                      .progress = patience ? wait_on : NULL,
+                                     .farm = farm,
                                      .context = patience };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
@@ -416,8 +419,8 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
     if (!trace)
         fail_msg("%s", error.message);
     assert_int_equal(trace_bands(trace), 3);
-    if (path && !trace_keep(trace, path, &error)) {
-        assert_non_null(strstr(error.message, "another frame"));
+    if (farm && !trace_keep(trace, &error)) {
+        assert_non_null(strstr(error.message, "another run"));
         trace_free(trace);
         return NULL;
     }
@@ -428,6 +431,8 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
 static void test_kept(void **state)
 {
     char path[] = "/tmp/test_adaptive.XXXXXX";
+    const char *const paths[] = { path };
+    struct farm farm = { .paths = paths, .path_count = 1 };
     struct scene *scene = read_text(shades);
     struct patience patience = { 0, SIZE_MAX };
     struct trace *whole = begin_kept(scene, .02, &patience, NULL), *trace;
@@ -437,15 +442,15 @@ static void test_kept(void **state)
     close(mkstemp(path));
     assert_true(trace_run(whole, &error));
     patience = (struct patience){ 0, patience.asked * 3 / 4 };
-    trace = begin_kept(scene, .02, &patience, path);
+    trace = begin_kept(scene, .02, &patience, &farm);
     assert_false(trace_run(trace, &error));
     assert_true(trace_bands_done(trace) > 0);
     assert_int_equal(trace_rows_done(trace),
                      TRACE_BLOCK * trace_bands_done(trace));
     trace_free(trace);
-    assert_null(begin_kept(scene, .03, NULL, path));
-    trace = begin_kept(scene, .02, NULL, path);
-    assert_true(trace_bands_done(trace) > 0);
+    assert_null(begin_kept(scene, .03, NULL, &farm));
+    trace = begin_kept(scene, .02, NULL, &farm);
+    assert_true(farm.kept > 0);
     assert_true(trace_run(trace, &error));
     assert_int_equal(trace_checksum(trace), trace_checksum(whole));
     assert_int_equal(trace_accounts(trace)->clocks,

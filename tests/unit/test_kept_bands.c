@@ -4,7 +4,8 @@
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-#include "rt/trace/band_file.h"
+#include "rt/farm/farm.h"
+#include "rt/trace/band_words.h"
 
 #include <unistd.h>
 
@@ -165,53 +166,42 @@ static void test_stopped_with_mirrors(void **state)
 
 /* ---- Kept ---------------------------------------------------------------- */
 
-static bool take_none(void *context, const struct band *band)
-{
-    (void)context;
-    (void)band;
-    fail_msg("a new file has a band");
-    return false;
-}
-
-/* A band as a run would have kept it, but of other rows and of samples that
- * are nowhere in the frame. */
-static void plant(struct trace *trace, size_t first_row, size_t rows)
+/* A unit as a run would have kept it, but with samples that are nowhere in the
+ * frame, and of other rows perhaps. */
+static void plant(struct trace *trace, struct farm *farm, uint64_t unit,
+                  size_t rows)
 {
     c205_error error = { "" };
-    c205 *machine = trace_machine(trace, &error);
-    struct band band = { .first_row = first_row, .rows = rows };
+    struct band band = { .rows = rows };
     size_t count = FRAME_CHANNELS * rows * WIDTH;
-    struct band_file *file;
+    struct unit_words words = { .items = NULL };
 
-    assert_non_null(machine);
-    file = band_file_open(path, band_file_key(machine), WIDTH, prior_model,
-                          take_none, NULL, &error);
-    if (!file)
-        fail_msg("%s", error.message);
+    assert_true(trace_keep(trace, &error));
     band.words = malloc(count * sizeof *band.words);
     assert_non_null(band.words);
     for (size_t i = 0; i < count; i++)
         band.words[i] = c205_from_integer(205);
-    assert_true(band_file_add(file, &band, &error));
-    band_file_close(file, false);
+    band_put(&band, WIDTH, &words);
+    assert_true(unit_file_add(farm->file, unit, &words, &error));
+    words_free(&words);
     band_free(&band);
-    c205_free(machine);
 }
 
-/* A file with such a band alone: it is taken, or the frame becomes the same as
+/* A file with such a unit alone: it is taken, or the frame becomes the same as
  * without it. */
 static void check_planted(const struct scene *scene,
-                          const struct trace *whole, size_t first_row,
+                          const struct trace *whole, uint64_t unit,
                           size_t rows, bool taken)
 {
+    const char *const paths[] = { path };
+    struct farm farm = { .paths = paths, .path_count = 1 };
     struct trace_options options = how(TRACE_VECTOR);
-    struct trace *trace = begin(scene, &options);
+    struct trace *trace;
     c205_error error = { "" };
 
-    plant(trace, first_row, rows);
-    assert_true(trace_keep(trace, path, &error));
-    assert_int_equal(trace_bands_done(trace), taken);
-    assert_int_equal(trace_rows_done(trace), taken ? rows : 0);
+    options.farm = &farm;
+    trace = begin(scene, &options);
+    plant(trace, &farm, unit, rows);
     assert_true(trace_run(trace, &error));
     assert_int_equal(trace_rows_done(trace), TALL);
     assert_int_equal(trace_checksum(trace) == trace_checksum(whole), !taken);
@@ -229,14 +219,11 @@ static void test_planted(void **state)
     struct trace *whole = run(scene, TRACE_VECTOR);
 
     (void)state;
-    check_planted(scene, whole, ROWS, ROWS, true);
-    check_planted(scene, whole, ROWS, ROWS - 1, false);
-    check_planted(scene, whole, ROWS, ROWS + 1, false);
-    check_planted(scene, whole, TALL - ROWS, ROWS + 1, false);
-    check_planted(scene, whole, ROWS + 1, ROWS, false);
-    check_planted(scene, whole, ROWS - 1, ROWS, false);
-    check_planted(scene, whole, TALL, ROWS, false);
-    check_planted(scene, whole, SIZE_MAX / ROWS * ROWS, ROWS, false);
+    check_planted(scene, whole, 1, ROWS, true);
+    check_planted(scene, whole, 1, ROWS - 1, false);
+    check_planted(scene, whole, 1, ROWS + 1, false);
+    check_planted(scene, whole, BANDS, ROWS, false);
+    check_planted(scene, whole, UINT64_MAX, ROWS, false);
     trace_free(whole);
     scene_free(scene);
 }

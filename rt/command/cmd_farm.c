@@ -1,0 +1,148 @@
+/* cmd_farm.c - commands whose units of work other processes may do. */
+#include "rt/command/rt205_command.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* ---- Shares -------------------------------------------------------------- */
+
+bool cmd_take_part(char *text, void *place)
+{
+    struct farm *farm = place;
+    char *end;
+
+    farm->part = strtoul(text, &end, 10);
+    if (end == text || *end != '/' || *text == '-')
+        return false;
+    text = end + 1;
+    farm->parts = strtoul(text, &end, 10);
+    return end != text && *end == '\0' && *text != '-' && farm->part > 0
+           && farm->part <= farm->parts;
+}
+
+int cmd_tell_share(const struct rt205_arguments *arguments, size_t units)
+{
+    const struct farm *farm = &arguments->units.farm;
+
+    if (farm->file)
+        fprintf(stderr,
+                "%s: part %zu of %zu is done: %s has %zu of %zu units\n",
+                arguments->command, farm->part, farm->parts, farm->paths[0],
+                unit_file_count(farm->file), units);
+    return CMD_DONE;
+}
+
+static int check_share(const struct rt205_arguments *arguments)
+{
+    const char *why = NULL;
+
+    if (arguments->units.farm.parts == 0)
+        return CMD_DONE;
+    if (arguments->units.resume.count == 0)
+        why = "--part keeps its units in a file: name it with --resume";
+    else if (arguments->output || arguments->results.path)
+        why = "--part keeps units and writes nothing else";
+    return why ? cmd_usage(arguments->command, "%s", why) : CMD_DONE;
+}
+
+/* ---- Ranks --------------------------------------------------------------- */
+
+/* The words of this process's own command line. */
+static char **own_words(char *text, size_t size)
+{
+    FILE *file = fopen("/proc/self/cmdline", "rb");
+    size_t length = file ? fread(text, 1, size - 1, file) : 0, count = 0;
+    char **words = calloc(length + 1, sizeof *words);
+
+    if (file)
+        fclose(file);
+    text[length] = '\0';
+    for (size_t at = 0; words && at < length; at += strlen(text + at) + 1)
+        words[count++] = text + at;
+    return words;
+}
+
+/* Become mpirun, which begins as many of this program. */
+static int begin_ranks(const struct rt205_arguments *arguments)
+{
+    enum { BEFORE = 8 };
+    static char text[1 << 17], program[4096], count[24];
+    char **own = own_words(text, sizeof text);
+    size_t words = 0, at = 0;
+    char *all[BEFORE + 1024] = {
+        "mpirun", "--oversubscribe", "--bind-to", "none", "-n", count, program
+    };
+    ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
+
+    snprintf(count, sizeof count, "%zu", arguments->units.ranks);
+    program[length > 0 ? length : 0] = '\0';
+    for (words = 7; own && own[at] && own[at + 1] && words < 1024; at++)
+        all[words++] = own[at + 1];
+    all[words] = NULL;
+    free(own);
+    if (geteuid() == 0) {
+        setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+        setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    }
+    execvp("mpirun", all);
+    return cmd_failed(arguments->command,
+                      errno == ENOENT
+                          ? "mpirun is not there: the package openmpi-bin "
+                            "has it"
+                          : "mpirun cannot be begun");
+}
+
+/* Whoever is not rank 0 tells nothing and writes nothing. */
+static void be_silent(struct rt205_arguments *arguments)
+{
+    arguments->output = NULL;
+    arguments->results.path = NULL;
+    arguments->results.format = RESULTS_TEXT;
+    if (!freopen("/dev/null", "w", stdout)
+        || !freopen("/dev/null", "w", stderr))
+        abort();
+}
+
+static int work_in_ranks(struct rt205_arguments *arguments, cmd_work *work)
+{
+    struct ranks *ranks = &arguments->units.joined;
+    c205_error error;
+    int code;
+
+    if (arguments->trace.jobs > 1)
+        return cmd_usage(arguments->command,
+                         "each rank does a unit at a time: --jobs does not "
+                         "go with ranks");
+    if (!ranks_join(ranks, &error))
+        return cmd_failed(arguments->command, "%s", error.message);
+    arguments->units.farm.ranks = ranks;
+    arguments->trace.jobs = 1;
+    if (ranks->rank > 0)
+        be_silent(arguments);
+    code = cmd_with_machine(arguments, work);
+    ranks_leave(ranks, code == CMD_DONE ? NULL : "it cannot work");
+    return ranks->rank > 0 ? CMD_DONE : code;
+}
+
+int cmd_with_farm(struct rt205_arguments *arguments, cmd_work *work)
+{
+    struct cmd_units *units = &arguments->units;
+    int code = check_share(arguments);
+
+    if (code != CMD_DONE)
+        return code;
+    units->farm.paths = units->resume.items;
+    units->farm.path_count = units->resume.count;
+    arguments->trace.farm = &units->farm;
+    if (ranks_are_many())
+        code = work_in_ranks(arguments, work);
+    else if (units->ranks > 1)
+        code = begin_ranks(arguments);
+    else
+        code = cmd_with_machine(arguments, work);
+    farm_end(&units->farm, false);
+    return code;
+}

@@ -1,0 +1,423 @@
+#include "rt/farm/farm.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "base/hash.h"
+
+/* ---- Files and keys ------------------------------------------------------ */
+
+static bool is_first(const struct farm *farm)
+{
+    return !farm->ranks || farm->ranks->rank == 0;
+}
+
+bool farm_collects(const struct farm *farm)
+{
+    return is_first(farm) && farm->parts == 0;
+}
+
+bool farm_keep(struct farm *farm, uint64_t key, c205_error *error)
+{
+    if (farm->path_count == 0 || farm->file || !is_first(farm))
+        return true;
+    if (key == 0)
+        return error_say(error, "no memory");
+    farm->file = unit_file_open(farm->paths[0], key, error);
+    for (size_t i = 1; farm->file && i < farm->path_count; i++)
+        if (!unit_file_merge(farm->file, farm->paths[i], error))
+            farm_end(farm, false);
+    farm->kept = farm->file ? unit_file_count(farm->file) : 0;
+    return farm->file;
+}
+
+void farm_end(struct farm *farm, bool remove_it)
+{
+    unit_file_close(farm->file, remove_it);
+    farm->file = NULL;
+}
+
+static bool add_to_key(void *context, const void *bytes, size_t count)
+{
+    uint64_t *key = context;
+
+    *key = hash_bytes(*key, bytes, count);
+    return true;
+}
+
+uint64_t farm_key(const char *kind, const c205 *machine,
+                  const uint64_t *options, size_t count)
+{
+    uint64_t key = HASH_START;
+    c205_error error;
+
+    add_to_key(&key, kind, strlen(kind) + 1);
+    add_to_key(&key, C205_VERSION, sizeof C205_VERSION);
+    key = hash_words(key, options, count);
+    return c205_save(machine, add_to_key, &key, &error) ? key : 0;
+}
+
+/* ---- Units --------------------------------------------------------------- */
+
+struct pool {
+    const struct farm_work *work;
+    pthread_mutex_t lock; /* of all below */
+    bool *begun;
+    size_t next;   /* all before it are begun */
+    size_t done;   /* and taken, if they are */
+    bool stopped;  /* by who watches, or for no file or memory */
+    size_t failed; /* the lowest unit that failed; count: none */
+    size_t active; /* threads at work */
+    c205_error error;
+};
+
+struct hand {
+    struct pool *pool;
+    size_t number;
+    pthread_t thread;
+};
+
+static bool is_mine(const struct farm *farm, size_t unit)
+{
+    return farm->parts == 0 || unit % farm->parts == farm->part - 1;
+}
+
+/* With lock held, as in all that follow.  What comes before a unit that failed is
+ * done, so the error is the same whoever is the faster. */
+static bool take_next(struct pool *pool, size_t *unit)
+{
+    const struct farm_work *work = pool->work;
+
+    while (pool->next < work->count && pool->begun[pool->next])
+        pool->next++;
+    if (pool->stopped || pool->next >= pool->failed
+        || pool->next >= work->count)
+        return false;
+    *unit = pool->next;
+    return pool->begun[*unit] = true;
+}
+
+static void fail_unit(struct pool *pool, size_t unit, const c205_error *why)
+{
+    if (!pool->stopped && unit < pool->failed) {
+        pool->failed = unit;
+        pool->error = *why;
+    }
+}
+
+static void stop(struct pool *pool, const c205_error *why)
+{
+    if (!pool->stopped)
+        pool->error = *why;
+    pool->stopped = true;
+}
+
+static void ask(struct pool *pool)
+{
+    const struct farm_work *work = pool->work;
+    c205_error why = { "stopped" };
+
+    if (!pool->stopped && work->go_on && pool->done < work->count
+        && !work->go_on(work->context, pool->done, &why))
+        stop(pool, &why);
+}
+
+static void take_unit(struct pool *pool, size_t unit,
+                      struct unit_words *words)
+{
+    const struct farm_work *work = pool->work;
+    c205_error why = { "no memory" };
+
+    if (words->failed
+        || (farm_collects(work->farm)
+            && !work->take(work->context, unit, words, &why))
+        || (work->farm->file
+            && !unit_file_add(work->farm->file, work->first + unit, words,
+                              &why))) {
+        stop(pool, &why);
+        return;
+    }
+    pool->done++;
+    ask(pool);
+}
+
+/* Whether the file has it, and it is what it should be. */
+static bool has_unit(const struct farm_work *work, size_t unit,
+                     struct unit_words *words)
+{
+    const struct farm *farm = work->farm;
+    c205_error why;
+
+    return farm->file && unit_file_read(farm->file, work->first + unit, words)
+           && (!farm_collects(farm)
+               || work->take(work->context, unit, words, &why));
+}
+
+/* Those of other shares, and those that the file has, are not done. */
+static void take_kept(struct pool *pool)
+{
+    const struct farm_work *work = pool->work;
+    struct unit_words words = { .items = NULL };
+
+    for (size_t unit = 0; unit < work->count && !pool->stopped; unit++) {
+        pool->begun[unit] = !is_mine(work->farm, unit);
+        if (has_unit(work, unit, &words)) {
+            pool->begun[unit] = true;
+            pool->done++;
+            ask(pool);
+        }
+    }
+    words_free(&words);
+}
+
+/* ---- Threads ------------------------------------------------------------- */
+
+static void do_unit(struct hand *hand, size_t unit)
+{
+    struct pool *pool = hand->pool;
+    const struct farm_work *work = pool->work;
+    struct unit_words words = { .items = NULL };
+    c205_error why = { "no memory" };
+    bool good = work->run(work->context, hand->number, unit, &words, &why);
+
+    pthread_mutex_lock(&pool->lock);
+    if (good)
+        take_unit(pool, unit, &words);
+    else
+        fail_unit(pool, unit, &why);
+    pthread_mutex_unlock(&pool->lock);
+    words_free(&words);
+}
+
+static void *do_units(void *context)
+{
+    struct hand *hand = context;
+    struct pool *pool = hand->pool;
+    size_t unit;
+    bool more = true;
+
+    while (more) {
+        pthread_mutex_lock(&pool->lock);
+        more = take_next(pool, &unit);
+        pool->active -= !more;
+        pthread_mutex_unlock(&pool->lock);
+        if (more)
+            do_unit(hand, unit);
+    }
+    return NULL;
+}
+
+static size_t begin_hands(struct hand *hands, size_t first, size_t count)
+{
+    size_t begun = first;
+
+    while (
+        begun < count
+        && pthread_create(&hands[begun].thread, NULL, do_units, &hands[begun])
+               == 0)
+        begun++;
+    return begun;
+}
+
+/* ---- Ranks --------------------------------------------------------------- */
+
+struct service {
+    struct pool *pool;
+    struct ranks *ranks;
+    bool *ended; /* of each rank, whether it has no unit to do */
+    size_t left; /* ranks that are not ended */
+};
+
+static void end_rank(struct service *service, size_t rank)
+{
+    service->left -= !service->ended[rank];
+    service->ended[rank] = true;
+}
+
+static void give_unit(struct service *service, size_t to)
+{
+    size_t unit;
+
+    if (take_next(service->pool, &unit)) {
+        ranks_send(service->ranks, to, RANK_DOES, unit, NULL);
+    } else {
+        ranks_send(service->ranks, to, RANK_ENDS, 0, NULL);
+        end_rank(service, to);
+    }
+}
+
+/* A rank that fails before it has a unit stops all. */
+static void hear_failure(struct service *service, size_t from, uint64_t unit,
+                         struct unit_words *letters)
+{
+    size_t count = letters->count - letters->at, i = 0;
+    char text[sizeof((c205_error *)0)->message];
+    c205_error why;
+
+    for (; i < count && i + 1 < sizeof text; i++)
+        text[i] = (char)words_take(letters);
+    text[i] = '\0';
+    if (unit < service->pool->work->count) {
+        error_say(&why, "%s", text);
+        fail_unit(service->pool, (size_t)unit, &why);
+    } else if (!service->ended[from]) {
+        error_say(&why, "rank %zu: %.200s", from, text);
+        stop(service->pool, &why);
+    }
+    end_rank(service, from);
+}
+
+/* A unit without its first two words. */
+static void hear_unit(struct service *service, uint64_t unit,
+                      struct unit_words *message)
+{
+    struct unit_words words = { .items = NULL };
+
+    words_put_all(&words, message->items + message->at,
+                  message->count - message->at);
+    take_unit(service->pool, (size_t)unit, &words);
+    words_free(&words);
+}
+
+static void answer(struct service *service, size_t from,
+                   struct unit_words *message)
+{
+    uint64_t what = words_take(message), unit = words_take(message);
+
+    if (what == RANK_FAILS) {
+        hear_failure(service, from, unit, message);
+        return;
+    }
+    if (what == RANK_DONE)
+        hear_unit(service, unit, message);
+    give_unit(service, from);
+}
+
+/* Until all others, and the threads of this process, have nothing to do. */
+static void serve(struct service *service)
+{
+    struct pool *pool = service->pool;
+    struct unit_words message = { .items = NULL };
+    bool busy = true;
+    size_t from;
+
+    while (busy) {
+        bool heard = ranks_hear(service->ranks, &from, &message);
+
+        pthread_mutex_lock(&pool->lock);
+        if (heard)
+            answer(service, from, &message);
+        else
+            ask(pool);
+        busy = service->left > 0 || pool->active > 0;
+        pthread_mutex_unlock(&pool->lock);
+        if (!heard && busy)
+            ranks_wait();
+    }
+    words_free(&message);
+}
+
+static void serve_ranks(struct pool *pool, struct ranks *ranks)
+{
+    struct service service = { .pool = pool,
+                               .ranks = ranks,
+                               .ended = calloc(ranks->count, sizeof(bool)),
+                               .left = ranks->count - 1 };
+
+    if (!service.ended)
+        abort(); /* all ranks end with one */
+    serve(&service);
+    free(service.ended);
+}
+
+static bool do_for_other(const struct farm_work *work, size_t unit,
+                         c205_error *error)
+{
+    struct unit_words words = { .items = NULL };
+    bool good = work->run(work->context, 0, unit, &words, error)
+                && !words.failed;
+
+    if (good)
+        ranks_send(work->farm->ranks, 0, RANK_DONE, unit, &words);
+    else
+        ranks_fail(work->farm->ranks, unit, error->message);
+    words_free(&words);
+    return good;
+}
+
+/* What a rank other than 0 does. */
+static bool work_for_first(const struct farm_work *work, c205_error *error)
+{
+    struct ranks *ranks = work->farm->ranks;
+    enum rank_message what = RANK_DOES;
+    uint64_t unit;
+    bool good = true;
+
+    ranks_send(ranks, 0, RANK_ASKS, 0, NULL);
+    while (good && what == RANK_DOES) {
+        what = ranks_await(ranks, &unit);
+        if (what == RANK_DOES)
+            good = do_for_other(work, (size_t)unit, error);
+    }
+    return (good && what == RANK_ENDS)
+           || (good && error_say(error, "released"));
+}
+
+/* ---- All of them --------------------------------------------------------- */
+
+/* Where there are other ranks this thread serves them; else it is the first job. */
+static void do_all(struct pool *pool, struct hand *hands, size_t count)
+{
+    struct ranks *ranks = pool->work->farm->ranks;
+    size_t first = ranks ? 0 : 1, begun;
+
+    pool->active = count;
+    begun = begin_hands(hands, first, count);
+    pthread_mutex_lock(&pool->lock);
+    pool->active -= count - begun;
+    pthread_mutex_unlock(&pool->lock);
+    if (ranks)
+        serve_ranks(pool, ranks);
+    else
+        do_units(&hands[0]);
+    for (size_t i = first; i < begun; i++)
+        pthread_join(hands[i].thread, NULL);
+}
+
+static bool run_all(struct pool *pool, c205_error *error)
+{
+    const struct farm_work *work = pool->work;
+    size_t most = work->jobs < work->count ? work->jobs : work->count;
+    size_t count = most > 1 ? most : 1;
+    struct hand *hands = calloc(count, sizeof *hands);
+
+    pool->begun = calloc(work->count + 1, sizeof *pool->begun);
+    if (!hands || !pool->begun) {
+        free(hands);
+        return error_say(error, "no memory");
+    }
+    for (size_t i = 0; i < count; i++)
+        hands[i] = (struct hand){ .pool = pool, .number = i };
+    pthread_mutex_init(&pool->lock, NULL);
+    take_kept(pool);
+    do_all(pool, hands, count);
+    pthread_mutex_destroy(&pool->lock);
+    free(hands);
+    if (pool->stopped || pool->failed < work->count)
+        *error = pool->error;
+    return !pool->stopped && pool->failed == work->count;
+}
+
+bool farm_run(const struct farm_work *work, c205_error *error)
+{
+    struct pool pool = { .work = work, .failed = work->count };
+    bool good;
+
+    if (!is_first(work->farm))
+        return work_for_first(work, error);
+    good = run_all(&pool, error);
+    free(pool.begun);
+    return good;
+}

@@ -1,0 +1,155 @@
+#include "rt/farm/ranks.h"
+
+#include <dlfcn.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "base/error.h"
+#include "rt/adapter/adapter.h"
+
+bool ranks_are_many(void)
+{
+    const char *count = getenv("OMPI_COMM_WORLD_SIZE");
+
+    return count && strtol(count, NULL, 10) > 1;
+}
+
+/* Its library's own parts look for its names: they are for all. */
+static const struct ranks_adapter *find_adapter(c205_error *error)
+{
+    char path[ADAPTER_PATH];
+    c205_error why;
+    void *object;
+    const void *table;
+
+    if (!adapter_find(RANKS_FILE, path, &why)) {
+        error_say(error,
+                  "ranks: %.160s: make mpi builds it, of the package "
+                  "libopenmpi-dev",
+                  why.message);
+        return NULL;
+    }
+    object = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
+    table = object ? dlsym(object, RANKS_SYMBOL) : NULL;
+    if (!table)
+        error_say(error,
+                  "ranks: %.160s: the package openmpi-bin has what is "
+                  "missing",
+                  dlerror());
+    return table;
+}
+
+bool ranks_join(struct ranks *ranks, c205_error *error)
+{
+    *ranks = (struct ranks){ .adapter = find_adapter(error) };
+    return ranks->adapter
+           && (ranks->adapter->begin(&ranks->rank, &ranks->count)
+               || error_say(error, "ranks: MPI cannot be begun"));
+}
+
+/* ---- Messages ------------------------------------------------------------ */
+
+void ranks_send(const struct ranks *ranks, size_t to,
+                enum rank_message message, uint64_t word,
+                const struct unit_words *more)
+{
+    size_t count = more ? more->count : 0;
+    uint64_t *words = malloc((count + 2) * sizeof *words);
+
+    if (!words)
+        abort(); /* all ranks end with one */
+    words[0] = message;
+    words[1] = word;
+    if (count > 0)
+        memcpy(words + 2, more->items, count * sizeof *words);
+    ranks->adapter->send(to, words, count + 2);
+    free(words);
+}
+
+bool ranks_hear(const struct ranks *ranks, size_t *from,
+                struct unit_words *message)
+{
+    size_t count;
+
+    if (!ranks->adapter->ready(from, &count))
+        return false;
+    if (!words_resize(message, count))
+        abort();
+    ranks->adapter->receive(*from, message->items, count);
+    return true;
+}
+
+void ranks_wait(void)
+{
+    const struct timespec moment = { 0, 300000 };
+
+    nanosleep(&moment, NULL);
+}
+
+enum rank_message ranks_await(struct ranks *ranks, uint64_t *word)
+{
+    struct unit_words message = { .items = NULL };
+    enum rank_message what;
+    size_t from;
+
+    while (!ranks_hear(ranks, &from, &message))
+        ranks_wait();
+    what = (enum rank_message)words_take(&message);
+    *word = words_take(&message);
+    words_free(&message);
+    ranks->released |= what == RANK_FREE;
+    return what;
+}
+
+bool ranks_agree(struct ranks *ranks, uint64_t *word)
+{
+    if (ranks->rank > 0)
+        return !ranks->released && ranks_await(ranks, word) == RANK_AGREES;
+    for (size_t to = 1; to < ranks->count; to++)
+        ranks_send(ranks, to, RANK_AGREES, *word, NULL);
+    return true;
+}
+
+/* ---- The end ------------------------------------------------------------- */
+
+static void release(const struct ranks *ranks)
+{
+    struct unit_words message = { .items = NULL };
+    size_t left = ranks->count - 1, from;
+
+    for (size_t to = 1; to < ranks->count; to++)
+        ranks_send(ranks, to, RANK_FREE, 0, NULL);
+    while (left > 0)
+        if (ranks_hear(ranks, &from, &message))
+            left -= words_take(&message) == RANK_LEAVES;
+        else
+            ranks_wait();
+    words_free(&message);
+}
+
+void ranks_fail(const struct ranks *ranks, uint64_t unit, const char *failure)
+{
+    struct unit_words letters = { .items = NULL };
+
+    for (const char *at = failure; *at; at++)
+        words_put(&letters, (unsigned char)*at);
+    ranks_send(ranks, 0, RANK_FAILS, unit, &letters);
+    words_free(&letters);
+}
+
+void ranks_leave(struct ranks *ranks, const char *failure)
+{
+    uint64_t word;
+
+    if (ranks->rank == 0) {
+        release(ranks);
+    } else {
+        if (failure && !ranks->released)
+            ranks_fail(ranks, UINT64_MAX, failure);
+        while (!ranks->released)
+            ranks_await(ranks, &word);
+        ranks_send(ranks, 0, RANK_LEAVES, 0, NULL);
+    }
+    ranks->adapter->end();
+}

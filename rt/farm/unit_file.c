@@ -1,0 +1,375 @@
+#include "rt/farm/unit_file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "base/hash.h"
+
+/* A file is a list of 64-bit words, the highest byte first: the magic word and the key;
+ * then for each unit its number, how many words it has, a checksum of these two, the
+ * words, and a checksum of all that. */
+#define MAGIC UINT64_C(0x7274323035756E31) /* rt205un1 */
+enum { WORD = 8, HEAD = 2 * WORD };
+
+/* Where a unit is. */
+struct unit_place {
+    uint64_t number;
+    long at;
+};
+
+struct unit_file {
+    FILE *stream;
+    char *path;
+    uint64_t key;
+    long end; /* behind the last whole unit */
+    size_t count, room;
+    struct unit_place *places; /* by number */
+};
+
+/* ---- Words --------------------------------------------------------------- */
+
+static bool write_word(FILE *stream, uint64_t word)
+{
+    unsigned char bytes[WORD];
+
+    for (int i = 0; i < WORD; i++)
+        bytes[i] = (unsigned char)(word >> (56 - 8 * i));
+    return fwrite(bytes, 1, WORD, stream) == WORD;
+}
+
+static bool read_word(FILE *stream, uint64_t *word)
+{
+    unsigned char bytes[WORD];
+
+    if (fread(bytes, 1, WORD, stream) != WORD)
+        return false;
+    *word = 0;
+    for (int i = 0; i < WORD; i++)
+        *word = *word << 8 | bytes[i];
+    return true;
+}
+
+/* ---- A unit -------------------------------------------------------------- */
+
+/* The next one, whole and unharmed. */
+static bool read_unit(FILE *stream, uint64_t *number,
+                      struct unit_words *words)
+{
+    uint64_t head[2], sum, word = 0;
+
+    words_clear(words);
+    if (!read_word(stream, &head[0]) || !read_word(stream, &head[1])
+        || !read_word(stream, &sum) || sum != hash_words(HASH_START, head, 2))
+        return false;
+    for (uint64_t i = 0; i < head[1] && !words->failed; i++) {
+        if (!read_word(stream, &word))
+            return false;
+        words_put(words, word);
+    }
+    *number = head[0];
+    return !words->failed && read_word(stream, &word)
+           && word == hash_words(sum, words->items, words->count);
+}
+
+static bool write_unit(FILE *stream, uint64_t number,
+                       const struct unit_words *words)
+{
+    const uint64_t head[2] = { number, words->count };
+    uint64_t sum = hash_words(HASH_START, head, 2);
+    bool good = write_word(stream, head[0]) && write_word(stream, head[1])
+                && write_word(stream, sum);
+
+    for (size_t i = 0; good && i < words->count; i++)
+        good = write_word(stream, words->items[i]);
+    return good
+           && write_word(stream, hash_words(sum, words->items, words->count))
+           && fflush(stream) == 0;
+}
+
+/* ---- Which there are ----------------------------------------------------- */
+
+/* The first place of that number or a higher one. */
+static size_t place_of(const struct unit_file *file, uint64_t number)
+{
+    size_t low = 0, high = file->count;
+
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+
+        if (file->places[middle].number < number)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+bool unit_file_has(const struct unit_file *file, uint64_t number)
+{
+    size_t i = place_of(file, number);
+
+    return i < file->count && file->places[i].number == number;
+}
+
+size_t unit_file_count(const struct unit_file *file)
+{
+    return file->count;
+}
+
+static bool note_unit(struct unit_file *file, uint64_t number, long at)
+{
+    size_t i = place_of(file, number);
+
+    if (unit_file_has(file, number))
+        return true;
+    if (file->count == file->room) {
+        size_t room = file->room > 0 ? 2 * file->room : 64;
+        struct unit_place *places = realloc(file->places,
+                                            room * sizeof *places);
+
+        if (!places)
+            return false;
+        file->places = places;
+        file->room = room;
+    }
+    memmove(&file->places[i + 1], &file->places[i],
+            (file->count++ - i) * sizeof *file->places);
+    file->places[i] = (struct unit_place){ number, at };
+    return true;
+}
+
+/* What follows the last whole one is dropped. */
+static bool find_units(struct unit_file *file)
+{
+    struct unit_words words = { NULL, 0, 0, 0, false };
+    uint64_t number;
+    bool memory = true;
+
+    file->end = ftell(file->stream);
+    while (memory && read_unit(file->stream, &number, &words)) {
+        memory = note_unit(file, number, file->end);
+        file->end = ftell(file->stream);
+    }
+    words_free(&words);
+    return memory && file->end >= 0;
+}
+
+static bool drop_tail(struct unit_file *file)
+{
+    return fseek(file->stream, file->end, SEEK_SET) == 0
+           && ftruncate(fileno(file->stream), (off_t)file->end) == 0;
+}
+
+bool unit_file_read(struct unit_file *file, uint64_t number,
+                    struct unit_words *words)
+{
+    uint64_t found;
+
+    return unit_file_has(file, number)
+           && fseek(file->stream, file->places[place_of(file, number)].at,
+                    SEEK_SET)
+                  == 0
+           && read_unit(file->stream, &found, words) && found == number;
+}
+
+bool unit_file_add(struct unit_file *file, uint64_t number,
+                   const struct unit_words *words, c205_error *error)
+{
+    if (unit_file_has(file, number))
+        return true;
+    if (words->failed || fseek(file->stream, file->end, SEEK_SET) != 0
+        || !write_unit(file->stream, number, words)
+        || !note_unit(file, number, file->end))
+        return error_say(error, "%.100s: a unit of work cannot be added",
+                         file->path);
+    file->end = ftell(file->stream);
+    return true;
+}
+
+/* ---- The file ------------------------------------------------------------ */
+
+static bool read_head(FILE *stream, uint64_t key, c205_error *error)
+{
+    uint64_t magic = 0, of = 0;
+
+    if (!read_word(stream, &magic) || !read_word(stream, &of)
+        || magic != MAGIC)
+        return error_say(error, "it does not hold units of work");
+    return of == key
+           || error_say(error, "it is of another run: another scene, other "
+                               "options, or another version");
+}
+
+static bool write_head(FILE *stream, uint64_t key)
+{
+    return write_word(stream, MAGIC) && write_word(stream, key)
+           && fflush(stream) == 0;
+}
+
+/* Whether the path still leads to the file: a picture of that name may have
+ * come in its place. */
+static bool is_there(const struct unit_file *file)
+{
+    struct stat kept, named;
+
+    return fstat(fileno(file->stream), &kept) == 0
+           && stat(file->path, &named) == 0 && kept.st_dev == named.st_dev
+           && kept.st_ino == named.st_ino;
+}
+
+/* The file for this process alone: the lock goes with the process, however it
+ * ends. */
+static FILE *open_locked(const char *path, c205_error *error)
+{
+    struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
+    int file = open(path, O_RDWR | O_CREAT, 0666);
+    bool locked = file >= 0 && fcntl(file, F_SETLK, &lock) == 0;
+    bool in_use = file >= 0 && !locked
+                  && (errno == EAGAIN || errno == EACCES);
+    FILE *stream = locked ? fdopen(file, "r+b") : NULL;
+
+    if (!stream) {
+        error_say(error, "%s",
+                  in_use ? "another run is using it" : strerror(errno));
+        if (file >= 0)
+            close(file);
+    }
+    return stream;
+}
+
+/* The run that held the lock before may have removed the file at its end. */
+static bool open_stream(struct unit_file *file, c205_error *error)
+{
+    do {
+        if (file->stream)
+            fclose(file->stream);
+        file->stream = open_locked(file->path, error);
+    } while (file->stream && !is_there(file));
+    return file->stream != NULL;
+}
+
+static bool is_empty(const struct unit_file *file)
+{
+    struct stat status;
+
+    return fstat(fileno(file->stream), &status) == 0 && status.st_size == 0;
+}
+
+static bool begin(struct unit_file *file, c205_error *error)
+{
+    bool fresh;
+
+    if (!open_stream(file, error))
+        return false;
+    fresh = is_empty(file);
+    if (!fresh && !read_head(file->stream, file->key, error))
+        return false;
+    return ((!fresh || write_head(file->stream, file->key))
+            && find_units(file) && drop_tail(file))
+           || error_say(error, "no memory, or no room");
+}
+
+static struct unit_file *new_file(const char *path, uint64_t key)
+{
+    struct unit_file *file = calloc(1, sizeof *file);
+    char *copy = malloc(strlen(path) + 1);
+
+    if (!file || !copy) {
+        free(file);
+        free(copy);
+        return NULL;
+    }
+    file->path = strcpy(copy, path);
+    file->key = key;
+    return file;
+}
+
+static void give_back(struct unit_file *file)
+{
+    if (file->stream)
+        fclose(file->stream);
+    free(file->places);
+    free(file->path);
+    free(file);
+}
+
+struct unit_file *unit_file_open(const char *path, uint64_t key,
+                                 c205_error *error)
+{
+    struct unit_file *file = new_file(path, key);
+    c205_error why = { "no memory" };
+
+    if (file && begin(file, &why))
+        return file;
+    error_say(error, "%.100s: %.130s", path, why.message);
+    if (file)
+        give_back(file);
+    return NULL;
+}
+
+void unit_file_close(struct unit_file *file, bool remove_it)
+{
+    if (!file)
+        return;
+    if (remove_it && is_there(file))
+        remove(file->path);
+    give_back(file);
+}
+
+/* ---- Two files ----------------------------------------------------------- */
+
+static bool add_units(struct unit_file *file, FILE *stream, c205_error *error)
+{
+    struct unit_words words = { NULL, 0, 0, 0, false };
+    uint64_t number;
+    bool good = true;
+
+    while (good && read_unit(stream, &number, &words))
+        good = unit_file_add(file, number, &words, error);
+    words_free(&words);
+    return good;
+}
+
+/* That nobody writes to, and that is not the same: to close it would unlock it. */
+static FILE *open_other(const struct unit_file *file, const char *path,
+                        c205_error *error)
+{
+    struct flock lock = { .l_type = F_RDLCK, .l_whence = SEEK_SET };
+    struct stat kept, named;
+    FILE *stream;
+
+    if (fstat(fileno(file->stream), &kept) == 0 && stat(path, &named) == 0
+        && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino) {
+        error_say(error, "it is named twice");
+        return NULL;
+    }
+    stream = fopen(path, "rb");
+    if (!stream)
+        error_say(error, "%s", strerror(errno));
+    else if (fcntl(fileno(stream), F_SETLK, &lock) == 0)
+        return stream;
+    else
+        error_say(error, "another run is using it");
+    if (stream)
+        fclose(stream);
+    return NULL;
+}
+
+bool unit_file_merge(struct unit_file *file, const char *path,
+                     c205_error *error)
+{
+    c205_error why;
+    FILE *stream = open_other(file, path, &why);
+    bool good = stream && read_head(stream, file->key, &why)
+                && add_units(file, stream, &why);
+
+    if (stream)
+        fclose(stream);
+    return good || error_say(error, "%.100s: %.130s", path, why.message);
+}

@@ -1,0 +1,240 @@
+/* test_farm.c - units in threads, in shares and in runs that are killed: each is taken once,
+ * as it would be without all that. */
+#include "rt/farm/farm.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <signal.h>
+#include <time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "base/error.h"
+#include "tests/random.h"
+
+enum { MOST = 50, TRIES = 80, KILLS = 20, SHARES = 5, KEY = 205 };
+
+static uint64_t state = RANDOM_SEED;
+static char path[SHARES][40];
+static const char *const paths[SHARES] = { path[0], path[1], path[2], path[3],
+                                           path[4] };
+
+struct bench {
+    size_t count;
+    size_t bad; /* the lowest that fails; count: none */
+    bool slow;
+    int run[MOST], taken[MOST];
+    uint64_t sum; /* of what units come to, by number */
+};
+
+static uint64_t worth(size_t unit)
+{
+    uint64_t one = unit + 1;
+
+    return xorshift(&one);
+}
+
+static bool run(void *context, size_t job, size_t unit,
+                struct unit_words *words, c205_error *error)
+{
+    const struct timespec moment = { 0, 300000 };
+    struct bench *bench = context;
+
+    (void)job;
+    bench->run[unit]++;
+    if (bench->slow)
+        nanosleep(&moment, NULL);
+    if (unit >= bench->bad && unit % 3 == bench->bad % 3)
+        return error_say(error, "bad %zu", unit);
+    words_put(words, worth(unit));
+    return true;
+}
+
+static bool take(void *context, size_t unit, struct unit_words *words,
+                 c205_error *error)
+{
+    struct bench *bench = context;
+    uint64_t word = words_take(words);
+
+    assert_true(word == worth(unit));
+    bench->taken[unit]++;
+    bench->sum += word * (unit + 1);
+    return !words->failed || error_say(error, "no word");
+}
+
+static bool do_farm(struct farm *farm, struct bench *bench, size_t jobs,
+                    c205_error *error)
+{
+    const struct farm_work work = { .farm = farm,
+                                    .count = bench->count,
+                                    .jobs = jobs,
+                                    .first = 7,
+                                    .run = run,
+                                    .take = take,
+                                    .context = bench };
+
+    return farm_keep(farm, KEY, error) && farm_run(&work, error);
+}
+
+static void assert_all_taken(const struct bench *bench)
+{
+    for (size_t unit = 0; unit < bench->count; unit++)
+        assert_int_equal(bench->taken[unit], 1);
+}
+
+static size_t between(size_t low, size_t high)
+{
+    return (size_t)xorshift_between(&state, (int64_t)low, (int64_t)high);
+}
+
+static struct bench new_bench(size_t count)
+{
+    return (struct bench){ .count = count, .bad = count };
+}
+
+/* ---- Tests --------------------------------------------------------------- */
+
+static void test_threads(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < TRIES; i++) {
+        struct bench bench = new_bench(between(0, MOST));
+        struct farm farm = { .parts = 0 };
+        c205_error error = { "" };
+
+        assert_true(do_farm(&farm, &bench, between(0, 5), &error));
+        assert_all_taken(&bench);
+        for (size_t unit = 0; unit < bench.count; unit++)
+            assert_int_equal(bench.run[unit], 1);
+    }
+}
+
+/* However many there are: the error is of the lowest, and all before it are taken. */
+static void test_bad(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < TRIES; i++) {
+        struct bench bench = new_bench(between(1, MOST));
+        struct farm farm = { .parts = 0 };
+        c205_error error = { "" };
+        char text[24];
+
+        bench.bad = between(0, bench.count - 1);
+        snprintf(text, sizeof text, "bad %zu", bench.bad);
+        assert_false(do_farm(&farm, &bench, between(1, 5), &error));
+        assert_string_equal(error.message, text);
+        for (size_t unit = 0; unit < bench.bad; unit++)
+            assert_int_equal(bench.taken[unit], 1);
+        assert_int_equal(bench.taken[bench.bad], 0);
+    }
+}
+
+/* Shares in any order: none does what another does, and together they are all. */
+static void test_shares(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < TRIES; i++) {
+        struct bench bench = new_bench(between(0, MOST));
+        size_t parts = between(1, SHARES), first = between(0, parts - 1);
+        struct farm all = { .paths = paths, .path_count = parts };
+        c205_error error = { "" };
+
+        for (size_t k = 0; k < parts; k++) {
+            size_t part = (first + k) % parts;
+            struct farm farm = { .part = part + 1,
+                                 .parts = parts,
+                                 .paths = &paths[part],
+                                 .path_count = 1 };
+
+            assert_false(farm_collects(&farm));
+            assert_true(do_farm(&farm, &bench, between(1, 3), &error));
+            farm_end(&farm, false);
+        }
+        assert_true(do_farm(&all, &bench, 2, &error));
+        assert_int_equal(all.kept, bench.count);
+        assert_all_taken(&bench);
+        for (size_t unit = 0; unit < bench.count; unit++)
+            assert_int_equal(bench.run[unit], 1);
+        farm_end(&all, true);
+        for (size_t k = 1; k < parts; k++)
+            remove(paths[k]);
+    }
+}
+
+/* At some moment of its work. */
+static void kill_one(void)
+{
+    struct timespec moment = { 0, (long)between(0, 8000000) };
+    pid_t child = fork();
+
+    assert_true(child >= 0);
+    if (child == 0) {
+        struct bench bench = new_bench(MOST);
+        struct farm farm = { .paths = paths, .path_count = 1 };
+        c205_error error;
+
+        bench.slow = true;
+        do_farm(&farm, &bench, 2, &error);
+        _exit(1);
+    }
+    nanosleep(&moment, NULL);
+    assert_int_equal(kill(child, SIGKILL), 0);
+    assert_int_equal(waitpid(child, NULL, 0), child);
+}
+
+static void test_killed(void **unused)
+{
+    struct bench whole = new_bench(MOST);
+    struct farm alone = { .parts = 0 };
+    c205_error error = { "" };
+    size_t kept = 0;
+
+    (void)unused;
+    assert_true(do_farm(&alone, &whole, 1, &error));
+    for (int i = 0; i < KILLS; i++) {
+        struct bench bench = new_bench(MOST);
+        struct farm farm = { .paths = paths, .path_count = 1 };
+
+        kill_one();
+        assert_true(do_farm(&farm, &bench, 2, &error));
+        assert_all_taken(&bench);
+        assert_int_equal(bench.sum, whole.sum);
+        kept += farm.kept;
+        farm_end(&farm, true);
+    }
+    assert_true(kept > 0 && kept < KILLS * MOST);
+}
+
+static int set_up(void **unused)
+{
+    bool good = true;
+
+    (void)unused;
+    for (size_t i = 0; i < SHARES; i++) {
+        int file;
+
+        strcpy(path[i], "/tmp/test_farm.XXXXXX");
+        file = mkstemp(path[i]);
+        good = good && file >= 0 && close(file) == 0 && remove(path[i]) == 0;
+    }
+    return !good;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_bad),
+        cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_killed),
+    };
+
+    return cmocka_run_group_tests(tests, set_up, NULL);
+}

@@ -1,0 +1,384 @@
+/* test_unit_file.c - units that are kept come back as they were, or not at all: what is
+ * harmed, cut off or of another run is not taken; files come together. */
+#include "rt/farm/unit_file.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "tests/random.h"
+
+enum { KEY = 205, UNITS = 24, FILES = 4, TRIES = 60, HEAD = 16 };
+
+static char paths[FILES][40];
+static uint64_t state = RANDOM_SEED;
+
+static size_t below(size_t count)
+{
+    return (size_t)(xorshift(&state) % count);
+}
+
+/* ---- Units --------------------------------------------------------------- */
+
+/* Of each number another one; some have no words. */
+static struct unit_words words_of(uint64_t number)
+{
+    struct unit_words words = { .items = NULL };
+    uint64_t one = number + 1;
+    size_t count = number % 5 * 7;
+
+    for (size_t i = 0; i < count; i++)
+        words_put(&words, xorshift(&one));
+    return words;
+}
+
+static void add(struct unit_file *file, uint64_t number)
+{
+    struct unit_words words = words_of(number);
+    c205_error error = { "" };
+
+    if (!unit_file_add(file, number, &words, &error))
+        fail_msg("%s", error.message);
+    words_free(&words);
+}
+
+static void assert_unit(struct unit_file *file, uint64_t number)
+{
+    struct unit_words expected = words_of(number), found = { .items = NULL };
+
+    assert_true(unit_file_read(file, number, &found));
+    assert_int_equal(found.count, expected.count);
+    for (size_t i = 0; i < found.count; i++)
+        assert_int_equal(found.items[i], expected.items[i]);
+    words_free(&expected);
+    words_free(&found);
+}
+
+static struct unit_file *open_file(size_t i)
+{
+    c205_error error = { "" };
+    struct unit_file *file = unit_file_open(paths[i], KEY, &error);
+
+    if (!file)
+        fail_msg("%s", error.message);
+    return file;
+}
+
+/* Those of the list, and no others. */
+static void assert_units(struct unit_file *file, const bool *there)
+{
+    size_t count = 0;
+
+    for (uint64_t number = 0; number < UNITS; number++) {
+        assert_int_equal(unit_file_has(file, number), there[number]);
+        if (there[number])
+            assert_unit(file, number);
+        count += there[number];
+    }
+    assert_int_equal(unit_file_count(file), count);
+}
+
+static void expect(size_t i, const bool *there)
+{
+    struct unit_file *file = open_file(i);
+
+    assert_units(file, there);
+    unit_file_close(file, false);
+}
+
+/* ---- A file that is harmed ----------------------------------------------- */
+
+static long size_of(const char *path)
+{
+    FILE *file = fopen(path, "rb");
+    long size;
+
+    assert_non_null(file);
+    assert_int_equal(fseek(file, 0, SEEK_END), 0);
+    size = ftell(file);
+    fclose(file);
+    return size;
+}
+
+static void turn_bit(const char *path, long at, int bit)
+{
+    FILE *file = fopen(path, "r+b");
+    int byte;
+
+    assert_non_null(file);
+    assert_int_equal(fseek(file, at, SEEK_SET), 0);
+    byte = getc(file);
+    assert_int_equal(fseek(file, at, SEEK_SET), 0);
+    putc(byte ^ 1 << bit, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+/* Units in an order by chance; where each ends. */
+struct written {
+    size_t count;
+    uint64_t number[UNITS];
+    long end[UNITS];
+};
+
+static void write_some(size_t i, struct written *written)
+{
+    bool there[UNITS] = { false };
+    struct unit_file *file = open_file(i);
+
+    written->count = 1 + below(8);
+    for (size_t k = 0; k < written->count;) {
+        uint64_t number = below(UNITS);
+
+        if (there[number])
+            continue;
+        there[number] = true;
+        add(file, number);
+        add(file, number); /* it is not added again */
+        written->number[k] = number;
+        written->end[k++] = size_of(paths[i]);
+    }
+    assert_units(file, there);
+    unit_file_close(file, false);
+}
+
+/* Those that end before that byte. */
+static void whole_before(const struct written *written, long at, bool *there)
+{
+    memset(there, 0, UNITS * sizeof *there);
+    for (size_t k = 0; k < written->count && written->end[k] <= at; k++)
+        there[written->number[k]] = true;
+}
+
+/* What is lost is done anew, at the end of what is left. */
+static void expect_and_mend(const struct written *written, long at)
+{
+    bool there[UNITS];
+    struct unit_file *file;
+
+    whole_before(written, at, there);
+    file = open_file(0);
+    assert_units(file, there);
+    for (size_t k = 0; k < written->count; k++)
+        add(file, written->number[k]);
+    unit_file_close(file, false);
+    whole_before(written, written->end[written->count - 1], there);
+    expect(0, there);
+    assert_int_equal(size_of(paths[0]), written->end[written->count - 1]);
+}
+
+static long somewhere(const struct written *written)
+{
+    return HEAD
+           + (long)below((size_t)(written->end[written->count - 1] - HEAD));
+}
+
+static void test_cut_off(void **unused)
+{
+    struct written written;
+
+    (void)unused;
+    for (int i = 0; i < TRIES; i++) {
+        long size;
+
+        write_some(0, &written);
+        size = somewhere(&written);
+        assert_int_equal(truncate(paths[0], size), 0);
+        expect_and_mend(&written, size);
+        remove(paths[0]);
+    }
+}
+
+/* From the unit on in which a bit is wrong nothing is taken. */
+static void test_harmed(void **unused)
+{
+    struct written written;
+
+    (void)unused;
+    for (int i = 0; i < TRIES; i++) {
+        long at;
+
+        write_some(0, &written);
+        at = somewhere(&written);
+        turn_bit(paths[0], at, (int)below(8));
+        expect_and_mend(&written, at);
+        remove(paths[0]);
+    }
+}
+
+/* ---- Files that come together -------------------------------------------- */
+
+static void check_merge(void)
+{
+    bool there[UNITS] = { false };
+    struct written written;
+    struct unit_file *file;
+    c205_error error = { "" };
+    size_t count = 2 + below(FILES - 1);
+
+    for (size_t i = 0; i < count; i++) {
+        write_some(i, &written);
+        for (size_t k = 0; k < written.count; k++)
+            there[written.number[k]] = true;
+    }
+    file = open_file(0);
+    for (size_t i = 1; i < count; i++)
+        if (!unit_file_merge(file, paths[i], &error))
+            fail_msg("%s", error.message);
+    assert_units(file, there);
+    unit_file_close(file, false);
+    expect(0, there);
+    for (size_t i = 0; i < count; i++)
+        remove(paths[i]);
+}
+
+static void test_merged(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < TRIES; i++)
+        check_merge();
+}
+
+static void refuse_merge(struct unit_file *file, const char *path,
+                         const char *message)
+{
+    c205_error error = { "" };
+
+    assert_false(unit_file_merge(file, path, &error));
+    assert_non_null(strstr(error.message, message));
+}
+
+static void test_not_merged(void **unused)
+{
+    struct written written;
+    c205_error error;
+    struct unit_file *file, *other;
+
+    (void)unused;
+    write_some(0, &written);
+    file = open_file(0);
+    refuse_merge(file, paths[0], "named twice");
+    refuse_merge(file, paths[1], "No such file");
+    assert_int_not_equal(access(paths[1], F_OK), 0);
+    other = unit_file_open(paths[1], KEY + 1, &error);
+    assert_non_null(other);
+    unit_file_close(other, false);
+    refuse_merge(file, paths[1], "of another run");
+    unit_file_close(file, false);
+}
+
+/* ---- Files that are not taken -------------------------------------------- */
+
+static void refuse(uint64_t key, const char *message)
+{
+    c205_error error = { "" };
+
+    assert_null(unit_file_open(paths[0], key, &error));
+    assert_non_null(strstr(error.message, message));
+}
+
+static void test_of_something_else(void **unused)
+{
+    struct written written;
+
+    (void)unused;
+    write_some(0, &written);
+    refuse(KEY + 1, "of another run");
+    turn_bit(paths[0], 0, 0);
+    refuse(KEY, "does not hold units");
+    for (long size = HEAD - 1; size > 0; size -= 5) {
+        assert_int_equal(truncate(paths[0], size), 0);
+        refuse(KEY, "does not hold units");
+    }
+    assert_int_equal(truncate(paths[0], 0), 0);
+    expect(0, (bool[UNITS]){ false });
+}
+
+/* Another process that has the file open, and says so, until it is killed. */
+static pid_t open_elsewhere(void)
+{
+    int ready[2];
+    char byte;
+    pid_t child;
+
+    assert_int_equal(pipe(ready), 0);
+    child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        c205_error error;
+
+        if (unit_file_open(paths[0], KEY, &error)
+            && write(ready[1], "", 1) == 1)
+            pause();
+        _exit(1);
+    }
+    close(ready[1]);
+    assert_int_equal(read(ready[0], &byte, 1), 1);
+    close(ready[0]);
+    return child;
+}
+
+static void test_in_use(void **unused)
+{
+    struct written written;
+    struct unit_file *file = open_file(1);
+    pid_t other;
+
+    (void)unused;
+    write_some(0, &written);
+    other = open_elsewhere();
+    refuse(KEY, "another run is using it");
+    refuse_merge(file, paths[0], "another run is using it");
+    assert_int_equal(kill(other, SIGKILL), 0);
+    assert_int_equal(waitpid(other, NULL, 0), other);
+    unit_file_close(open_file(0), true);
+    assert_int_not_equal(access(paths[0], F_OK), 0);
+    unit_file_close(file, true);
+}
+
+/* Names for which there are no files yet. */
+static int set_up(void **unused)
+{
+    bool good = true;
+
+    (void)unused;
+    for (size_t i = 0; i < FILES; i++) {
+        int file;
+
+        strcpy(paths[i], "/tmp/test_unit_file.XXXXXX");
+        file = mkstemp(paths[i]);
+        good = good && file >= 0 && close(file) == 0 && remove(paths[i]) == 0;
+    }
+    return !good;
+}
+
+static int tear_down(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < FILES; i++)
+        remove(paths[i]);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(test_cut_off, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_harmed, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_merged, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_not_merged, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_of_something_else, set_up,
+                                        tear_down),
+        cmocka_unit_test_setup_teardown(test_in_use, set_up, tear_down),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
