@@ -142,6 +142,7 @@ check-long: export REGIONS = 10000
 check-long: export SEEN = 5000
 check-long: export MASSES = 1000
 check-long: export MASS_RAYS = 262144
+check-long: export HEAT_POINTS = 4096
 check-long: export USES = all
 check-long: export USED = $(SCENES)
 check-long: export LANGUAGE = 5000
