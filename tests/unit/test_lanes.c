@@ -194,6 +194,25 @@ static c205_word beyond_moderate(word_format f, uint64_t *seed)
     return within(f, seed, 6);
 }
 
+/* As indices are, of few digits or many, machine zeros among them; with others
+ * rarely. */
+static c205_word whole(word_format f, uint64_t *seed)
+{
+    int64_t end = INT64_C(1) << xorshift_between(seed, 0, f.digits);
+
+    if (xorshift(seed) % 8 == 0)
+        return zero(f, seed);
+    return format_make(f, 0, xorshift_between(seed, -end, end - 1));
+}
+
+static c205_word mostly_whole(word_format f, uint64_t *seed)
+{
+    supply *const others[] = { special, unnormalised, anywhere };
+    uint64_t which = xorshift(seed) % 256;
+
+    return which < SIZE(others) ? others[which](f, seed) : whole(f, seed);
+}
+
 static c205_word absolute(word_format f, c205_word word)
 {
     uint64_t flags = 0;
@@ -244,6 +263,8 @@ static supply *const supplies[] = {
     mostly_moderate,
     beyond_moderate,
     moderate_positive,
+    whole,
+    mostly_whole,
 };
 
 static void fill(c205_word *words, size_t n, supply *next, word_format f,

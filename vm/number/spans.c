@@ -105,6 +105,17 @@ static inline uint64_t less_number(word_format f, c205_word x, c205_word y)
     return of_one_sign ^ ((of_one_sign ^ sign_x) & (sign_x ^ sign_y));
 }
 
+static inline int64_t coefficient_bits(word_format f, c205_word w)
+{
+    return (int64_t)(w << f.exponent_bits);
+}
+
+/* None are those of 0, and of a zero as a number. */
+static inline uint64_t exponent_bits(word_format f, c205_word w)
+{
+    return w == LEAST_NUMBER ? 0 : w & ~format_coefficient_mask(f);
+}
+
 /* x and y are the words, f their format. */
 #define NOT_EQUAL(f, x, y) ((x ^ y) | (0 - (x ^ y)))
 #define EQUAL(f, x, y) ~NOT_EQUAL(f, x, y)
@@ -138,12 +149,25 @@ static inline uint64_t copied(uint64_t bit)
         word |= (holds ^ inverse) << (BITS - 1 - j); \
     }
 
+/* .. or by coefficients, of words with the exponent 0, as indices are, and of
+ * zeros; which others are not is seen in `exponents`. */
+#define BY_COEFFICIENT(format, relation, inverse) \
+    for (size_t j = 0; j < length; j++) { \
+        c205_word x = zero_as_number(a[i + j]); \
+        c205_word y = zero_as_number(b[i + j]); \
+        uint64_t holds = (uint64_t)(coefficient_bits(format, x) \
+                                        relation coefficient_bits(format, \
+                                                                  y)); \
+        word |= (0 - (holds ^ inverse)) & places[j]; \
+        exponents |= exponent_bits(format, x) | exponent_bits(format, y); \
+    }
+
 #define COMPARE_PARAMETERS \
     (uint64_t *restrict bits, const c205_word *restrict a, \
      const c205_word *restrict b, size_t n)
 
 /* Block by block; a block with a word that is neither a normalised number nor
- * a machine zero is done again by rank. */
+ * a machine zero is done again, by coefficients or else by rank. */
 #define COMPARE_SPAN(name, format, is, relation, inverse) \
     LANEWISE void name##_span COMPARE_PARAMETERS \
     { \
@@ -159,8 +183,12 @@ static inline uint64_t copied(uint64_t bit)
                 most = larger(most, larger(x, y)); \
             } \
             if ((odd | indefinite(most)) >> 63) { \
-                word = 0; \
-                BY_RANK(format, relation, inverse) \
+                uint64_t exponents = word = 0; \
+                BY_COEFFICIENT(format, relation, inverse) \
+                if (exponents) { \
+                    word = 0; \
+                    BY_RANK(format, relation, inverse) \
+                } \
             } \
             bits[i / BITS] = word; \
         } \
