@@ -9,9 +9,8 @@
 
 /* ---- Shares -------------------------------------------------------------- */
 
-bool cmd_take_part(char *text, void *place)
+bool cmd_is_part(const char *text, struct farm *farm)
 {
-    struct farm *farm = place;
     char *end;
 
     farm->part = strtoul(text, &end, 10);
@@ -21,6 +20,11 @@ bool cmd_take_part(char *text, void *place)
     farm->parts = strtoul(text, &end, 10);
     return end != text && *end == '\0' && *text != '-' && farm->part > 0
            && farm->part <= farm->parts;
+}
+
+bool cmd_take_part(char *text, void *farm)
+{
+    return cmd_is_part(text, farm);
 }
 
 int cmd_tell_share(const struct rt205_arguments *arguments, size_t units)

@@ -148,6 +148,7 @@ static bool sum_columns(struct mass_work *work)
         .model = arguments->trace.model,
         .progress = arguments->trace.progress,
         .context = arguments->trace.context,
+        .farm = arguments->trace.farm,
     };
 
     return columns_sum(&work->bodies, &options, &work->sums, &work->error);
@@ -198,22 +199,36 @@ static bool is_precise(const struct mass_work *work)
     return tolerance == 0 || work->worst <= tolerance;
 }
 
-/* With four times as many rays as long as errors are larger than the tolerance. */
-static bool find_mass(struct mass_work *work)
+/* With four times as many rays as long as errors are larger than the tolerance; the
+ * logarithm of these, or 0: no more are needed. */
+static bool find_next(struct mass_work *work, uint64_t *next)
 {
     const struct cmd_mass *wishes = &work->arguments->mass;
     size_t last = log_of_rays(wishes->limit, wishes->repeats);
 
-    work->rays_log = log_of_rays(wishes->rays, wishes->repeats);
-    while (sum_columns(work) && find_figures(work)) {
-        if (is_precise(work) || work->rays_log >= last)
-            return true;
-        work->rays_log += 2;
-        if (work->rays_log > last)
-            work->rays_log = last;
+    *next = 0;
+    if (!farm_collects(&work->arguments->units.farm))
+        return true;
+    if (!find_figures(work))
+        return false;
+    if (!is_precise(work) && work->rays_log < last)
+        *next = work->rays_log + 2 < last ? work->rays_log + 2 : last;
+    return true;
+}
+
+static bool find_mass(struct mass_work *work)
+{
+    const struct cmd_mass *wishes = &work->arguments->mass;
+    uint64_t next = log_of_rays(wishes->rays, wishes->repeats);
+
+    do {
         columns_sums_free(&work->sums);
-    }
-    return false;
+        work->rays_log = (size_t)next;
+        if (!sum_columns(work) || !find_next(work, &next)
+            || !farm_agree(work->arguments->trace.farm, &next))
+            return false;
+    } while (next > 0);
+    return true;
 }
 
 /* ---- What is told -------------------------------------------------------- */
@@ -426,8 +441,12 @@ static int tell(const struct mass_work *work, const struct results *results)
     const char *command = work->arguments->command;
     int code;
 
+    if (!farm_collects(&work->arguments->units.farm))
+        return cmd_tell_share(work->arguments, work->sums.units);
     tell_run(work, results);
     code = tell_tables(work, results);
+    if (code == CMD_DONE && is_precise(work))
+        farm_end(work->arguments->trace.farm, true);
     if (code != CMD_DONE || is_precise(work))
         return code;
     return cmd_failed(
@@ -503,12 +522,33 @@ static int run(const struct rt205_arguments *arguments,
     return code;
 }
 
+/* What is called a part may be a share: no name has a / in it. */
+static void take_share(struct rt205_arguments *arguments)
+{
+    struct command_texts *parts = &arguments->mass.parts;
+    struct farm share = { .parts = 0 };
+    size_t kept = 0;
+
+    for (size_t i = 0; i < parts->count; i++)
+        if (cmd_is_part(parts->items[i], &share))
+            arguments->units.farm = share;
+        else
+            parts->items[kept++] = parts->items[i];
+    parts->items[kept] = NULL;
+    parts->count = kept;
+}
+
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
 
+    take_share(arguments);
+    if (arguments->units.farm.parts > 0 && arguments->mass.tolerance > 0)
+        return cmd_usage(arguments->command,
+                         "--part does not go with --tolerance: what comes "
+                         "next hangs on all of them");
     arguments->trace.width = arguments->trace.height = 1;
-    return cmd_with_machine(arguments, run);
+    return cmd_with_farm(arguments, run);
 }
 
 static const char *points_choice(size_t number)
@@ -552,11 +592,12 @@ enum { RAYS_MOST = 1 << 24, REPEATS_MOST = 256 };
 
 static const struct command_option options[] = {
     { .name = "part",
-      .value = "NAME",
+      .value = "NAME|K/N",
       .kind = COMMAND_TEXT,
       .many = true,
       .offset = CMD_PLACE(mass.parts),
-      .help = "these parts or materials alone; else all that have an end" },
+      .help = "these parts or materials alone, else all that have an end; "
+              "the K-th of N shares of the packets, kept by --resume" },
     { .name = "density",
       .value = "NAME=VALUE",
       .kind = COMMAND_TEXT,
@@ -619,6 +660,8 @@ static const struct command_option options[] = {
     CMD_QUEUE("rays in the vector queue"),
     CMD_MODEL,
     CMD_JOBS("packets of rays at a time"),
+    CMD_RESUME("packets"),
+    CMD_RANKS,
     CMD_READ,
     CMD_RESULTS,
     COMMAND_END

@@ -406,7 +406,9 @@ static const struct command_option options[] = {
     CMD_MODEL,
     CMD_BOUNDS,
     CMD_JOBS("bands of the frame traced at a time"),
-    CMD_FARM("bands"),
+    CMD_RESUME("bands"),
+    CMD_PART("bands"),
+    CMD_RANKS,
     CMD_FLAG(
         "accounts", accounts,
         "also where the clocks went, cause by cause and region by region"),

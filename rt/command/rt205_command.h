@@ -111,17 +111,19 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice,
 #define CMD_JOBS(what) \
     { CMD_COUNT("jobs", trace.jobs, 1, TRACE_JOBS_MOST, 0, what), \
       .preset_text = "one for each processor" }
-#define CMD_FARM(units_) \
+#define CMD_RESUME(what) \
     { .name = "resume", .value = "FILE", .kind = COMMAND_FILE, \
       .many = true, .offset = CMD_PLACE(units.resume), \
-      .help = "keep finished " units_ " there, go on from those it has; of " \
-              "further files take theirs" }, \
+      .help = "keep finished " what " there, go on from those it has; of " \
+              "further files take theirs, too" }
+#define CMD_PART(what) \
     { .name = "part", .value = "K/N", .kind = COMMAND_OWN, \
       .offset = CMD_PLACE(units.farm), .take = cmd_take_part, \
       .wants = "two numbers, the first not above the second: 1/4", \
-      .help = "keep the K-th of N shares of the " units_ ", and no more" }, \
-    { CMD_COUNT("ranks", units.ranks, 1, RANKS_MOST, 0, \
-                "processes, by MPI") }
+      .help = "the K-th of N shares of the " what " alone, kept by --resume" }
+#define CMD_RANKS \
+    { CMD_COUNT("ranks", units.ranks, 1, RANKS_MOST, 0, "processes, by MPI"), \
+      .preset_text = "this one" }
 #define CMD_VIEW(usual, usual_text) \
     { .name = "distance", .value = "D", .kind = COMMAND_NUMBER, \
       .offset = CMD_PLACE(view.distance), .most = 1e6, \
@@ -186,6 +188,8 @@ int cmd_with_farm(struct rt205_arguments *arguments, cmd_work *work);
 int cmd_tell_share(const struct rt205_arguments *arguments, size_t units);
 enum { RANKS_MOST = 4096 };
 bool cmd_take_part(char *text, void *farm);
+/* "1/4".  False: it is no share. */
+bool cmd_is_part(const char *text, struct farm *farm);
 
 /* The scene of the arguments; its reports go to stderr.  NULL: it has errors,
  * which have been told. */

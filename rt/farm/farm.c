@@ -39,6 +39,11 @@ void farm_end(struct farm *farm, bool remove_it)
     farm->file = NULL;
 }
 
+bool farm_agree(struct farm *farm, uint64_t *word)
+{
+    return !farm->ranks || ranks_agree(farm->ranks, word);
+}
+
 static bool add_to_key(void *context, const void *bytes, size_t count)
 {
     uint64_t *key = context;

@@ -27,6 +27,8 @@ bool farm_keep(struct farm *farm, uint64_t key, c205_error *error);
 void farm_end(struct farm *farm, bool remove_it);
 /* Whether this process gets all that the units come to. */
 bool farm_collects(const struct farm *farm);
+/* The first rank's word becomes that of all.  False: there is no more work for others. */
+bool farm_agree(struct farm *farm, uint64_t *word);
 /* What the units of a run depend on: its kind, this version, all of the state that a machine
  * has before it begins, and options besides.  0: no memory. */
 uint64_t farm_key(const char *kind, const c205 *machine,

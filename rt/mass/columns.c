@@ -7,10 +7,10 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "rt/farm/farm.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/program.h"
 #include "rt/mass/overlaps.h"
-#include "rt/study/tasks.h"
 #include "rt/trace/lines.h"
 
 const char *columns_stage_name(enum columns_stage stage)
@@ -369,18 +369,17 @@ static bool add_columns(const struct columns_packet *packet)
     return good;
 }
 
-static bool do_packet(void *context, const struct task *task,
+static bool do_packet(const struct columns_work *work, size_t unit,
                       c205_error *error)
 {
-    const struct columns_work *work = context;
     size_t rays = work->rays_of_packet;
-    size_t group = task->number / work->packets;
+    size_t group = unit / work->packets;
     struct columns_packet packet = {
         .work = work,
-        .unit = task->number,
+        .unit = unit,
         .view = group / work->options->repeats,
         .shift = group % work->options->repeats,
-        .first = task->number % work->packets * rays,
+        .first = unit % work->packets * rays,
         .rays = calloc(RAY_PLANES * rays, sizeof *packet.rays),
         .lines = calloc(rays, sizeof *packet.lines),
         .error = error,
@@ -396,17 +395,98 @@ static bool do_packet(void *context, const struct task *task,
     return good;
 }
 
+/* What a packet comes to, as words. */
+static bool run_unit(void *context, size_t job, size_t unit,
+                     struct unit_words *words, c205_error *error)
+{
+    const struct columns_work *work = context;
+    size_t width = width_of(work->sums);
+
+    (void)job;
+    if (!do_packet(work, unit, error))
+        return false;
+    words_put_all(words, work->words + unit * width, width);
+    words_put_all(words, work->clocks[unit], COLUMNS_STAGES);
+    words_put(words, work->crossings[unit]);
+    return true;
+}
+
+static bool take_unit(void *context, size_t unit, struct unit_words *words,
+                      c205_error *error)
+{
+    const struct columns_work *work = context;
+    size_t width = width_of(work->sums);
+
+    words_take_all(words, work->words + unit * width, width);
+    words_take_all(words, work->clocks[unit], COLUMNS_STAGES);
+    work->crossings[unit] = words_take(words);
+    return !words->failed || error_say(error, "a packet has no words");
+}
+
+static bool go_on(void *context, size_t done, c205_error *error)
+{
+    const struct columns_work *work = context;
+    const struct columns_options *options = work->options;
+    size_t all = unit_count(work);
+
+    return options->progress(options->context, done, all)
+           || error_say(error, "stopped after %zu of %zu packets", done, all);
+}
+
+/* All that packets depend on. */
+static uint64_t key_of(const struct columns_work *work, const c205 *machine)
+{
+    const struct columns_options *options = work->options;
+    const uint64_t choices[] = { options->mode,     options->queue,
+                                 options->points,   options->rays_log,
+                                 options->repeats,  options->seed,
+                                 work->sums->parts, work->sums->pairs };
+    size_t count = sizeof choices / sizeof *choices;
+    uint64_t key = farm_key("mass", machine, choices, count);
+
+    for (size_t i = 0; key && i < work->scene->object_count; i++)
+        key = hash_words(key, (const uint64_t[]){ options->part_of[i] }, 1);
+    return key;
+}
+
+/* Of a run with several sums the first decide, for the others follow from them. */
+static bool keep(const struct columns_work *work, struct farm *farm,
+                 c205_error *error)
+{
+    const struct scene_line line = { { 0 }, { 1, 0, 0 } };
+    c205 *machine;
+    bool good;
+
+    if (farm->path_count == 0 || farm->file)
+        return true;
+    machine = lines_machine(work->lines[0], &line, 1, error);
+    good = machine && farm_keep(farm, key_of(work, machine), error);
+    c205_free(machine);
+    return good;
+}
+
 static bool do_packets(struct columns_work *work, c205_error *error)
 {
     const struct columns_options *options = work->options;
-    const struct tasks tasks = { .count = unit_count(work),
-                                 .jobs = options->jobs,
-                                 .run = do_packet,
-                                 .context = work,
-                                 .progress = options->progress,
-                                 .progress_context = options->context };
+    struct farm alone = { .parts = 0 };
+    const struct farm_work packets = {
+        .farm = options->farm ? options->farm : &alone,
+        .count = unit_count(work),
+        .jobs = options->jobs,
+        .first = (uint64_t)options->rays_log << 32,
+        .run = run_unit,
+        .take = take_unit,
+        .go_on = options->progress ? go_on : NULL,
+        .context = work,
+    };
 
-    return tasks_run(&tasks, error);
+    work->sums->units = packets.count;
+    return keep(work, packets.farm, error) && farm_run(&packets, error);
+}
+
+static bool collects(const struct columns_work *work)
+{
+    return !work->options->farm || farm_collects(work->options->farm);
 }
 
 /* ---- All packets --------------------------------------------------------- */
@@ -481,9 +561,10 @@ bool columns_sum(const struct scene *scene,
         return false;
     sums->words = calloc(VIEWS * sums->repeats * width_of(sums),
                          sizeof *sums->words);
-    good = sums->words ? begin_work(&work, error) && do_packets(&work, error)
-                             && add_packets(&work, error)
-                       : error_say(error, "no memory");
+    good = sums->words
+               ? begin_work(&work, error) && do_packets(&work, error)
+                     && (!collects(&work) || add_packets(&work, error))
+               : error_say(error, "no memory");
     if (good)
         add_accounts(&work);
     end_work(&work);

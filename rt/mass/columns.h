@@ -71,11 +71,14 @@ struct columns_options {
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;
+    struct farm *farm; /* that does the packets; NULL: threads, and nothing is
+                          kept */
 };
 
 struct columns_sums {
     size_t parts; /* with, as the last one, all of them together */
     size_t pairs;
+    size_t units; /* packets, of all views and shifts */
     size_t repeats;
     size_t rays_log;            /* 2^rays_log rays of a view under a shift */
     double middle[3], width[3]; /* of the box */
@@ -85,6 +88,7 @@ struct columns_sums {
     uint64_t crossings;
 };
 
+/* Where the farm does not collect what packets come to, there are no words. */
 /* False: options that cannot be; a scene without bodies, with one that has no end, or with
  * an open surface, which the error names; a trap; progress said to stop. */
 bool columns_sum(const struct scene *scene,
