@@ -603,6 +603,23 @@ ends 1 "$build/rt205" $heat --temperature Shell=3 --emissivity Shell=1.5
 tells err "an emissivity is NAME=VALUE with a value 0 to 1"
 ends 1 "$build/rt205" heat floor.pov --rays 64 --exchange --temperature default=300
 tells err "surface 1, the plane of line 1, receives alone"
+cat >row.pov <<'END'
+#declare Burner = disc { 0, y, 2 }
+#declare Tube = cylinder { -2*x, 2*x, .3 }
+object { Burner } object { Tube translate y }
+END
+hits="heat row.pov --hits --rays 128 --repeats 2"
+ends 0 "$build/rt205" $hits --from Burner --json heat.json
+tells out "^CDC 6600, projected  *1  "
+tells out "^vector  *2000  "
+tells heat.json "\"hits\""
+ends 1 "$build/rt205" $hits
+tells err "^rt205 heat: --hits asks --from NAME"
+ends 1 "$build/rt205" $hits --from Stove
+tells err "no part and no material is called 'Stove'"
+ends 1 "$build/rt205" $hits --from Tube
+tells err "the disc of line 1 is no solid cylinder"
+
 echo "camera { location -5*z }" >nothing.pov
 ends 1 "$build/rt205" heat nothing.pov
 tells err "the scene has no surfaces"

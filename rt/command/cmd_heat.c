@@ -325,8 +325,11 @@ static int run(const struct rt205_arguments *arguments,
 
     if (!scene)
         return CMD_FAILED;
-    good = find_all(&heat)
-           && (tell(&heat, results) || error_say(&heat.error, "no memory"));
+    good = arguments->heat.hits
+               ? cmd_heat_hits(arguments, scene, results, &heat.error)
+               : find_all(&heat)
+                     && (tell(&heat, results)
+                         || error_say(&heat.error, "no memory"));
     forget(&heat);
     scene_free(scene);
     return good ? CMD_DONE
@@ -383,6 +386,15 @@ static const struct command_option options[] = {
       .many = true,
       .offset = CMD_PLACE(heat.emissivities),
       .help = "of a part or a material; of all others 1" },
+    { .name = "from",
+      .value = "NAME",
+      .kind = COMMAND_TEXT,
+      .offset = CMD_PLACE(heat.from),
+      .help = "the part or material that emits, under --hits" },
+    CMD_FLAG(
+        "hits", heat.hits,
+        "whether rays strike cylinders, and no more, on a scalar machine "
+        "and in queues, the longest ones too"),
     { CMD_COUNT("rays", heat.rays, 1, EMISSION_MOST, 1024,
                 "points of a surface in each repeat, and rays of those that "
                 "are seen") },

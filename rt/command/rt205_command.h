@@ -43,7 +43,8 @@ struct cmd_heat {
     size_t rays, repeats, seed;
     int points; /* 0: of the lattice, 1: random */
     int by;
-    bool exchange;
+    bool exchange, hits;
+    const char *from; /* who emits, or NULL: all */
     struct command_texts emissivities, temperatures; /* NAME=VALUE */
 };
 
@@ -79,6 +80,11 @@ struct rt205_arguments {
     struct progress progress;
     struct command_texts search; /* folders for includes */
 };
+
+/* What heat does under --hits.  False: the error says why. */
+bool cmd_heat_hits(const struct rt205_arguments *arguments,
+                   const struct scene *scene, const struct results *results,
+                   c205_error *error);
 
 /* ---- Options of several commands ---------------------------------------- */
 

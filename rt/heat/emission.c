@@ -275,3 +275,15 @@ const struct object *emission_program(const struct emission *emission)
 {
     return emission->program;
 }
+
+struct emission_choice emission_choose(bool lattice, uint64_t seed,
+                                       size_t points, size_t place)
+{
+    struct emission_choice choice = { .seed = seed, .shift = place };
+
+    while (choice.m < 20 && (UINT64_C(1) << choice.m) < points)
+        choice.m++;
+    if (!lattice)
+        choice.first = place * points;
+    return choice;
+}

@@ -46,6 +46,11 @@ enum emitted {
     EMITTED_PLANES = EMITTED_RAY + 3
 };
 
+/* Those of a run that has a place of its own among all of a seed: another shift of the
+ * lattice, or other numbers of the stream. */
+struct emission_choice emission_choose(bool lattice, uint64_t seed,
+                                       size_t points, size_t place);
+
 struct emission;
 
 /* Why a primitive has no emission, a sentence; NULL: it has one. */

@@ -130,12 +130,10 @@ static bool emit(const struct packet_run *run)
 {
     const struct factors_options *options = &run->factors->options;
     size_t place = run->primitive * options->repeats + run->repeat;
-    struct emission_choice choice = { .seed = options->seed, .shift = place };
+    struct emission_choice choice = emission_choose(options->lattice,
+                                                    options->seed,
+                                                    options->points, place);
 
-    while (choice.m < 20 && (UINT64_C(1) << choice.m) < options->points)
-        choice.m++;
-    if (!options->lattice)
-        choice.first = place * options->points;
     return emission_run(run->emission, &choice, run->made,
                         &run->packet->accounts, run->error);
 }
@@ -342,7 +340,8 @@ struct packets {
     const struct emission *emission;
     size_t primitive, receivers;
     struct packet *list;
-    c205_word *words; /* of all */
+    c205_word *words;       /* of all */
+    double *areas, *shares; /* of each repeat */
 };
 
 static bool packets_begin(struct packets *packets)
@@ -352,7 +351,10 @@ static bool packets_begin(struct packets *packets)
 
     packets->list = calloc(options->repeats, sizeof *packets->list);
     packets->words = calloc(options->repeats * width, sizeof *packets->words);
-    if (!packets->list || !packets->words)
+    packets->areas = calloc(options->repeats, sizeof *packets->areas);
+    packets->shares = calloc(options->repeats, sizeof *packets->shares);
+    if (!packets->list || !packets->words || !packets->areas
+        || !packets->shares)
         return false;
     for (size_t i = 0; i < options->repeats; i++)
         packets->list[i] = (struct packet){
@@ -370,6 +372,8 @@ static void packets_end(struct packets *packets)
         accounts_free(&packets->list[i].accounts);
     free(packets->list);
     free(packets->words);
+    free(packets->areas);
+    free(packets->shares);
 }
 
 static bool do_packet(void *context, const struct task *task,
@@ -399,14 +403,6 @@ static bool run_packets(struct packets *packets, c205_error *error)
 
 /* ---- What they say ----------------------------------------------------------- */
 
-/* The standard error of a mean, from the squares about it of so many. */
-static double error_of(double squares, size_t count)
-{
-    double n = (double)count;
-
-    return sqrt(squares / (n * (n - 1)));
-}
-
 /* Of a repeat, the mean over its points of what a receiver gets. */
 static double share_of(const struct packets *packets, size_t repeat,
                        size_t receiver)
@@ -415,59 +411,22 @@ static double share_of(const struct packets *packets, size_t repeat,
            / (double)packets->factors->options.points;
 }
 
-/* .. of all but what is covered. */
-static double area_in(const struct packets *packets, size_t repeat)
+/* Of each repeat, all but what is covered. */
+static void find_areas(const struct packets *packets)
 {
-    return share_of(packets, repeat, packets->receivers + 1)
-           - share_of(packets, repeat, packets->receivers);
-}
-
-static double sum_of_areas(const struct packets *packets)
-{
-    double sum = 0;
-
     for (size_t k = 0; k < packets->factors->options.repeats; k++)
-        sum += area_in(packets, k);
-    return sum;
+        packets->areas[k] = share_of(packets, k, packets->receivers + 1)
+                            - share_of(packets, k, packets->receivers);
 }
 
-static double sum_of(const struct packets *packets, size_t receiver)
-{
-    double sum = 0;
-
-    for (size_t k = 0; k < packets->factors->options.repeats; k++)
-        sum += share_of(packets, k, receiver);
-    return sum;
-}
-
-static struct estimate area_of(const struct packets *packets)
-{
-    size_t count = packets->factors->options.repeats;
-    double mean = sum_of_areas(packets) / (double)count;
-    double squares = 0;
-
-    for (size_t k = 0; k < count; k++) {
-        double beside = area_in(packets, k) - mean;
-        squares += beside * beside;
-    }
-    return (struct estimate){ mean, error_of(squares, count) };
-}
-
-/* A ratio: its error is that of share - factor area. */
 static struct estimate factor_of(const struct packets *packets,
                                  size_t receiver)
 {
     size_t count = packets->factors->options.repeats;
-    double area = sum_of_areas(packets);
-    double factor = sum_of(packets, receiver) / area, squares = 0;
 
-    for (size_t k = 0; k < count; k++) {
-        double beside = share_of(packets, k, receiver)
-                        - factor * area_in(packets, k);
-        squares += beside * beside;
-    }
-    return (struct estimate){ factor, error_of(squares, count) * (double)count
-                                          / area };
+    for (size_t k = 0; k < count; k++)
+        packets->shares[k] = share_of(packets, k, receiver);
+    return estimate_ratio(packets->shares, packets->areas, count);
 }
 
 static bool conclude(const struct packets *packets, struct factor_row *row)
@@ -486,7 +445,8 @@ static bool conclude(const struct packets *packets, struct factor_row *row)
             row->count[j] += (uint64_t)c205_to_integer(packet->counts[j]);
         good = accounts_add_all(&row->accounts, &packet->accounts);
     }
-    row->area = area_of(packets);
+    find_areas(packets);
+    row->area = estimate_mean(packets->areas, options->repeats);
     for (size_t j = 0; j < row->receivers && row->sent > 0; j++)
         row->factor[j] = factor_of(packets, j);
     return good;

@@ -16,6 +16,7 @@
 
 #include "base/accounts.h"
 #include "rt/heat/emission.h"
+#include "rt/heat/estimate.h"
 #include "rt/trace/lines.h"
 
 struct factors_options {
@@ -32,11 +33,6 @@ struct factors_options {
     const size_t *receiver_of;
     size_t receivers;
     const c205_model *model; /* must outlive the factors */
-};
-
-/* A figure and its standard error. */
-struct estimate {
-    double value, error;
 };
 
 /* Of one emitter. */

@@ -51,12 +51,39 @@ static bool run_on(struct single_run *run, c205 *machine, uint64_t from,
            && c205_read(machine, from, words, count);
 }
 
+/* All regions of the run, as the other machine would take them. */
+static bool add_projected(const struct single_run *run, const c205 *machine,
+                          const c205_projection *projection)
+{
+    if (!c205_projection_holds(projection, run->error))
+        return false;
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        *run->projected += c205_projected_clocks(projection, i);
+    return true;
+}
+
+static bool run_projected(struct single_run *run, c205 *machine,
+                          uint64_t from, c205_word *words, size_t count)
+{
+    c205_projection *projection = c205_projection_new(run->projection,
+                                                      run->error);
+    bool good = projection && c205_listen(machine, c205_project, projection)
+                && run_on(run, machine, from, words, count)
+                && add_projected(run, machine, projection);
+
+    c205_projection_free(projection);
+    return good;
+}
+
 bool single_run_end(struct single_run *run, uint64_t from, c205_word *words,
                     size_t count, uint64_t *clocks)
 {
     c205 *machine = run->layout.failed ? NULL
                                        : c205_new(run->model, run->error);
-    bool good = machine && run_on(run, machine, from, words, count);
+    bool good = machine
+                && (run->projection
+                        ? run_projected(run, machine, from, words, count)
+                        : run_on(run, machine, from, words, count));
 
     if (good)
         *clocks += c205_clock(machine);

@@ -13,6 +13,10 @@ struct single_run {
     struct record_layout layout; /* of what it is given */
     c205_error *error;
     struct accounts *accounts; /* what it took is added to; NULL: to none */
+    /* Another machine, on which the run is projected, and where the clocks are
+     * added; NULL: none. */
+    const c205_model *projection;
+    uint64_t *projected;
 };
 
 void single_run_begin(struct single_run *run, const struct object *program,

@@ -1,0 +1,280 @@
+/* test_hits.c - which rays strike cylinders: beside plain C for rays and cylinders by chance,
+ * in both forms, and beside what all first crossings tell. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/heat/hits.h"
+#include "rt/layout/program.h"
+#include "rt/layout/single_run.h"
+#include "tests/random.h"
+#include "tests/unit/prior_model.h"
+#include "tests/unit/scene_reading.h"
+
+enum { WORDS = 8, RAYS_MOST = 700, CYLINDERS_MOST = 9 };
+
+static uint64_t chance = RANDOM_SEED + 41;
+
+/* ---- Rays and cylinders by chance ------------------------------------------------ */
+
+struct bundle {
+    size_t rays, cylinders;
+    double origin[RAYS_MOST][3], direction[RAYS_MOST][3];
+    double words[CYLINDERS_MOST][WORDS];
+};
+
+static void draw_unit(double v[3])
+{
+    double length = 0;
+
+    while (length < .1 || length > 1) {
+        length = 0;
+        for (int i = 0; i < 3; i++) {
+            v[i] = xorshift_real(&chance, -1, 1);
+            length += v[i] * v[i];
+        }
+    }
+    for (int i = 0; i < 3; i++)
+        v[i] /= sqrt(length);
+}
+
+static void draw(struct bundle *bundle)
+{
+    bundle->rays = (size_t)xorshift_between(&chance, 1, RAYS_MOST);
+    bundle->cylinders = (size_t)xorshift_between(&chance, 1, CYLINDERS_MOST);
+    for (size_t i = 0; i < bundle->rays; i++) {
+        for (int k = 0; k < 3; k++)
+            bundle->origin[i][k] = xorshift_real(&chance, -3, 3);
+        draw_unit(bundle->direction[i]);
+    }
+    for (size_t i = 0; i < bundle->cylinders; i++) {
+        double *words = bundle->words[i];
+        double radius = xorshift_real(&chance, .05, .6);
+
+        for (int k = 0; k < 3; k++)
+            words[k] = xorshift_real(&chance, -2, 2);
+        draw_unit(words + 3);
+        words[6] = xorshift(&chance) % 2 ? xorshift_real(&chance, .02, .2)
+                                         : xorshift_real(&chance, .2, 3);
+        words[7] = radius * radius;
+    }
+}
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Where it is within the side, cut by the slab of the discs: 1 it strikes, 0 not, -1 it
+ * nearly does. */
+static int strikes(const double o[3], const double d[3],
+                   const double words[WORDS])
+{
+    const double *axis = words + 3;
+    double w[3], a, b, across, half, middle, from, to, low, high;
+
+    for (int i = 0; i < 3; i++)
+        w[i] = o[i] - words[i];
+    a = dot(d, axis);
+    b = dot(w, axis);
+    across = 1 - a * a;
+    middle = -(dot(w, d) - a * b) / across;
+    half = middle * middle - (dot(w, w) - b * b - words[7]) / across;
+    if (fabs(half) < 1e-8)
+        return -1;
+    if (half < 0)
+        return 0;
+    half = sqrt(half);
+    low = -b / a;
+    high = (words[6] - b) / a;
+    from = fmax(fmax(middle - half, fmin(low, high)), 0);
+    to = fmin(middle + half, fmax(low, high));
+    if (fabs(to - from) < 1e-8)
+        return -1;
+    return from < to;
+}
+
+static void check(const struct bundle *bundle, const c205_word *told)
+{
+    for (size_t i = 0; i < bundle->rays; i++) {
+        int expected = 0;
+
+        for (size_t k = 0; k < bundle->cylinders && expected != 1; k++) {
+            int one = strikes(bundle->origin[i], bundle->direction[i],
+                              bundle->words[k]);
+
+            expected = one == 0 ? expected : one;
+        }
+        if (expected >= 0 && c205_to_integer(told[i]) != expected)
+            fail_msg("ray %zu of %zu, %zu cylinders: told %d, not %d", i,
+                     bundle->rays, bundle->cylinders,
+                     (int)c205_to_integer(told[i]), expected);
+    }
+}
+
+static void run(const struct bundle *bundle, const char *form, size_t queue,
+                c205_word *told)
+{
+    const struct asm_define defines[] = { { "QUEUE", (int64_t)queue },
+                                          { NULL, 0 } };
+    static c205_word planes[6 * RAYS_MOST], words[WORDS * CYLINDERS_MOST];
+    size_t n = bundle->rays;
+    struct single_run run;
+    c205_error error = { "" };
+    struct object *program = program_assemble(form, defines, &error);
+    uint64_t at, made, clocks = 0;
+
+    assert_non_null(program);
+    for (size_t i = 0; i < n; i++)
+        for (size_t k = 0; k < 3; k++) {
+            planes[k * n + i] = c205_from_double(bundle->origin[i][k]);
+            planes[(3 + k) * n + i] = c205_from_double(
+                bundle->direction[i][k]);
+        }
+    put_numbers(words, bundle->words[0], WORDS * bundle->cylinders);
+    single_run_begin(&run, program, prior_model, &error);
+    single_run_word(&run, "hits_rays", n);
+    at = single_run_room(&run, "hits_from", planes, 6 * n);
+    layout_word(&run.layout, "hits_towards", at + UINT64_C(192) * n);
+    single_run_word(&run, "hits_cylinders", bundle->cylinders);
+    single_run_room(&run, "hits_list", words, WORDS * bundle->cylinders);
+    made = single_run_room(&run, "hits_made", NULL, n);
+    if (!single_run_end(&run, made, told, n, &clocks))
+        fail_msg("%s", error.message);
+    object_free(program);
+}
+
+static void test_rays(void **state)
+{
+    static const size_t queues[] = { 1, 63, 64, 65, 300, 65535 };
+    static struct bundle bundle;
+    static c205_word scalar[RAYS_MOST], vector[RAYS_MOST];
+
+    (void)state;
+    for (int i = 0; i < 60; i++) {
+        draw(&bundle);
+        run(&bundle, "heat/hits_scalar.s", 1, scalar);
+        check(&bundle, scalar);
+        run(&bundle, "heat/hits_vector.s", queues[(size_t)i % COUNT(queues)],
+            vector);
+        assert_memory_equal(scalar, vector, bundle.rays * sizeof *scalar);
+    }
+}
+
+/* ---- Of a scene -------------------------------------------------------------------- */
+
+static const char tubes[] =
+    "#declare Burner = disc { 0, y, 2 } object { Burner }\n"
+    "#declare Tube = union { cylinder { -2*x, 2*x, .2 }"
+    " cylinder { -.02*x, .02*x, .5 } }\n"
+    "object { Tube translate y } object { Tube scale .5 rotate 30*y"
+    " translate <0, .5, 1> }\n";
+
+static void find(const struct scene *scene, const char *from,
+                 enum trace_mode mode, size_t queue, struct hits *hits)
+{
+    struct hits_options options = { .mode = mode,
+                                    .queue = queue,
+                                    .points = 256,
+                                    .repeats = 4,
+                                    .lattice = true,
+                                    .seed = 3,
+                                    .from = from,
+                                    .model = prior_model };
+    struct named_parts parts;
+    c205_error error = { "" };
+
+    assert_true(named_parts_find(scene, &parts));
+    if (!hits_find(scene, &parts, &options, hits, &error))
+        fail_msg("%s", error.message);
+    named_parts_free(&parts);
+}
+
+/* As many as the first crossings tell of the same rays. */
+static void test_scene(void **state)
+{
+    struct scene *scene = read_scene(tubes);
+    const struct factors_options options = { .mode = TRACE_VECTOR,
+                                             .queue = 100,
+                                             .points = 256,
+                                             .repeats = 4,
+                                             .lattice = true,
+                                             .seed = 3,
+                                             .model = prior_model };
+    c205_error error;
+    struct factors *factors = factors_new(scene, &options, &error);
+    struct factor_row row;
+    struct hits vector, scalar;
+
+    (void)state;
+    assert_non_null(factors);
+    assert_true(factors_find(factors, 0, &row, &error));
+    find(scene, "Burner", TRACE_VECTOR, 77, &vector);
+    find(scene, "Burner", TRACE_SCALAR, 0, &scalar);
+    assert_int_equal(vector.cylinders, 4);
+    assert_int_equal(vector.rays, row.sent);
+    assert_int_equal(vector.struck, row.sent - row.count[row.receivers - 1]);
+    assert_close(vector.factor.value, 1 - row.factor[row.receivers - 1].value,
+                 1e-12);
+    assert_int_equal(vector.struck, scalar.struck);
+    assert_memory_equal(&vector.factor, &scalar.factor, sizeof vector.factor);
+    assert_true(scalar.accounts.clocks > vector.accounts.clocks);
+    hits_free(&vector);
+    hits_free(&scalar);
+    factor_row_free(&row);
+    factors_free(factors);
+    scene_free(scene);
+}
+
+static void refuses(const char *text, const char *from, const char *message)
+{
+    const struct hits_options options = { .mode = TRACE_VECTOR,
+                                          .queue = 77,
+                                          .points = 10,
+                                          .repeats = 2,
+                                          .from = from,
+                                          .model = prior_model };
+    struct scene *scene = read_scene(text);
+    struct named_parts parts;
+    struct hits hits;
+    c205_error error = { "" };
+
+    assert_true(named_parts_find(scene, &parts));
+    assert_false(hits_find(scene, &parts, &options, &hits, &error));
+    if (!strstr(error.message, message))
+        fail_msg("%s: %s", message, error.message);
+    named_parts_free(&parts);
+    scene_free(scene);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    refuses(tubes, "Burners", "no part and no material is called 'Burners'");
+    refuses("#declare A = sphere { 0, 1 } object { A } sphere { 3*x, 1 }",
+            "A", "the sphere of line 1 is no solid cylinder by itself");
+    refuses("#declare A = sphere { 0, 1 } object { A }"
+            " cylinder { 3*x, 4*x, 1 scale <1, 2, 1> }",
+            "A", "no solid cylinder");
+    refuses("#declare A = sphere { 0, 1 } object { A }", "A",
+            "there is no cylinder to be struck");
+    refuses("#declare A = plane { y, 0 } object { A }"
+            " cylinder { 3*x, 4*x, 1 }",
+            "A", "a plane has no end");
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_scene),
+        cmocka_unit_test(test_refused),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
