@@ -13,7 +13,7 @@
 /* The forms that are compared; the projection is of the scalar one. */
 enum way { WAY_PROJECTED, WAY_SCALAR, WAY_QUEUE, WAY_LONGEST, WAYS };
 
-struct hits_work {
+struct hits_ways {
     const struct rt205_arguments *arguments;
     const struct scene *scene;
     struct named_parts parts;
@@ -22,45 +22,45 @@ struct hits_work {
     c205_error error;
 };
 
-static size_t queue_of(const struct hits_work *work, enum way way)
+static size_t queue_of(const struct hits_ways *ways, enum way way)
 {
-    return way == WAY_QUEUE     ? work->arguments->trace.queue
-           : way == WAY_LONGEST ? work->arguments->heat.rays
+    return way == WAY_QUEUE     ? ways->arguments->trace.queue
+           : way == WAY_LONGEST ? ways->arguments->heat.rays
                                 : 1;
 }
 
-static bool find_way(struct hits_work *work, enum way way)
+static bool find_way(struct hits_ways *ways, enum way way)
 {
-    const struct rt205_arguments *arguments = work->arguments;
+    const struct rt205_arguments *arguments = ways->arguments;
     const struct hits_options options = {
         .mode = way < WAY_QUEUE ? TRACE_SCALAR : TRACE_VECTOR,
-        .queue = queue_of(work, way),
+        .queue = queue_of(ways, way),
         .points = arguments->heat.rays,
         .repeats = arguments->heat.repeats,
         .lattice = arguments->heat.points == 0,
         .seed = arguments->heat.seed,
         .from = arguments->heat.from,
         .model = arguments->trace.model,
-        .projection = way == WAY_SCALAR ? work->other : NULL,
+        .projection = way == WAY_SCALAR ? ways->other : NULL,
     };
 
-    return hits_find(work->scene, &work->parts, &options, &work->found[way],
-                     &work->error);
+    return hits_find(ways->scene, &ways->parts, &options, &ways->found[way],
+                     &ways->error);
 }
 
 /* What all of them find is the same, to the bit. */
-static bool find_ways(struct hits_work *work)
+static bool find_ways(struct hits_ways *ways)
 {
     for (int way = WAY_SCALAR; way < WAYS; way++)
-        if (!find_way(work, (enum way)way))
+        if (!find_way(ways, (enum way)way))
             return false;
     for (int way = WAY_QUEUE; way < WAYS; way++)
-        if (work->found[way].struck != work->found[WAY_SCALAR].struck
-            || memcmp(&work->found[way].factor,
-                      &work->found[WAY_SCALAR].factor,
-                      sizeof work->found[way].factor)
+        if (ways->found[way].struck != ways->found[WAY_SCALAR].struck
+            || memcmp(&ways->found[way].factor,
+                      &ways->found[WAY_SCALAR].factor,
+                      sizeof ways->found[way].factor)
                    != 0)
-            return error_say(&work->error, "the forms differ");
+            return error_say(&ways->error, "the forms differ");
     return true;
 }
 
@@ -77,13 +77,13 @@ static const struct table_column columns[] = {
     { "speedup", "speedup", TABLE_NUMBER, 1 },
 };
 
-static double seconds_of(const struct hits_work *work, enum way way)
+static double seconds_of(const struct hits_ways *ways, enum way way)
 {
     if (way == WAY_PROJECTED)
-        return accounts_seconds(work->other,
-                                work->found[WAY_SCALAR].projected);
-    return accounts_seconds(work->arguments->trace.model,
-                            work->found[way].accounts.clocks);
+        return accounts_seconds(ways->other,
+                                ways->found[WAY_SCALAR].projected);
+    return accounts_seconds(ways->arguments->trace.model,
+                            ways->found[way].accounts.clocks);
 }
 
 static void add_causes(struct table *table, const struct hits *found)
@@ -94,43 +94,43 @@ static void add_causes(struct table *table, const struct hits *found)
     table_count(table, all.clocks[C205_PAGE_FAULT]);
 }
 
-static void add_way(struct table *table, const struct hits_work *work,
+static void add_way(struct table *table, const struct hits_ways *ways,
                     enum way way, const char *name)
 {
-    const struct hits *found = &work->found[way];
-    uint64_t clocks = way == WAY_PROJECTED ? work->found[WAY_SCALAR].projected
+    const struct hits *found = &ways->found[way];
+    uint64_t clocks = way == WAY_PROJECTED ? ways->found[WAY_SCALAR].projected
                                            : found->accounts.clocks;
-    double tests = (double)work->found[WAY_SCALAR].rays
-                   * (double)work->found[WAY_SCALAR].cylinders;
+    double tests = (double)ways->found[WAY_SCALAR].rays
+                   * (double)ways->found[WAY_SCALAR].cylinders;
 
     table_text(table, name);
-    table_count(table, queue_of(work, way));
+    table_count(table, queue_of(ways, way));
     table_count(table, clocks);
     table_number(table, (double)clocks / tests);
     add_causes(table, found);
-    table_number(table, seconds_of(work, way));
+    table_number(table, seconds_of(ways, way));
     table_number(table,
-                 seconds_of(work, WAY_PROJECTED) / seconds_of(work, way));
+                 seconds_of(ways, WAY_PROJECTED) / seconds_of(ways, way));
 }
 
-static struct table *table_of_ways(const struct hits_work *work)
+static struct table *table_of_ways(const struct hits_ways *ways)
 {
     struct table *table = table_new(TABLE_COLUMNS(columns));
 
     if (table) {
-        add_way(table, work, WAY_PROJECTED, "CDC 6600, projected");
-        add_way(table, work, WAY_SCALAR, "scalar");
-        add_way(table, work, WAY_QUEUE, "vector");
-        add_way(table, work, WAY_LONGEST, "vector");
+        add_way(table, ways, WAY_PROJECTED, "CDC 6600, projected");
+        add_way(table, ways, WAY_SCALAR, "scalar");
+        add_way(table, ways, WAY_QUEUE, "vector");
+        add_way(table, ways, WAY_LONGEST, "vector");
     }
     return table;
 }
 
-static bool tell(const struct hits_work *work, const struct results *results)
+static bool tell(const struct hits_ways *ways, const struct results *results)
 {
-    const struct rt205_arguments *arguments = work->arguments;
-    const struct hits *found = &work->found[WAY_LONGEST];
-    struct table *table = table_of_ways(work);
+    const struct rt205_arguments *arguments = ways->arguments;
+    const struct hits *found = &ways->found[WAY_LONGEST];
+    struct table *table = table_of_ways(ways);
     bool good;
 
     results_say(results,
@@ -159,33 +159,33 @@ static bool tell(const struct hits_work *work, const struct results *results)
 
 /* ---- The work ----------------------------------------------------------------- */
 
-static bool begin(struct hits_work *work)
+static bool begin(struct hits_ways *ways)
 {
-    const char *other = speedup_projection_model(work->arguments->trace.model,
+    const char *other = speedup_projection_model(ways->arguments->trace.model,
                                                  SPEEDUP_6600);
 
-    if (!work->arguments->heat.from)
-        return error_say(&work->error,
+    if (!ways->arguments->heat.from)
+        return error_say(&ways->error,
                          "--hits asks --from NAME: the part that emits");
-    if (!named_parts_find(work->scene, &work->parts))
-        return error_say(&work->error, "no memory");
-    work->other = c205_model_find(other, &work->error);
-    return work->other;
+    if (!named_parts_find(ways->scene, &ways->parts))
+        return error_say(&ways->error, "no memory");
+    ways->other = c205_model_find(other, &ways->error);
+    return ways->other;
 }
 
 bool cmd_heat_hits(const struct rt205_arguments *arguments,
                    const struct scene *scene, const struct results *results,
                    c205_error *error)
 {
-    struct hits_work work = { .arguments = arguments, .scene = scene };
-    bool good = begin(&work) && find_ways(&work)
-                && (tell(&work, results)
-                    || error_say(&work.error, "no memory"));
+    struct hits_ways ways = { .arguments = arguments, .scene = scene };
+    bool good = begin(&ways) && find_ways(&ways)
+                && (tell(&ways, results)
+                    || error_say(&ways.error, "no memory"));
 
-    *error = work.error;
+    *error = ways.error;
     for (int way = 0; way < WAYS; way++)
-        hits_free(&work.found[way]);
-    named_parts_free(&work.parts);
-    c205_model_free(work.other);
+        hits_free(&ways.found[way]);
+    named_parts_free(&ways.parts);
+    c205_model_free(ways.other);
     return good;
 }
