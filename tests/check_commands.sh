@@ -608,6 +608,11 @@ cat >row.pov <<'END'
 #declare Tube = cylinder { -2*x, 2*x, .3 }
 object { Burner } object { Tube translate y }
 END
+ends 0 "$build/rt205" heat bay.pov --rays 64 --strict
+printf "plane { y, 0 }\ndisc { -2*y, y, 1 }\nsphere { <1,-1,0>, .4 }\n" >sunk.pov
+ends 0 "$build/rt205" heat sunk.pov --rays 64
+ends 1 "$build/rt205" heat sunk.pov --rays 64 --strict
+tells err "A F from [0-9] to [0-9] is not that back: .* --strict allows 4.5"
 hits="heat row.pov --hits --rays 128 --repeats 2"
 ends 0 "$build/rt205" $hits --from Burner --json heat.json
 tells out "^CDC 6600, projected  *1  "

@@ -288,6 +288,29 @@ static bool tell(const struct heat *heat, const struct results *results)
     return tell_tables(heat, results);
 }
 
+/* What differs both ways by more is no chance; closure is exact. */
+static const double strict_sigmas = 4.5;
+
+static bool check_strictly(struct heat *heat)
+{
+    const struct surfaces *surfaces = &heat->surfaces;
+
+    for (size_t i = 0; i < surfaces->count; i++)
+        for (size_t j = i + 1; j < surfaces->count; j++) {
+            double sigmas = fabs(surfaces_reciprocity(surfaces, i, j));
+
+            if (sigmas > strict_sigmas)
+                return error_say(&heat->error,
+                                 "A F from %s to %s is not that back: %.1f "
+                                 "standard errors lie between, and --strict "
+                                 "allows %g",
+                                 surfaces->list[i].name,
+                                 surfaces->list[j].name, sigmas,
+                                 strict_sigmas);
+        }
+    return true;
+}
+
 /* ---- The command -------------------------------------------------------------- */
 
 static bool find_all(struct heat *heat)
@@ -329,7 +352,8 @@ static int run(const struct rt205_arguments *arguments,
                ? cmd_heat_hits(arguments, scene, results, &heat.error)
                : find_all(&heat)
                      && (tell(&heat, results)
-                         || error_say(&heat.error, "no memory"));
+                         || error_say(&heat.error, "no memory"))
+                     && (!arguments->strict || check_strictly(&heat));
     forget(&heat);
     scene_free(scene);
     return good ? CMD_DONE
@@ -436,5 +460,6 @@ const struct command heat_command = {
         "Each primitive radiates on its outward side, where it is seen; what "
         "its rays meet first receives them. Errors are standard errors. "
         "Floats NAME_Temperature and NAME_Emissivity of the scene are "
-        "those of NAME; options come first.",
+        "those of NAME; options come first. Under --strict reciprocity "
+        "counts, too.",
 };
