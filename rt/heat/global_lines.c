@@ -1,0 +1,504 @@
+#include "rt/heat/global_lines.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/error.h"
+#include "rt/layout/bounds.h"
+#include "rt/layout/program.h"
+#include "rt/layout/single_run.h"
+#include "rt/shapes/primitive.h"
+#include "rt/study/tasks.h"
+#include "rt/trace/lines.h"
+
+/* Gaps shorter than that, a length in the world, are none: surfaces touch there. */
+static const double least_gap = 1e-7;
+/* The sphere is larger than the box about the scene, and lines begin outside of it: so
+ * many radii behind where they leave it. */
+static const double larger = 1.001, behind = 2.01;
+
+enum { SURFACES_MOST = 1023, ENDS_MOST = 65535 };
+
+struct global_work {
+    const struct scene *scene;
+    const struct global_lines_options *options;
+    struct global_lines *found;
+    double center[3];
+    struct emission *sphere;
+    struct lines *lines;
+    struct object *gaps;
+    size_t lines_of_packet, packets; /* packets: of a repeat */
+    c205_word *counts; /* of each packet, a row for each surface */
+    struct accounts *accounts;
+};
+
+/* The surfaces and the environment. */
+static size_t width_of(const struct global_work *work)
+{
+    return work->found->surfaces + 1;
+}
+
+static size_t cells_of(const struct global_work *work)
+{
+    return width_of(work) * width_of(work);
+}
+
+static size_t unit_count(const struct global_work *work)
+{
+    return work->options->repeats * work->packets;
+}
+
+/* ---- The sphere about the scene ------------------------------------------- */
+
+static bool join_box(const struct bound *bound, const struct region *region,
+                     double low[3], double high[3], c205_error *error)
+{
+    if (bound_is_none(bound))
+        return error_say(error,
+                         "line %zu has no end that is known: no sphere is "
+                         "about it, through which lines could go",
+                         region->line);
+    for (int i = 0; i < 3; i++) {
+        low[i] = fmin(low[i], bound->low[i]);
+        high[i] = fmax(high[i], bound->high[i]);
+    }
+    return true;
+}
+
+static bool find_sphere(struct global_work *work, c205_error *error)
+{
+    const struct scene *scene = work->scene;
+    struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
+    double low[3] = { INFINITY, INFINITY, INFINITY };
+    double high[3] = { -INFINITY, -INFINITY, -INFINITY }, square = 0;
+    bool good = (bounds && bound_nodes(scene, bounds))
+                || error_say(error, "no memory");
+
+    for (size_t i = 0; good && i < scene->region_count; i++)
+        good = join_box(&bounds[scene->regions[i].first_node],
+                        &scene->regions[i], low, high, error);
+    for (int i = 0; good && i < 3; i++) {
+        work->center[i] = (low[i] + high[i]) / 2;
+        square += (high[i] - low[i]) * (high[i] - low[i]);
+    }
+    work->found->radius = larger * sqrt(square) / 2;
+    free(bounds);
+    return good;
+}
+
+/* ---- To begin -------------------------------------------------------------- */
+
+static bool check(const struct scene *scene,
+                  const struct global_lines_options *options,
+                  c205_error *error)
+{
+    if (scene->primitive_count == 0)
+        return error_say(error, "the scene has no surfaces");
+    if (scene->primitive_count > SURFACES_MOST)
+        return error_say(error,
+                         "lines count for at most %d surfaces, the scene "
+                         "has %zu",
+                         SURFACES_MOST, scene->primitive_count);
+    if (options->repeats < 2)
+        return error_say(error, "errors come of two repeats or more");
+    if (options->lines_log > GLOBAL_LINES_LOG_MOST)
+        return error_say(error, "a repeat has at most 2^%d lines",
+                         GLOBAL_LINES_LOG_MOST);
+    return true;
+}
+
+/* What a sphere radiates goes out; seen from its end, that came in. */
+static bool begin_sphere(struct global_work *work, c205_error *error)
+{
+    const struct global_lines_options *options = work->options;
+    const struct emission_options emits = { .mode = options->mode,
+                                            .queue = options->queue,
+                                            .points = work->lines_of_packet,
+                                            .lattice = options->lattice,
+                                            .model = options->model };
+    struct primitive sphere = { .kind = PRIMITIVE_SPHERE };
+
+    for (int i = 0; i < 3; i++) {
+        sphere.shape.sphere.center[i] = work->center[i];
+        sphere.to_world.rows[i][i] = sphere.to_local.rows[i][i] = 1;
+    }
+    sphere.shape.sphere.radius = work->found->radius;
+    work->sphere = emission_new(&sphere, &emits, error);
+    return work->sphere;
+}
+
+static bool begin_lines(struct global_work *work, c205_error *error)
+{
+    const struct global_lines_options *options = work->options;
+    const struct lines_options lines = {
+        .mode = options->mode,
+        .queue = options->queue,
+        .packet = work->lines_of_packet,
+        .behind = behind * work->found->radius,
+        .bodies = true,
+        .model = options->model,
+    };
+
+    work->lines = lines_new(work->scene, &lines, error);
+    return work->lines;
+}
+
+static bool begin_gaps(struct global_work *work, c205_error *error)
+{
+    static const struct asm_define none[] = { { NULL, 0 } };
+    char path[64];
+
+    snprintf(path, sizeof path, "heat/gaps_%s.s",
+             trace_mode_name(work->options->mode));
+    work->gaps = program_assemble(path, none, error);
+    return work->gaps;
+}
+
+static bool begin_room(struct global_work *work)
+{
+    size_t units = unit_count(work);
+
+    work->counts = calloc(units * cells_of(work), sizeof *work->counts);
+    work->accounts = calloc(units, sizeof *work->accounts);
+    for (size_t i = 0; work->accounts && i < units; i++)
+        work->accounts[i].model = work->options->model;
+    work->found->ends = calloc(work->options->repeats * cells_of(work),
+                               sizeof *work->found->ends);
+    return work->counts && work->accounts && work->found->ends;
+}
+
+static bool begin(struct global_work *work, c205_error *error)
+{
+    size_t lines = (size_t)1 << work->options->lines_log;
+
+    work->lines_of_packet = lines < GLOBAL_LINES_PACKET ? lines
+                                                        : GLOBAL_LINES_PACKET;
+    work->packets = lines / work->lines_of_packet;
+    if (!begin_room(work))
+        return error_say(error, "no memory");
+    return find_sphere(work, error) && begin_sphere(work, error)
+           && begin_lines(work, error) && begin_gaps(work, error);
+}
+
+static void end(struct global_work *work)
+{
+    for (size_t i = 0; work->accounts && i < unit_count(work); i++)
+        accounts_free(&work->accounts[i]);
+    free(work->accounts);
+    free(work->counts);
+    emission_free(work->sphere);
+    lines_free(work->lines);
+    object_free(work->gaps);
+}
+
+/* ---- A packet -------------------------------------------------------------- */
+
+struct global_packet {
+    const struct global_work *work;
+    size_t unit;
+    c205_word *planes; /* of the sphere's points */
+    struct scene_line *lines;
+    struct seen_crossings seen;
+    struct accounts *accounts;
+    c205_error *error;
+};
+
+static bool make_lines(const struct global_packet *packet)
+{
+    const struct global_work *work = packet->work;
+    const struct global_lines_options *options = work->options;
+    size_t count = work->lines_of_packet;
+    size_t repeat = packet->unit / work->packets;
+    size_t first = packet->unit % work->packets * count;
+    struct emission_choice choice = { .seed = options->seed,
+                                      .m = options->lines_log,
+                                      .shift = repeat,
+                                      .first = first };
+
+    if (!options->lattice)
+        choice.first += repeat << options->lines_log;
+    if (!emission_run(work->sphere, &choice, packet->planes, packet->accounts,
+                      packet->error))
+        return false;
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < 3; k++) {
+            packet->lines[i].origin[k] = c205_to_double(
+                packet->planes[(EMITTED_SPOT + k) * count + i]);
+            packet->lines[i].direction[k] = c205_to_double(
+                packet->planes[(EMITTED_RAY + k) * count + i]);
+        }
+    return true;
+}
+
+/* As in gaps.s. */
+enum { GAP_DISTANCE, GAP_SURFACE, GAP_WITHIN, GAP_PLANES };
+
+struct ends {
+    size_t count;
+    c205_word *planes[GAP_PLANES]; /* one behind the other */
+};
+
+static void add_end(struct ends *ends, c205_word distance, size_t surface,
+                    int within)
+{
+    size_t i = ends->count++;
+
+    ends->planes[GAP_DISTANCE][i] = distance;
+    ends->planes[GAP_SURFACE][i] = c205_from_integer((int64_t)surface);
+    ends->planes[GAP_WITHIN][i] = c205_from_integer(within);
+}
+
+/* Before each line and behind the last is the environment, nowhere near what is seen. */
+static bool lay_ends(const struct global_packet *packet, struct ends *ends)
+{
+    const struct seen_crossings *seen = &packet->seen;
+    size_t environment = packet->work->found->surfaces;
+    size_t count = seen->first[seen->line_count] + seen->line_count + 1;
+    c205_word away = c205_from_double(packet->work->found->radius);
+    c205_word *words = calloc(GAP_PLANES * count, sizeof *words);
+
+    for (size_t k = 0; k < GAP_PLANES; k++)
+        ends->planes[k] = words ? words + k * count : NULL;
+    for (size_t line = 0; words && line < seen->line_count; line++) {
+        add_end(ends, away, environment, 0);
+        for (size_t i = seen->first[line]; i < seen->first[line + 1]; i++)
+            add_end(ends, seen->list[i].distance, seen->list[i].primitive,
+                    seen->list[i].within);
+    }
+    if (words)
+        add_end(ends, away, environment, 0);
+    return words;
+}
+
+/* Gaps from the end `first` on, so many, are added to the packet's counts. */
+static bool count_gaps(const struct global_packet *packet,
+                       const struct ends *ends, size_t first, size_t count)
+{
+    const struct global_work *work = packet->work;
+    size_t cells = cells_of(work), i;
+    c205_word *part = calloc(GAP_PLANES * (count + 1), sizeof *part);
+    c205_word *made = calloc(cells, sizeof *made);
+    c205_word *sums = work->counts + packet->unit * cells;
+    struct single_run run;
+    uint64_t counts, clocks = 0;
+    bool good = false;
+
+    for (size_t k = 0; part && k < GAP_PLANES; k++)
+        for (i = 0; i <= count; i++)
+            part[k * (count + 1) + i] = ends->planes[k][first + i];
+    if (part && made) {
+        single_run_begin(&run, work->gaps, work->options->model,
+                         packet->error);
+        run.accounts = packet->accounts;
+        single_run_word(&run, "gaps_count", count);
+        single_run_word(&run, "gaps_surfaces", width_of(work));
+        single_run_room(&run, "gaps_ends", part, GAP_PLANES * (count + 1));
+        counts = single_run_room(&run, "gaps_counts", NULL, cells);
+        single_run_room(&run, "gaps_room", NULL, 3 * count);
+        single_run_number(&run, "gaps_least", 0, least_gap);
+        good = single_run_end(&run, counts, made, cells, &clocks);
+        for (i = 0; good && i < cells; i++)
+            sums[i] = c205_from_integer(c205_to_integer(sums[i])
+                                        + c205_to_integer(made[i]));
+    } else {
+        error_say(packet->error, "no memory");
+    }
+    free(part);
+    free(made);
+    return good;
+}
+
+static bool count_all(const struct global_packet *packet)
+{
+    struct ends ends = { .count = 0 };
+    size_t most = ENDS_MOST - 1, gaps;
+    bool good = lay_ends(packet, &ends)
+                || error_say(packet->error, "no memory");
+
+    gaps = good ? ends.count - 1 : 0;
+    for (size_t i = 0; good && i < gaps; i += most)
+        good = count_gaps(packet, &ends, i,
+                          gaps - i < most ? gaps - i : most);
+    free(ends.planes[0]);
+    return good;
+}
+
+static bool run_packet(struct global_packet *packet)
+{
+    const struct global_work *work = packet->work;
+    bool good = make_lines(packet)
+                && lines_find(work->lines, packet->lines,
+                              work->lines_of_packet, &packet->seen,
+                              packet->error);
+
+    if (good)
+        good = (accounts_add_all(packet->accounts, &packet->seen.accounts)
+                || error_say(packet->error, "no memory"))
+               && count_all(packet);
+    seen_crossings_free(&packet->seen);
+    return good;
+}
+
+static bool do_packet(void *context, const struct task *task,
+                      c205_error *error)
+{
+    const struct global_work *work = context;
+    size_t count = work->lines_of_packet;
+    struct global_packet packet = { .work = work,
+                                    .unit = task->number,
+                                    .accounts = &work->accounts[task->number],
+                                    .error = error };
+    bool good;
+
+    packet.planes = malloc(EMITTED_PLANES * count * sizeof *packet.planes);
+    packet.lines = malloc(count * sizeof *packet.lines);
+    good = packet.planes && packet.lines ? run_packet(&packet)
+                                         : error_say(error, "no memory");
+    free(packet.planes);
+    free(packet.lines);
+    return good;
+}
+
+/* ---- All of them ------------------------------------------------------------ */
+
+/* A gap from i to j is one from j to i as well. */
+static void add_packet(const struct global_work *work, size_t unit)
+{
+    size_t width = width_of(work), cells = cells_of(work);
+    const c205_word *counts = work->counts + unit * cells;
+    uint64_t *ends = work->found->ends + unit / work->packets * cells;
+
+    for (size_t i = 0; i < width; i++)
+        for (size_t j = 0; j < width; j++) {
+            uint64_t count = (uint64_t)c205_to_integer(counts[i * width + j]);
+
+            ends[i * width + j] += count;
+            ends[j * width + i] += count;
+        }
+}
+
+static bool run(struct global_work *work, c205_error *error)
+{
+    const struct tasks tasks = { .count = unit_count(work),
+                                 .jobs = work->options->jobs,
+                                 .run = do_packet,
+                                 .context = work };
+    bool good = tasks_run(&tasks, error);
+
+    for (size_t i = 0; good && i < unit_count(work); i++) {
+        add_packet(work, i);
+        good = accounts_add_all(&work->found->accounts, &work->accounts[i])
+               || error_say(error, "no memory");
+    }
+    return good;
+}
+
+bool global_lines_find(const struct scene *scene,
+                       const struct global_lines_options *options,
+                       struct global_lines *found, c205_error *error)
+{
+    struct global_work work = { .scene = scene,
+                                .options = options,
+                                .found = found };
+    bool good;
+
+    *found = (struct global_lines){ .surfaces = scene->primitive_count,
+                                    .repeats = options->repeats,
+                                    .lines_log = options->lines_log,
+                                    .accounts = { .model = options->model } };
+    if (!check(scene, options, error))
+        return false;
+    good = begin(&work, error) && run(&work, error);
+    end(&work);
+    if (!good)
+        global_lines_free(found);
+    return good;
+}
+
+void global_lines_free(struct global_lines *found)
+{
+    free(found->ends);
+    accounts_free(&found->accounts);
+    *found = (struct global_lines){ 0 };
+}
+
+/* ---- What they say ----------------------------------------------------------- */
+
+static uint64_t count_in(const struct global_lines *found, size_t repeat,
+                         size_t i, size_t j)
+{
+    size_t width = found->surfaces + 1;
+
+    return found->ends[(repeat * width + i) * width + j];
+}
+
+/* All ends of gaps at i. */
+static uint64_t row_in(const struct global_lines *found, size_t repeat,
+                       size_t i)
+{
+    uint64_t sum = 0;
+
+    for (size_t j = 0; j <= found->surfaces; j++)
+        sum += count_in(found, repeat, i, j);
+    return sum;
+}
+
+static uint64_t row_of(const struct global_lines *found, size_t i)
+{
+    uint64_t sum = 0;
+
+    for (size_t k = 0; k < found->repeats; k++)
+        sum += row_in(found, k, i);
+    return sum;
+}
+
+uint64_t global_lines_count(const struct global_lines *found, size_t i,
+                            size_t j)
+{
+    uint64_t sum = 0;
+
+    for (size_t k = 0; k < found->repeats; k++)
+        sum += count_in(found, k, i, j);
+    return sum;
+}
+
+/* The standard error of a sum over repeats, from the squares about its mean.  Repeats of the
+ * lattice may all count alike; then one line, with its two ends,
+ * more or less in one of them is left open. */
+static double error_of(const struct global_lines *found, double squares)
+{
+    double n = (double)found->repeats;
+
+    return sqrt(fmax(squares, 4) * n / (n - 1));
+}
+
+struct estimate global_lines_area(const struct global_lines *found, size_t i)
+{
+    double sum = (double)row_of(found, i), n = (double)found->repeats;
+    double unit = 2 * acos(-1) * found->radius * found->radius
+                  / (n * ldexp(1, (int)found->lines_log));
+    double squares = 0;
+
+    for (size_t k = 0; k < found->repeats; k++) {
+        double beside = (double)row_in(found, k, i) - sum / n;
+        squares += beside * beside;
+    }
+    return (struct estimate){ unit * sum, unit * error_of(found, squares) };
+}
+
+/* A ratio: its error is that of count - factor row. */
+struct estimate global_lines_factor(const struct global_lines *found,
+                                    size_t i, size_t j)
+{
+    double row = (double)row_of(found, i);
+    double factor = (double)global_lines_count(found, i, j) / row;
+    double squares = 0;
+
+    for (size_t k = 0; k < found->repeats; k++) {
+        double beside = (double)count_in(found, k, i, j)
+                        - factor * (double)row_in(found, k, i);
+        squares += beside * beside;
+    }
+    return (struct estimate){ factor, error_of(found, squares) / row };
+}

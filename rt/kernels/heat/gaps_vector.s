@@ -1,0 +1,82 @@
+; gaps_vector.s - the counts of gaps.s, surface by surface: the gaps that begin there are
+; brought together, and those among them counted that end at each.
+
+        .include "heat/gaps.s"
+
+        .regs   r30, v_near, v_far, v_length, v_kind, v_next, v_within, v_from, v_to, v_row
+        .regs   r39, b_gap, b_open, b_own, gap_left, gap_own, gap_zero
+
+        .data
+gap_bits:       .space 65536 / 64 * 2
+        .code
+
+        .macro  gap_bit bits, number, length
+        EX      \bits, gap_bits + 65536 * (\number)
+        ADDLEN  \bits, \length, \bits
+        .endm
+
+; That vector of the room, of so many words.
+        .macro  gap_vector vector, number, length
+        RTOR    gap_room, \vector
+        .rept   \number
+        ADDX    \vector, gap_work, \vector
+        .endr
+        ADDLEN  \vector, \length, \vector
+        .endm
+
+; A plane of ends, and the same from the next end on.
+        .macro  gap_plane plane, near, far
+        ADDLEN  \plane, gap_count, \near
+        RTOR    \near, \far
+        IX      \far, 64
+        .endm
+
+; [b_gap] := which gaps are empty, and long enough.
+        .macro  find_gaps
+        gap_bit b_gap, 0, gap_count
+        gap_bit b_open, 1, gap_count
+        gap_vector v_length, 0, gap_count
+        SUBNV   [v_far], [v_near], [v_length]
+        ABSV    [v_length], [v_length]
+        CMPGEV  [v_length], gap_least, [b_gap]
+        CMPEQV  [v_within], gap_zero, [b_open]
+        ANDB    [b_gap], [b_open], [b_gap]
+        .endm
+
+        .entry  gaps
+        .kernel gaps
+gaps:
+        gaps_begin
+        ES      gap_zero, 0
+        SHIFTI  gap_count, 6, gap_work
+        gap_plane gap_distances, v_near, v_far
+        gap_plane gap_kinds, v_kind, v_next
+        ADDLEN  gap_withins, gap_count, v_within
+        find_gaps
+        CNTOB   [b_gap], gap_left
+        IBXEQ   gap_left, r0, r0, gaps_counted
+        gap_vector v_from, 0, gap_left
+        gap_vector v_to, 1, gap_left
+        CPSV    [v_kind], [v_from] ? [b_gap]
+        CPSV    [v_next], [v_to] ? [b_gap]
+        gap_bit b_gap, 0, gap_left
+        ES      gap_from, 0
+gaps_from:
+        CMPEQV  [v_from], gap_from, [b_gap]
+        CNTOB   [b_gap], gap_own
+        IBXEQ   gap_own, r0, r0, gaps_done
+        gap_vector v_row, 2, gap_own
+        CPSV    [v_to], [v_row] ? [b_gap]
+        gap_bit b_own, 1, gap_own
+        ES      gap_to, 0
+gaps_to:
+        CMPEQV  [v_row], gap_to, [b_own]
+        CNTOB   [b_own], gap_left
+        STO     [gap_counts, gap_to], gap_left
+        IBXNE   gap_to, gap_one, gap_surfaces, gaps_to, gap_to
+gaps_done:
+        ADDX    gap_counts, gap_row, gap_counts
+        IBXNE   gap_from, gap_one, gap_surfaces, gaps_from, gap_from
+gaps_counted:
+        EXIT
+        .endkernel

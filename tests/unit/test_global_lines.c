@@ -1,0 +1,202 @@
+/* test_global_lines.c - what all surfaces of a scene send each other, from lines through
+ * all of it: areas and factors of closed forms, what holds exactly, both forms bit for bit.
+ *
+ *     test_global_lines [SEED]
+ */
+#include "rt/heat/global_lines.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tests/random.h"
+#include "tests/unit/prior_model.h"
+#include "tests/unit/scene_reading.h"
+
+static uint64_t seed = 1;
+
+static const struct global_lines_options usual = { .mode = TRACE_VECTOR,
+                                                   .queue = 2000,
+                                                   .lines_log = 10,
+                                                   .repeats = 16,
+                                                   .lattice = true };
+
+static struct global_lines find(const char *text,
+                                struct global_lines_options options)
+{
+    struct scene *scene = read_scene(text);
+    struct global_lines found;
+    c205_error error = { "" };
+
+    options.seed = seed;
+    options.model = prior_model;
+    if (!global_lines_find(scene, &options, &found, &error))
+        fail_msg("%s: %s", text, error.message);
+    scene_free(scene);
+    return found;
+}
+
+/* Errors come of 16 repeats: 4.6 of them are as rare as 4 of a normal law's. */
+static void assert_estimate(const char *what, struct estimate found,
+                            double expected)
+{
+    if (!(fabs(found.value - expected)
+          <= 4.6 * found.error + 1e-9 * fabs(expected)))
+        fail_msg("%s: %g +- %g is not %g", what, found.value, found.error,
+                 expected);
+}
+
+static void assert_exact(const struct global_lines *found)
+{
+    for (size_t i = 0; i <= found->surfaces; i++) {
+        double sum = 0;
+
+        for (size_t j = 0; j <= found->surfaces; j++) {
+            assert_int_equal(global_lines_count(found, i, j),
+                             global_lines_count(found, j, i));
+            sum += global_lines_factor(found, i, j).value;
+        }
+        assert_true(fabs(sum - 1) < 1e-12);
+    }
+}
+
+/* ---- Closed forms ------------------------------------------------------------ */
+
+/* A ball in a shell sees that alone; the shell sees the ball by its share of the area. */
+static void test_shell(void **state)
+{
+    struct global_lines found =
+        find("sphere { 0, .5 }"
+             " difference { sphere { 0, 1.1 } sphere { 0, 1 } }",
+             usual);
+
+    (void)state;
+    assert_exact(&found);
+    assert_estimate("ball", global_lines_area(&found, 0), acos(-1));
+    assert_estimate("shell", global_lines_area(&found, 2), 4 * acos(-1));
+    assert_estimate("ball to shell", global_lines_factor(&found, 0, 2), 1);
+    assert_estimate("shell to ball", global_lines_factor(&found, 2, 0), .25);
+    assert_estimate("shell to shell", global_lines_factor(&found, 2, 2), .75);
+    assert_estimate("outside", global_lines_factor(&found, 1, 3), 1);
+    global_lines_free(&found);
+}
+
+/* Two sides of each disc: half of what is known for those that face each other. */
+static void test_discs(void **state)
+{
+    struct global_lines found = find("disc { 0, z, 1 } disc { z, z, 1 }",
+                                     usual);
+    double factor = (3 - sqrt(5)) / 2;
+
+    (void)state;
+    assert_exact(&found);
+    assert_estimate("disc", global_lines_area(&found, 0), 2 * acos(-1));
+    assert_estimate("discs", global_lines_factor(&found, 0, 1), factor / 2);
+    assert_estimate("none", global_lines_factor(&found, 0, 0), 0);
+    global_lines_free(&found);
+}
+
+/* Areas of massprops.csv, of surfaces that cut each other. */
+static void test_areas(void **state)
+{
+    static const struct {
+        const char *solid;
+        double area;
+    } solids[] = {
+        { "difference { box { <-1,-.5,-.25>, <1,.5,.25> }"
+          " cylinder { <.4,0,-1>, <.4,0,1>, .3 } }",
+          7.37699111843078 },
+        { "merge { sphere { -.5*x, 1 } sphere { .5*x, 1 } }",
+          18.8495559215388 },
+        { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
+        { "box { 0, 1 } box { x, <2,1,1> }", 10 }, /* they touch */
+    };
+
+    (void)state;
+    for (size_t s = 0; s < COUNT(solids); s++) {
+        struct global_lines found = find(solids[s].solid, usual);
+        struct estimate sum = { 0, 0 };
+
+        assert_exact(&found);
+        for (size_t i = 0; i < found.surfaces; i++) {
+            struct estimate area = global_lines_area(&found, i);
+
+            sum.value += area.value;
+            sum.error += area.error;
+        }
+        assert_estimate(solids[s].solid, sum, solids[s].area);
+        global_lines_free(&found);
+    }
+}
+
+/* ---- Both forms, any queue and jobs ------------------------------------------- */
+
+static void test_forms(void **state)
+{
+    static const char text[] =
+        "sphere { 0, .5 } blob { threshold .5 sphere { 2*x, 1, 1 } }"
+        " cylinder { -2*x, -2*x + y, .5 open }"
+        " difference { box { <-4,-2,1>, <4,-1,2> } sphere { -1.5*z, 3 } }";
+    struct global_lines_options options = usual;
+    struct global_lines one, other;
+
+    (void)state;
+    options.repeats = 2;
+    options.lines_log = 8;
+    one = find(text, options);
+    assert_exact(&one);
+    for (int i = 0; i < 3; i++) {
+        size_t width = one.surfaces + 1;
+
+        options.mode = i == 0 ? TRACE_SCALAR : TRACE_VECTOR;
+        options.queue = i == 1 ? 37 : 2000;
+        options.jobs = i == 2 ? 2 : 1;
+        other = find(text, options);
+        assert_memory_equal(one.ends, other.ends,
+                            2 * width * width * sizeof *one.ends);
+        global_lines_free(&other);
+    }
+    global_lines_free(&one);
+}
+
+/* ---- What cannot be ------------------------------------------------------------ */
+
+static void assert_fails(const char *text,
+                         struct global_lines_options options,
+                         const char *message)
+{
+    struct scene *scene = read_scene(text);
+    struct global_lines found;
+    c205_error error = { "" };
+
+    options.model = prior_model;
+    assert_false(global_lines_find(scene, &options, &found, &error));
+    if (!strstr(error.message, message))
+        fail_msg("%s", error.message);
+    scene_free(scene);
+}
+
+static void test_refusals(void **state)
+{
+    struct global_lines_options once = usual, many = usual;
+
+    (void)state;
+    once.repeats = 1;
+    many.lines_log = 21;
+    assert_fails("camera { location -5*z }", usual, "no surfaces");
+    assert_fails("sphere { 0, 1 } plane { y, -2 }", usual, "has no end");
+    assert_fails("sphere { 0, 1 }", once, "two repeats");
+    assert_fails("sphere { 0, 1 }", many, "at most 2^20");
+}
+
+int main(int argc, char **argv)
+{
+    static const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_shell),    cmocka_unit_test(test_discs),
+        cmocka_unit_test(test_areas),    cmocka_unit_test(test_forms),
+        cmocka_unit_test(test_refusals),
+    };
+
+    if (argc > 1)
+        seed = strtoull(argv[1], NULL, 10);
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
