@@ -350,6 +350,8 @@ static int run(const struct rt205_arguments *arguments,
         return CMD_FAILED;
     good = arguments->heat.hits
                ? cmd_heat_hits(arguments, scene, results, &heat.error)
+           : arguments->heat.lines > 0
+               ? cmd_heat_lines(arguments, scene, results, &heat.error)
                : find_all(&heat)
                      && (tell(&heat, results)
                          || error_say(&heat.error, "no memory"))
@@ -419,6 +421,9 @@ static const struct command_option options[] = {
         "hits", heat.hits,
         "whether rays strike cylinders, and no more, on a scalar machine "
         "and in queues, the longest ones too"),
+    { CMD_COUNT("lines", heat.lines, 0, 1 << 30, 0,
+                "through all of the scene, in all repeats at least, in place "
+                "of rays") },
     { CMD_COUNT("rays", heat.rays, 1, EMISSION_MOST, 1024,
                 "points of a surface in each repeat, and rays of those that "
                 "are seen") },

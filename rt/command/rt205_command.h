@@ -40,8 +40,8 @@ struct cmd_mass {
 
 /* What is asked of radiant heat. */
 struct cmd_heat {
-    size_t rays, repeats, seed;
-    int points; /* 0: of the lattice, 1: random */
+    size_t rays, repeats, seed, lines; /* lines: 0: rays */
+    int points;                        /* 0: of the lattice, 1: random */
     int by;
     bool exchange, hits;
     const char *from; /* who emits, or NULL: all */
@@ -81,7 +81,11 @@ struct rt205_arguments {
     struct command_texts search; /* folders for includes */
 };
 
-/* What heat does under --hits.  False: the error says why. */
+/* What heat does under --lines.  False: the error says why. */
+bool cmd_heat_lines(const struct rt205_arguments *arguments,
+                    const struct scene *scene, const struct results *results,
+                    c205_error *error);
+/* .. under --hits. */
 bool cmd_heat_hits(const struct rt205_arguments *arguments,
                    const struct scene *scene, const struct results *results,
                    c205_error *error);
