@@ -1,4 +1,4 @@
-/* test_heat_programs.c - which points stay, and what receivers get, by lists by chance: the
+/* test_heat_programs.c - which points stay, what receivers get, and gaps, by lists by chance: the
  * programs beside plain loops, both forms bit for bit. */
 #include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
@@ -264,11 +264,100 @@ static void test_staying(void **state)
     object_free(forms[1]);
 }
 
+/* ---- Gaps ------------------------------------------------------------------ */
+
+/* Ends by chance: distances on a grid, whose step is the least gap. */
+struct gap_ends {
+    size_t gaps, surfaces;
+    c205_word *planes; /* distances, surfaces, within */
+};
+
+static void make_ends(struct gap_ends *given)
+{
+    size_t ends = given->gaps + 1;
+
+    given->planes = calloc(3 * ends, sizeof *given->planes);
+    assert_non_null(given->planes);
+    for (size_t k = 0; k < ends; k++) {
+        given->planes[k] = c205_from_double((double)below(5) / 4 - .5);
+        given->planes[ends + k] = c205_from_integer(
+            (int64_t)below(given->surfaces));
+        given->planes[2 * ends + k] = c205_from_integer(
+            below(2) ? 0 : (int64_t)below(4) - 1);
+    }
+}
+
+static void count_gaps(const struct object *program,
+                       const struct gap_ends *given, c205_word *counts)
+{
+    size_t cells = given->surfaces * given->surfaces;
+    struct single_run run;
+    c205_error error = { "" };
+    uint64_t address;
+
+    single_run_begin(&run, program, prior_model, &error);
+    single_run_word(&run, "gaps_count", given->gaps);
+    single_run_word(&run, "gaps_surfaces", given->surfaces);
+    single_run_room(&run, "gaps_ends", given->planes, 3 * (given->gaps + 1));
+    address = single_run_room(&run, "gaps_counts", NULL, cells);
+    single_run_room(&run, "gaps_room", NULL, 3 * given->gaps);
+    single_run_number(&run, "gaps_least", 0, .25);
+    end(&run, address, counts, cells);
+}
+
+static void check_gaps(const struct gap_ends *given, const c205_word *counts)
+{
+    size_t ends = given->gaps + 1, n = given->surfaces;
+    int64_t *left = calloc(n * n, sizeof *left);
+
+    assert_non_null(left);
+    for (size_t i = 0; i < n * n; i++)
+        left[i] = c205_to_integer(counts[i]);
+    for (size_t k = 0; k < given->gaps; k++) {
+        const c205_word *end = given->planes + k;
+        double length = fabs(c205_to_double(end[1]) - c205_to_double(end[0]));
+        size_t from = (size_t)c205_to_integer(end[ends]);
+        size_t to = (size_t)c205_to_integer(end[ends + 1]);
+
+        if (length >= .25 && c205_to_integer(end[2 * ends]) == 0)
+            left[from * n + to]--;
+    }
+    for (size_t i = 0; i < n * n; i++)
+        assert_int_equal(left[i], 0);
+    free(left);
+}
+
+static void test_gaps(void **state)
+{
+    struct object *forms[] = { assemble("heat/gaps_scalar.s"),
+                               assemble("heat/gaps_vector.s") };
+
+    (void)state;
+    for (int i = 0; i < 60; i++) {
+        struct gap_ends given = { .gaps = i ? some_length(65534) : 65534,
+                                  .surfaces = 1 + below(40) };
+        c205_word *counts = calloc(given.surfaces * given.surfaces,
+                                   sizeof *counts);
+
+        assert_non_null(counts);
+        make_ends(&given);
+        for (size_t form = 0; form < 2; form++) {
+            count_gaps(forms[form], &given, counts);
+            check_gaps(&given, counts);
+        }
+        free(given.planes);
+        free(counts);
+    }
+    object_free(forms[0]);
+    object_free(forms[1]);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_received),
         cmocka_unit_test(test_staying),
+        cmocka_unit_test(test_gaps),
     };
 
     return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
