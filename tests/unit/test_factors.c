@@ -266,6 +266,47 @@ static void test_known_factors(void **state)
                   shell, COUNT(shell));
 }
 
+/* ---- No bias ---------------------------------------------------------------------- */
+
+enum { SEEDS = 64 };
+
+/* Under many seeds the mean is the factor, within what their spread says of it. */
+static void check_bias(const struct scene *scene, bool lattice)
+{
+    struct factors_options options = usual;
+    double sum = 0, squares = 0, mean, error;
+
+    options.points = 64;
+    options.repeats = 2;
+    options.lattice = lattice;
+    options.model = prior_model;
+    for (options.seed = 1; options.seed <= SEEDS; options.seed++) {
+        c205_error error_text = { "" };
+        struct factors *factors = factors_new(scene, &options, &error_text);
+        struct factor_row row = find(factors, 0);
+
+        sum += row.factor[1].value;
+        squares += row.factor[1].value * row.factor[1].value;
+        factor_row_free(&row);
+        factors_free(factors);
+    }
+    mean = sum / SEEDS;
+    error = sqrt((squares / SEEDS - mean * mean) / (SEEDS - 1));
+    if (!(fabs(mean - 0.1809950221376) <= 4 * error))
+        fail_msg("the mean of %d seeds is %.7g +- %.2g", SEEDS, mean, error);
+}
+
+static void test_bias(void **state)
+{
+    struct scene *scene = read_scene(
+        "disc { 0, y, 1 } disc { .9*y, -y, .6 }");
+
+    (void)state;
+    check_bias(scene, true);
+    check_bias(scene, false);
+    scene_free(scene);
+}
+
 /* ---- Both forms ---------------------------------------------------------------- */
 
 static void compare_rows(const struct scene *scene,
@@ -343,8 +384,8 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_areas),         cmocka_unit_test(test_crowds),
-        cmocka_unit_test(test_known_factors), cmocka_unit_test(test_forms),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_known_factors), cmocka_unit_test(test_bias),
+        cmocka_unit_test(test_forms),         cmocka_unit_test(test_refused),
     };
 
     if (argc > 1)
