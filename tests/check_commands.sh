@@ -626,10 +626,10 @@ ends 1 "$build/rt205" $hits --from Tube
 tells err "the disc of line 1 is no solid cylinder"
 printf "sphere { 0, .5 }\nbox { <1,-1,-1>, <2,1,1> }\n" >pair.pov
 ends 0 "$build/rt205" heat pair.pov --lines 2000 --json heat.json
-tells out "16 repeats of 128 lines through a sphere"
+tells out "16 repeats of 128 lines through all of it"
 tells heat.json "\"lines\": 128"
-ends 1 "$build/rt205" heat pair.pov --lines 64 --by part
-tells err "^rt205 heat: --lines has factors between primitives"
+ends 0 "$build/rt205" heat shell.pov --lines 2000 --by part --exchange --temperature Shell=300
+tells out "^all  *-*0\.000$"
 ends 1 "$build/rt205" heat sunk.pov --lines 64
 tells err "line 1 has no end that is known"
 

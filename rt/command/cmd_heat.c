@@ -88,6 +88,45 @@ static bool find_rows(struct heat *heat)
     return good;
 }
 
+/* ---- .. by lines ------------------------------------------------------------ */
+
+/* Of each repeat; at least as many in all as are asked. */
+static size_t log_of_lines(const struct cmd_heat *wishes)
+{
+    size_t log = 0;
+
+    while (wishes->repeats << log < wishes->lines)
+        log++;
+    return log;
+}
+
+static bool find_by_lines(struct heat *heat)
+{
+    const struct rt205_arguments *arguments = heat->arguments;
+    const struct global_lines_options options = {
+        .mode = arguments->trace.mode,
+        .queue = arguments->trace.queue,
+        .lines_log = log_of_lines(&arguments->heat),
+        .repeats = arguments->heat.repeats,
+        .lattice = arguments->heat.points == 0,
+        .seed = arguments->heat.seed,
+        .jobs = arguments->trace.jobs,
+        .surface_of = heat->surfaces.surface_of,
+        .surfaces = heat->surfaces.count,
+        .model = arguments->trace.model,
+    };
+    struct global_lines found;
+    bool good;
+
+    if (!global_lines_find(heat->scene, &options, &found, &heat->error))
+        return false;
+    surfaces_take_lines(&heat->surfaces, &found);
+    good = accounts_add_all(&heat->accounts, &found.accounts)
+           || error_say(&heat->error, "no memory");
+    global_lines_free(&found);
+    return good;
+}
+
 /* ---- What is given ---------------------------------------------------------- */
 
 static bool take_given(struct heat *heat, struct given_values *given,
@@ -267,20 +306,28 @@ static bool tell_tables(const struct heat *heat,
                         "Where the clocks went");
 }
 
+/* In each repeat. */
+static size_t drawn_of(const struct cmd_heat *wishes)
+{
+    return wishes->lines > 0 ? (size_t)1 << log_of_lines(wishes)
+                             : wishes->rays;
+}
+
 static bool tell(const struct heat *heat, const struct results *results)
 {
     const struct rt205_arguments *arguments = heat->arguments;
     struct json *json = results->json;
 
-    results_say(results,
-                "%s: %zu repeats of %zu points of each primitive, %s\n",
-                arguments->scene, arguments->heat.repeats,
-                arguments->heat.rays,
+    results_say(results, "%s: %zu repeats of %zu %s, %s\n", arguments->scene,
+                arguments->heat.repeats, drawn_of(&arguments->heat),
+                arguments->heat.lines > 0 ? "lines through all of it"
+                                          : "points of each primitive",
                 arguments->heat.points == 0 ? "of the lattice" : "random");
     results_model(results, arguments->trace.model);
     if (json) {
         json_text(json, "scene", arguments->scene);
-        json_count(json, "points", arguments->heat.rays);
+        json_count(json, arguments->heat.lines > 0 ? "lines" : "points",
+                   drawn_of(&arguments->heat));
         json_count(json, "repeats", arguments->heat.repeats);
         json_count(json, "seed", arguments->heat.seed);
         provenance_json(arguments->trace.model, json);
@@ -318,7 +365,11 @@ static bool find_all(struct heat *heat)
     heat->rows = calloc(heat->scene->primitive_count + 1, sizeof *heat->rows);
     if (!heat->rows)
         return error_say(&heat->error, "no memory");
-    if (!begin(heat) || !find_rows(heat))
+    if (!begin(heat))
+        return false;
+    if (heat->arguments->heat.lines > 0)
+        return find_by_lines(heat) && find_exchange(heat);
+    if (!find_rows(heat))
         return false;
     surfaces_combine(&heat->surfaces, heat->rows);
     return find_exchange(heat);
@@ -350,8 +401,6 @@ static int run(const struct rt205_arguments *arguments,
         return CMD_FAILED;
     good = arguments->heat.hits
                ? cmd_heat_hits(arguments, scene, results, &heat.error)
-           : arguments->heat.lines > 0
-               ? cmd_heat_lines(arguments, scene, results, &heat.error)
                : find_all(&heat)
                      && (tell(&heat, results)
                          || error_say(&heat.error, "no memory"))

@@ -81,10 +81,6 @@ struct rt205_arguments {
     struct command_texts search; /* folders for includes */
 };
 
-/* What heat does under --lines.  False: the error says why. */
-bool cmd_heat_lines(const struct rt205_arguments *arguments,
-                    const struct scene *scene, const struct results *results,
-                    c205_error *error);
 /* .. under --hits. */
 bool cmd_heat_hits(const struct rt205_arguments *arguments,
                    const struct scene *scene, const struct results *results,

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/error.h"
+#include "rt/heat/emission.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
@@ -89,17 +90,23 @@ static bool find_sphere(struct global_work *work, c205_error *error)
 
 /* ---- To begin -------------------------------------------------------------- */
 
+static size_t surface_count(const struct scene *scene,
+                            const struct global_lines_options *options)
+{
+    return options->surface_of ? options->surfaces : scene->primitive_count;
+}
+
 static bool check(const struct scene *scene,
                   const struct global_lines_options *options,
                   c205_error *error)
 {
     if (scene->primitive_count == 0)
         return error_say(error, "the scene has no surfaces");
-    if (scene->primitive_count > SURFACES_MOST)
+    if (surface_count(scene, options) > SURFACES_MOST)
         return error_say(error,
                          "lines count for at most %d surfaces, the scene "
                          "has %zu",
-                         SURFACES_MOST, scene->primitive_count);
+                         SURFACES_MOST, surface_count(scene, options));
     if (options->repeats < 2)
         return error_say(error, "errors come of two repeats or more");
     if (options->lines_log > GLOBAL_LINES_LOG_MOST)
@@ -249,6 +256,13 @@ static void add_end(struct ends *ends, c205_word distance, size_t surface,
     ends->planes[GAP_WITHIN][i] = c205_from_integer(within);
 }
 
+static size_t surface_of(const struct global_packet *packet, size_t primitive)
+{
+    const size_t *surfaces = packet->work->options->surface_of;
+
+    return surfaces ? surfaces[primitive] : primitive;
+}
+
 /* Before each line and behind the last is the environment, nowhere near what is seen. */
 static bool lay_ends(const struct global_packet *packet, struct ends *ends)
 {
@@ -263,12 +277,13 @@ static bool lay_ends(const struct global_packet *packet, struct ends *ends)
     for (size_t line = 0; words && line < seen->line_count; line++) {
         add_end(ends, away, environment, 0);
         for (size_t i = seen->first[line]; i < seen->first[line + 1]; i++)
-            add_end(ends, seen->list[i].distance, seen->list[i].primitive,
+            add_end(ends, seen->list[i].distance,
+                    surface_of(packet, seen->list[i].primitive),
                     seen->list[i].within);
     }
     if (words)
         add_end(ends, away, environment, 0);
-    return words;
+    return words != NULL;
 }
 
 /* Gaps from the end `first` on, so many, are added to the packet's counts. */
@@ -403,7 +418,7 @@ bool global_lines_find(const struct scene *scene,
                                 .found = found };
     bool good;
 
-    *found = (struct global_lines){ .surfaces = scene->primitive_count,
+    *found = (struct global_lines){ .surfaces = surface_count(scene, options),
                                     .repeats = options->repeats,
                                     .lines_log = options->lines_log,
                                     .accounts = { .model = options->model } };

@@ -17,7 +17,7 @@
 #define RT_GLOBAL_LINES_H
 
 #include "base/accounts.h"
-#include "rt/heat/factors.h"
+#include "rt/heat/estimate.h"
 #include "rt/trace/trace.h"
 
 enum { GLOBAL_LINES_LOG_MOST = 20, GLOBAL_LINES_PACKET = 4096 };
@@ -30,12 +30,15 @@ struct global_lines_options {
     bool lattice;         /* or random */
     size_t seed;
     size_t jobs; /* packets at a time; 0: one */
+    /* What counts as one surface: of each of the scene's primitives a number, below so
+     * many; NULL: each is one. */
+    const size_t *surface_of;
+    size_t surfaces;
     const c205_model *model;
 };
 
 struct global_lines {
-    size_t
-        surfaces; /* the scene's primitives; behind them, the environment */
+    size_t surfaces; /* behind them is the environment */
     size_t repeats, lines_log;
     double radius;  /* of the sphere */
     uint64_t *ends; /* n_ij: [repeats][surfaces + 1][surfaces + 1] */

@@ -148,6 +148,23 @@ void surfaces_combine(struct surfaces *surfaces,
             add_errors(&surfaces->list[surfaces->surface_of[i]], &rows[i]);
 }
 
+void surfaces_take_lines(struct surfaces *surfaces,
+                         const struct global_lines *found)
+{
+    for (size_t i = 0; i < surfaces->count; i++) {
+        struct surface *surface = &surfaces->list[i];
+
+        surface->area = global_lines_area(found, i);
+        for (size_t j = 0; j <= surfaces->count; j++) {
+            surface->count[j] = global_lines_count(found, i, j);
+            surface->sent += surface->count[j];
+        }
+        surface->tried = surface->sent;
+        for (size_t j = 0; j <= surfaces->count && surface->sent > 0; j++)
+            surface->factor[j] = global_lines_factor(found, i, j);
+    }
+}
+
 double surfaces_reciprocity(const struct surfaces *surfaces, size_t from,
                             size_t to)
 {
@@ -162,5 +179,7 @@ double surfaces_reciprocity(const struct surfaces *surfaces, size_t from,
     back = other->area.value * other->factor[from].value;
     error = hypot(one->area.value * one->factor[to].error,
                   other->area.value * other->factor[from].error);
+    if (fabs(there - back) <= 1e-12 * there) /* of lines, exactly */
+        return 0;
     return error > 0 ? (there - back) / error : NAN;
 }

@@ -8,6 +8,7 @@
 #define RT_SURFACES_H
 
 #include "rt/heat/factors.h"
+#include "rt/heat/global_lines.h"
 #include "rt/scene/parts.h"
 
 enum surfaces_by { BY_PRIMITIVE, BY_PART, BY_MATERIAL, SURFACES_BY };
@@ -18,9 +19,9 @@ struct surface {
     const struct primitive *first; /* of its primitives */
     size_t part;                   /* .. the part that it is of */
     struct estimate area;
-    uint64_t tried, sent;
-    bool receives_alone; /* some of it has no emission */
-    uint64_t *count;     /* [surfaces + 1], the last one the environment */
+    uint64_t tried, sent; /* points and rays; by lines, ends of gaps */
+    bool receives_alone;  /* some of it has no emission */
+    uint64_t *count;      /* [surfaces + 1], the last one the environment */
     struct estimate *factor;
 };
 
@@ -42,6 +43,10 @@ void surfaces_free(struct surfaces *surfaces);
  * emission has an empty one. */
 void surfaces_combine(struct surfaces *surfaces,
                       const struct factor_row *rows);
+
+/* Of all of them at once. */
+void surfaces_take_lines(struct surfaces *surfaces,
+                         const struct global_lines *found);
 
 /* By how many standard errors A F from one to the other differs from that back; NaN: of itself,
  * or where there is no way back. */

@@ -177,6 +177,43 @@ static void test_flows(void **state)
     end(&study);
 }
 
+/* By lines all is counted once for both: flows add up to 0. */
+static void test_lines(void **state)
+{
+    const struct global_lines_options options = { .mode = TRACE_VECTOR,
+                                                  .queue = 2000,
+                                                  .lines_log = 10,
+                                                  .repeats = 16,
+                                                  .lattice = true,
+                                                  .seed = 1,
+                                                  .model = prior_model };
+    double pi = acos(-1);
+    struct study study = { .scene = read_scene(ball) };
+    struct global_lines_options by_part = options;
+    struct global_lines found;
+    struct thermal thermal;
+    c205_error error = { "" };
+
+    (void)state;
+    assert_true(named_parts_find(study.scene, &study.parts));
+    assert_true(
+        surfaces_find(study.scene, &study.parts, BY_PART, &study.surfaces));
+    by_part.surface_of = study.surfaces.surface_of;
+    by_part.surfaces = study.surfaces.count;
+    assert_true(global_lines_find(study.scene, &by_part, &found, &error));
+    surfaces_take_lines(&study.surfaces, &found);
+    global_lines_free(&found);
+    assert_estimate(study.surfaces.list[1].area, 4 * pi * (4 + 6.25));
+    assert_estimate(study.surfaces.list[1].factor[0], .25 * 4 / 10.25);
+    assert_true(surfaces_reciprocity(&study.surfaces, 0, 1) == 0);
+    assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
+    assert_true(fabs(thermal.exchange.sum)
+                < 1e-9 * fabs(thermal.exchange.flow[0]));
+    thermal_free(&thermal);
+    study.rows = calloc(study.scene->primitive_count, sizeof *study.rows);
+    end(&study);
+}
+
 /* Through an adiabatic shell all goes out that the ball gives. */
 static void test_adiabatic(void **state)
 {
@@ -260,9 +297,10 @@ static void test_wrong_values(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parts),   cmocka_unit_test(test_groups),
-        cmocka_unit_test(test_flows),   cmocka_unit_test(test_adiabatic),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_wrong_values),
+        cmocka_unit_test(test_parts),        cmocka_unit_test(test_groups),
+        cmocka_unit_test(test_flows),        cmocka_unit_test(test_lines),
+        cmocka_unit_test(test_adiabatic),    cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_wrong_values),
     };
 
     return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
