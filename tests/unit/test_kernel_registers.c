@@ -84,7 +84,8 @@ static void test_assembled(void **state)
             check_assembled(kernel->name, defines);
         }
     }
-    assert_int_equal(programs, 27);
+    /* None is overlooked: more are welcome. */
+    assert_true(programs >= 29);
 }
 
 /* The cylinder as it is studied. */
