@@ -144,6 +144,7 @@ check-long: export MASSES = 1000
 check-long: export MASS_RAYS = 262144
 check-long: export HEAT_POINTS = 4096
 check-long: export USES = all
+check-long: export KILLS = 20
 check-long: export USED = $(SCENES)
 check-long: export LANGUAGE = 5000
 check-long: export TRIES = 3000
@@ -154,7 +155,7 @@ check-long:
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
 		check-poison check-points check-emission check-timing check-stream \
-		san cover -- check-planted
+		san cover -- check-mpi check-planted
 
 fit:
 	@sh .ci/need $(build_packages) $(fit_packages) $(exact_packages)

@@ -16,3 +16,10 @@ uint64_t hash_words(uint64_t sum, const uint64_t *words, size_t count)
             sum = (sum ^ (words[i] >> (shift - 8) & 0xFF)) * PRIME;
     return sum;
 }
+
+uint64_t hash_sizes(uint64_t sum, const size_t *sizes, size_t count)
+{
+    for (size_t i = 0; i < count; i++)
+        sum = hash_words(sum, (const uint64_t[]){ sizes[i] }, 1);
+    return sum;
+}

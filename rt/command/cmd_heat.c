@@ -21,10 +21,17 @@ struct heat {
                                 counts */
     struct thermal thermal;
     struct accounts accounts;
+    size_t units; /* of work, done here or elsewhere */
     c205_error error;
 };
 
 /* ---- The work ------------------------------------------------------------- */
+
+/* Else what packets come to is elsewhere. */
+static bool collects(const struct heat *heat)
+{
+    return farm_collects(&heat->arguments->units.farm);
+}
 
 static struct factors_options factors_options(const struct heat *heat)
 {
@@ -38,53 +45,94 @@ static struct factors_options factors_options(const struct heat *heat)
         .lattice = arguments->heat.points == 0,
         .seed = arguments->heat.seed,
         .jobs = arguments->trace.jobs,
+        .farm = arguments->trace.farm,
+        .progress = arguments->trace.progress,
+        .context = arguments->trace.context,
         .receiver_of = heat->surfaces.surface_of,
         .receivers = heat->surfaces.count,
         .model = arguments->trace.model,
     };
 }
 
-static bool go_on(const struct heat *heat, size_t done)
+/* Those that emit, in order; of all others a warning. */
+static size_t list_emitters(const struct heat *heat, size_t *emitters)
 {
-    const struct trace_options *trace = &heat->arguments->trace;
+    size_t count = 0;
 
-    return !trace->progress
-           || trace->progress(trace->context, done,
-                              heat->scene->primitive_count);
-}
+    for (size_t i = 0; i < heat->scene->primitive_count; i++) {
+        const struct primitive *primitive = &heat->scene->primitives[i];
+        const char *refusal = emission_refusal(primitive);
 
-static bool find_row(struct heat *heat, const struct factors *factors,
-                     size_t i)
-{
-    const struct primitive *primitive = &heat->scene->primitives[i];
-    const char *refusal = emission_refusal(primitive);
-
-    if (refusal) {
-        fprintf(stderr, "%s:%zu: warning: the %s receives alone: %s\n",
-                heat->arguments->scene, primitive->line,
-                primitive_kind_name(primitive->kind), refusal);
-        return true;
+        if (!refusal)
+            emitters[count++] = i;
+        else
+            fprintf(stderr, "%s:%zu: warning: the %s receives alone: %s\n",
+                    heat->arguments->scene, primitive->line,
+                    primitive_kind_name(primitive->kind), refusal);
     }
-    return factors_find(factors, i, &heat->rows[i], &heat->error)
-           && accounts_add_all(&heat->accounts, &heat->rows[i].accounts);
+    return count;
 }
 
-static bool find_rows(struct heat *heat)
+static bool find_rows(struct heat *heat, const size_t *emitters, size_t count)
 {
     struct factors_options options = factors_options(heat);
     struct factors *factors = factors_new(heat->scene, &options,
                                           &heat->error);
-    bool good = factors != NULL;
+    bool good = factors
+                && factors_find(factors, emitters, count, heat->rows,
+                                &heat->error);
 
-    for (size_t i = 0; good && i < heat->scene->primitive_count; i++) {
-        good = find_row(heat, factors, i);
-        if (good && !go_on(heat, i + 1)) {
-            good = error_say(&heat->error,
-                             "stopped after %zu of %zu surfaces", i + 1,
-                             heat->scene->primitive_count);
-        }
-    }
+    if (good)
+        heat->units = factors_units(factors, count);
     factors_free(factors);
+    return good;
+}
+
+/* The rows of emitters become those of their primitives. */
+static void place_rows(struct factor_row *rows, const size_t *emitters,
+                       size_t count)
+{
+    for (size_t i = count; i-- > 0;) {
+        struct factor_row row = rows[i];
+
+        rows[i] = (struct factor_row){ .receivers = 0 };
+        rows[emitters[i]] = row;
+    }
+}
+
+static bool add_accounts(struct heat *heat, const struct accounts *accounts)
+{
+    return accounts_add_all(&heat->accounts, accounts)
+           || error_say(&heat->error, "no memory");
+}
+
+static bool combine_rows(struct heat *heat)
+{
+    for (size_t i = 0; i < heat->scene->primitive_count; i++)
+        if (!add_accounts(heat, &heat->rows[i].accounts))
+            return false;
+    surfaces_combine(&heat->surfaces, heat->rows);
+    return true;
+}
+
+static bool find_by_rays(struct heat *heat)
+{
+    size_t primitives = heat->scene->primitive_count, count;
+    size_t *emitters = calloc(primitives + 1, sizeof *emitters);
+    bool good = false;
+
+    heat->rows = calloc(primitives + 1, sizeof *heat->rows);
+    if (emitters && heat->rows) {
+        count = list_emitters(heat, emitters);
+        good = find_rows(heat, emitters, count);
+        if (good && collects(heat)) {
+            place_rows(heat->rows, emitters, count);
+            good = combine_rows(heat);
+        }
+    } else {
+        error_say(&heat->error, "no memory");
+    }
+    free(emitters);
     return good;
 }
 
@@ -111,6 +159,9 @@ static bool find_by_lines(struct heat *heat)
         .lattice = arguments->heat.points == 0,
         .seed = arguments->heat.seed,
         .jobs = arguments->trace.jobs,
+        .farm = arguments->trace.farm,
+        .progress = arguments->trace.progress,
+        .context = arguments->trace.context,
         .surface_of = heat->surfaces.surface_of,
         .surfaces = heat->surfaces.count,
         .model = arguments->trace.model,
@@ -120,9 +171,10 @@ static bool find_by_lines(struct heat *heat)
 
     if (!global_lines_find(heat->scene, &options, &found, &heat->error))
         return false;
-    surfaces_take_lines(&heat->surfaces, &found);
-    good = accounts_add_all(&heat->accounts, &found.accounts)
-           || error_say(&heat->error, "no memory");
+    heat->units = found.units;
+    good = !collects(heat) || add_accounts(heat, &found.accounts);
+    if (good && collects(heat))
+        surfaces_take_lines(&heat->surfaces, &found);
     global_lines_free(&found);
     return good;
 }
@@ -167,9 +219,7 @@ static bool find_exchange(struct heat *heat)
     return thermal_find(&heat->surfaces, &heat->parts, &heat->emissivities,
                         &heat->temperatures, trace->mode, trace->model,
                         &heat->thermal, &heat->error)
-           && (accounts_add_all(&heat->accounts,
-                                &heat->thermal.exchange.accounts)
-               || error_say(&heat->error, "no memory"));
+           && add_accounts(heat, &heat->thermal.exchange.accounts);
 }
 
 /* ---- Tables ----------------------------------------------------------------- */
@@ -362,17 +412,10 @@ static bool check_strictly(struct heat *heat)
 
 static bool find_all(struct heat *heat)
 {
-    heat->rows = calloc(heat->scene->primitive_count + 1, sizeof *heat->rows);
-    if (!heat->rows)
-        return error_say(&heat->error, "no memory");
-    if (!begin(heat))
-        return false;
-    if (heat->arguments->heat.lines > 0)
-        return find_by_lines(heat) && find_exchange(heat);
-    if (!find_rows(heat))
-        return false;
-    surfaces_combine(&heat->surfaces, heat->rows);
-    return find_exchange(heat);
+    return begin(heat)
+           && (heat->arguments->heat.lines > 0 ? find_by_lines(heat)
+                                               : find_by_rays(heat))
+           && (!collects(heat) || find_exchange(heat));
 }
 
 static void forget(struct heat *heat)
@@ -388,6 +431,21 @@ static void forget(struct heat *heat)
     accounts_free(&heat->accounts);
 }
 
+/* What is told leaves no need of the files. */
+static bool tell_all(struct heat *heat, const struct results *results)
+{
+    const struct rt205_arguments *arguments = heat->arguments;
+
+    if (!collects(heat)) {
+        cmd_tell_share(arguments, heat->units);
+        return true;
+    }
+    if (!tell(heat, results))
+        return error_say(&heat->error, "no memory");
+    farm_end(arguments->trace.farm, true);
+    return !arguments->strict || check_strictly(heat);
+}
+
 static int run(const struct rt205_arguments *arguments,
                const struct results *results)
 {
@@ -401,10 +459,7 @@ static int run(const struct rt205_arguments *arguments,
         return CMD_FAILED;
     good = arguments->heat.hits
                ? cmd_heat_hits(arguments, scene, results, &heat.error)
-               : find_all(&heat)
-                     && (tell(&heat, results)
-                         || error_say(&heat.error, "no memory"))
-                     && (!arguments->strict || check_strictly(&heat));
+               : find_all(&heat) && tell_all(&heat, results);
     forget(&heat);
     scene_free(scene);
     return good ? CMD_DONE
@@ -414,9 +469,16 @@ static int run(const struct rt205_arguments *arguments,
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
+    const struct cmd_units *units = &arguments->units;
 
+    if (arguments->heat.hits
+        && (units->ranks > 0 || units->farm.parts > 0
+            || units->resume.count > 0))
+        return cmd_usage(arguments->command,
+                         "--hits is one run: it has no units for --ranks, "
+                         "--part or --resume");
     arguments->trace.width = arguments->trace.height = 1;
-    return cmd_with_machine(arguments, run);
+    return cmd_with_farm(arguments, run);
 }
 
 static const char *points_choice(size_t number)
@@ -488,7 +550,10 @@ static const struct command_option options[] = {
                 "another one makes other points") },
     CMD_MODE(cmd_form_choice, "in which form"),
     CMD_QUEUE("points and rays in the vector queue"),
-    CMD_JOBS("repeats at a time"),
+    CMD_JOBS("packets of rays at a time"),
+    CMD_RESUME("packets"),
+    CMD_PART("packets"),
+    CMD_RANKS,
     CMD_MODEL,
     CMD_READ,
     CMD_RESULTS,
@@ -497,8 +562,8 @@ static const struct command_option options[] = {
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 heat SCENE --by part --rays 4096", "factors between its parts" },
-    { "rt205 heat SCENE --by part --exchange --temperature default=300 "
-      "--temperature Tube=450",
+    { "rt205 heat SCENE --by part --exchange "
+      "--temperature default=300",
       "and what they exchange" },
     { NULL, NULL }
 };

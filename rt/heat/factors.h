@@ -1,20 +1,18 @@
 /* factors.h - where the rays go that a primitive of a scene emits: shape factors,
  * and the areas of what is seen of it.
  *
- * A point that emission makes stays if the surface is seen there, that is if
- * its region has another value before it than behind it, and no other
- * body covers it; of the points that stay one ray goes out each, and what it meets first
- * receives it.  Points, rays and
- * all that is seen along them are the machine's, and so are which points stay, and the
- * counts and sums of weights by receiver: packet by packet, one of each repeat, in machines
- * of its own.  They do not depend on the form, the queue or the jobs; of the few sums the
- * host finds means and errors.
+ * A packet is one repeat of an emitter: its points, which of these are seen, and what
+ * receives the rays that go out from them.  All of that, and the counts and sums of weights
+ * by receiver, are the machine's: packet by packet, in machines of its own, by a
+ * farm.  They do not depend on the form,
+ * the queue, the jobs or the ranks; of the few sums the host finds means and errors.
  * Source: docs/heat.md.
  */
 #ifndef RT_FACTORS_H
 #define RT_FACTORS_H
 
 #include "base/accounts.h"
+#include "rt/farm/farm.h"
 #include "rt/heat/emission.h"
 #include "rt/heat/estimate.h"
 #include "rt/trace/lines.h"
@@ -27,7 +25,13 @@ struct factors_options {
     size_t repeats;       /* 2 or more: their spread gives the errors */
     bool lattice;         /* .. under independent shifts; else random */
     uint64_t seed;
-    size_t jobs; /* repeats at a time; 0: one */
+    size_t jobs; /* packets at a time; 0: one */
+    struct farm
+        *farm; /* that does the packets (rt/farm/farm.h); NULL: threads, and
+                          nothing is kept */
+    /* Asked now and then, with packets; false: stop.  NULL: nobody wants to know. */
+    bool (*progress)(void *context, size_t done, size_t all);
+    void *context;
     /* What receives as one: of each of the scene's primitives a number, below so many;
      * NULL: each for itself. */
     const size_t *receiver_of;
@@ -55,9 +59,13 @@ struct factors *factors_new(const struct scene *scene,
                             c205_error *error);
 void factors_free(struct factors *factors);
 
-/* Those from a primitive, 0 .., on its outward side.  False: it has no emission, a
- * trap, no memory; the row is empty then. */
-bool factors_find(const struct factors *factors, size_t primitive,
-                  struct factor_row *row, c205_error *error);
+/* Those from so many primitives, numbers of the scene's from 0 on, on their outward sides:
+ * rows, which the caller frees.  Where the farm does not collect packets
+ * (farm_collects), the rows stay empty.  False: one has no emission, a trap, no memory, a
+ * file of another run; the rows are empty then. */
+bool factors_find(const struct factors *factors, const size_t *emitters,
+                  size_t count, struct factor_row *rows, c205_error *error);
+/* Packets of so many emitters. */
+size_t factors_units(const struct factors *factors, size_t count);
 
 #endif

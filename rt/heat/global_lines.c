@@ -5,12 +5,12 @@
 #include <stdlib.h>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "rt/heat/emission.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
 #include "rt/shapes/primitive.h"
-#include "rt/study/tasks.h"
 #include "rt/trace/lines.h"
 
 /* Gaps shorter than that, a length in the world, are none: surfaces touch there. */
@@ -30,8 +30,6 @@ struct global_work {
     struct lines *lines;
     struct object *gaps;
     size_t lines_of_packet, packets; /* packets: of a repeat */
-    c205_word *counts; /* of each packet, a row for each surface */
-    struct accounts *accounts;
 };
 
 /* The surfaces and the environment. */
@@ -164,15 +162,9 @@ static bool begin_gaps(struct global_work *work, c205_error *error)
 
 static bool begin_room(struct global_work *work)
 {
-    size_t units = unit_count(work);
-
-    work->counts = calloc(units * cells_of(work), sizeof *work->counts);
-    work->accounts = calloc(units, sizeof *work->accounts);
-    for (size_t i = 0; work->accounts && i < units; i++)
-        work->accounts[i].model = work->options->model;
     work->found->ends = calloc(work->options->repeats * cells_of(work),
                                sizeof *work->found->ends);
-    return work->counts && work->accounts && work->found->ends;
+    return work->found->ends;
 }
 
 static bool begin(struct global_work *work, c205_error *error)
@@ -190,10 +182,6 @@ static bool begin(struct global_work *work, c205_error *error)
 
 static void end(struct global_work *work)
 {
-    for (size_t i = 0; work->accounts && i < unit_count(work); i++)
-        accounts_free(&work->accounts[i]);
-    free(work->accounts);
-    free(work->counts);
     emission_free(work->sphere);
     lines_free(work->lines);
     object_free(work->gaps);
@@ -207,11 +195,12 @@ struct global_packet {
     c205_word *planes; /* of the sphere's points */
     struct scene_line *lines;
     struct seen_crossings seen;
-    struct accounts *accounts;
+    c205_word *counts; /* of gaps, a row for each surface */
+    struct accounts accounts;
     c205_error *error;
 };
 
-static bool make_lines(const struct global_packet *packet)
+static bool make_lines(struct global_packet *packet)
 {
     const struct global_work *work = packet->work;
     const struct global_lines_options *options = work->options;
@@ -225,8 +214,8 @@ static bool make_lines(const struct global_packet *packet)
 
     if (!options->lattice)
         choice.first += repeat << options->lines_log;
-    if (!emission_run(work->sphere, &choice, packet->planes, packet->accounts,
-                      packet->error))
+    if (!emission_run(work->sphere, &choice, packet->planes,
+                      &packet->accounts, packet->error))
         return false;
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < 3; k++) {
@@ -287,14 +276,13 @@ static bool lay_ends(const struct global_packet *packet, struct ends *ends)
 }
 
 /* Gaps from the end `first` on, so many, are added to the packet's counts. */
-static bool count_gaps(const struct global_packet *packet,
-                       const struct ends *ends, size_t first, size_t count)
+static bool count_gaps(struct global_packet *packet, const struct ends *ends,
+                       size_t first, size_t count)
 {
     const struct global_work *work = packet->work;
     size_t cells = cells_of(work), i;
     c205_word *part = calloc(GAP_PLANES * (count + 1), sizeof *part);
     c205_word *made = calloc(cells, sizeof *made);
-    c205_word *sums = work->counts + packet->unit * cells;
     struct single_run run;
     uint64_t counts, clocks = 0;
     bool good = false;
@@ -305,7 +293,7 @@ static bool count_gaps(const struct global_packet *packet,
     if (part && made) {
         single_run_begin(&run, work->gaps, work->options->model,
                          packet->error);
-        run.accounts = packet->accounts;
+        run.accounts = &packet->accounts;
         single_run_word(&run, "gaps_count", count);
         single_run_word(&run, "gaps_surfaces", width_of(work));
         single_run_room(&run, "gaps_ends", part, GAP_PLANES * (count + 1));
@@ -314,8 +302,9 @@ static bool count_gaps(const struct global_packet *packet,
         single_run_number(&run, "gaps_least", 0, least_gap);
         good = single_run_end(&run, counts, made, cells, &clocks);
         for (i = 0; good && i < cells; i++)
-            sums[i] = c205_from_integer(c205_to_integer(sums[i])
-                                        + c205_to_integer(made[i]));
+            packet->counts[i] = c205_from_integer(
+                c205_to_integer(packet->counts[i])
+                + c205_to_integer(made[i]));
     } else {
         error_say(packet->error, "no memory");
     }
@@ -324,7 +313,7 @@ static bool count_gaps(const struct global_packet *packet,
     return good;
 }
 
-static bool count_all(const struct global_packet *packet)
+static bool count_all(struct global_packet *packet)
 {
     struct ends ends = { .count = 0 };
     size_t most = ENDS_MOST - 1, gaps;
@@ -348,65 +337,169 @@ static bool run_packet(struct global_packet *packet)
                               packet->error);
 
     if (good)
-        good = (accounts_add_all(packet->accounts, &packet->seen.accounts)
+        good = (accounts_add_all(&packet->accounts, &packet->seen.accounts)
                 || error_say(packet->error, "no memory"))
                && count_all(packet);
     seen_crossings_free(&packet->seen);
     return good;
 }
 
-static bool do_packet(void *context, const struct task *task,
-                      c205_error *error)
+static bool begin_packet(struct global_packet *packet)
 {
-    const struct global_work *work = context;
+    const struct global_work *work = packet->work;
     size_t count = work->lines_of_packet;
-    struct global_packet packet = { .work = work,
-                                    .unit = task->number,
-                                    .accounts = &work->accounts[task->number],
-                                    .error = error };
-    bool good;
 
-    packet.planes = malloc(EMITTED_PLANES * count * sizeof *packet.planes);
-    packet.lines = malloc(count * sizeof *packet.lines);
-    good = packet.planes && packet.lines ? run_packet(&packet)
-                                         : error_say(error, "no memory");
-    free(packet.planes);
-    free(packet.lines);
+    packet->planes = malloc(EMITTED_PLANES * count * sizeof *packet->planes);
+    packet->lines = malloc(count * sizeof *packet->lines);
+    packet->counts = calloc(cells_of(work), sizeof *packet->counts);
+    packet->accounts.model = work->options->model;
+    return packet->planes && packet->lines && packet->counts;
+}
+
+static void end_packet(struct global_packet *packet)
+{
+    free(packet->planes);
+    free(packet->lines);
+    free(packet->counts);
+    accounts_free(&packet->accounts);
+}
+
+/* ---- As units of work, done by a farm --------------------------------------- */
+
+/* Most surfaces do not see most others: what they have is their numbers, and how many
+ * that are. */
+static void put_counts(const struct global_packet *packet,
+                       struct unit_words *words)
+{
+    size_t cells = cells_of(packet->work), some = 0;
+
+    for (size_t i = 0; i < cells; i++)
+        some += c205_to_integer(packet->counts[i]) != 0;
+    words_put(words, some);
+    for (size_t i = 0; i < cells; i++) {
+        int64_t count = c205_to_integer(packet->counts[i]);
+
+        if (count != 0) {
+            words_put(words, i);
+            words_put(words, (uint64_t)count);
+        }
+    }
+}
+
+static bool run_unit(void *context, size_t job, size_t unit,
+                     struct unit_words *words, c205_error *error)
+{
+    struct global_packet packet = { .work = context,
+                                    .unit = unit,
+                                    .error = error };
+    bool good = begin_packet(&packet) ? run_packet(&packet)
+                                      : error_say(error, "no memory");
+
+    (void)job;
+    if (good) {
+        words_put_accounts(words, &packet.accounts);
+        put_counts(&packet, words);
+    }
+    end_packet(&packet);
     return good;
 }
 
-/* ---- All of them ------------------------------------------------------------ */
-
 /* A gap from i to j is one from j to i as well. */
-static void add_packet(const struct global_work *work, size_t unit)
+static void add_gaps(const struct global_work *work, size_t unit,
+                     uint64_t cell, uint64_t count)
 {
-    size_t width = width_of(work), cells = cells_of(work);
-    const c205_word *counts = work->counts + unit * cells;
-    uint64_t *ends = work->found->ends + unit / work->packets * cells;
+    size_t width = width_of(work), i = cell / width, j = cell % width;
+    uint64_t *ends = work->found->ends
+                     + unit / work->packets * cells_of(work);
 
-    for (size_t i = 0; i < width; i++)
-        for (size_t j = 0; j < width; j++) {
-            uint64_t count = (uint64_t)c205_to_integer(counts[i * width + j]);
+    ends[i * width + j] += count;
+    ends[j * width + i] += count;
+}
 
-            ends[i * width + j] += count;
-            ends[j * width + i] += count;
-        }
+/* Whether the next words are what put_counts puts. */
+static bool are_counts(const struct global_work *work,
+                       const struct unit_words *words)
+{
+    struct unit_words look = *words;
+    uint64_t some = words_take(&look), last = 0;
+    bool good = some <= cells_of(work);
+
+    for (uint64_t i = 0; good && i < some; i++) {
+        uint64_t cell = words_take(&look);
+
+        good = cell < cells_of(work) && (i == 0 || cell > last);
+        last = cell;
+        words_take(&look);
+    }
+    return good && !look.failed;
+}
+
+/* All of it, or nothing. */
+static bool take_unit(void *context, size_t unit, struct unit_words *words,
+                      c205_error *error)
+{
+    const struct global_work *work = context;
+    struct accounts accounts = { .model = work->options->model };
+    bool good = words_take_accounts(words, &accounts)
+                && are_counts(work, words)
+                && accounts_add_all(&work->found->accounts, &accounts);
+
+    for (uint64_t i = good ? words_take(words) : 0; i > 0; i--) {
+        uint64_t cell = words_take(words);
+
+        add_gaps(work, unit, cell, words_take(words));
+    }
+    accounts_free(&accounts);
+    return good || error_say(error, "a packet has no words");
+}
+
+static bool go_on(void *context, size_t done, c205_error *error)
+{
+    const struct global_work *work = context;
+    const struct global_lines_options *options = work->options;
+    size_t all = unit_count(work);
+
+    return options->progress(options->context, done, all)
+           || error_say(error, "stopped after %zu of %zu packets", done, all);
+}
+
+/* All that packets depend on, but for the scene. */
+static bool keep(const struct global_work *work, struct farm *farm,
+                 c205_error *error)
+{
+    const struct global_lines_options *options = work->options;
+    const uint64_t choices[] = {
+        options->mode,
+        options->queue,
+        options->lines_log,
+        options->repeats,
+        options->lattice,
+        options->seed,
+        work->found->surfaces,
+        hash_sizes(HASH_START, options->surface_of,
+                   options->surface_of ? work->scene->primitive_count : 0),
+    };
+
+    return lines_keep(work->lines, farm, "heat by lines", choices,
+                      sizeof choices / sizeof *choices, error);
 }
 
 static bool run(struct global_work *work, c205_error *error)
 {
-    const struct tasks tasks = { .count = unit_count(work),
-                                 .jobs = work->options->jobs,
-                                 .run = do_packet,
-                                 .context = work };
-    bool good = tasks_run(&tasks, error);
+    const struct global_lines_options *options = work->options;
+    struct farm alone = { .parts = 0 };
+    const struct farm_work packets = {
+        .farm = options->farm ? options->farm : &alone,
+        .count = unit_count(work),
+        .jobs = options->jobs,
+        .run = run_unit,
+        .take = take_unit,
+        .go_on = options->progress ? go_on : NULL,
+        .context = work,
+    };
 
-    for (size_t i = 0; good && i < unit_count(work); i++) {
-        add_packet(work, i);
-        good = accounts_add_all(&work->found->accounts, &work->accounts[i])
-               || error_say(error, "no memory");
-    }
-    return good;
+    work->found->units = packets.count;
+    return keep(work, packets.farm, error) && farm_run(&packets, error);
 }
 
 bool global_lines_find(const struct scene *scene,

@@ -9,7 +9,7 @@
  * n_ij = n_ji, so closure and reciprocity hold exactly.  What has no inside, as a disc, is
  * seen from both of its sides: its area is that of both.  Lines, all that is seen along
  * them and counts are the machine's, packet by packet; they do not depend on the form, the
- * queue or the jobs.
+ * queue, the jobs or the ranks.
  * Source: M. Sbert, "An integral geometry based method for fast form-factor computation"
  * (1993).
  */
@@ -17,6 +17,7 @@
 #define RT_GLOBAL_LINES_H
 
 #include "base/accounts.h"
+#include "rt/farm/farm.h"
 #include "rt/heat/estimate.h"
 #include "rt/trace/trace.h"
 
@@ -30,6 +31,12 @@ struct global_lines_options {
     bool lattice;         /* or random */
     size_t seed;
     size_t jobs; /* packets at a time; 0: one */
+    struct farm
+        *farm; /* that does the packets (rt/farm/farm.h); NULL: threads, and
+                          nothing is kept */
+    /* Asked now and then, with packets; false: stop.  NULL: nobody wants to know. */
+    bool (*progress)(void *context, size_t done, size_t all);
+    void *context;
     /* What counts as one surface: of each of the scene's primitives a number, below so
      * many; NULL: each is one. */
     const size_t *surface_of;
@@ -40,13 +47,15 @@ struct global_lines_options {
 struct global_lines {
     size_t surfaces; /* behind them is the environment */
     size_t repeats, lines_log;
+    size_t units;   /* packets of all repeats */
     double radius;  /* of the sphere */
     uint64_t *ends; /* n_ij: [repeats][surfaces + 1][surfaces + 1] */
     struct accounts accounts;
 };
 
-/* False: options that cannot be, a scene without surfaces, or with one that has no end; a
- * trap, no memory. */
+/* Where the farm does not collect packets (farm_collects) nothing is counted.  False:
+ * options that cannot be, a scene without surfaces, or with one that has no end; a
+ * trap, no memory, a file of another run. */
 bool global_lines_find(const struct scene *scene,
                        const struct global_lines_options *options,
                        struct global_lines *found, c205_error *error);

@@ -433,36 +433,26 @@ static bool go_on(void *context, size_t done, c205_error *error)
            || error_say(error, "stopped after %zu of %zu packets", done, all);
 }
 
-/* All that packets depend on. */
-static uint64_t key_of(const struct columns_work *work, const c205 *machine)
-{
-    const struct columns_options *options = work->options;
-    const uint64_t choices[] = { options->mode,     options->queue,
-                                 options->points,   options->rays_log,
-                                 options->repeats,  options->seed,
-                                 work->sums->parts, work->sums->pairs };
-    size_t count = sizeof choices / sizeof *choices;
-    uint64_t key = farm_key("mass", machine, choices, count);
-
-    for (size_t i = 0; key && i < work->scene->object_count; i++)
-        key = hash_words(key, (const uint64_t[]){ options->part_of[i] }, 1);
-    return key;
-}
-
-/* Of a run with several sums the first decide, for the others follow from them. */
+/* All that packets depend on.  Of a run with several sums the first decide, for the others
+ * follow from them. */
 static bool keep(const struct columns_work *work, struct farm *farm,
                  c205_error *error)
 {
-    const struct scene_line line = { { 0 }, { 1, 0, 0 } };
-    c205 *machine;
-    bool good;
+    const struct columns_options *options = work->options;
+    const uint64_t choices[] = {
+        options->mode,
+        options->queue,
+        options->points,
+        options->rays_log,
+        options->repeats,
+        options->seed,
+        work->sums->parts,
+        work->sums->pairs,
+        hash_sizes(HASH_START, options->part_of, work->scene->object_count),
+    };
 
-    if (farm->path_count == 0 || farm->file)
-        return true;
-    machine = lines_machine(work->lines[0], &line, 1, error);
-    good = machine && farm_keep(farm, key_of(work, machine), error);
-    c205_free(machine);
-    return good;
+    return lines_keep(work->lines[0], farm, "mass", choices,
+                      sizeof choices / sizeof *choices, error);
 }
 
 static bool do_packets(struct columns_work *work, c205_error *error)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "rt/farm/farm.h"
 #include "rt/layout/program.h"
 #include "rt/layout/trees.h"
 #include "rt/shapes/mesh.h"
@@ -411,5 +412,24 @@ bool lines_find(const struct lines *lines, const struct scene_line *list,
     c205_free(machine);
     if (!good)
         seen_crossings_free(found);
+    return good;
+}
+
+/* ---- Units of work along lines --------------------------------------------- */
+
+bool lines_keep(const struct lines *lines, struct farm *farm,
+                const char *kind, const uint64_t *choices, size_t count,
+                c205_error *error)
+{
+    const struct scene_line line = { { 0 }, { 1, 0, 0 } };
+    c205 *machine;
+    bool good;
+
+    if (farm->path_count == 0 || farm->file)
+        return true;
+    machine = lines_machine(lines, &line, 1, error);
+    good = machine
+           && farm_keep(farm, farm_key(kind, machine, choices, count), error);
+    c205_free(machine);
     return good;
 }

@@ -39,7 +39,7 @@ static struct factor_row find(const struct factors *factors, size_t primitive)
     struct factor_row row;
     uint64_t sum = 0;
 
-    if (!factors_find(factors, primitive, &row, &error))
+    if (!factors_find(factors, &primitive, 1, &row, &error))
         fail_msg("%s", error.message);
     for (size_t j = 0; j < row.receivers; j++)
         sum += row.count[j];
@@ -370,7 +370,7 @@ static void test_refused(void **state)
     c205_error error = { "" };
 
     (void)state;
-    assert_false(factors_find(factors, 0, &row, &error));
+    assert_false(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     assert_non_null(strstr(error.message, "a plane has no end"));
     factors_free(factors);
     options.repeats = 1;

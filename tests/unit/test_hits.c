@@ -213,7 +213,7 @@ static void test_scene(void **state)
 
     (void)state;
     assert_non_null(factors);
-    assert_true(factors_find(factors, 0, &row, &error));
+    assert_true(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     find(scene, "Burner", TRACE_VECTOR, 77, &vector);
     find(scene, "Burner", TRACE_SCALAR, 0, &scalar);
     assert_int_equal(vector.cylinders, 4);

@@ -43,7 +43,7 @@ static void find_rows(struct study *study)
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
         if (!emission_refusal(&study->scene->primitives[i])
-            && !factors_find(factors, i, &study->rows[i], &error))
+            && !factors_find(factors, &i, 1, &study->rows[i], &error))
             fail_msg("%s", error.message);
     factors_free(factors);
     surfaces_combine(&study->surfaces, study->rows);

@@ -240,7 +240,7 @@ static void find_rows(const struct factor_scene *what, struct study *study,
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
         if (emits(what, &study->surfaces, study->surfaces.surface_of[i])
-            && !factors_find(factors, i, &study->rows[i], &error))
+            && !factors_find(factors, &i, 1, &study->rows[i], &error))
             fail_msg("%s: %s", what->text, error.message);
     factors_free(factors);
     surfaces_combine(&study->surfaces, study->rows);

@@ -1,0 +1,344 @@
+#include "rt/heat/packet.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/error.h"
+#include "rt/layout/program.h"
+#include "rt/layout/single_run.h"
+
+/* Lines through points along their normals begin so far below them. */
+static const double below = 1e-3;
+
+/* ---- To begin ------------------------------------------------------------- */
+
+static struct lines *begin_lines(const struct packet_programs *programs,
+                                 double behind, bool bodies,
+                                 c205_error *error)
+{
+    const struct lines_options options = { .mode = programs->options.mode,
+                                           .queue = programs->options.queue,
+                                           .behind = behind,
+                                           .bodies = bodies,
+                                           .model = programs->options.model };
+
+    return lines_new(programs->scene, &options, error);
+}
+
+static struct object *assemble(const struct packet_programs *programs,
+                               const char *name, c205_error *error)
+{
+    static const struct asm_define none[] = { { NULL, 0 } };
+    char path[64];
+
+    snprintf(path, sizeof path, "heat/%s_%s.s", name,
+             trace_mode_name(programs->options.mode));
+    return program_assemble(path, none, error);
+}
+
+bool packet_programs_begin(struct packet_programs *programs,
+                           c205_error *error)
+{
+    programs->normals = begin_lines(programs, below, false, error);
+    if (!programs->normals)
+        return false;
+    programs->rays = begin_lines(programs, 0, true, error);
+    if (!programs->rays)
+        return false;
+    programs->faces = assemble(programs, "faces", error);
+    if (!programs->faces)
+        return false;
+    programs->received = assemble(programs, "received", error);
+    return programs->received;
+}
+
+void packet_programs_end(struct packet_programs *programs)
+{
+    lines_free(programs->normals);
+    lines_free(programs->rays);
+    object_free(programs->faces);
+    object_free(programs->received);
+}
+
+/* ---- Its words ------------------------------------------------------------ */
+
+size_t packet_receivers(const struct packet_programs *programs)
+{
+    const struct factors_options *options = &programs->options;
+
+    return 1
+           + (options->receiver_of ? options->receivers
+                                   : programs->scene->primitive_count);
+}
+
+bool packet_begin(struct packet *packet,
+                  const struct packet_programs *programs)
+{
+    size_t receivers = packet_receivers(programs);
+
+    *packet = (struct packet){ .width = 2 * receivers + 3,
+                               .accounts.model = programs->options.model };
+    packet->sums = calloc(packet->width, sizeof *packet->sums);
+    packet->counts = packet->sums ? packet->sums + receivers + 2 : NULL;
+    return packet->sums;
+}
+
+void packet_free(struct packet *packet)
+{
+    free(packet->sums);
+    accounts_free(&packet->accounts);
+    *packet = (struct packet){ .width = 0 };
+}
+
+void packet_put(const struct packet *packet, struct unit_words *words)
+{
+    words_put(words, packet->stay);
+    words_put_all(words, packet->sums, packet->width);
+    words_put_accounts(words, &packet->accounts);
+}
+
+bool packet_take(struct packet *packet, struct unit_words *words)
+{
+    packet->stay = words_take(words);
+    words_take_all(words, packet->sums, packet->width);
+    if (!words->failed && words_take_accounts(words, &packet->accounts))
+        return true;
+    accounts_free(&packet->accounts);
+    return false;
+}
+
+/* ---- A packet ------------------------------------------------------------- */
+
+struct packet_work {
+    const struct packet_programs *programs;
+    const struct emission *emission;
+    size_t primitive, repeat;
+    struct packet *packet;
+    c205_word *made;  /* planes of all points, */
+    c205_word *stays; /* of those that stay, and their number */
+    struct scene_line *lines;
+    c205_error *error;
+};
+
+/* Each primitive has shifts, or rays, of its own. */
+static bool emit(const struct packet_work *work)
+{
+    const struct factors_options *options = &work->programs->options;
+    size_t place = work->primitive * options->repeats + work->repeat;
+    struct emission_choice choice = emission_choose(options->lattice,
+                                                    options->seed,
+                                                    options->points, place);
+
+    return emission_run(work->emission, &choice, work->made,
+                        &work->packet->accounts, work->error);
+}
+
+/* Those crossings that lines find from the points on in directions of these planes. */
+static bool follow(const struct packet_work *work, const struct lines *lines,
+                   const c205_word *planes, enum emitted direction,
+                   size_t count, struct seen_crossings *found)
+{
+    size_t points = work->programs->options.points;
+
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 0; k < 3; k++) {
+            work->lines[i].origin[k] = c205_to_double(
+                planes[(EMITTED_SPOT + k) * points + i]);
+            work->lines[i].direction[k] = c205_to_double(
+                planes[(direction + k) * points + i]);
+        }
+    if (!lines_find(lines, work->lines, count, found, work->error))
+        return false;
+    if (accounts_add_all(&work->packet->accounts, &found->accounts))
+        return true;
+    seen_crossings_free(found);
+    return error_say(work->error, "no memory");
+}
+
+static void begin_run(const struct packet_work *work,
+                      const struct object *program, struct single_run *run)
+{
+    single_run_begin(run, program, work->programs->options.model,
+                     work->error);
+    run->accounts = &work->packet->accounts;
+}
+
+/* The planes of a crossing, as in faces.s. */
+enum { FACE_DISTANCE, FACE_PRIMITIVE, FACE_POINT, FACE_SENSE, FACE_PLANES };
+
+static c205_word *lay_crossings(const struct seen_crossings *found)
+{
+    size_t count = found->first[found->line_count];
+    c205_word *planes = calloc(FACE_PLANES * count + 1, sizeof *planes);
+
+    for (size_t line = 0; planes && line < found->line_count; line++)
+        for (size_t i = found->first[line]; i < found->first[line + 1]; i++) {
+            const struct seen_crossing *seen = &found->list[i];
+
+            planes[FACE_DISTANCE * count + i] = seen->distance;
+            planes[FACE_PRIMITIVE * count + i] = c205_from_integer(
+                (int64_t)seen->primitive);
+            planes[FACE_POINT * count + i] = c205_from_integer((int64_t)line);
+            planes[FACE_SENSE * count + i] = c205_from_integer(seen->sense
+                                                               + 2);
+        }
+    return planes;
+}
+
+static bool run_faces(const struct packet_work *work, const c205_word *list,
+                      size_t crossings)
+{
+    size_t points = work->programs->options.points;
+    size_t words = EMITTED_PLANES * points;
+    struct single_run run;
+    uint64_t made, clocks = 0;
+
+    begin_run(work, work->programs->faces, &run);
+    single_run_word(&run, "faces_points", points);
+    single_run_word(&run, "faces_planes", EMITTED_PLANES);
+    single_run_room(&run, "faces_from", work->made, words);
+    made = single_run_room(&run, "faces_made", NULL, words + 1);
+    single_run_word(&run, "faces_crossings", crossings);
+    single_run_room(&run, "faces_list", list, FACE_PLANES * crossings);
+    single_run_word(&run, "faces_primitive", work->primitive);
+    single_run_room(&run, "faces_kept", NULL, points);
+    if (!single_run_end(&run, made, work->stays, words + 1, &clocks))
+        return false;
+    work->packet->stay = (uint64_t)c205_to_integer(work->stays[words]);
+    return true;
+}
+
+/* Points that are not on a face go. */
+static bool keep_faces(const struct packet_work *work)
+{
+    const struct packet_programs *programs = work->programs;
+    struct seen_crossings found = { 0 };
+    c205_word *list;
+    bool good;
+
+    if (!follow(work, programs->normals, work->made, EMITTED_FACE,
+                programs->options.points, &found))
+        return false;
+    list = lay_crossings(&found);
+    good = list ? run_faces(work, list, found.first[found.line_count])
+                : error_say(work->error, "no memory");
+    free(list);
+    seen_crossings_free(&found);
+    return good;
+}
+
+/* A line that leaves more bodies than it comes into began within one. */
+static bool begins_within(const struct seen_crossings *found, size_t line)
+{
+    for (size_t k = found->first[line]; k < found->first[line + 1]; k++)
+        if (found->list[k].within < 0)
+            return true;
+    return false;
+}
+
+static size_t receiver_of(const struct packet_programs *programs,
+                          size_t primitive)
+{
+    const size_t *receivers = programs->options.receiver_of;
+
+    return receivers ? receivers[primitive] : primitive;
+}
+
+/* Of each ray, what it meets first; of one that meets nothing, the environment; of one from
+ * a point that another body covers, nothing: the place behind the environment. */
+static void list_receivers(const struct packet_work *work,
+                           const struct seen_crossings *found,
+                           c205_word *list)
+{
+    size_t environment = packet_receivers(work->programs) - 1;
+
+    for (size_t i = 0; i < found->line_count; i++) {
+        size_t first = found->first[i], receiver = environment;
+
+        if (begins_within(found, i))
+            receiver = environment + 1;
+        else if (first < found->first[i + 1])
+            receiver = receiver_of(work->programs,
+                                   found->list[first].primitive);
+        list[i] = c205_from_integer((int64_t)receiver);
+    }
+}
+
+static bool run_received(const struct packet_work *work,
+                         const c205_word *list)
+{
+    const struct packet *made = work->packet;
+    size_t rays = (size_t)made->stay, points = work->programs->options.points;
+    size_t receivers = packet_receivers(work->programs) + 1;
+    struct single_run run;
+    uint64_t sums, clocks = 0;
+
+    begin_run(work, work->programs->received, &run);
+    single_run_word(&run, "received_rays", rays);
+    single_run_word(&run, "received_receivers", receivers);
+    single_run_room(&run, "received_weights",
+                    work->stays + EMITTED_WEIGHT * points, rays);
+    single_run_room(&run, "received_list", list, rays);
+    sums = single_run_room(&run, "received_sums", NULL, 2 * receivers + 1);
+    layout_word(&run.layout, "received_counts",
+                sums + 64 * (receivers + UINT64_C(1)));
+    single_run_room(&run, "received_room", NULL, rays);
+    single_run_room(&run, "received_places", NULL, receivers);
+    return single_run_end(&run, sums, made->sums, 2 * receivers + 1, &clocks);
+}
+
+/* The weights of rays go to what these meet first. */
+static bool receive(const struct packet_work *work)
+{
+    size_t rays = (size_t)work->packet->stay;
+    struct seen_crossings found = { 0 };
+    c205_word *list;
+    bool good;
+
+    if (rays == 0)
+        return true;
+    if (!follow(work, work->programs->rays, work->stays, EMITTED_RAY, rays,
+                &found))
+        return false;
+    list = calloc(rays, sizeof *list);
+    if (list)
+        list_receivers(work, &found, list);
+    good = list ? run_received(work, list)
+                : error_say(work->error, "no memory");
+    free(list);
+    seen_crossings_free(&found);
+    return good;
+}
+
+static bool run_packet(struct packet_work *work)
+{
+    size_t points = work->programs->options.points;
+    size_t words = EMITTED_PLANES * points;
+    bool good;
+
+    work->made = malloc(words * sizeof *work->made);
+    work->stays = malloc((words + 1) * sizeof *work->stays);
+    work->lines = malloc(points * sizeof *work->lines);
+    good = work->made && work->stays && work->lines
+               ? emit(work) && keep_faces(work) && receive(work)
+               : error_say(work->error, "no memory");
+    free(work->made);
+    free(work->stays);
+    free(work->lines);
+    return good;
+}
+
+
+bool packet_run(const struct packet_programs *programs,
+                const struct emission *emission, size_t primitive,
+                size_t repeat, struct packet *packet, c205_error *error)
+{
+    struct packet_work work = { .programs = programs,
+                                .emission = emission,
+                                .primitive = primitive,
+                                .repeat = repeat,
+                                .packet = packet,
+                                .error = error };
+
+    return run_packet(&work);
+}

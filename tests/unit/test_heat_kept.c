@@ -1,0 +1,266 @@
+/* test_heat_kept.c - packets of heat, by rays and by lines, are kept in files: runs that
+ * are stopped anywhere go on from there, and shares come together, to the same bits.
+ *
+ *     test_heat_kept [SEED]
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "rt/heat/factors.h"
+#include "rt/heat/global_lines.h"
+#include "tests/random.h"
+#include "tests/unit/prior_model.h"
+#include "tests/unit/scene_reading.h"
+
+enum {
+    SHARES = 3,
+    REPEATS = 6,
+    PRIMITIVES = 3,
+    UNITS = REPEATS * PRIMITIVES
+};
+enum { WORDS = 256 };
+
+static uint64_t seed = 1;
+static char path[SHARES][40];
+static const char *const paths[SHARES] = { path[0], path[1], path[2] };
+
+static const char text[] = "sphere { 0, 1 } sphere { <2.2, 0, 0>, .8 }"
+                           "disc { <0, -2, 0>, y, 3 }";
+
+/* What is asked, and what it comes to. */
+struct run {
+    bool lines;
+    size_t jobs, seed;
+    struct farm *farm;
+    size_t stop; /* after so many packets; 0: never */
+    size_t told; /* the most that were told to be done */
+    uint64_t words[WORDS];
+    size_t count;
+    c205_error error;
+};
+
+static void put(struct run *run, const void *value)
+{
+    assert_true(run->count < WORDS);
+    memcpy(&run->words[run->count++], value, sizeof run->words[0]);
+}
+
+static void put_estimate(struct run *run, struct estimate estimate)
+{
+    put(run, &estimate.value);
+    put(run, &estimate.error);
+}
+
+static bool tell(void *context, size_t done, size_t all)
+{
+    struct run *run = context;
+
+    (void)all;
+    run->told = done > run->told ? done : run->told;
+    return run->stop == 0 || done < run->stop;
+}
+
+static bool run_rays(struct run *run, const struct scene *scene)
+{
+    static const size_t all[PRIMITIVES] = { 0, 1, 2 };
+    const struct factors_options options = { .mode = TRACE_VECTOR,
+                                             .queue = 100,
+                                             .points = 64,
+                                             .repeats = REPEATS,
+                                             .lattice = true,
+                                             .seed = run->seed,
+                                             .jobs = run->jobs,
+                                             .farm = run->farm,
+                                             .progress = tell,
+                                             .context = run,
+                                             .model = prior_model };
+    struct factors *factors = factors_new(scene, &options, &run->error);
+    struct factor_row rows[PRIMITIVES];
+    bool good = factors
+                && factors_find(factors, all, PRIMITIVES, rows, &run->error);
+
+    assert_int_equal(factors_units(factors, PRIMITIVES), UNITS);
+    for (size_t i = 0; good && i < PRIMITIVES; i++) {
+        put_estimate(run, rows[i].area);
+        put(run, &rows[i].sent);
+        put(run, &rows[i].accounts.clocks);
+        for (size_t j = 0; j < rows[i].receivers; j++) {
+            put_estimate(run, rows[i].factor[j]);
+            put(run, &rows[i].count[j]);
+        }
+        factor_row_free(&rows[i]);
+    }
+    factors_free(factors);
+    return good;
+}
+
+static bool run_lines(struct run *run, const struct scene *scene)
+{
+    const struct global_lines_options options = { .mode = TRACE_VECTOR,
+                                                  .queue = 100,
+                                                  .lines_log = 6,
+                                                  .repeats = UNITS,
+                                                  .lattice = true,
+                                                  .seed = run->seed,
+                                                  .jobs = run->jobs,
+                                                  .farm = run->farm,
+                                                  .progress = tell,
+                                                  .context = run,
+                                                  .model = prior_model };
+    struct global_lines found;
+
+    if (!global_lines_find(scene, &options, &found, &run->error))
+        return false;
+    assert_int_equal(found.units, UNITS);
+    put(run, &found.accounts.clocks);
+    for (size_t i = 0; i <= PRIMITIVES; i++)
+        for (size_t j = 0; j <= PRIMITIVES; j++) {
+            uint64_t count = global_lines_count(&found, i, j);
+
+            put(run, &count);
+        }
+    global_lines_free(&found);
+    return true;
+}
+
+static bool do_run(struct run *run)
+{
+    struct scene *scene = read_scene(text);
+    bool good = run->lines ? run_lines(run, scene) : run_rays(run, scene);
+
+    if (run->farm)
+        farm_end(run->farm, false);
+    scene_free(scene);
+    return good;
+}
+
+static struct run begin(bool lines, struct farm *farm)
+{
+    return (struct run){ .lines = lines,
+                         .jobs = 1 + (size_t)(xorshift(&seed) % 3),
+                         .seed = 7,
+                         .farm = farm };
+}
+
+static void assert_same(const struct run *run, const struct run *other)
+{
+    assert_int_equal(run->count, other->count);
+    assert_memory_equal(run->words, other->words,
+                        run->count * sizeof run->words[0]);
+}
+
+static struct run find_alone(bool lines)
+{
+    struct run alone = begin(lines, NULL);
+
+    assert_true(do_run(&alone));
+    return alone;
+}
+
+/* ---- Stopped anywhere ----------------------------------------------------------- */
+
+static void check_stopped(bool lines, const struct run *alone)
+{
+    struct farm first = { .paths = paths, .path_count = 1 };
+    struct farm second = first;
+    struct run stopped = begin(lines, &first), next = begin(lines, &second);
+
+    stopped.stop = 1 + (size_t)(xorshift(&seed) % (UNITS - 1));
+    assert_false(do_run(&stopped));
+    assert_non_null(strstr(stopped.error.message, "stopped after"));
+    assert_true(do_run(&next));
+    assert_true(second.kept >= stopped.stop && second.kept < UNITS);
+    assert_same(&next, alone);
+    remove(path[0]);
+}
+
+static void test_stopped(void **state)
+{
+    (void)state;
+    for (int lines = 0; lines < 2; lines++) {
+        struct run alone = find_alone(lines);
+
+        for (int i = 0; i < 3; i++)
+            check_stopped(lines, &alone);
+    }
+}
+
+/* ---- Shares ------------------------------------------------------------------------ */
+
+static void test_shares(void **state)
+{
+    (void)state;
+    for (int lines = 0; lines < 2; lines++) {
+        struct run alone = find_alone(lines), together;
+        struct farm all = { .paths = paths, .path_count = SHARES };
+
+        for (size_t i = 0; i < SHARES; i++) {
+            struct farm farm = { .part = i + 1,
+                                 .parts = SHARES,
+                                 .paths = &paths[i],
+                                 .path_count = 1 };
+            struct run share = begin(lines, &farm);
+
+            assert_true(do_run(&share));
+            assert_int_equal(share.told, (size_t)UNITS / SHARES);
+        }
+        together = begin(lines, &all);
+        assert_true(do_run(&together));
+        assert_int_equal(all.kept, UNITS);
+        assert_same(&together, &alone);
+        for (size_t i = 0; i < SHARES; i++)
+            remove(path[i]);
+    }
+}
+
+/* ---- Another run's ---------------------------------------------------------------- */
+
+static void test_others(void **state)
+{
+    (void)state;
+    for (int lines = 0; lines < 2; lines++) {
+        struct farm first = { .paths = paths, .path_count = 1 };
+        struct farm second = first, third = first;
+        struct run run = begin(lines, &first), seeded = begin(lines, &second),
+                   other = begin(!lines, &third);
+
+        assert_true(do_run(&run));
+        seeded.seed++;
+        assert_false(do_run(&seeded));
+        assert_non_null(strstr(seeded.error.message, "another"));
+        assert_false(do_run(&other));
+        assert_non_null(strstr(other.error.message, "another"));
+        remove(path[0]);
+    }
+}
+
+static bool make_paths(void)
+{
+    bool good = true;
+
+    for (size_t i = 0; i < SHARES; i++) {
+        int file;
+
+        strcpy(path[i], "/tmp/test_heat_kept.XXXXXX");
+        file = mkstemp(path[i]);
+        good = good && file >= 0 && close(file) == 0 && remove(path[i]) == 0;
+    }
+    return good;
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_stopped),
+        cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_others),
+    };
+
+    if (argc > 1)
+        seed = strtoull(argv[1], NULL, 10);
+    if (!make_paths())
+        return 1;
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
