@@ -128,6 +128,10 @@ demo:
 	$(BUILD)/rt205 speedup
 	@echo "The picture is in $(BUILD)/bracket.png"
 
+# As rt205 keeps it.
+export MALLOC_MMAP_THRESHOLD_ = 33554432
+export MALLOC_TRIM_THRESHOLD_ = 536870912
+
 check:
 	@sh .ci/need $(test_packages)
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
@@ -442,6 +446,8 @@ cover-tests:
 
 # All that is measured, or BENCH="growth frames": tests/bench.sh has the names.
 bench: $(benches) $(programs) $(adapter)
+	 .ci/need $(mpi_packages)
+	@$(MAKE) --no-print-directory mpi
 	@MAKE="$(MAKE)" sh tests/bench.sh $(BUILD) $(BENCH)
 
 fuzz:
@@ -533,7 +539,7 @@ install: all $(installed) $(installed_pc) $(pages)
 	for header in $(vm_api) $(asm_api) $(rt_api); do \
 		install -D -m 644 $$header \
 			$(DESTDIR)$(PREFIX)/include/c205/$$header; done
-	for file in README.md docs/*.md docs/pictures/*; do \
+	for file in README.md docs/*.md docs/*.sbatch docs/pictures/*; do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done
 	for file in asm/examples/* scenes/*; do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done

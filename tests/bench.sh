@@ -5,6 +5,7 @@
 #   hosts     nanoseconds an element by compiler and by vector unit
 #   frames    the trace of a frame beside POV-Ray's
 #   jobs      two bands at a time to one
+#   ranks     two processes to one; what rank 0 does for a unit, of what size
 #   stages    clocks of the machine in each way to trace a frame
 #   visible   clocks of the ways to what is seen of a solid
 #   lines     clocks to all that is seen along lines
@@ -19,12 +20,12 @@ shift
 BENCH_CSV=$build/bench.csv
 export BENCH_CSV
 cd "$(dirname "$0")/.."
-[ $# -gt 0 ] || set -- machine hosts frames jobs stages visible lines growth goals
+[ $# -gt 0 ] || set -- machine hosts frames jobs ranks stages visible lines growth goals
 echo "part,what,quantity,value" >"$BENCH_CSV"
 
 for part in "$@"; do
     case $part in
-    machine | hosts | frames | jobs | stages | visible | lines | growth | goals) ;;
+    machine | hosts | frames | jobs | ranks | stages | visible | lines | growth | goals) ;;
     *) echo "bench.sh: no part $part" >&2 && exit 2 ;;
     esac
     sh "tests/bench_$part.sh" "$build"

@@ -34,4 +34,5 @@ awk '
         judge("scalar, M instructions a second", 150, 1)
     }
     /^jobs,.*,times,/ { judge(quoted[2] ", two jobs to one", 1.85, 1) }
+    /^ranks,.*,times,/ { judge(quoted[2] ", two ranks to one", 1.85, 1) }
 ' "$results"

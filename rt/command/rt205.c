@@ -1,6 +1,20 @@
 /* rt205.c - the command: scenes traced by programs of the machine. */
 #include "rt/command/rt205_command.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+/* Machines come and go, of some megabytes each: what one leaves the next one takes, without the
+ * host's having it back in between (a third of the time of heat and mass). */
+static void keep_memory(void)
+{
+#ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 32 << 20);
+    mallopt(M_TRIM_THRESHOLD, 512 << 20);
+#endif
+}
+
 int main(int argc, char **argv)
 {
     static const struct command *const commands[] = {
@@ -28,5 +42,6 @@ int main(int argc, char **argv)
         .arguments_size = sizeof(struct rt205_arguments),
     };
 
+    keep_memory();
     return command_main(&program, argc, argv);
 }

@@ -228,17 +228,22 @@ static size_t begin_hands(struct hand *hands, size_t first, size_t count)
 
 /* ---- Ranks --------------------------------------------------------------- */
 
+/* Of units that another rank has, or has asked for: while it does one, the next is under
+ * way. */
+enum { AHEAD = 2 };
+
 struct service {
     struct pool *pool;
     struct ranks *ranks;
-    bool *ended; /* of each rank, whether it has no unit to do */
-    size_t left; /* ranks that are not ended */
+    size_t *
+        open; /* of each rank, what it has asked for and has not got or done, */
+    size_t left; /* .. and of all of them */
 };
 
-static void end_rank(struct service *service, size_t rank)
+static void close_asked(struct service *service, size_t rank, size_t count)
 {
-    service->left -= !service->ended[rank];
-    service->ended[rank] = true;
+    service->open[rank] -= count;
+    service->left -= count;
 }
 
 static void give_unit(struct service *service, size_t to)
@@ -249,7 +254,7 @@ static void give_unit(struct service *service, size_t to)
         ranks_send(service->ranks, to, RANK_DOES, unit, NULL);
     } else {
         ranks_send(service->ranks, to, RANK_ENDS, 0, NULL);
-        end_rank(service, to);
+        close_asked(service, to, 1);
     }
 }
 
@@ -267,11 +272,11 @@ static void hear_failure(struct service *service, size_t from, uint64_t unit,
     if (unit < service->pool->work->count) {
         error_say(&why, "%s", text);
         fail_unit(service->pool, (size_t)unit, &why);
-    } else if (!service->ended[from]) {
+    } else if (service->open[from] > 0) {
         error_say(&why, "rank %zu: %.200s", from, text);
         stop(service->pool, &why);
     }
-    end_rank(service, from);
+    close_asked(service, from, service->open[from]);
 }
 
 /* A unit without its first two words. */
@@ -326,15 +331,18 @@ static void serve(struct service *service)
 
 static void serve_ranks(struct pool *pool, struct ranks *ranks)
 {
+    size_t *open = calloc(ranks->count, sizeof *open);
     struct service service = { .pool = pool,
                                .ranks = ranks,
-                               .ended = calloc(ranks->count, sizeof(bool)),
-                               .left = ranks->count - 1 };
+                               .open = open,
+                               .left = AHEAD * (ranks->count - 1) };
 
-    if (!service.ended)
+    if (!open)
         abort(); /* all ranks end with one */
+    for (size_t rank = 1; rank < ranks->count; rank++)
+        open[rank] = AHEAD;
     serve(&service);
-    free(service.ended);
+    free(open);
 }
 
 static bool do_for_other(const struct farm_work *work, size_t unit,
@@ -356,18 +364,22 @@ static bool do_for_other(const struct farm_work *work, size_t unit,
 static bool work_for_first(const struct farm_work *work, c205_error *error)
 {
     struct ranks *ranks = work->farm->ranks;
-    enum rank_message what = RANK_DOES;
+    size_t open = AHEAD;
     uint64_t unit;
-    bool good = true;
 
-    ranks_send(ranks, 0, RANK_ASKS, 0, NULL);
-    while (good && what == RANK_DOES) {
-        what = ranks_await(ranks, &unit);
-        if (what == RANK_DOES)
-            good = do_for_other(work, (size_t)unit, error);
+    for (size_t i = 0; i < AHEAD; i++)
+        ranks_send(ranks, 0, RANK_ASKS, 0, NULL);
+    while (open > 0) {
+        enum rank_message what = ranks_await(ranks, &unit);
+
+        if (what == RANK_ENDS)
+            open--;
+        else if (what != RANK_DOES)
+            return error_say(error, "released");
+        else if (!do_for_other(work, (size_t)unit, error))
+            return false;
     }
-    return (good && what == RANK_ENDS)
-           || (good && error_say(error, "released"));
+    return true;
 }
 
 /* ---- All of them --------------------------------------------------------- */

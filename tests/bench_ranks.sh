@@ -1,0 +1,67 @@
+#!/bin/sh
+# bench_ranks.sh BUILD - two processes to one, seconds on the wall of whole commands, the
+# least of several runs, in turn; what their units are; and what rank 0 does for a
+# unit of another rank.  docs/cluster.md reads a model from it.
+set -eu
+build=$1
+. "$(dirname "$0")/measure.sh"
+RT205_LIBDIR=$build
+OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export RT205_LIBDIR OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
+
+frame="render scenes/bracket.pov -W 1920 -H 1440 --samples 3"
+mass="mass scenes/bracket.pov --density default=1 --rays 4194304"
+rays="heat scenes/burner.pov --by part --rays 16384"
+lines="heat scenes/burner.pov --by part --lines 16777216"
+
+seconds() { # OPTION ..: of the command in $run
+    [ $kind != frame ] || set -- "$@" -o "$work/frame.png"
+    before=$(date +%s%N)
+    "$build/rt205" $run "$@" >/dev/null 2>&1
+    echo "$before $(date +%s%N)" | awk '{ printf "%.3f\n", ($2 - $1) / 1e9 }'
+}
+
+# Their number and their bytes in a file.
+units_of() { # OPTION ..
+    rm -f "$work/units"
+    "$build/rt205" $run --part 1/1 --resume "$work/units" 2>&1 |
+        sed -n 's/.* of \([0-9]*\) units$/\1/p'
+    wc -c <"$work/units"
+}
+
+printf '%-8s %7s %11s %9s %8s %9s %6s\n' ranks units bytes/unit ms/unit \
+    "one, s" "two, s" times
+for kind in frame mass rays lines; do
+    eval "run=\$$kind"
+    units_of | paste -s -d ' ' >"$work/units.of"
+    read -r units bytes <"$work/units.of"
+    for _ in $(seq "$trials"); do
+        echo "$(seconds --jobs 1) $(seconds --ranks 2)"
+    done | least >"$work/times"
+    read -r one two <"$work/times"
+    each=$((bytes / units)) times=$(quotient "$one" "$two")
+    unit=$(awk -v s="$one" -v n="$units" 'BEGIN { printf "%.1f", 1000 * s / n }')
+    printf '%-8s %7d %11d %9s %8s %9s %6s\n' $kind "$units" "$each" "$unit" \
+        "$one" "$two" "$times"
+    keep ranks $kind units "$units" bytes/unit "$each" ms/unit "$unit" \
+        one "$one" two "$two" times "$times"
+done
+
+run="render scenes/bracket.pov -W 8 -H 8" kind=frame
+for _ in $(seq "$trials"); do
+    echo "$(seconds --jobs 1) $(seconds --ranks 2)"
+done | least >"$work/times"
+read -r one two <"$work/times"
+printf '%-8s %7s %11s %9s %8s %9s\n' "8 x 8" "" "" "" "$one" "$two"
+keep ranks "8 x 8" one "$one" two "$two"
+
+printf '\n%-28s %10s\n' "rank 0, bytes of a unit" us/unit
+for words in 16 512 8192 65536; do
+    for _ in $(seq "$trials"); do
+        mpirun --oversubscribe --bind-to none -n 8 \
+            "$build/tests/bench_ranks" 2000 $words | cut -d ' ' -f 2
+    done | least >"$work/times"
+    load=$(awk '{ printf "%.1f", 1e6 * $1 }' "$work/times")
+    printf '%-28d %10s\n' $((8 * words)) "$load"
+    keep ranks "rank 0, $((8 * words))" us/unit "$load"
+done
