@@ -34,8 +34,9 @@ struct run {
     bool lines;
     size_t jobs, seed;
     struct farm *farm;
-    size_t stop; /* after so many packets; 0: never */
-    size_t told; /* the most that were told to be done */
+    size_t stop;     /* after so many packets; 0: never */
+    size_t told;     /* the most that were told to be done */
+    uint64_t clocks; /* of all that was done */
     uint64_t words[WORDS];
     size_t count;
     c205_error error;
@@ -83,6 +84,7 @@ static bool run_rays(struct run *run, const struct scene *scene)
 
     assert_int_equal(factors_units(factors, PRIMITIVES), UNITS);
     for (size_t i = 0; good && i < PRIMITIVES; i++) {
+        run->clocks += rows[i].accounts.clocks;
         put_estimate(run, rows[i].area);
         put(run, &rows[i].sent);
         put(run, &rows[i].accounts.clocks);
@@ -114,6 +116,7 @@ static bool run_lines(struct run *run, const struct scene *scene)
     if (!global_lines_find(scene, &options, &found, &run->error))
         return false;
     assert_int_equal(found.units, UNITS);
+    run->clocks = found.accounts.clocks;
     put(run, &found.accounts.clocks);
     for (size_t i = 0; i <= PRIMITIVES; i++)
         for (size_t j = 0; j <= PRIMITIVES; j++) {
@@ -156,6 +159,7 @@ static struct run find_alone(bool lines)
     struct run alone = begin(lines, NULL);
 
     assert_true(do_run(&alone));
+    assert_true(alone.clocks > 0);
     return alone;
 }
 
