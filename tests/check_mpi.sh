@@ -4,6 +4,7 @@
 #
 # KILLS: so many runs of each kind are killed at a time by chance, rank 0, another rank or
 # mpirun, and go on from their file with another number of ranks (3).  SEED: of these (1).
+# USES: all: also heat and mass of every scene.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$(cd "$1" && pwd)
@@ -60,6 +61,26 @@ for kind in $kinds; do
         in_folder many "$kind" --ranks "$ranks" && alike many "$kind"
         verdict $? "$kind: $ranks ranks tell something else than one"
     done
+done
+
+# ---- Every scene ---------------------------------------------------------------
+
+uses() { # SCENE OPTION ..: what it tells, and how it ends
+    scene=$1
+    shift
+    for asked in "mass --density default=1 --rays 16 --repeats 4" \
+        "heat --rays 4 --repeats 2" "heat --lines 256 --repeats 4"; do
+        timeout 120 "$build/rt205" $asked "$scene" "$@" 2>/dev/null
+        echo "$asked: $?"
+    done
+}
+
+[ "${USES:-some}" = all ] && for scene in "$here"/scenes/*.pov; do
+    said=
+    uses "$scene" --jobs 1 >"$work/one"
+    uses "$scene" --ranks 3 >"$work/three"
+    cmp -s "$work/one" "$work/three"
+    verdict $? "$scene: three ranks tell other figures than one"
 done
 
 # ---- Killed --------------------------------------------------------------------
@@ -138,7 +159,7 @@ for kind in $kinds; do
     done
 done
 echo "killed with a file of units: $midway"
-[ "$midway" -gt 0 ]
+[ "$midway" -gt 0 ] || [ "${KILLS:-3}" -eq 0 ]
 verdict $? "nothing was killed while it kept units"
 
 # ---- Shares, one of them over ranks -----------------------------------------------
