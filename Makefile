@@ -128,7 +128,7 @@ demo:
 	$(BUILD)/rt205 speedup
 	@echo "The picture is in $(BUILD)/bracket.png"
 
-# As rt205 keeps it.
+# Memory that machines leave is kept, as rt205 does (rt/command/rt205.c).
 export MALLOC_MMAP_THRESHOLD_ = 33554432
 export MALLOC_TRIM_THRESHOLD_ = 536870912
 
@@ -446,7 +446,7 @@ cover-tests:
 
 # All that is measured, or BENCH="growth frames": tests/bench.sh has the names.
 bench: $(benches) $(programs) $(adapter)
-	 .ci/need $(mpi_packages)
+	@sh .ci/need $(mpi_packages)
 	@$(MAKE) --no-print-directory mpi
 	@MAKE="$(MAKE)" sh tests/bench.sh $(BUILD) $(BENCH)
 
