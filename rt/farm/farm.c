@@ -119,13 +119,22 @@ static void stop(struct pool *pool, const c205_error *why)
     pool->stopped = true;
 }
 
+static bool may_go_on(const struct farm_work *work, size_t done,
+                      c205_error *why)
+{
+    if (work->progress
+        && !work->progress(work->progress_context, done, work->count))
+        return error_say(why, "stopped after %zu of %zu packets", done,
+                         work->count);
+    return !work->go_on || work->go_on(work->context, done, why);
+}
+
 static void ask(struct pool *pool)
 {
-    const struct farm_work *work = pool->work;
     c205_error why = { "stopped" };
 
-    if (!pool->stopped && work->go_on && pool->done < work->count
-        && !work->go_on(work->context, pool->done, &why))
+    if (!pool->stopped && pool->done < pool->work->count
+        && !may_go_on(pool->work, pool->done, &why))
         stop(pool, &why);
 }
 
@@ -235,9 +244,8 @@ enum { AHEAD = 2 };
 struct service {
     struct pool *pool;
     struct ranks *ranks;
-    size_t *
-        open; /* of each rank, what it has asked for and has not got or done, */
-    size_t left; /* .. and of all of them */
+    size_t *open; /* of each rank: what it asked for and has not done yet, */
+    size_t left;  /* .. and of all of them */
 };
 
 static void close_asked(struct service *service, size_t rank, size_t count)
@@ -429,11 +437,15 @@ static bool run_all(struct pool *pool, c205_error *error)
 
 bool farm_run(const struct farm_work *work, c205_error *error)
 {
-    struct pool pool = { .work = work, .failed = work->count };
+    struct farm alone = { .parts = 0 };
+    struct farm_work mine = *work;
+    struct pool pool = { .work = &mine, .failed = work->count };
     bool good;
 
-    if (!is_first(work->farm))
-        return work_for_first(work, error);
+    if (!mine.farm)
+        mine.farm = &alone;
+    if (!is_first(mine.farm))
+        return work_for_first(&mine, error);
     good = run_all(&pool, error);
     free(pool.begun);
     return good;

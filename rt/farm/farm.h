@@ -35,7 +35,8 @@ uint64_t farm_key(const char *kind, const c205 *machine,
                   const uint64_t *options, size_t count);
 
 struct farm_work {
-    struct farm *farm;
+    struct farm
+        *farm;    /* NULL: threads of this process, and nothing is kept */
     size_t count; /* of units, 0 .. */
     size_t jobs;  /* threads; 0: one */
     /* Numbers in the file are first + unit, for a file may have several works. */
@@ -50,6 +51,10 @@ struct farm_work {
      * the error says why.  NULL: go on. */
     bool (*go_on)(void *context, size_t done, c205_error *error);
     void *context;
+    /* Asked as go_on is; where that says no the error tells after how many packets.
+     * NULL: nobody wants to know. */
+    bool (*progress)(void *context, size_t done, size_t all);
+    void *progress_context;
 };
 
 /* False: a unit failed, or cannot be taken or kept; the error is that of the lowest.

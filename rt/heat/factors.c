@@ -251,16 +251,6 @@ static size_t unit_count(const struct rows_work *work)
     return work->emitter_count * work->programs->options.repeats;
 }
 
-static bool go_on(void *context, size_t done, c205_error *error)
-{
-    const struct rows_work *work = context;
-    const struct factors_options *options = &work->programs->options;
-    size_t all = unit_count(work);
-
-    return options->progress(options->context, done, all)
-           || error_say(error, "stopped after %zu of %zu packets", done, all);
-}
-
 /* ---- All rows ---------------------------------------------------------------- */
 
 /* All that packets depend on, but for the scene. */
@@ -290,15 +280,15 @@ static bool keep(const struct rows_work *work, struct farm *farm,
 static bool run_farm(struct rows_work *work, c205_error *error)
 {
     const struct factors_options *options = &work->programs->options;
-    struct farm alone = { .parts = 0 };
     const struct farm_work packets = {
-        .farm = options->farm ? options->farm : &alone,
+        .farm = options->farm,
         .count = unit_count(work),
         .jobs = options->jobs,
         .run = run_unit,
         .take = take_unit,
-        .go_on = options->progress ? go_on : NULL,
         .context = work,
+        .progress = options->progress,
+        .progress_context = options->context,
     };
 
     return keep(work, packets.farm, error) && farm_run(&packets, error);

@@ -453,16 +453,6 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
     return good || error_say(error, "a packet has no words");
 }
 
-static bool go_on(void *context, size_t done, c205_error *error)
-{
-    const struct global_work *work = context;
-    const struct global_lines_options *options = work->options;
-    size_t all = unit_count(work);
-
-    return options->progress(options->context, done, all)
-           || error_say(error, "stopped after %zu of %zu packets", done, all);
-}
-
 /* All that packets depend on, but for the scene. */
 static bool keep(const struct global_work *work, struct farm *farm,
                  c205_error *error)
@@ -487,15 +477,15 @@ static bool keep(const struct global_work *work, struct farm *farm,
 static bool run(struct global_work *work, c205_error *error)
 {
     const struct global_lines_options *options = work->options;
-    struct farm alone = { .parts = 0 };
     const struct farm_work packets = {
-        .farm = options->farm ? options->farm : &alone,
+        .farm = options->farm,
         .count = unit_count(work),
         .jobs = options->jobs,
         .run = run_unit,
         .take = take_unit,
-        .go_on = options->progress ? go_on : NULL,
         .context = work,
+        .progress = options->progress,
+        .progress_context = options->context,
     };
 
     work->found->units = packets.count;

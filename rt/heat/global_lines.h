@@ -30,10 +30,8 @@ struct global_lines_options {
     size_t repeats;       /* 2 or more: their spread gives the errors */
     bool lattice;         /* or random */
     size_t seed;
-    size_t jobs; /* packets at a time; 0: one */
-    struct farm
-        *farm; /* that does the packets (rt/farm/farm.h); NULL: threads, and
-                          nothing is kept */
+    size_t jobs;       /* packets at a time; 0: one */
+    struct farm *farm; /* as in farm_work */
     /* Asked now and then, with packets; false: stop.  NULL: nobody wants to know. */
     bool (*progress)(void *context, size_t done, size_t all);
     void *context;

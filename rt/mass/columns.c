@@ -423,16 +423,6 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
     return !words->failed || error_say(error, "a packet has no words");
 }
 
-static bool go_on(void *context, size_t done, c205_error *error)
-{
-    const struct columns_work *work = context;
-    const struct columns_options *options = work->options;
-    size_t all = unit_count(work);
-
-    return options->progress(options->context, done, all)
-           || error_say(error, "stopped after %zu of %zu packets", done, all);
-}
-
 /* All that packets depend on.  Of a run with several sums the first decide, for the others
  * follow from them. */
 static bool keep(const struct columns_work *work, struct farm *farm,
@@ -458,16 +448,16 @@ static bool keep(const struct columns_work *work, struct farm *farm,
 static bool do_packets(struct columns_work *work, c205_error *error)
 {
     const struct columns_options *options = work->options;
-    struct farm alone = { .parts = 0 };
     const struct farm_work packets = {
-        .farm = options->farm ? options->farm : &alone,
+        .farm = options->farm,
         .count = unit_count(work),
         .jobs = options->jobs,
         .first = (uint64_t)options->rays_log << 32,
         .run = run_unit,
         .take = take_unit,
-        .go_on = options->progress ? go_on : NULL,
         .context = work,
+        .progress = options->progress,
+        .progress_context = options->context,
     };
 
     work->sums->units = packets.count;

@@ -425,7 +425,7 @@ bool lines_keep(const struct lines *lines, struct farm *farm,
     c205 *machine;
     bool good;
 
-    if (farm->path_count == 0 || farm->file)
+    if (!farm || farm->path_count == 0 || farm->file)
         return true;
     machine = lines_machine(lines, &line, 1, error);
     good = machine

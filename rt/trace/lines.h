@@ -83,7 +83,8 @@ c205 *lines_machine(const struct lines *lines, const struct scene_line *list,
                     size_t count, c205_error *error);
 
 /* Open the files of a farm (rt/farm/farm.h) for a run along such lines, of that kind and with
- * these choices besides, unless they are open.  False: one is of another run. */
+ * these choices besides, unless they are open or there is none (NULL).  False: one is of
+ * another run. */
 struct farm;
 bool lines_keep(const struct lines *lines, struct farm *farm,
                 const char *kind, const uint64_t *choices, size_t count,
