@@ -548,7 +548,7 @@ static const struct command_option options[] = {
       .help = "what they are made of" },
     { CMD_COUNT("seed", heat.seed, 0, 1e9, 1,
                 "another one makes other points") },
-    CMD_MODE(cmd_form_choice, "in which form"),
+    CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_QUEUE("points and rays in the vector queue"),
     CMD_JOBS("packets of rays at a time"),
     CMD_RESUME("packets"),

@@ -656,7 +656,7 @@ static const struct command_option options[] = {
       .preset = POINTS_LATTICE,
       .help = "where rays are" },
     { CMD_COUNT("seed", mass.seed, 0, 1000000, 1, "of shifts and points") },
-    CMD_MODE(cmd_form_choice, "in which form"),
+    CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_QUEUE("rays in the vector queue"),
     CMD_MODEL,
     CMD_JOBS("packets of rays at a time"),

@@ -168,7 +168,8 @@ static bool begin_emission(const struct rows_work *work,
                            c205_error *error)
 {
     const struct factors_options *options = &work->programs->options;
-    const struct emission_options emits = { .mode = options->mode,
+    const struct emission_options emits = { .mode = trace_mode_besides(
+                                                options->mode),
                                             .queue = options->queue,
                                             .points = options->points,
                                             .lattice = options->lattice,

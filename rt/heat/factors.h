@@ -18,7 +18,7 @@
 #include "rt/trace/lines.h"
 
 struct factors_options {
-    enum trace_mode mode; /* TRACE_SCALAR or TRACE_VECTOR */
+    enum trace_mode mode;
     size_t queue;         /* in vector mode: of points and of rays */
     size_t points;        /* of each repeat: 1 .. EMISSION_MOST; of the
                              lattice a power of two is best */

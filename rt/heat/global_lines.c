@@ -117,7 +117,8 @@ static bool check(const struct scene *scene,
 static bool begin_sphere(struct global_work *work, c205_error *error)
 {
     const struct global_lines_options *options = work->options;
-    const struct emission_options emits = { .mode = options->mode,
+    const struct emission_options emits = { .mode = trace_mode_besides(
+                                                options->mode),
                                             .queue = options->queue,
                                             .points = work->lines_of_packet,
                                             .lattice = options->lattice,
@@ -155,7 +156,7 @@ static bool begin_gaps(struct global_work *work, c205_error *error)
     char path[64];
 
     snprintf(path, sizeof path, "heat/gaps_%s.s",
-             trace_mode_name(work->options->mode));
+             trace_mode_name(trace_mode_besides(work->options->mode)));
     work->gaps = program_assemble(path, none, error);
     return work->gaps;
 }

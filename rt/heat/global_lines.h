@@ -24,7 +24,7 @@
 enum { GLOBAL_LINES_LOG_MOST = 20, GLOBAL_LINES_PACKET = 4096 };
 
 struct global_lines_options {
-    enum trace_mode mode; /* TRACE_SCALAR or TRACE_VECTOR */
+    enum trace_mode mode;
     size_t queue;         /* lines at a time; not in scalar mode */
     size_t lines_log;     /* 2^lines_log lines of each repeat */
     size_t repeats;       /* 2 or more: their spread gives the errors */

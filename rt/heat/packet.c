@@ -32,7 +32,7 @@ static struct object *assemble(const struct packet_programs *programs,
     char path[64];
 
     snprintf(path, sizeof path, "heat/%s_%s.s", name,
-             trace_mode_name(programs->options.mode));
+             trace_mode_name(trace_mode_besides(programs->options.mode)));
     return program_assemble(path, none, error);
 }
 

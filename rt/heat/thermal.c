@@ -171,7 +171,7 @@ static bool find_exchange(const struct thermal_work *work,
     double *factors = calloc(n * (n + 1), sizeof *factors);
     double *area = calloc(2 * n, sizeof *area), *emissivity = area + n;
     const struct exchange_given given = {
-        .mode = mode,
+        .mode = trace_mode_besides(mode),
         .count = n,
         .area = area,
         .emissivity = emissivity,

@@ -102,7 +102,7 @@ static struct object *assemble(const struct columns_work *work,
     char path[64];
 
     snprintf(path, sizeof path, "mass/%s_%s.s", name,
-             trace_mode_name(work->options->mode));
+             trace_mode_name(trace_mode_besides(work->options->mode)));
     return program_assemble(path, defines, error);
 }
 

@@ -36,6 +36,11 @@ bool trace_mode_named(const char *name, enum trace_mode *mode)
     return false;
 }
 
+enum trace_mode trace_mode_besides(enum trace_mode mode)
+{
+    return mode == TRACE_VECTOR ? TRACE_VECTOR : TRACE_SCALAR;
+}
+
 /* What the kernels have room for unless they are told. */
 enum { CROSSINGS_USUAL = 6 };
 
@@ -134,9 +139,10 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue,
                                    const struct scene *scene,
                                    c205_error *error)
 {
-    static const char *const programs[TRACE_FORMS] = {
+    static const char *const programs[TRACE_MODES] = {
         [TRACE_SCALAR] = "lines/lines_scalar.s",
         [TRACE_VECTOR] = "lines/lines_vector.s",
+        [TRACE_KERNELS] = "lines/lines_1984.s",
     };
     struct defines defines = { .count = 0 };
 

@@ -83,9 +83,10 @@ static bool lay_out(struct lines *lines, c205_error *error)
 static bool check_options(const struct lines_options *options,
                           c205_error *error)
 {
-    if (options->mode >= TRACE_FORMS)
-        return error_say(error, "lines have a scalar and a vector form");
-    if (options->mode == TRACE_VECTOR
+    if (options->mode >= TRACE_MODES)
+        return error_say(error, "lines have a scalar form, a vector form and "
+                                "the one of 1984");
+    if (options->mode != TRACE_SCALAR
         && (options->queue == 0 || options->queue > TRACE_QUEUE_MOST))
         return error_say(error, "a queue has from 1 to 65535 lines");
     if (!(options->behind >= 0) || !isfinite(options->behind))

@@ -19,7 +19,7 @@
 #include "rt/trace/trace.h"
 
 struct lines_options {
-    enum trace_mode mode; /* scalar or vector */
+    enum trace_mode mode;
     size_t queue;         /* lines at a time; not in scalar mode */
     /* Lines that a machine takes at the most, before it is loaded anew; 0:
      * LINES_PACKET. */

@@ -25,6 +25,9 @@ enum trace_mode {
 const char *trace_mode_name(enum trace_mode mode);
 /* False: there is no mode of that name. */
 bool trace_mode_named(const char *name, enum trace_mode *mode);
+/* The form, scalar or vector, of all that meets no primitives: in the paper's way it is
+ * serial. */
+enum trace_mode trace_mode_besides(enum trace_mode mode);
 
 enum {
     TRACE_QUEUE = 2000,       /* rays, as in the paper */

@@ -32,9 +32,9 @@ static c205_model *model;
 static struct lines_options random_way(uint64_t *state)
 {
     static const size_t queues[] = { 1, 7, 7, LINES - 1, LINES, 2000 };
-    struct lines_options way = { .mode = TRACE_VECTOR,
-                                 .queue = queues[below(state, 6)] };
+    struct lines_options way = { .queue = queues[below(state, 6)] };
     way.packet = one_in(state, 3) ? 1 + below(state, LINES) : 0;
+    way.mode = one_in(state, 3) ? TRACE_KERNELS : TRACE_VECTOR;
     way.no_bounds = one_in(state, 5);
     way.flat = one_in(state, 4);
     return way;
@@ -107,7 +107,8 @@ static bool same_in_ways(const struct scene *scene, uint64_t state,
         same = same_crossings(expected, &found, reason);
         if (!same)
             snprintf(reason + strlen(reason), LINE_REASON - strlen(reason),
-                     " with a queue of %zu%s%s", way.queue,
+                     " with %s, a queue of %zu%s%s",
+                     trace_mode_name(way.mode), way.queue,
                      way.no_bounds ? ", without bounds" : "",
                      way.flat ? ", flat" : "");
         seen_crossings_free(&found);

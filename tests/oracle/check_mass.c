@@ -209,16 +209,16 @@ static bool same_plain(const char *text, const struct measured *measured,
 static bool same_forms(const char *text, uint64_t *state, char *reason)
 {
     struct columns_options options = usual();
-    struct measured vector, scalar;
+    struct measured vector, other;
     options.rays_log = 4;
     options.repeats = 2;
     options.seed = below(state, 1000);
     options.points = (enum columns_points)below(state, POINTS_KINDS);
     options.queue = 1 + below(state, 20);
     bool good = measure_scene(text, options, &vector);
-    options.mode = TRACE_SCALAR;
-    good = measure_scene(text, options, &scalar) == good
-           && (!good || scalar.checksum == vector.checksum);
+    options.mode = one_in(state, 2) ? TRACE_SCALAR : TRACE_KERNELS;
+    good = measure_scene(text, options, &other) == good
+           && (!good || other.checksum == vector.checksum);
     if (!good)
         snprintf(reason, REASON, "the forms differ");
     return good;

@@ -328,7 +328,7 @@ static void compare_rows(const struct scene *scene,
 
 static void test_forms(void **state)
 {
-    static const size_t queues[] = { 1, 77, 300, 65535 };
+    static const size_t queues[] = { 1, 77, 300, 300, 65535 };
     struct factors_options options = usual;
     struct scene *scene = read_scene(
         "difference { box { -1, 1 } cylinder { -2*y, 2*y, .6 } torus { 1, .3 } }"
@@ -349,7 +349,7 @@ static void test_forms(void **state)
         for (size_t i = 0; i < COUNT(queues); i++) {
             struct factors_options vector = options;
 
-            vector.mode = TRACE_VECTOR;
+            vector.mode = i == 1 || i == 2 ? TRACE_KERNELS : TRACE_VECTOR;
             vector.queue = queues[i];
             vector.jobs = 2 * i;
             compare_rows(scene, vector, &scalar);

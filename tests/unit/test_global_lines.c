@@ -128,7 +128,7 @@ static void test_areas(void **state)
     }
 }
 
-/* ---- Both forms, any queue and jobs ------------------------------------------- */
+/* ---- All forms, any queue and jobs ------------------------------------------- */
 
 static void test_forms(void **state)
 {
@@ -144,10 +144,12 @@ static void test_forms(void **state)
     options.lines_log = 8;
     one = find(text, options);
     assert_exact(&one);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         size_t width = one.surfaces + 1;
 
-        options.mode = i == 0 ? TRACE_SCALAR : TRACE_VECTOR;
+        options.mode = i == 0   ? TRACE_SCALAR
+                       : i == 3 ? TRACE_KERNELS
+                                : TRACE_VECTOR;
         options.queue = i == 1 ? 37 : 2000;
         options.jobs = i == 2 ? 2 : 1;
         other = find(text, options);

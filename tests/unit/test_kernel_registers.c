@@ -175,7 +175,7 @@ static void trace_watched(const struct scene *scene,
     trace_free(trace);
 }
 
-/* All that is seen along lines, too, in both forms. */
+/* All that is seen along lines, too, in all forms. */
 static void follow_lines(const struct scene *scene, size_t queue,
                          const char *what)
 {
@@ -189,7 +189,7 @@ static void follow_lines(const struct scene *scene, size_t queue,
     struct scene_line list[LINES];
 
     draw_camera_lines(&traced.random, scene, list, LINES);
-    for (int mode = 0; mode < TRACE_FORMS; mode++) {
+    for (int mode = 0; mode < TRACE_MODES; mode++) {
         c205_error error = { "" };
         struct lines *lines;
         c205 *machine;

@@ -33,13 +33,13 @@ static void check_queues(const struct scene *scene, const char *text,
                          const struct scene_line *list,
                          const struct seen_crossings *scalar)
 {
-    static const size_t queues[] = { 1, 7, LINES - 1, 2000 };
+    static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
 
-    options.mode = TRACE_VECTOR;
     for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
         struct seen_crossings vector;
         char reason[LINE_REASON];
 
+        options.mode = i % 2 ? TRACE_KERNELS : TRACE_VECTOR;
         options.queue = queues[i];
         options.packet = i == 1 ? LINES / 3 : 0;
         options.flat = i == 2;
@@ -165,7 +165,7 @@ static void test_nearest(void **state)
     traced.pixels = SIDE * SIDE;
     put_pixels(list);
     for (size_t i = 0; i < scene_count; i++) {
-        struct seen_crossings scalar, found;
+        struct seen_crossings scalar, serial, found;
         struct scene *scene;
         struct words *words;
         char reason[LINE_REASON];
@@ -175,13 +175,17 @@ static void test_nearest(void **state)
         words = trace_words(scene, TRACE_VECTOR, 2000);
         options.mode = TRACE_SCALAR;
         scalar = find_lines(scene, &options, list, SIDE * SIDE);
+        options.mode = TRACE_KERNELS;
+        serial = find_lines(scene, &options, list, SIDE * SIDE);
         options.mode = TRACE_VECTOR;
         found = find_lines(scene, &options, list, SIDE * SIDE);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             check_nearest(scene, words, k, &found, text);
         check(same_crossings(&scalar, &found, reason), reason, text);
+        check(same_crossings(&scalar, &serial, reason), reason, text);
         check(keep_line_rules(scene, list, &found, 0, reason), reason, text);
         seen_crossings_free(&scalar);
+        seen_crossings_free(&serial);
         seen_crossings_free(&found);
         free(words);
         scene_free(scene);
@@ -247,7 +251,7 @@ static void check_line(const char *objects, double behind, size_t count,
     char text[1000] = HEAD;
 
     add_text(text, sizeof text, "%s", objects);
-    for (int mode = 0; mode < TRACE_FORMS; mode++)
+    for (int mode = 0; mode < TRACE_MODES; mode++)
         check_form(text, (enum trace_mode)mode, behind, count, expected);
 }
 
@@ -302,7 +306,7 @@ static void test_many(void **state)
         };
     }
     add_text(text, sizeof text, "}\n");
-    for (int mode = 0; mode < TRACE_FORMS; mode++)
+    for (int mode = 0; mode < TRACE_MODES; mode++)
         check_form(text, (enum trace_mode)mode, 0, 2 * SPHERES, expected);
 }
 
@@ -347,7 +351,7 @@ static void check_refused(const struct lines_options *options,
 static void test_refused(void **state)
 {
     const struct lines_options bad[] = {
-        { .mode = TRACE_KERNELS, .queue = 10 },
+        { .mode = TRACE_MODES, .queue = 10 },
         { .mode = TRACE_VECTOR, .queue = 0 },
         { .mode = TRACE_VECTOR, .queue = 65536 },
         { .mode = TRACE_SCALAR, .behind = -1 },
@@ -355,7 +359,8 @@ static void test_refused(void **state)
     };
 
     (void)state;
-    check_refused(&bad[0], "lines have a scalar and a vector form");
+    check_refused(&bad[0], "lines have a scalar form, a vector form and the one of "
+                 "1984");
     check_refused(&bad[1], "a queue has from 1 to 65535 lines");
     check_refused(&bad[2], "a queue has from 1 to 65535 lines");
     check_refused(&bad[3], "lines begin at their origins or behind them");

@@ -147,6 +147,8 @@ static void test_same_bits(void **state)
         options.jobs = 3;
         options.queue = 7;
         assert_true(checksum_of(crowd, options) == expected);
+        options.mode = TRACE_KERNELS;
+        assert_true(checksum_of(crowd, options) == expected);
         options.mode = TRACE_SCALAR;
         assert_true(checksum_of(crowd, options) == expected);
         options.seed = 2;

@@ -282,24 +282,24 @@ static void check_case(const struct factor_case *which,
                  found.error, expected);
 }
 
-/* Both forms say the same; the scalar one of fewer points. */
-static void check_forms(const struct factor_scene *what, enum surfaces_by by,
-                        size_t points)
+/* Another form says the same as the vector one. */
+static void check_form(const struct factor_scene *what, enum surfaces_by by,
+                       enum trace_mode mode, size_t points)
 {
-    struct study scalar = begin(what, by, TRACE_SCALAR, points);
+    struct study study = begin(what, by, mode, points);
     struct study vector = begin(what, by, TRACE_VECTOR, points);
 
     for (const struct factor_case *which = what->cases; which->id; which++) {
-        size_t from = named(&scalar.surfaces, which->from);
-        const struct surface *one = &scalar.surfaces.list[from];
+        size_t from = named(&study.surfaces, which->from);
+        const struct surface *one = &study.surfaces.list[from];
         const struct surface *other = &vector.surfaces.list[from];
 
         assert_memory_equal(&one->area, &other->area, sizeof one->area);
         assert_memory_equal(one->factor, other->factor,
-                            (scalar.surfaces.count + 1)
+                            (study.surfaces.count + 1)
                                 * sizeof *one->factor);
     }
-    end(&scalar);
+    end(&study);
     end(&vector);
 }
 
@@ -312,7 +312,8 @@ static void check_scene(const struct factor_scene *what, enum surfaces_by by)
     for (const struct factor_case *which = what->cases; which->id; which++)
         check_case(which, &study.surfaces);
     end(&study);
-    check_forms(what, by, 1 + points / 32);
+    check_form(what, by, TRACE_SCALAR, 1 + points / 32);
+    check_form(what, by, TRACE_KERNELS, 1 + points / 32);
 }
 
 static void test_factors(void **state)

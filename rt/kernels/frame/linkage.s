@@ -73,6 +73,12 @@ image_minus_big: .word -1e30
         SWAP    [image_at], \first, [r0]
         .endm
 
+; .. the word there.
+        .macro  load_of label, register
+        EX      \register, \label
+        LOD     [\register], \register
+        .endm
+
         .macro  load_main_constants
         load_at constants, CONSTANTS, m_one
         SUBN    r0, m_one, m_minus_one

@@ -5,71 +5,22 @@
 ;   primitive's record (0: none); hit_s, hit_t on patches.
 ; simple_met: In: the segments of the rays at hand in a simple region, in
 ;   found_store.
-; begin_span, node_met: nothing; each ray is looked at by itself.
 ; walk_tree: In: the crossings of the rays at hand in a region's primitives.
 ;   Both: the same; for a ray to a light nearest = minus_big if it is stopped,
 ;   in light_left what comes through.
-; Methods as in regions_scalar.s and shadow_scalar.s.  The kernels met all rays
-; at hand with a leaf that any of them comes near; so before VISIBLE is called
-; for a ray its leaves are looked at once: P_AT_HAND chains those that it meets,
-; and those that are needed narrow its span (span_scalar.s), as in
-; nodes_scalar.s.
+; Methods as in regions_scalar.s, shadow_scalar.s and trees_1984.s.
 
-; What is handed over.
-        .share  loop
-        .regs   r156, to_nearest, to_met, to_hit_s, to_hit_t, from_place
-        .regs   r161, from_limit, from_patch_s, from_patch_t, from_least
-        .regs   r165, its_primitive, to_lights
-        .equ    SIMPLE_OPERANDS, 11
-        .regs   r167, its_region, from_ox, from_oy, from_oz, from_dx
-        .regs   r172, from_dy, from_dz
-        .equ    TREE_OPERANDS, 18
-
-        .regs   r174, segment_in, segment_out, ray_limit
-        .regs   r177, from_in, from_out, w_crossings, its_shadow, stride
-        .regs   r182, from_red, from_green, from_blue
-        .regs   r185, next_in, next_out, next_limit
-        .reg    its_patch, r155
-
-; A leaf at hand: the words of its record in the list; where it stands there, and
-; the end.
-        .regs   r188, leaf_primitive, leaf_segments, leaf_events
-        .regs   r191, leaf_first_state, leaf_first_event, leaf_value, leaf_needed
-        .regs   r195, its_leaf, first_leaf, leaves_last, chain_at, apart
-        .endshare
+        .include "frame/trees_1984.s"
 
         .data
         .align 64
 light_left:     .space 3 * QUEUE        ; of each ray to a light
         .code
 
-        .macro  hand_over_rays
-        hand_over nearest, 4
-        hand_over place, 2, 4
-        hand_over patch_s, 2, 6
-        hand_over wlower, 1, 8
-        hand_over primitive, 1, 9
-        hand_over shadows, 1, 10
-        .endm
-
-; The place in the queue of the ray at hand.
-        .macro  find_place
-        RTOR    loop_index, loop_place
-        IBXEQ   near, r0, n, found_place\@
-        LOD     [from_place, loop_index], loop_place
-found_place\@:
-        .endm
-
         .macro  load_segment index
         LOD     [from_in, \index], next_in
         LOD     [from_out, \index], next_out
         LOD     [from_limit, \index], next_limit
-        .endm
-
-        .macro  find_patch primitive
-        RTOR    \primitive, loop_at
-        IX      loop_at, 64 * P_ON_PATCH
-        LOD     [loop_at], its_patch
         .endm
 
         .kernel visible
@@ -130,59 +81,8 @@ simple_skip:
         region_took_hits
         BIM     walk_skip
 
-begin_span:
-        BIM     0, link_inner
-node_met:
-        BIM     node_next
-
 walk_tree:
-        hand_over_rays
-        hand_over region, 1, 11
-        hand_over aox, 6, 12
-        to_scalar
-        load_at operands, TREE_OPERANDS, to_nearest
-        RTOR    near, loop_count
-        ES      loop_index, 0
-        LOD     [from_least], w_lower
-        RTOR    its_region, w_region
-        IX      its_region, 64 * R_SHADOW
-        LOD     [its_region], its_shadow
-        EX      stride, STRIDE
-        EX      apart, CROSSING_SIZE
-        load_two_delta
-        load_at scene_leaves, 2, first_leaf     ; and leaves_last
-        IBXEQ   first_leaf, r0, leaves_last, tree_end
-        EX      loop_at, branches_end
-        LOD     [loop_at], loop_work
-        EX      loop_at, span + 64 * 2
-        STO     [loop_at], loop_work
-tree_next:
-        LOD     [from_limit, loop_index], w_end
-        SHIFTI  loop_index, 6, w_crossings
-        RTOR    w_lower, w_least
-        RTOR    first_leaf, its_leaf
-        EX      chain_at, span + 64 * 3
-        ES      w_met, 0
-tree_leaf:
-        ELEN    its_leaf, LEAF_SIZE
-        SWAP    [its_leaf], leaf_primitive, [r0]
-        ADDX    leaf_first_state, w_crossings, leaf_first_state
-        LOD     [leaf_first_state], w_in
-        CFPGE   w_in, m_big, tree_missed
-        STO     [chain_at], leaf_primitive
-        RTOR    leaf_primitive, chain_at
-        IX      chain_at, 64 * P_AT_HAND
-        ES      w_met, 1
-        IBXEQ   leaf_needed, r0, r0, tree_leaf_next
-        IBXEQ   leaf_segments, r0, r0, tree_leaf_next
-        narrow_span leaf_first_state, leaf_segments, apart, tree_skip
-tree_leaf_next:
-        IX      its_leaf, 64 * LEAF_SIZE
-        IBXNE   its_leaf, r0, leaves_last, tree_leaf
-        IBXEQ   w_met, r0, r0, tree_skip
-        STO     [chain_at], r0
-        next_visible w_least, tree_skip
-        find_place
+        walk_rays
         IBXNE   to_lights, r0, r0, tree_to_light
         LOD     [to_nearest, loop_place], loop_work
         CFPLT   w_in, loop_work, tree_taken
@@ -192,78 +92,10 @@ tree_leaf_next:
 tree_taken:
         STO     [to_nearest, loop_place], w_in
         STO     [to_met, loop_place], w_out
-        find_patch w_out
-        IBXEQ   its_patch, r0, r0, tree_skip
-        .if     MESH_CROSSINGS
-        SHIFTI  its_patch, -1, loop_work
-        IBXEQ   loop_work, r0, m_index_one, tree_triangle
-        .endif
-        IX      w_out, 64 * P_FIRST_EVENT
-        LOD     [w_out], loop_work
-        ADDX    w_crossings, loop_work, w_crossings
-        load_at k_delta, 1, ray_limit
-        SUBN    w_in, ray_limit, next_in
-        ADDN    w_in, ray_limit, next_out
-tree_crossing:
-        LOD     [w_crossings], segment_in
-        ADDX    w_crossings, stride, w_crossings
-        CFPLT   segment_in, next_in, tree_crossing
-        CFPLT   next_out, segment_in, tree_crossing
-        IX      w_crossings, STRIDE * (PATCH_CROSSINGS - 1)
-        LOD     [w_crossings], segment_in
-        IX      w_crossings, STRIDE * PATCH_CROSSINGS
-        LOD     [w_crossings], segment_out
+        find_point tree_skip
         STO     [to_hit_s, loop_place], segment_in
         STO     [to_hit_t, loop_place], segment_out
-tree_skip:
-        loop_next tree_next
-tree_end:
-        to_vector
-        region_took_hits
-        BIM     walk_skip
-
-        .if     MESH_CROSSINGS
-; On which triangle of a mesh, and if the ray leaves there, as in regions_scalar.s.
-tree_triangle:
-        RTOR    its_patch, next_limit
-        RTOR    w_out, loop_at
-        IX      loop_at, 64 * (P_SHAPE + 1)
-        LOD     [loop_at], its_patch
-        FLR     its_patch, its_patch
-        EX      loop_work, CROSSING_SIZE
-        MPYX    its_patch, loop_work, its_patch
-        IX      loop_at, 64 * (P_SEGMENTS - P_SHAPE - 1)
-        LOD     [loop_at], ray_limit
-        ES      loop_work, 2
-        IBXEQ   next_limit, r0, loop_work, tree_sided
-        RTOR    r0, ray_limit
-tree_sided:
-        IX      w_out, 64 * P_FIRST_EVENT
-        LOD     [w_out], loop_work
-        ADDX    w_crossings, loop_work, w_crossings
-        load_at k_delta, 1, segment_out
-        SUBN    w_in, segment_out, next_in
-        ADDN    w_in, segment_out, next_out
-        ES      segment_out, 0
-        BIM     tree_triangle_here
-tree_triangle_next:
-        ADDX    w_crossings, stride, w_crossings
-        IBXEQ   ray_limit, r0, r0, tree_triangle_here
-        XOR     segment_out, m_index_one, segment_out
-tree_triangle_here:
-        LOD     [w_crossings], segment_in
-        CFPLT   segment_in, next_in, tree_triangle_next
-        CFPLT   next_out, segment_in, tree_triangle_next
-        LOD     [w_crossings, its_patch], segment_in
-        STO     [to_hit_s, loop_place], segment_in
-        STO     [to_hit_t, loop_place], segment_out
-        BIM     tree_skip
-        .endif
-
-tree_missed:
-        STO     [leaf_value], r0
-        IBXEQ   leaf_needed, r0, r0, tree_leaf_next
-        BIM     tree_skip
+        rays_end
         .endkernel
 
         .kernel shadow

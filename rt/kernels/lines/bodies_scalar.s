@@ -2,11 +2,10 @@
 ; bodies_vector.s.  Part of the main program.
 
         .equ    INSIDE_SIZE, 1          ; of an object, in words
-        .regs   r178, body_sense, body_at, body_count, body_all
+        .regs   r232, body_sense, body_at, body_count, body_all
 
-; body_at = where the count of bodies stands, of the object seen at seen_at.
-        .macro  find_object
-        LOD     [seen_at, m_index_one], body_at
+; body_at = where the count of bodies stands, of the object of primitive number body_at.
+        .macro  find_count
         ES      line_work, P_SIZE
         ADDX    body_at, m_index_minus_one, body_at
         MPYX    body_at, line_work, body_at
@@ -20,8 +19,14 @@
         ADDX    body_at, line_work, body_at
         .endm
 
+; .. of the object seen at seen_at.
+        .macro  find_object
+        LOD     [seen_at, m_index_one], body_at
+        find_count
+        .endm
+
 ; The seen_left crossings of the line, from seen_at on, 1 at the least.
-        .macro  count_bodies
+        .macro  count_bodies_of_line
         ES      body_all, 0
 bodies_next\@:
         find_object

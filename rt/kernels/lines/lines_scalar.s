@@ -41,11 +41,6 @@ line_room:      .word 0
 line_seen:      .space 1
         .code
 
-        .macro  load_of label, register
-        EX      \register, \label
-        LOD     [\register], \register
-        .endm
-
 ; The line's word of the next plane.
         .macro  load_of_line register
         LOD     [line_work], \register
@@ -115,7 +110,7 @@ lines_begin:
         STO     [line_counts], seen_left
         IBXEQ   seen_left, r0, r0, lines_stored
         .if     BODIES
-        count_bodies
+        count_bodies_of_line
         .endif
         RTOR    line_found, seen_slot
 lines_seen:

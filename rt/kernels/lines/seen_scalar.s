@@ -11,6 +11,8 @@
 ; farther, of regions before: of one region they come in order.
 ; Source: insertion: Knuth, The Art of Computer Programming 3, 5.2.1.
 
+        .include "lines/crossing_scalar.s"
+
         .share  local
         .regs   r89, c_count, c_first, c_end, c_at, c_before
         .regs   r94, c_distance, c_primitive, c_sense, c_s, c_t, c_nx, c_ny, c_nz
@@ -20,28 +22,7 @@
 
         .data
 line_save:      .space SEEN_REGISTERS
-normal_save:    .space SHADE_REGISTERS
-normal_list:    .word 0                         ; of the ray
-normal_primitive: .word 0
-                .descriptor 1, normal_distance
-                .descriptor 3, normal_found
-normal_distance: .space 1
-normal_found:   .space 3
         .code
-
-; What the line does where the value of the region's tree changes.
-        .macro  find_sense
-        RTOR    w_region, w_at
-        IX      w_at, 64 * R_BODY
-        LOD     [w_at], c_sense
-        IX      w_at, 64 * (R_RESULT - R_BODY)
-        LOD     [w_at], w_t0
-        LOD     [w_t0], w_t0
-        AND     w_t0, m_index_one, w_t0         ; the value behind
-        IBXNE   w_t0, r0, r0, sense_found\@
-        SUBX    r0, c_sense, c_sense
-sense_found\@:
-        .endm
 
 ; Its parameters on w_leaf, if it is a patch or a mesh.
         .macro  find_point
@@ -58,18 +39,6 @@ point_noted\@:
         ELEN    w_at, 2
         SWAP    [w_at], c_s, [r0]
 point_found\@:
-        .endm
-
-        .macro  find_normal_there
-        EX      w_at, normal_list
-        STO     [w_at], w_ray
-        STO     [w_at, m_index_one], w_leaf
-        EX      w_at, normal_distance
-        STO     [w_at], c_distance
-        call    normal_there, normal_list
-        EX      w_at, normal_found
-        ELEN    w_at, 3
-        SWAP    [w_at], c_nx, [r0]
         .endm
 
 ; To its place among those found so far.
@@ -128,7 +97,7 @@ line_next:
         find_sense
         find_point
         .if     NORMALS
-        find_normal_there
+        find_normal_there w_ray
         .endif
         EX      w_at, lines_behind
         LOD     [w_at], w_t0
@@ -151,25 +120,4 @@ line_leaf:
 line_done:
         STO     [w_result_at], c_count
         leave_walk line_save, SEEN_REGISTERS
-        .endkernel
-
-;       CALL NORMAL_THERE (RAY, PRIMITIVE, DISTANCE, NORMAL)
-;
-; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; DISTANCE (1); NORMAL =
-; of length one, against the ray (3).
-        .kernel shade
-normal_there:
-        EX      save_at, normal_save
-        ELEN    save_at, SHADE_REGISTERS
-        SWAP    [r0], r32, [save_at]
-        RTOR    link, link_saved
-        ELEN    arguments, 4
-        SWAP    [arguments], a_ray, [r0]
-        ELEN    a_ray, 6
-        SWAP    [a_ray], ox, [r0]
-        LOD     [a_distance], t0
-        find_surface
-        SWAP    [r0], nx, [a_sample]
-        RTOR    link_saved, link
-        leave   normal_save, SHADE_REGISTERS
         .endkernel

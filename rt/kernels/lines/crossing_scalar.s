@@ -1,0 +1,59 @@
+; crossing_scalar.s - of one crossing that is seen: what the line does there, and the
+; normal.
+
+        .data
+normal_save:    .space SHADE_REGISTERS
+normal_list:    .word 0                         ; of the ray
+normal_primitive: .word 0
+                .descriptor 1, normal_distance
+                .descriptor 3, normal_found
+normal_distance: .space 1
+normal_found:   .space 3
+        .code
+
+; What the line does where the value of the region's tree changes.
+        .macro  find_sense
+        RTOR    w_region, w_at
+        IX      w_at, 64 * R_BODY
+        LOD     [w_at], c_sense
+        IX      w_at, 64 * (R_RESULT - R_BODY)
+        LOD     [w_at], w_t0
+        LOD     [w_t0], w_t0
+        AND     w_t0, m_index_one, w_t0         ; the value behind
+        IBXNE   w_t0, r0, r0, sense_found\@
+        SUBX    r0, c_sense, c_sense
+sense_found\@:
+        .endm
+
+        .macro  find_normal_there ray
+        EX      w_at, normal_list
+        STO     [w_at], \ray
+        STO     [w_at, m_index_one], w_leaf
+        EX      w_at, normal_distance
+        STO     [w_at], c_distance
+        call    normal_there, normal_list
+        EX      w_at, normal_found
+        ELEN    w_at, 3
+        SWAP    [w_at], c_nx, [r0]
+        .endm
+
+;       CALL NORMAL_THERE (RAY, PRIMITIVE, DISTANCE, NORMAL)
+;
+; RAY = O, D (6 words); PRIMITIVE = the record of what it hit; DISTANCE (1); NORMAL =
+; of length one, against the ray (3).
+        .kernel shade
+normal_there:
+        EX      save_at, normal_save
+        ELEN    save_at, SHADE_REGISTERS
+        SWAP    [r0], r32, [save_at]
+        RTOR    link, link_saved
+        ELEN    arguments, 4
+        SWAP    [arguments], a_ray, [r0]
+        ELEN    a_ray, 6
+        SWAP    [a_ray], ox, [r0]
+        LOD     [a_distance], t0
+        find_surface
+        SWAP    [r0], nx, [a_sample]
+        RTOR    link_saved, link
+        leave   normal_save, SHADE_REGISTERS
+        .endkernel

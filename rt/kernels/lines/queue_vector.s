@@ -1,0 +1,98 @@
+; queue_vector.s - queues of lines, one after another, for the vector form and for that of
+; 1984: where a queue's lines are, and where what is found of them goes.
+;
+;   lines:
+;           begin_queues
+;   lines_next:
+;           begin_queue             ; the next queue
+;           ..                      ; what is seen along its lines
+;           next_queue              ; to lines_next, until there is none
+
+; In bits: a plane, from the word of one field to that of the next; all planes of a
+; column, from a crossing to the next one.
+        .regs   r201, line_stride, line_step
+        .regs   r203, lines_left, lines_from    ; behind the first line
+        .regs   r205, seen_first                ; the queue's, of the first plane
+        .regs   r206, line_counts               ; .. how many crossings they have
+        .regs   r207, line_behind
+
+; [o] begins so far behind, in vectors of the queue's own.
+        .macro  move_behind o, d, number
+        LINKV
+        MPYSV   [\d], line_behind, [w2]
+        SUBNV   [\o], [w2], [w3]
+        describe \o, queue_store + 64 * QUEUE * \number, n
+        VTOV    [w3], [\o]
+        .endm
+
+        .macro  begin_queues
+        EX      s0, constants
+        ELEN    s0, CONSTANTS
+        SWAP    [s0], one, [r0]
+        begin_counting
+        EX      s4, QUEUE
+        describe iota, count_store, s4
+        INTVLV  r0, one_index, [iota]
+        describe s5, least_store, s4
+        VTOV    tmin, [s5]
+        ES      from_one_point, 0
+        ES      shadows, 0
+        load_word lines_count, lines_left
+        load_word lines_behind, line_behind
+        SHIFTI  lines_left, 6, line_stride
+        ES      line_step, SEEN_SIZE
+        MPYX    line_step, line_stride, line_step
+        ES      lines_from, 0
+        .endm
+
+        .macro  begin_queue
+        EX      n, QUEUE
+        IBXLE   n, r0, lines_left, queue_full\@
+        RTOR    lines_left, n
+queue_full\@:
+        EX      target, begin_lines
+        BSAVE   link_kernel, [target]
+        .endm
+
+        .macro  next_queue
+        ADDX    lines_from, n, lines_from
+        SUBX    lines_left, n, lines_left
+        IBXNE   lines_left, r0, r0, lines_next
+        EXIT
+        .endm
+
+        .kernel lines
+; The queue's rays; where its crossings go.
+begin_lines:
+        set_near n
+        set_hits_of_queue
+        load_word k_far, s0
+        VTOV    s0, [nearest]
+        VTOV    r0, [hit_s]
+        VTOV    r0, [hit_t]
+        SHIFTI  lines_from, 6, s4
+        load_word lines_counts, s2
+        ADDX    s2, s4, s2
+        ADDLEN  s2, n, line_counts
+        load_word lines_found, s2
+        ADDX    s2, s4, s2
+        ADDLEN  s2, n, seen_first
+        load_word lines_rays, s2
+        ADDX    s2, s4, s2
+        three_planes s2, line_stride, aox, aoy, aoz
+        ADDX    aoz, line_stride, s2
+        three_planes s2, line_stride, s4, s5, s6
+        EX      s2, queue_store + 64 * QUEUE * 3
+        EX      s3, 64 * QUEUE
+        three_planes s2, s3, adx, ady, adz
+        VTOV    [s4], [adx]
+        VTOV    [s5], [ady]
+        VTOV    [s6], [adz]
+        normalise adx, ady, adz, w2, w3
+        CFPEQ   line_behind, r0, begin_made
+        move_behind aox, adx, 0
+        move_behind aoy, ady, 1
+        move_behind aoz, adz, 2
+begin_made:
+        BIM     0, link_kernel
+        .endkernel
