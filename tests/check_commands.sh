@@ -560,12 +560,12 @@ cylinder { 0, .7*y, 1 open }
 disc { 0, y, 1.8, 1 }
 disc { .7*y, -y, 1.8, 1 }
 END
-for mode in scalar vector; do
+for mode in scalar kernels vector; do
     ends 0 "$build/rt205" heat bay.pov --rays 200 --repeats 3 --mode $mode
     sed "/^Where/,\$d" out >$mode.factors
+    cmp -s scalar.factors $mode.factors
+    verdict $? "scalar form and $mode find other factors"
 done
-cmp -s scalar.factors vector.factors
-verdict $? "scalar and vector form find other factors"
 tells out "^1 *environment  0\.[34]"
 ends 0 "$build/rt205" heat bay.pov --rays 64 --points random --seed 7 --json heat.json
 tells heat.json "\"factors\""
@@ -576,7 +576,21 @@ ends 2 "$build/rt205" heat bay.pov --rays 0
 ends 2 "$build/rt205" heat bay.pov --rays 65536
 ends 2 "$build/rt205" heat bay.pov --repeats 1
 ends 2 "$build/rt205" heat bay.pov --points square
-ends 2 "$build/rt205" heat bay.pov --mode kernels
+ends 2 "$build/rt205" heat bay.pov --mode 1984
+ends 0 "$build/rt205" heat bay.pov --rays 16 --repeats 2 --stages --json heat.json
+tells out "^step  *scalar  *kernels  *vector"
+tells heat.json "\"speedup_vector\""
+ends 2 "$build/rt205" heat bay.pov --stages --ranks 2
+tells err "stages compares what this process finds: not with --ranks or --part"
+ends 0 "$build/rt205" heat bay.pov --rays 16 --tolerance .01
+tells out "16 repeats of 256 points of each primitive"
+ends 1 "$build/rt205" heat bay.pov --rays 16 --tolerance 1e-9 --limit 40 --json never.json
+tells err "the tolerance 1e-09 is not reached: the standard error of the factor from [123] to "
+tells out "16 repeats of 40 points of each primitive"
+[ ! -e never.json ]
+verdict $? "factors that are not good enough are kept"
+ends 2 "$build/rt205" heat bay.pov --tolerance .1 --part 1/2 --resume kept
+ends 2 "$build/rt205" heat bay.pov --tolerance 2
 ends 2 "$build/rt205" heat bay.pov --by line
 ends 2 "$build/rt205" heat
 ends 1 "$build/rt205" heat missing.pov
@@ -625,6 +639,8 @@ tells err "no part and no material is called 'Stove'"
 ends 1 "$build/rt205" $hits --from Tube
 tells err "the disc of line 1 is no solid cylinder"
 printf "sphere { 0, .5 }\nbox { <1,-1,-1>, <2,1,1> }\n" >pair.pov
+ends 0 "$build/rt205" heat pair.pov --lines 64 --tolerance .01 --limit 2048
+tells out "16 repeats of 1024 lines through all of it"
 ends 0 "$build/rt205" heat pair.pov --lines 2000 --json heat.json
 tells out "16 repeats of 128 lines through all of it"
 tells heat.json "\"lines\": 128"
@@ -663,6 +679,9 @@ ends 0 "$build/rt205" mass parts.pov --densities densities.txt --rays 512 \
     --queue 77 --jobs 3
 [ "$(sed "/^stage/,\$d" out)" = "$(sed "/^stage/,\$d" vector)" ]
 verdict $? "a mass depends on the queue or the jobs"
+ends 0 "$build/rt205" mass parts.pov --densities densities.txt --rays 512 \
+    --mode kernels --stages
+tells out "^step  *scalar  *kernels  *vector"
 ends 0 "$build/rt205" mass parts.pov --densities densities.txt --rays 512 \
     --mode scalar
 [ "$(sed '1d; /^stage/,$d' out)" = "$(sed '1d; /^stage/,$d' vector)" ]
@@ -704,7 +723,8 @@ ends 1 "$build/rt205" mass bad.pov --density default=1
 ends 2 "$build/rt205" mass
 ends 2 "$build/rt205" mass parts.pov --rays 0
 ends 2 "$build/rt205" mass parts.pov --repeats 1
-ends 2 "$build/rt205" mass parts.pov --mode kernels
+ends 2 "$build/rt205" mass parts.pov --mode 1984
+ends 2 "$build/rt205" mass parts.pov --density default=1 --stages --part 1/2 --resume kept
 ends 2 "$build/rt205" mass parts.pov --points few
 ends 2 "$build/rt205" mass parts.pov --about 1,2
 ends 2 "$build/rt205" mass parts.pov --units mm

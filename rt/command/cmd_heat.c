@@ -7,328 +7,119 @@
 #include "base/error.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
-#include "rt/heat/thermal.h"
+#include "rt/heat/heat_tables.h"
+#include "rt/study/stages.h"
 
-/* All that is found of a scene. */
-struct heat {
-    const struct rt205_arguments *arguments;
-    const struct scene *scene;
-    struct named_parts parts;
-    struct surfaces surfaces;
-    struct given_values emissivities, temperatures;
-    struct factor_row
-        *rows; /* of the primitives; one that has no emission has no
-                                counts */
-    struct thermal thermal;
-    struct accounts accounts;
-    size_t units; /* of work, done here or elsewhere */
-    c205_error error;
-};
-
-/* ---- The work ------------------------------------------------------------- */
-
-/* Else what packets come to is elsewhere. */
-static bool collects(const struct heat *heat)
+/* Whether all that packets come to is here, not elsewhere. */
+static bool collects(const struct rt205_arguments *arguments)
 {
-    return farm_collects(&heat->arguments->units.farm);
+    return farm_collects(&arguments->units.farm);
 }
 
-static struct factors_options factors_options(const struct heat *heat)
-{
-    const struct rt205_arguments *arguments = heat->arguments;
+/* ---- What is asked ---------------------------------------------------------- */
 
-    return (struct factors_options){
-        .mode = arguments->trace.mode,
-        .queue = arguments->trace.queue,
-        .points = arguments->heat.rays,
-        .repeats = arguments->heat.repeats,
-        .lattice = arguments->heat.points == 0,
-        .seed = arguments->heat.seed,
-        .jobs = arguments->trace.jobs,
-        .farm = arguments->trace.farm,
-        .progress = arguments->trace.progress,
-        .context = arguments->trace.context,
-        .receiver_of = heat->surfaces.surface_of,
-        .receivers = heat->surfaces.count,
-        .model = arguments->trace.model,
+/* Lines are asked of all repeats: of each a power of two, so many in all at least. */
+static size_t lines_of_repeat(const struct cmd_heat *wishes)
+{
+    size_t lines = 1;
+
+    while (wishes->repeats * lines < wishes->lines)
+        lines *= 2;
+    return lines;
+}
+
+static struct heat_request request_of(const struct rt205_arguments *arguments)
+{
+    const struct cmd_heat *wishes = &arguments->heat;
+    const struct trace_options *trace = &arguments->trace;
+    bool by_lines = wishes->lines > 0;
+    size_t most = by_lines ? (size_t)1 << GLOBAL_LINES_LOG_MOST
+                           : EMISSION_MOST;
+
+    return (struct heat_request){
+        .mode = trace->mode,
+        .queue = trace->queue,
+        .jobs = trace->jobs,
+        .by = (enum surfaces_by)wishes->by,
+        .by_lines = by_lines,
+        .drawn = by_lines ? lines_of_repeat(wishes) : wishes->rays,
+        .repeats = wishes->repeats,
+        .lattice = wishes->points == 0,
+        .seed = wishes->seed,
+        .tolerance = wishes->tolerance,
+        .limit = wishes->limit < most ? wishes->limit : most,
+        .exchange = wishes->exchange,
+        .emissivities = wishes->emissivities.items,
+        .emissivity_count = wishes->emissivities.count,
+        .temperatures = wishes->temperatures.items,
+        .temperature_count = wishes->temperatures.count,
+        .farm = trace->farm,
+        .model = trace->model,
+        .progress = trace->progress,
+        .context = trace->context,
     };
 }
 
-/* Those that emit, in order; of all others a warning. */
-static size_t list_emitters(const struct heat *heat, size_t *emitters)
+/* What has no emission gets a warning, unless lines find it. */
+static void warn_of_receivers(const struct rt205_arguments *arguments,
+                              const struct scene *scene)
 {
-    size_t count = 0;
-
-    for (size_t i = 0; i < heat->scene->primitive_count; i++) {
-        const struct primitive *primitive = &heat->scene->primitives[i];
+    if (arguments->heat.lines > 0)
+        return;
+    for (size_t i = 0; i < scene->primitive_count; i++) {
+        const struct primitive *primitive = &scene->primitives[i];
         const char *refusal = emission_refusal(primitive);
 
-        if (!refusal)
-            emitters[count++] = i;
-        else
+        if (refusal)
             fprintf(stderr, "%s:%zu: warning: the %s receives alone: %s\n",
-                    heat->arguments->scene, primitive->line,
+                    arguments->scene, primitive->line,
                     primitive_kind_name(primitive->kind), refusal);
     }
-    return count;
 }
 
-static bool find_rows(struct heat *heat, const size_t *emitters, size_t count)
-{
-    struct factors_options options = factors_options(heat);
-    struct factors *factors = factors_new(heat->scene, &options,
-                                          &heat->error);
-    bool good = factors
-                && factors_find(factors, emitters, count, heat->rows,
-                                &heat->error);
+/* ---- Three stages ------------------------------------------------------------ */
 
-    if (good)
-        heat->units = factors_units(factors, count);
-    factors_free(factors);
-    return good;
+static void take_clocks(struct stages *stages, const struct heat *heat)
+{
+    for (int i = 0; i < HEAT_STEPS; i++)
+        stages->clocks[heat->request->mode][i] = heat->clocks[i];
 }
 
-/* The rows of emitters become those of their primitives. */
-static void place_rows(struct factor_row *rows, const size_t *emitters,
-                       size_t count)
+/* .. in another one, which must find the same. */
+static bool find_stage(const struct heat *heat, enum trace_mode mode,
+                       struct stages *stages, c205_error *error)
 {
-    for (size_t i = count; i-- > 0;) {
-        struct factor_row row = rows[i];
-
-        rows[i] = (struct factor_row){ .receivers = 0 };
-        rows[emitters[i]] = row;
-    }
-}
-
-static bool add_accounts(struct heat *heat, const struct accounts *accounts)
-{
-    return accounts_add_all(&heat->accounts, accounts)
-           || error_say(&heat->error, "no memory");
-}
-
-static bool combine_rows(struct heat *heat)
-{
-    for (size_t i = 0; i < heat->scene->primitive_count; i++)
-        if (!add_accounts(heat, &heat->rows[i].accounts))
-            return false;
-    surfaces_combine(&heat->surfaces, heat->rows);
-    return true;
-}
-
-static bool find_by_rays(struct heat *heat)
-{
-    size_t primitives = heat->scene->primitive_count, count;
-    size_t *emitters = calloc(primitives + 1, sizeof *emitters);
-    bool good = false;
-
-    heat->rows = calloc(primitives + 1, sizeof *heat->rows);
-    if (emitters && heat->rows) {
-        count = list_emitters(heat, emitters);
-        good = find_rows(heat, emitters, count);
-        if (good && collects(heat)) {
-            place_rows(heat->rows, emitters, count);
-            good = combine_rows(heat);
-        }
-    } else {
-        error_say(&heat->error, "no memory");
-    }
-    free(emitters);
-    return good;
-}
-
-/* ---- .. by lines ------------------------------------------------------------ */
-
-/* Of each repeat; at least as many in all as are asked. */
-static size_t log_of_lines(const struct cmd_heat *wishes)
-{
-    size_t log = 0;
-
-    while (wishes->repeats << log < wishes->lines)
-        log++;
-    return log;
-}
-
-static bool find_by_lines(struct heat *heat)
-{
-    const struct rt205_arguments *arguments = heat->arguments;
-    const struct global_lines_options options = {
-        .mode = arguments->trace.mode,
-        .queue = arguments->trace.queue,
-        .lines_log = log_of_lines(&arguments->heat),
-        .repeats = arguments->heat.repeats,
-        .lattice = arguments->heat.points == 0,
-        .seed = arguments->heat.seed,
-        .jobs = arguments->trace.jobs,
-        .farm = arguments->trace.farm,
-        .progress = arguments->trace.progress,
-        .context = arguments->trace.context,
-        .surface_of = heat->surfaces.surface_of,
-        .surfaces = heat->surfaces.count,
-        .model = arguments->trace.model,
-    };
-    struct global_lines found;
+    struct heat_request request = *heat->request;
+    struct heat other;
     bool good;
 
-    if (!global_lines_find(heat->scene, &options, &found, &heat->error))
-        return false;
-    heat->units = found.units;
-    good = !collects(heat) || add_accounts(heat, &found.accounts);
-    if (good && collects(heat))
-        surfaces_take_lines(&heat->surfaces, &found);
-    global_lines_free(&found);
+    request.mode = mode;
+    request.drawn = heat->drawn;
+    request.tolerance = 0;
+    request.farm = NULL;
+    good = heat_find(heat->scene, &request, &other, error);
+    if (good && !heat_is_same(heat, &other))
+        good = error_say(error, "the stages %s and %s do not agree",
+                         trace_mode_name(heat->request->mode),
+                         trace_mode_name(mode));
+    if (good)
+        take_clocks(stages, &other);
+    heat_free(&other);
     return good;
 }
 
-/* ---- What is given ---------------------------------------------------------- */
-
-static bool take_given(struct heat *heat, struct given_values *given,
-                       const struct value_kind *kind,
-                       const struct command_texts *texts, const char *besides)
+static bool find_stages(const struct heat *heat, struct stages *stages,
+                        c205_error *error)
 {
-    bool good = true;
-
-    given_begin(given, kind);
-    for (size_t i = 0; good && i < texts->count; i++)
-        good = given_add(given, texts->items[i], &heat->error);
-    return good && given_check(given, &heat->parts, besides, &heat->error)
-           && given_add_scene(given, heat->scene, &heat->error);
-}
-
-static bool begin(struct heat *heat)
-{
-    const struct cmd_heat *wishes = &heat->arguments->heat;
-
-    if (!named_parts_find(heat->scene, &heat->parts)
-        || !surfaces_find(heat->scene, &heat->parts,
-                          (enum surfaces_by)wishes->by, &heat->surfaces))
-        return error_say(&heat->error, "no memory");
-    if (heat->scene->primitive_count == 0)
-        return error_say(&heat->error, "the scene has no surfaces");
-    return take_given(heat, &heat->emissivities, &emissivity_kind,
-                      &wishes->emissivities, NULL)
-           && take_given(heat, &heat->temperatures, &temperature_kind,
-                         &wishes->temperatures, thermal_environment);
-}
-
-static bool find_exchange(struct heat *heat)
-{
-    const struct trace_options *trace = &heat->arguments->trace;
-
-    if (!heat->arguments->heat.exchange)
-        return true;
-    return thermal_find(&heat->surfaces, &heat->parts, &heat->emissivities,
-                        &heat->temperatures, trace->mode, trace->model,
-                        &heat->thermal, &heat->error)
-           && add_accounts(heat, &heat->thermal.exchange.accounts);
-}
-
-/* ---- Tables ----------------------------------------------------------------- */
-
-static const struct table_column area_columns[] = {
-    { "surface", "surface", TABLE_TEXT, 0 },
-    { "kind", "kind", TABLE_TEXT, 0 },
-    { "line", "line", TABLE_COUNT, 0 },
-    { "area", "area", TABLE_NUMBER, 6 },
-    { "area_error", "+-", TABLE_NUMBER, 6 },
-    { "points", "points", TABLE_COUNT, 0 },
-    { "rays", "rays", TABLE_COUNT, 0 },
-};
-static const struct table_column factor_columns[] = {
-    { "from", "from", TABLE_TEXT, 0 },
-    { "to", "to", TABLE_TEXT, 0 },
-    { "factor", "factor", TABLE_NUMBER, 6 },
-    { "factor_error", "+-", TABLE_NUMBER, 6 },
-    { "rays", "rays", TABLE_COUNT, 0 },
-    { "back", "A F - A' F', sigmas", TABLE_NUMBER, 2 },
-};
-static const struct table_column flow_columns[] = {
-    { "surface", "surface", TABLE_TEXT, 0 },
-    { "emissivity", "emissivity", TABLE_NUMBER, 3 },
-    { "temperature", "K", TABLE_NUMBER, 1 },
-    { "radiosity", "J, W/m^2", TABLE_NUMBER, 3 },
-    { "irradiation", "H, W/m^2", TABLE_NUMBER, 3 },
-    { "flow", "loses, W", TABLE_NUMBER, 3 },
-};
-
-/* Of a part or a material the kind and the line are those of its first primitive. */
-static struct table *table_of_areas(const struct heat *heat)
-{
-    struct table *table = table_new(TABLE_COLUMNS(area_columns));
-
-    for (size_t i = 0; table && i < heat->surfaces.count; i++) {
-        const struct surface *surface = &heat->surfaces.list[i];
-
-        if (surface->tried == 0)
-            continue;
-        table_text(table, surface->name);
-        table_text(table, primitive_kind_name(surface->first->kind));
-        table_count(table, surface->first->line);
-        table_number(table, surface->area.value);
-        table_number(table, surface->area.error);
-        table_count(table, surface->tried);
-        table_count(table, surface->sent);
-    }
-    return table;
-}
-
-static const char *receiver_name(const struct surfaces *surfaces, size_t j)
-{
-    return j == surfaces->count ? thermal_environment
-                                : surfaces->list[j].name;
-}
-
-static struct table *table_of_factors(const struct surfaces *surfaces)
-{
-    struct table *table = table_new(TABLE_COLUMNS(factor_columns));
-
-    for (size_t i = 0; table && i < surfaces->count; i++)
-        for (size_t j = 0; j <= surfaces->count; j++) {
-            const struct surface *surface = &surfaces->list[i];
-
-            if (surface->count[j] == 0)
-                continue;
-            table_text(table, surface->name);
-            table_text(table, receiver_name(surfaces, j));
-            table_number(table, surface->factor[j].value);
-            table_number(table, surface->factor[j].error);
-            table_count(table, surface->count[j]);
-            table_number(table, surfaces_reciprocity(surfaces, i, j));
-        }
-    return table;
-}
-
-static void add_flow(struct table *table, const char *name, double emissivity,
-                     double temperature, double flow)
-{
-    table_text(table, name);
-    table_number(table, emissivity);
-    table_number(table, temperature);
-    table_number(table, NAN);
-    table_number(table, NAN);
-    table_number(table, flow);
-}
-
-/* Then that of the environment, and of all together. */
-static struct table *table_of_flows(const struct heat *heat)
-{
-    const struct thermal *thermal = &heat->thermal;
-    const struct exchange *exchange = &thermal->exchange;
-    struct table *table = table_new(TABLE_COLUMNS(flow_columns));
-
-    for (size_t i = 0; table && i < thermal->count; i++) {
-        table_text(table, heat->surfaces.list[thermal->surface[i]].name);
-        table_number(table, thermal->emissivity[i]);
-        table_number(table, thermal->temperature[i]);
-        table_number(table, exchange->radiosity[i]);
-        table_number(table, exchange->irradiation[i]);
-        table_number(table, exchange->flow[i]);
-    }
-    if (table) {
-        add_flow(table, thermal_environment, 1, thermal->outside,
-                 exchange->outside);
-        add_flow(table, "all", NAN, NAN, exchange->sum);
-    }
-    return table;
+    *stages = (struct stages){ .step_count = HEAT_STEPS };
+    for (int i = 0; i < HEAT_STEPS; i++)
+        stages->steps[i] = heat_step_name((enum heat_step)i);
+    take_clocks(stages, heat);
+    for (int mode = 0; mode < TRACE_MODES; mode++)
+        if (mode != (int)heat->request->mode
+            && !find_stage(heat, (enum trace_mode)mode, stages, error))
+            return false;
+    return true;
 }
 
 /* ---- What is told ----------------------------------------------------------- */
@@ -343,52 +134,50 @@ static bool tell_part(const struct results *results, struct table *table,
     return good;
 }
 
-static bool tell_tables(const struct heat *heat,
+static bool tell_tables(const struct heat *heat, const struct stages *stages,
                         const struct results *results)
 {
-    return tell_part(results, table_of_areas(heat), "areas",
+    return tell_part(results, heat_table_of_areas(heat), "areas",
                      "Areas that are seen")
-           && tell_part(results, table_of_factors(&heat->surfaces), "factors",
+           && tell_part(results, heat_table_of_factors(heat), "factors",
                         "Factors")
-           && (!heat->arguments->heat.exchange
-               || tell_part(results, table_of_flows(heat), "flows", "Flows"))
+           && (!heat->request->exchange
+               || tell_part(results, heat_table_of_flows(heat), "flows",
+                            "Flows"))
            && tell_part(results, accounts_of_run(&heat->accounts), "clocks",
-                        "Where the clocks went");
+                        "Where the clocks went")
+           && (!stages
+               || tell_part(results, stages_table(stages), "stages",
+                            "Three stages"));
 }
 
-/* In each repeat. */
-static size_t drawn_of(const struct cmd_heat *wishes)
+static bool tell(const struct rt205_arguments *arguments,
+                 const struct heat *heat, const struct stages *stages,
+                 const struct results *results)
 {
-    return wishes->lines > 0 ? (size_t)1 << log_of_lines(wishes)
-                             : wishes->rays;
-}
-
-static bool tell(const struct heat *heat, const struct results *results)
-{
-    const struct rt205_arguments *arguments = heat->arguments;
+    const struct heat_request *request = heat->request;
     struct json *json = results->json;
 
     results_say(results, "%s: %zu repeats of %zu %s, %s\n", arguments->scene,
-                arguments->heat.repeats, drawn_of(&arguments->heat),
-                arguments->heat.lines > 0 ? "lines through all of it"
-                                          : "points of each primitive",
-                arguments->heat.points == 0 ? "of the lattice" : "random");
-    results_model(results, arguments->trace.model);
+                request->repeats, heat->drawn,
+                request->by_lines ? "lines through all of it"
+                                  : "points of each primitive",
+                request->lattice ? "of the lattice" : "random");
+    results_model(results, request->model);
     if (json) {
         json_text(json, "scene", arguments->scene);
-        json_count(json, arguments->heat.lines > 0 ? "lines" : "points",
-                   drawn_of(&arguments->heat));
-        json_count(json, "repeats", arguments->heat.repeats);
-        json_count(json, "seed", arguments->heat.seed);
-        provenance_json(arguments->trace.model, json);
+        json_count(json, request->by_lines ? "lines" : "points", heat->drawn);
+        json_count(json, "repeats", request->repeats);
+        json_count(json, "seed", (size_t)request->seed);
+        provenance_json(request->model, json);
     }
-    return tell_tables(heat, results);
+    return tell_tables(heat, stages, results);
 }
 
 /* What differs both ways by more is no chance; closure is exact. */
 static const double strict_sigmas = 4.5;
 
-static bool check_strictly(struct heat *heat)
+static bool check_strictly(const struct heat *heat, c205_error *error)
 {
     const struct surfaces *surfaces = &heat->surfaces;
 
@@ -397,7 +186,7 @@ static bool check_strictly(struct heat *heat)
             double sigmas = fabs(surfaces_reciprocity(surfaces, i, j));
 
             if (sigmas > strict_sigmas)
-                return error_say(&heat->error,
+                return error_say(error,
                                  "A F from %s to %s is not that back: %.1f "
                                  "standard errors lie between, and --strict "
                                  "allows %g",
@@ -408,75 +197,100 @@ static bool check_strictly(struct heat *heat)
     return true;
 }
 
+static bool check_precision(const struct heat *heat, c205_error *error)
+{
+    return heat_is_precise(heat)
+           || error_say(error,
+                        "the tolerance %g is not reached: the standard error "
+                        "of the factor from %s to %s is %.2g with the most "
+                        "that are drawn, --limit %zu",
+                        heat->request->tolerance,
+                        heat->surfaces.list[heat->worst_from].name,
+                        heat_receiver(heat, heat->worst_to), heat->worst,
+                        heat->request->limit);
+}
+
 /* ---- The command -------------------------------------------------------------- */
 
-static bool find_all(struct heat *heat)
-{
-    return begin(heat)
-           && (heat->arguments->heat.lines > 0 ? find_by_lines(heat)
-                                               : find_by_rays(heat))
-           && (!collects(heat) || find_exchange(heat));
-}
-
-static void forget(struct heat *heat)
-{
-    for (size_t i = 0; heat->rows && i < heat->scene->primitive_count; i++)
-        factor_row_free(&heat->rows[i]);
-    free(heat->rows);
-    thermal_free(&heat->thermal);
-    given_free(&heat->emissivities);
-    given_free(&heat->temperatures);
-    surfaces_free(&heat->surfaces);
-    named_parts_free(&heat->parts);
-    accounts_free(&heat->accounts);
-}
-
 /* What is told leaves no need of the files. */
-static bool tell_all(struct heat *heat, const struct results *results)
+static bool tell_all(const struct rt205_arguments *arguments,
+                     const struct heat *heat, const struct results *results,
+                     c205_error *error)
 {
-    const struct rt205_arguments *arguments = heat->arguments;
+    struct stages stages;
 
-    if (!collects(heat)) {
+    if (!collects(arguments)) {
         cmd_tell_share(arguments, heat->units);
         return true;
     }
-    if (!tell(heat, results))
-        return error_say(&heat->error, "no memory");
+    if (arguments->heat.stages && !find_stages(heat, &stages, error))
+        return false;
+    if (!tell(arguments, heat, arguments->heat.stages ? &stages : NULL,
+              results))
+        return error_say(error, "no memory");
+    if (!check_precision(heat, error))
+        return false;
     farm_end(arguments->trace.farm, true);
-    return !arguments->strict || check_strictly(heat);
+    return !arguments->strict || check_strictly(heat, error);
+}
+
+static bool find_and_tell(const struct rt205_arguments *arguments,
+                          const struct scene *scene,
+                          const struct results *results, c205_error *error)
+{
+    const struct heat_request request = request_of(arguments);
+    struct heat heat;
+    bool good;
+
+    warn_of_receivers(arguments, scene);
+    good = heat_find(scene, &request, &heat, error)
+           && tell_all(arguments, &heat, results, error);
+    heat_free(&heat);
+    return good;
 }
 
 static int run(const struct rt205_arguments *arguments,
                const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
-    struct heat heat = { .arguments = arguments,
-                         .scene = scene,
-                         .accounts = { .model = arguments->trace.model } };
+    c205_error error = { "" };
     bool good;
 
     if (!scene)
         return CMD_FAILED;
     good = arguments->heat.hits
-               ? cmd_heat_hits(arguments, scene, results, &heat.error)
-               : find_all(&heat) && tell_all(&heat, results);
-    forget(&heat);
+               ? cmd_heat_hits(arguments, scene, results, &error)
+               : find_and_tell(arguments, scene, results, &error);
     scene_free(scene);
     return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", heat.error.message);
+                : cmd_failed(arguments->command, "%s", error.message);
+}
+
+/* Of options that exclude each other, a sentence; NULL: there are none. */
+static const char *contradiction(const struct rt205_arguments *arguments)
+{
+    const struct cmd_units *units = &arguments->units;
+    bool apart = units->ranks > 0 || units->farm.parts > 0;
+
+    if (arguments->heat.hits && (apart || units->resume.count > 0))
+        return "--hits is one run: it has no units for --ranks, --part or "
+               "--resume";
+    if (arguments->heat.stages && apart)
+        return "--stages compares what this process finds: not with --ranks "
+               "or --part";
+    if (arguments->heat.tolerance > 0 && units->farm.parts > 0)
+        return "--part does not go with --tolerance: what comes next hangs "
+               "on all of them";
+    return NULL;
 }
 
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
-    const struct cmd_units *units = &arguments->units;
+    const char *why = contradiction(arguments);
 
-    if (arguments->heat.hits
-        && (units->ranks > 0 || units->farm.parts > 0
-            || units->resume.count > 0))
-        return cmd_usage(arguments->command,
-                         "--hits is one run: it has no units for --ranks, "
-                         "--part or --resume");
+    if (why)
+        return cmd_usage(arguments->command, "%s", why);
     arguments->trace.width = arguments->trace.height = 1;
     return cmd_with_farm(arguments, run);
 }
@@ -540,6 +354,16 @@ static const struct command_option options[] = {
                 "are seen") },
     { CMD_COUNT("repeats", heat.repeats, 2, 1000, 16,
                 "by whose spread errors are told") },
+    { .name = "tolerance",
+      .value = "ERROR",
+      .kind = COMMAND_NUMBER,
+      .offset = CMD_PLACE(heat.tolerance),
+      .most = 1,
+      .preset_text = "none",
+      .help = "four times the rays, or lines, until no factor's standard "
+              "error is larger" },
+    { CMD_COUNT("limit", heat.limit, 1, 1 << GLOBAL_LINES_LOG_MOST, 32768,
+                "of each repeat at the most, where there is a tolerance") },
     { .name = "points",
       .value = "KIND",
       .kind = COMMAND_CHOICE,
@@ -549,6 +373,9 @@ static const struct command_option options[] = {
     { CMD_COUNT("seed", heat.seed, 0, 1e9, 1,
                 "another one makes other points") },
     CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
+    CMD_FLAG("stages", heat.stages,
+             "also in the other two modes, which must find the same: clocks "
+             "of all, step by step"),
     CMD_QUEUE("points and rays in the vector queue"),
     CMD_JOBS("packets of rays at a time"),
     CMD_RESUME("packets"),
@@ -562,6 +389,8 @@ static const struct command_option options[] = {
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 static const struct command_example examples[] = {
     { "rt205 heat SCENE --by part --rays 4096", "factors between its parts" },
+    { "rt205 heat SCENE --by part --tolerance 1e-3",
+      "until no error is above a thousandth" },
     { "rt205 heat SCENE --by part --exchange "
       "--temperature default=300",
       "and what they exchange" },

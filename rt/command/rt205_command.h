@@ -30,7 +30,7 @@ struct cmd_mass {
     size_t rays, repeats, limit, seed; /* rays and limit: of a view, in all */
     double tolerance;                  /* 0: none */
     int points, by;
-    bool overlaps;
+    bool overlaps, stages;
     struct command_texts parts;   /* names; none: all */
     struct command_texts density; /* NAME=VALUE */
     const char *densities;        /* a file of them, or NULL */
@@ -43,7 +43,9 @@ struct cmd_heat {
     size_t rays, repeats, seed, lines; /* lines: 0: rays */
     int points;                        /* 0: of the lattice, 1: random */
     int by;
-    bool exchange, hits;
+    bool exchange, hits, stages;
+    double tolerance; /* 0: none */
+    size_t limit;
     const char *from; /* who emits, or NULL: all */
     struct command_texts emissivities, temperatures; /* NAME=VALUE */
 };

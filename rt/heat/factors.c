@@ -109,6 +109,8 @@ static bool count_rays(const struct repeats *repeats, struct factor_row *row)
                          packet->counts[row->receivers]);
         for (size_t j = 0; j < row->receivers; j++)
             row->count[j] += (uint64_t)c205_to_integer(packet->counts[j]);
+        for (int i = 0; i < HEAT_STEPS; i++)
+            row->clocks[i] += packet->clocks[i];
         good = accounts_add_all(&row->accounts, &packet->accounts);
     }
     return good;
@@ -285,6 +287,7 @@ static bool run_farm(struct rows_work *work, c205_error *error)
         .farm = options->farm,
         .count = unit_count(work),
         .jobs = options->jobs,
+        .first = (uint64_t)options->points << 32,
         .run = run_unit,
         .take = take_unit,
         .context = work,

@@ -15,15 +15,16 @@
 #include "rt/farm/farm.h"
 #include "rt/heat/emission.h"
 #include "rt/heat/estimate.h"
+#include "rt/heat/step.h"
 #include "rt/trace/lines.h"
 
 struct factors_options {
     enum trace_mode mode;
-    size_t queue;         /* in vector mode: of points and of rays */
-    size_t points;        /* of each repeat: 1 .. EMISSION_MOST; of the
+    size_t queue;   /* in vector mode: of points and of rays */
+    size_t points;  /* of each repeat: 1 .. EMISSION_MOST; of the
                              lattice a power of two is best */
-    size_t repeats;       /* 2 or more: their spread gives the errors */
-    bool lattice;         /* .. under independent shifts; else random */
+    size_t repeats; /* 2 or more: their spread gives the errors */
+    bool lattice;   /* .. under independent shifts; else random */
     uint64_t seed;
     size_t jobs;       /* packets at a time; 0: one */
     struct farm *farm; /* as in farm_work */
@@ -45,6 +46,7 @@ struct factor_row {
     uint64_t *count;          /* of rays, by receiver; their sum is sent */
     struct estimate *factor;  /* .. as a share of the area; their sum is 1 */
     struct accounts accounts; /* of all machines */
+    uint64_t clocks[HEAT_STEPS]; /* .. of them */
 };
 void factor_row_free(struct factor_row *row);
 

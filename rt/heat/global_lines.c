@@ -198,6 +198,7 @@ struct global_packet {
     struct seen_crossings seen;
     c205_word *counts; /* of gaps, a row for each surface */
     struct accounts accounts;
+    uint64_t clocks[HEAT_STEPS]; /* .. of them */
     c205_error *error;
 };
 
@@ -218,6 +219,7 @@ static bool make_lines(struct global_packet *packet)
     if (!emission_run(work->sphere, &choice, packet->planes,
                       &packet->accounts, packet->error))
         return false;
+    heat_charge(packet->clocks, &packet->accounts, STEP_EMISSION);
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < 3; k++) {
             packet->lines[i].origin[k] = c205_to_double(
@@ -338,9 +340,11 @@ static bool run_packet(struct global_packet *packet)
                               packet->error);
 
     if (good)
-        good = (accounts_add_all(&packet->accounts, &packet->seen.accounts)
-                || error_say(packet->error, "no memory"))
-               && count_all(packet);
+        good = accounts_add_all(&packet->accounts, &packet->seen.accounts)
+               || error_say(packet->error, "no memory");
+    heat_charge(packet->clocks, &packet->accounts, STEP_CROSSINGS);
+    good = good && count_all(packet);
+    heat_charge(packet->clocks, &packet->accounts, STEP_COUNTS);
     seen_crossings_free(&packet->seen);
     return good;
 }
@@ -399,6 +403,7 @@ static bool run_unit(void *context, size_t job, size_t unit,
     (void)job;
     if (good) {
         words_put_accounts(words, &packet.accounts);
+        words_put_all(words, packet.clocks, HEAT_STEPS);
         put_counts(&packet, words);
     }
     end_packet(&packet);
@@ -441,10 +446,14 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
 {
     const struct global_work *work = context;
     struct accounts accounts = { .model = work->options->model };
-    bool good = words_take_accounts(words, &accounts)
-                && are_counts(work, words)
-                && accounts_add_all(&work->found->accounts, &accounts);
+    uint64_t clocks[HEAT_STEPS] = { 0 };
+    bool good = words_take_accounts(words, &accounts);
 
+    words_take_all(words, clocks, HEAT_STEPS);
+    good = good && are_counts(work, words)
+           && accounts_add_all(&work->found->accounts, &accounts);
+    for (int i = 0; good && i < HEAT_STEPS; i++)
+        work->found->clocks[i] += clocks[i];
     for (uint64_t i = good ? words_take(words) : 0; i > 0; i--) {
         uint64_t cell = words_take(words);
 
@@ -482,6 +491,7 @@ static bool run(struct global_work *work, c205_error *error)
         .farm = options->farm,
         .count = unit_count(work),
         .jobs = options->jobs,
+        .first = (uint64_t)options->lines_log << 32,
         .run = run_unit,
         .take = take_unit,
         .context = work,

@@ -19,16 +19,17 @@
 #include "base/accounts.h"
 #include "rt/farm/farm.h"
 #include "rt/heat/estimate.h"
+#include "rt/heat/step.h"
 #include "rt/trace/trace.h"
 
 enum { GLOBAL_LINES_LOG_MOST = 20, GLOBAL_LINES_PACKET = 4096 };
 
 struct global_lines_options {
     enum trace_mode mode;
-    size_t queue;         /* lines at a time; not in scalar mode */
-    size_t lines_log;     /* 2^lines_log lines of each repeat */
-    size_t repeats;       /* 2 or more: their spread gives the errors */
-    bool lattice;         /* or random */
+    size_t queue;     /* lines at a time; not in scalar mode */
+    size_t lines_log; /* 2^lines_log lines of each repeat */
+    size_t repeats;   /* 2 or more: their spread gives the errors */
+    bool lattice;     /* or random */
     size_t seed;
     size_t jobs;       /* packets at a time; 0: one */
     struct farm *farm; /* as in farm_work */
@@ -49,6 +50,7 @@ struct global_lines {
     double radius;  /* of the sphere */
     uint64_t *ends; /* n_ij: [repeats][surfaces + 1][surfaces + 1] */
     struct accounts accounts;
+    uint64_t clocks[HEAT_STEPS]; /* .. of them */
 };
 
 /* Where the farm does not collect packets (farm_collects) nothing is counted.  False:

@@ -94,6 +94,7 @@ void packet_put(const struct packet *packet, struct unit_words *words)
 {
     words_put(words, packet->stay);
     words_put_all(words, packet->sums, packet->width);
+    words_put_all(words, packet->clocks, HEAT_STEPS);
     words_put_accounts(words, &packet->accounts);
 }
 
@@ -101,6 +102,7 @@ bool packet_take(struct packet *packet, struct unit_words *words)
 {
     packet->stay = words_take(words);
     words_take_all(words, packet->sums, packet->width);
+    words_take_all(words, packet->clocks, HEAT_STEPS);
     if (!words->failed && words_take_accounts(words, &packet->accounts))
         return true;
     accounts_free(&packet->accounts);
@@ -120,6 +122,12 @@ struct packet_work {
     c205_error *error;
 };
 
+/* What the machines have taken since the step before. */
+static void charge(const struct packet_work *work, enum heat_step step)
+{
+    heat_charge(work->packet->clocks, &work->packet->accounts, step);
+}
+
 /* Each primitive has shifts, or rays, of its own. */
 static bool emit(const struct packet_work *work)
 {
@@ -129,8 +137,11 @@ static bool emit(const struct packet_work *work)
                                                     options->seed,
                                                     options->points, place);
 
-    return emission_run(work->emission, &choice, work->made,
-                        &work->packet->accounts, work->error);
+    if (!emission_run(work->emission, &choice, work->made,
+                      &work->packet->accounts, work->error))
+        return false;
+    charge(work, STEP_EMISSION);
+    return true;
 }
 
 /* Those crossings that lines find from the points on in directions of these planes. */
@@ -222,6 +233,7 @@ static bool keep_faces(const struct packet_work *work)
     list = lay_crossings(&found);
     good = list ? run_faces(work, list, found.first[found.line_count])
                 : error_say(work->error, "no memory");
+    charge(work, STEP_FACES);
     free(list);
     seen_crossings_free(&found);
     return good;
@@ -300,11 +312,13 @@ static bool receive(const struct packet_work *work)
     if (!follow(work, work->programs->rays, work->stays, EMITTED_RAY, rays,
                 &found))
         return false;
+    charge(work, STEP_CROSSINGS);
     list = calloc(rays, sizeof *list);
     if (list)
         list_receivers(work, &found, list);
     good = list ? run_received(work, list)
                 : error_say(work->error, "no memory");
+    charge(work, STEP_COUNTS);
     free(list);
     seen_crossings_free(&found);
     return good;

@@ -35,6 +35,7 @@ struct packet {
     c205_word *sums; /* of weights: by receiver, of what is covered, of all */
     c205_word *counts; /* of rays: by receiver, of what is covered */
     struct accounts accounts;
+    uint64_t clocks[HEAT_STEPS]; /* .. of them */
 };
 
 /* False: no memory.  Free it in either case. */

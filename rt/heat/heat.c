@@ -1,0 +1,352 @@
+#include "rt/heat/heat.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "rt/farm/farm.h"
+#include "rt/scene/given_values.h"
+
+/* What there is besides while it is found. */
+struct heat_work {
+    struct heat *heat;
+    struct given_values emissivities, temperatures;
+    size_t emitter_count, *emitters; /* primitives, in order */
+    struct factor_row *rows;         /* of all primitives */
+    c205_error *error;
+};
+
+static bool collects(const struct heat *heat)
+{
+    return !heat->request->farm || farm_collects(heat->request->farm);
+}
+
+static bool add_accounts(const struct heat_work *work,
+                         const struct accounts *accounts,
+                         const uint64_t clocks[HEAT_STEPS])
+{
+    for (int i = 0; i < HEAT_STEPS; i++)
+        work->heat->clocks[i] += clocks[i];
+    return accounts_add_all(&work->heat->accounts, accounts)
+           || error_say(work->error, "no memory");
+}
+
+/* ---- By rays --------------------------------------------------------------- */
+
+static void list_emitters(struct heat_work *work)
+{
+    const struct scene *scene = work->heat->scene;
+
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (!emission_refusal(&scene->primitives[i]))
+            work->emitters[work->emitter_count++] = i;
+}
+
+static bool find_rows(struct heat_work *work)
+{
+    struct heat *heat = work->heat;
+    const struct heat_request *request = heat->request;
+    const struct factors_options options = {
+        .mode = request->mode,
+        .queue = request->queue,
+        .points = heat->drawn,
+        .repeats = request->repeats,
+        .lattice = request->lattice,
+        .seed = request->seed,
+        .jobs = request->jobs,
+        .farm = request->farm,
+        .progress = request->progress,
+        .context = request->context,
+        .receiver_of = heat->surfaces.surface_of,
+        .receivers = heat->surfaces.count,
+        .model = request->model,
+    };
+    struct factors *factors = factors_new(heat->scene, &options, work->error);
+    bool good = factors
+                && factors_find(factors, work->emitters, work->emitter_count,
+                                work->rows, work->error);
+
+    if (good)
+        heat->units = factors_units(factors, work->emitter_count);
+    factors_free(factors);
+    return good;
+}
+
+/* The rows of emitters become those of their primitives. */
+static void place_rows(const struct heat_work *work)
+{
+    for (size_t i = work->emitter_count; i-- > 0;) {
+        struct factor_row row = work->rows[i];
+
+        work->rows[i] = (struct factor_row){ .receivers = 0 };
+        work->rows[work->emitters[i]] = row;
+    }
+}
+
+static bool combine_rows(const struct heat_work *work)
+{
+    for (size_t i = 0; i < work->heat->scene->primitive_count; i++)
+        if (!add_accounts(work, &work->rows[i].accounts,
+                          work->rows[i].clocks))
+            return false;
+    surfaces_combine(&work->heat->surfaces, work->rows);
+    return true;
+}
+
+static bool find_by_rays(struct heat_work *work)
+{
+    size_t primitives = work->heat->scene->primitive_count;
+    bool good;
+
+    work->emitter_count = 0;
+    work->emitters = calloc(primitives + 1, sizeof *work->emitters);
+    work->rows = calloc(primitives + 1, sizeof *work->rows);
+    good = (work->emitters && work->rows)
+           || error_say(work->error, "no memory");
+    if (good) {
+        list_emitters(work);
+        good = find_rows(work);
+    }
+    if (good && collects(work->heat)) {
+        place_rows(work);
+        good = combine_rows(work);
+    }
+    for (size_t i = 0; work->rows && i < primitives; i++)
+        factor_row_free(&work->rows[i]);
+    free(work->emitters);
+    free(work->rows);
+    return good;
+}
+
+/* ---- By lines -------------------------------------------------------------- */
+
+static size_t log_of(size_t count)
+{
+    size_t log = 0;
+
+    while ((size_t)1 << log < count)
+        log++;
+    return log;
+}
+
+static bool find_by_lines(struct heat_work *work)
+{
+    struct heat *heat = work->heat;
+    const struct heat_request *request = heat->request;
+    const struct global_lines_options options = {
+        .mode = request->mode,
+        .queue = request->queue,
+        .lines_log = log_of(heat->drawn),
+        .repeats = request->repeats,
+        .lattice = request->lattice,
+        .seed = request->seed,
+        .jobs = request->jobs,
+        .farm = request->farm,
+        .progress = request->progress,
+        .context = request->context,
+        .surface_of = heat->surfaces.surface_of,
+        .surfaces = heat->surfaces.count,
+        .model = request->model,
+    };
+    struct global_lines found;
+    bool good;
+
+    if (!global_lines_find(heat->scene, &options, &found, work->error))
+        return false;
+    heat->units = found.units;
+    good = !collects(heat)
+           || add_accounts(work, &found.accounts, found.clocks);
+    if (good && collects(heat))
+        surfaces_take_lines(&heat->surfaces, &found);
+    global_lines_free(&found);
+    return good;
+}
+
+/* ---- Until it is precise --------------------------------------------------- */
+
+bool heat_is_precise(const struct heat *heat)
+{
+    double tolerance = heat->request->tolerance;
+
+    return tolerance == 0 || heat->worst <= tolerance;
+}
+
+static void find_worst(struct heat *heat)
+{
+    const struct surfaces *surfaces = &heat->surfaces;
+
+    heat->worst = -1;
+    for (size_t i = 0; i < surfaces->count; i++)
+        for (size_t j = 0; j <= surfaces->count; j++) {
+            const struct surface *surface = &surfaces->list[i];
+
+            if (surface->sent == 0 || surface->factor[j].error <= heat->worst)
+                continue;
+            heat->worst = surface->factor[j].error;
+            heat->worst_from = i;
+            heat->worst_to = j;
+        }
+}
+
+/* How many are drawn in the next round; 0: none is needed, or allowed. */
+static uint64_t find_next(struct heat *heat)
+{
+    size_t limit = heat->request->limit;
+
+    if (!collects(heat))
+        return 0;
+    find_worst(heat);
+    if (heat_is_precise(heat) || heat->drawn >= limit)
+        return 0;
+    return heat->drawn < limit / 4 ? 4 * heat->drawn : limit;
+}
+
+static bool begin_round(const struct heat_work *work)
+{
+    struct heat *heat = work->heat;
+
+    accounts_free(&heat->accounts);
+    heat->accounts = (struct accounts){ .model = heat->request->model };
+    memset(heat->clocks, 0, sizeof heat->clocks);
+    surfaces_free(&heat->surfaces);
+    return surfaces_find(heat->scene, &heat->parts, heat->request->by,
+                         &heat->surfaces)
+           || error_say(work->error, "no memory");
+}
+
+static bool find_factors(struct heat_work *work)
+{
+    const struct heat_request *request = work->heat->request;
+    uint64_t next = request->drawn;
+
+    do {
+        work->heat->drawn = (size_t)next;
+        if (!begin_round(work)
+            || !(request->by_lines ? find_by_lines(work)
+                                   : find_by_rays(work)))
+            return false;
+        next = find_next(work->heat);
+        if (request->farm && !farm_agree(request->farm, &next))
+            return error_say(work->error, "there is no more work");
+    } while (next > 0);
+    return true;
+}
+
+/* ---- What is given --------------------------------------------------------- */
+
+static bool take_given(const struct heat_work *work,
+                       struct given_values *given,
+                       const struct value_kind *kind,
+                       const char *const *texts, size_t count,
+                       const char *besides)
+{
+    bool good = true;
+
+    given_begin(given, kind);
+    for (size_t i = 0; good && i < count; i++)
+        good = given_add(given, texts[i], work->error);
+    return good
+           && given_check(given, &work->heat->parts, besides, work->error)
+           && given_add_scene(given, work->heat->scene, work->error);
+}
+
+static bool begin(struct heat_work *work)
+{
+    const struct heat *heat = work->heat;
+    const struct heat_request *request = heat->request;
+
+    if (!named_parts_find(heat->scene, &work->heat->parts))
+        return error_say(work->error, "no memory");
+    if (heat->scene->primitive_count == 0)
+        return error_say(work->error, "the scene has no surfaces");
+    return take_given(work, &work->emissivities, &emissivity_kind,
+                      request->emissivities, request->emissivity_count, NULL)
+           && take_given(work, &work->temperatures, &temperature_kind,
+                         request->temperatures, request->temperature_count,
+                         thermal_environment);
+}
+
+static bool find_exchange(const struct heat_work *work)
+{
+    struct heat *heat = work->heat;
+    const struct heat_request *request = heat->request;
+
+    if (!request->exchange || !collects(heat))
+        return true;
+    if (!thermal_find(&heat->surfaces, &heat->parts, &work->emissivities,
+                      &work->temperatures, request->mode, request->model,
+                      &heat->thermal, work->error)
+        || !accounts_add_all(&heat->accounts,
+                             &heat->thermal.exchange.accounts))
+        return false;
+    heat_charge(heat->clocks, &heat->accounts, STEP_EXCHANGE);
+    return true;
+}
+
+bool heat_find(const struct scene *scene, const struct heat_request *request,
+               struct heat *heat, c205_error *error)
+{
+    struct heat_work work = { .heat = heat, .error = error };
+    bool good;
+
+    *heat = (struct heat){ .request = request, .scene = scene };
+    good = begin(&work) && find_factors(&work) && find_exchange(&work);
+    given_free(&work.emissivities);
+    given_free(&work.temperatures);
+    return good;
+}
+
+void heat_free(struct heat *heat)
+{
+    thermal_free(&heat->thermal);
+    surfaces_free(&heat->surfaces);
+    named_parts_free(&heat->parts);
+    accounts_free(&heat->accounts);
+    *heat = (struct heat){ .request = NULL };
+}
+
+/* ---- What was found -------------------------------------------------------- */
+
+const char *heat_receiver(const struct heat *heat, size_t to)
+{
+    return to == heat->surfaces.count ? thermal_environment
+                                      : heat->surfaces.list[to].name;
+}
+
+static bool is_same_surface(const struct surface *one,
+                            const struct surface *other, size_t receivers)
+{
+    return one->tried == other->tried && one->sent == other->sent
+           && memcmp(&one->area, &other->area, sizeof one->area) == 0
+           && memcmp(one->count, other->count, receivers * sizeof *one->count)
+                  == 0
+           && memcmp(one->factor, other->factor,
+                     receivers * sizeof *one->factor)
+                  == 0;
+}
+
+static bool is_same_exchange(const struct exchange *one,
+                             const struct exchange *other)
+{
+    size_t size = one->count * sizeof *one->flow;
+
+    return one->count == other->count
+           && (size == 0
+               || (memcmp(one->radiosity, other->radiosity, size) == 0
+                   && memcmp(one->irradiation, other->irradiation, size) == 0
+                   && memcmp(one->flow, other->flow, size) == 0));
+}
+
+bool heat_is_same(const struct heat *one, const struct heat *other)
+{
+    size_t count = one->surfaces.count;
+    bool same = one->drawn == other->drawn && count == other->surfaces.count;
+
+    for (size_t i = 0; same && i < count; i++)
+        same = is_same_surface(&one->surfaces.list[i],
+                               &other->surfaces.list[i], count + 1);
+    return same
+           && is_same_exchange(&one->thermal.exchange,
+                               &other->thermal.exchange);
+}

@@ -1,0 +1,103 @@
+#include "rt/heat/heat_tables.h"
+
+#include <math.h>
+
+static const struct table_column area_columns[] = {
+    { "surface", "surface", TABLE_TEXT, 0 },
+    { "kind", "kind", TABLE_TEXT, 0 },
+    { "line", "line", TABLE_COUNT, 0 },
+    { "area", "area", TABLE_NUMBER, 6 },
+    { "area_error", "+-", TABLE_NUMBER, 6 },
+    { "points", "points", TABLE_COUNT, 0 },
+    { "rays", "rays", TABLE_COUNT, 0 },
+};
+static const struct table_column factor_columns[] = {
+    { "from", "from", TABLE_TEXT, 0 },
+    { "to", "to", TABLE_TEXT, 0 },
+    { "factor", "factor", TABLE_NUMBER, 6 },
+    { "factor_error", "+-", TABLE_NUMBER, 6 },
+    { "rays", "rays", TABLE_COUNT, 0 },
+    { "back", "A F - A' F', sigmas", TABLE_NUMBER, 2 },
+};
+static const struct table_column flow_columns[] = {
+    { "surface", "surface", TABLE_TEXT, 0 },
+    { "emissivity", "emissivity", TABLE_NUMBER, 3 },
+    { "temperature", "K", TABLE_NUMBER, 1 },
+    { "radiosity", "J, W/m^2", TABLE_NUMBER, 3 },
+    { "irradiation", "H, W/m^2", TABLE_NUMBER, 3 },
+    { "flow", "loses, W", TABLE_NUMBER, 3 },
+};
+
+struct table *heat_table_of_areas(const struct heat *heat)
+{
+    struct table *table = table_new(TABLE_COLUMNS(area_columns));
+
+    for (size_t i = 0; table && i < heat->surfaces.count; i++) {
+        const struct surface *surface = &heat->surfaces.list[i];
+
+        if (surface->tried == 0)
+            continue;
+        table_text(table, surface->name);
+        table_text(table, primitive_kind_name(surface->first->kind));
+        table_count(table, surface->first->line);
+        table_number(table, surface->area.value);
+        table_number(table, surface->area.error);
+        table_count(table, surface->tried);
+        table_count(table, surface->sent);
+    }
+    return table;
+}
+
+struct table *heat_table_of_factors(const struct heat *heat)
+{
+    const struct surfaces *surfaces = &heat->surfaces;
+    struct table *table = table_new(TABLE_COLUMNS(factor_columns));
+
+    for (size_t i = 0; table && i < surfaces->count; i++)
+        for (size_t j = 0; j <= surfaces->count; j++) {
+            const struct surface *surface = &surfaces->list[i];
+
+            if (surface->count[j] == 0)
+                continue;
+            table_text(table, surface->name);
+            table_text(table, heat_receiver(heat, j));
+            table_number(table, surface->factor[j].value);
+            table_number(table, surface->factor[j].error);
+            table_count(table, surface->count[j]);
+            table_number(table, surfaces_reciprocity(surfaces, i, j));
+        }
+    return table;
+}
+
+static void add_flow(struct table *table, const char *name, double emissivity,
+                     double temperature, double flow)
+{
+    table_text(table, name);
+    table_number(table, emissivity);
+    table_number(table, temperature);
+    table_number(table, NAN);
+    table_number(table, NAN);
+    table_number(table, flow);
+}
+
+struct table *heat_table_of_flows(const struct heat *heat)
+{
+    const struct thermal *thermal = &heat->thermal;
+    const struct exchange *exchange = &thermal->exchange;
+    struct table *table = table_new(TABLE_COLUMNS(flow_columns));
+
+    for (size_t i = 0; table && i < thermal->count; i++) {
+        table_text(table, heat->surfaces.list[thermal->surface[i]].name);
+        table_number(table, thermal->emissivity[i]);
+        table_number(table, thermal->temperature[i]);
+        table_number(table, exchange->radiosity[i]);
+        table_number(table, exchange->irradiation[i]);
+        table_number(table, exchange->flow[i]);
+    }
+    if (table) {
+        add_flow(table, thermal_environment, 1, thermal->outside,
+                 exchange->outside);
+        add_flow(table, "all", NAN, NAN, exchange->sum);
+    }
+    return table;
+}

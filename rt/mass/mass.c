@@ -1,0 +1,235 @@
+#include "rt/mass/mass.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "rt/farm/farm.h"
+#include "rt/mass/bodies.h"
+#include "rt/mass/densities.h"
+
+/* ---- Densities and rows -------------------------------------------------- */
+
+static bool take_densities(const struct mass *mass,
+                           struct given_values *densities,
+                           struct diagnostics *reports, c205_error *error)
+{
+    const struct mass_request *request = mass->request;
+    bool good = true;
+
+    for (size_t i = 0; good && i < request->density_count; i++)
+        good = given_add(densities, request->densities[i], error);
+    good = good && given_check(densities, &mass->parts, NULL, error);
+    if (good && request->density_file
+        && !given_read(densities, request->density_file, reports))
+        return error_say(error, "the file of densities is not used");
+    return good && given_add_scene(densities, mass->scene, error);
+}
+
+/* Of each part. */
+static bool weigh_parts(struct mass *mass, struct diagnostics *reports,
+                        c205_error *error)
+{
+    struct given_values densities;
+    bool good;
+
+    given_begin(&densities, &density_kind);
+    mass->weights = calloc(mass->parts.count + 1, sizeof *mass->weights);
+    good = mass->weights && take_densities(mass, &densities, reports, error)
+           && densities_find(&densities, &mass->parts, mass->weights, error);
+    given_free(&densities);
+    return good;
+}
+
+static const char *row_name(const struct mass *mass,
+                            const struct named_part *part)
+{
+    if (mass->request->by == MASS_BY_PART)
+        return part->name;
+    return part->material ? part->material : "none";
+}
+
+static struct mass_row *find_row(struct mass *mass, const char *name)
+{
+    struct mass_row *row = mass->rows;
+
+    while (row < mass->rows + mass->row_count && strcmp(row->name, name) != 0)
+        row++;
+    if (row == mass->rows + mass->row_count) {
+        row->density = mass->densities
+                       + mass->row_count++ * mass->parts.count;
+        row->name = name;
+    }
+    return row;
+}
+
+/* One for each name, then one of all, if there are several. */
+static bool make_rows(struct mass *mass)
+{
+    size_t count = mass->parts.count;
+
+    mass->rows = calloc(count + 1, sizeof *mass->rows);
+    mass->densities = calloc((count + 1) * count + 1,
+                             sizeof *mass->densities);
+    if (!mass->rows || !mass->densities)
+        return false;
+    for (size_t i = 0; i < count; i++) {
+        const struct named_part *part = &mass->parts.list[i];
+
+        if (part->left_out)
+            continue;
+        find_row(mass, row_name(mass, part))->density[i] =
+            mass_units_density(&mass->request->units, mass->weights[i]);
+    }
+    if (mass->row_count > 1) {
+        struct mass_row *all = &mass->rows[mass->row_count];
+
+        all->name = "all";
+        all->density = mass->densities + mass->row_count * count;
+        for (size_t i = 0; i < mass->row_count * count; i++)
+            all->density[i % count] += mass->densities[i];
+        mass->row_count++;
+    }
+    return true;
+}
+
+/* ---- The machine's mass -------------------------------------------------- */
+
+static bool sum_columns(struct mass *mass, c205_error *error)
+{
+    const struct mass_request *request = mass->request;
+    const struct columns_options options = {
+        .mode = request->mode,
+        .queue = request->queue,
+        .points = request->points,
+        .rays_log = mass->rays_log,
+        .repeats = request->repeats,
+        .seed = request->seed,
+        .jobs = request->jobs,
+        .overlaps = &mass->overlaps,
+        .part_count = mass->parts.count,
+        .part_of = mass->parts.part_of,
+        .model = request->model,
+        .progress = request->progress,
+        .context = request->context,
+        .farm = request->farm,
+    };
+
+    return columns_sum(&mass->bodies, &options, &mass->sums, error);
+}
+
+static bool find_figures(struct mass *mass, c205_error *error)
+{
+    mass->worst = -1;
+    for (size_t i = 0; i < mass->row_count; i++) {
+        struct mass_row *row = &mass->rows[i];
+        const struct mass_body body = { .sums = &mass->sums,
+                                        .density = row->density,
+                                        .about = mass->request->about };
+        size_t figure = 0;
+        double worst;
+
+        if (!mass_figures_find(&body, &row->figures))
+            return error_say(error, "no memory");
+        worst = mass_worst(&row->figures, &mass->sums, &figure);
+        if (worst > mass->worst) {
+            mass->worst = worst;
+            mass->worst_row = i;
+            mass->worst_figure = figure;
+        }
+    }
+    return true;
+}
+
+/* A view's rays, so many in all shifts, as a power of two under each. */
+static size_t log_of_rays(size_t rays, size_t repeats)
+{
+    size_t log = 0;
+
+    while (log < COLUMNS_LOG_MOST && (repeats << log) < rays)
+        log++;
+    return log;
+}
+
+bool mass_is_precise(const struct mass *mass)
+{
+    double tolerance = mass->request->tolerance;
+
+    return tolerance == 0 || mass->worst <= tolerance;
+}
+
+/* With four times as many rays as long as errors are larger than the tolerance; the
+ * logarithm of these, or 0: no more are needed. */
+static bool find_next(struct mass *mass, uint64_t *next, c205_error *error)
+{
+    const struct mass_request *request = mass->request;
+    size_t last = log_of_rays(request->limit, request->repeats);
+
+    *next = 0;
+    if (request->farm && !farm_collects(request->farm))
+        return true;
+    if (!find_figures(mass, error))
+        return false;
+    if (!mass_is_precise(mass) && mass->rays_log < last)
+        *next = mass->rays_log + 2 < last ? mass->rays_log + 2 : last;
+    return true;
+}
+
+bool mass_find(struct mass *mass, c205_error *error)
+{
+    const struct mass_request *request = mass->request;
+    uint64_t next = log_of_rays(request->rays, request->repeats);
+
+    do {
+        columns_sums_free(&mass->sums);
+        mass->rays_log = (size_t)next;
+        if (!sum_columns(mass, error) || !find_next(mass, &next, error))
+            return false;
+        if (request->farm && !farm_agree(request->farm, &next))
+            return error_say(error, "there is no more work");
+    } while (next > 0);
+    return true;
+}
+
+/* ---- To begin and to end ------------------------------------------------- */
+
+static bool choose_parts(struct mass *mass, c205_error *error)
+{
+    const struct mass_request *request = mass->request;
+
+    return named_parts_find(mass->scene, &mass->parts)
+           && bodies_find_endless(mass->scene, &mass->parts)
+           && named_parts_choose(&mass->parts, request->parts,
+                                 request->part_count, error)
+           && bodies_take(mass->scene, &mass->parts, &mass->bodies)
+           && (!request->overlaps
+               || overlaps_find(&mass->bodies, mass->parts.part_of,
+                                mass->parts.count, &mass->overlaps));
+}
+
+bool mass_begin(const struct scene *scene, const struct mass_request *request,
+                struct mass *mass, struct diagnostics *reports,
+                c205_error *error)
+{
+    *mass = (struct mass){ .request = request, .scene = scene };
+    error_say(error, "no memory");
+    return choose_parts(mass, error) && weigh_parts(mass, reports, error)
+           && make_rows(mass);
+}
+
+void mass_free(struct mass *mass)
+{
+    columns_sums_free(&mass->sums);
+    overlaps_free(&mass->overlaps);
+    bodies_free(&mass->bodies);
+    named_parts_free(&mass->parts);
+    free(mass->rows);
+    free(mass->weights);
+    free(mass->densities);
+    *mass = (struct mass){ .request = NULL };
+}
+
+size_t mass_rays(const struct mass *mass)
+{
+    return VIEWS * mass->sums.repeats << mass->sums.rays_log;
+}

@@ -1,0 +1,23 @@
+/* stages.h - what each step of a computation takes in its three stages: scalar; as in 1984,
+ * vector kernels in scalar programs; vector. */
+#ifndef RT_STAGES_H
+#define RT_STAGES_H
+
+#include "base/table.h"
+#include "rt/trace/trace.h"
+
+enum { STAGES_STEPS_MOST = 8 };
+
+/* Clocks of each stage, which its mode is the number of, by steps. */
+struct stages {
+    size_t step_count;
+    const char *steps[STAGES_STEPS_MOST];
+    uint64_t clocks[TRACE_MODES][STAGES_STEPS_MOST];
+};
+
+uint64_t stages_clocks(const struct stages *stages, enum trace_mode mode);
+/* Step by step, then all of them: clocks, and how many times those of the scalar stage are
+ * these.  NULL: no memory. */
+struct table *stages_table(const struct stages *stages);
+
+#endif
