@@ -48,6 +48,7 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
         .seed = wishes->seed,
         .tolerance = wishes->tolerance,
         .limit = wishes->limit < most ? wishes->limit : most,
+        .smooth = wishes->smooth,
         .exchange = wishes->exchange,
         .emissivities = wishes->emissivities.items,
         .emissivity_count = wishes->emissivities.count,
@@ -141,6 +142,9 @@ static bool tell_tables(const struct heat *heat, const struct stages *stages,
                      "Areas that are seen")
            && tell_part(results, heat_table_of_factors(heat), "factors",
                         "Factors")
+           && (!heat->request->smooth
+               || tell_part(results, heat_table_of_smoothed(heat), "smoothed",
+                            "Smoothed factors"))
            && (!heat->request->exchange
                || tell_part(results, heat_table_of_flows(heat), "flows",
                             "Flows"))
@@ -323,6 +327,9 @@ static const struct command_option options[] = {
     CMD_FLAG(
         "exchange", heat.exchange,
         "also what they lose, of grey diffuse surfaces; lengths are metres"),
+    CMD_FLAG("smooth", heat.smooth,
+             "also the nearest factors that have reciprocity and closure; "
+             "the exchange is by these"),
     { .name = "temperature",
       .value = "NAME=KELVINS",
       .kind = COMMAND_TEXT,

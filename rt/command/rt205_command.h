@@ -43,7 +43,7 @@ struct cmd_heat {
     size_t rays, repeats, seed, lines; /* lines: 0: rays */
     int points;                        /* 0: of the lattice, 1: random */
     int by;
-    bool exchange, hits, stages;
+    bool exchange, smooth, hits, stages;
     double tolerance; /* 0: none */
     size_t limit;
     const char *from; /* who emits, or NULL: all */

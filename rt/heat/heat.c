@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "rt/farm/farm.h"
+#include "rt/heat/smooth.h"
 #include "rt/scene/given_values.h"
 
 /* What there is besides while it is found. */
@@ -267,6 +268,20 @@ static bool begin(struct heat_work *work)
                          thermal_environment);
 }
 
+static bool smooth(const struct heat_work *work)
+{
+    struct heat *heat = work->heat;
+    const struct heat_request *request = heat->request;
+
+    if (!request->smooth || !collects(heat))
+        return true;
+    if (!smooth_surfaces(&heat->surfaces, request->mode, request->model,
+                         &heat->accounts, work->error))
+        return false;
+    heat_charge(heat->clocks, &heat->accounts, STEP_SMOOTHING);
+    return true;
+}
+
 static bool find_exchange(const struct heat_work *work)
 {
     struct heat *heat = work->heat;
@@ -291,7 +306,8 @@ bool heat_find(const struct scene *scene, const struct heat_request *request,
     bool good;
 
     *heat = (struct heat){ .request = request, .scene = scene };
-    good = begin(&work) && find_factors(&work) && find_exchange(&work);
+    good = begin(&work) && find_factors(&work) && smooth(&work)
+           && find_exchange(&work);
     given_free(&work.emissivities);
     given_free(&work.temperatures);
     return good;
@@ -323,6 +339,9 @@ static bool is_same_surface(const struct surface *one,
                   == 0
            && memcmp(one->factor, other->factor,
                      receivers * sizeof *one->factor)
+                  == 0
+           && memcmp(one->smooth, other->smooth,
+                     receivers * sizeof *one->smooth)
                   == 0;
 }
 

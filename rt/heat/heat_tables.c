@@ -19,6 +19,14 @@ static const struct table_column factor_columns[] = {
     { "rays", "rays", TABLE_COUNT, 0 },
     { "back", "A F - A' F', sigmas", TABLE_NUMBER, 2 },
 };
+static const struct table_column smoothed_columns[] = {
+    { "from", "from", TABLE_TEXT, 0 },
+    { "to", "to", TABLE_TEXT, 0 },
+    { "factor", "factor", TABLE_NUMBER, 6 },
+    { "factor_error", "+-", TABLE_NUMBER, 6 },
+    { "smoothed", "smoothed", TABLE_NUMBER, 6 },
+    { "moved", "moved, sigmas", TABLE_NUMBER, 2 },
+};
 static const struct table_column flow_columns[] = {
     { "surface", "surface", TABLE_TEXT, 0 },
     { "emissivity", "emissivity", TABLE_NUMBER, 3 },
@@ -65,6 +73,31 @@ struct table *heat_table_of_factors(const struct heat *heat)
             table_number(table, surface->factor[j].error);
             table_count(table, surface->count[j]);
             table_number(table, surfaces_reciprocity(surfaces, i, j));
+        }
+    return table;
+}
+
+struct table *heat_table_of_smoothed(const struct heat *heat)
+{
+    const struct surfaces *surfaces = &heat->surfaces;
+    struct table *table = table_new(TABLE_COLUMNS(smoothed_columns));
+
+    for (size_t i = 0; table && i < surfaces->count; i++)
+        for (size_t j = 0; j <= surfaces->count; j++) {
+            const struct surface *surface = &surfaces->list[i];
+            struct estimate factor = surface->factor[j];
+
+            if (surface->count[j] == 0 && surface->smooth[j] == 0)
+                continue;
+            table_text(table, surface->name);
+            table_text(table, heat_receiver(heat, j));
+            table_number(table, factor.value);
+            table_number(table, factor.error);
+            table_number(table, surface->smooth[j]);
+            table_number(table, factor.error > 1e-9
+                                    ? (surface->smooth[j] - factor.value)
+                                          / factor.error
+                                    : NAN);
         }
     return table;
 }

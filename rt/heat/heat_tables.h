@@ -8,6 +8,8 @@
 /* Of a part or a material the kind and the line are those of its first primitive. */
 struct table *heat_table_of_areas(const struct heat *heat);
 struct table *heat_table_of_factors(const struct heat *heat);
+/* .. beside those that are smoothed, and by how many standard errors these are off. */
+struct table *heat_table_of_smoothed(const struct heat *heat);
 /* Then that of the environment, and of all together. */
 struct table *heat_table_of_flows(const struct heat *heat);
 

@@ -61,7 +61,9 @@ static bool make_rows(struct surfaces *surfaces)
         surface->count = calloc(surfaces->count + 1, sizeof *surface->count);
         surface->factor = calloc(surfaces->count + 1,
                                  sizeof *surface->factor);
-        good = surface->count && surface->factor;
+        surface->smooth = calloc(surfaces->count + 1,
+                                 sizeof *surface->smooth);
+        good = surface->count && surface->factor && surface->smooth;
     }
     return good;
 }
@@ -88,6 +90,7 @@ void surfaces_free(struct surfaces *surfaces)
     for (size_t i = 0; surfaces->list && i < surfaces->count; i++) {
         free(surfaces->list[i].count);
         free(surfaces->list[i].factor);
+        free(surfaces->list[i].smooth);
     }
     free(surfaces->list);
     free(surfaces->surface_of);

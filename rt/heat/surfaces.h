@@ -23,10 +23,12 @@ struct surface {
     bool receives_alone;  /* some of it has no emission */
     uint64_t *count;      /* [surfaces + 1], the last one the environment */
     struct estimate *factor;
+    double *smooth; /* .. once they are smoothed (smooth.h) */
 };
 
 struct surfaces {
     size_t count;
+    bool are_smooth;
     struct surface *list;
     size_t primitive_count;
     size_t *surface_of; /* of each of the scene's primitives, */

@@ -135,6 +135,16 @@ static void find_outside(const struct thermal_work *work)
 
 /* ---- The exchange ------------------------------------------------------------- */
 
+/* Smoothed ones, if there are any. */
+static double factor_of(const struct surfaces *surfaces, size_t from,
+                        size_t to)
+{
+    const struct surface *surface = &surfaces->list[from];
+
+    return surfaces->are_smooth ? surface->smooth[to]
+                                : surface->factor[to].value;
+}
+
 /* Of surfaces that something is seen of: rows of factors, as each has them. */
 static void fill_factors(const struct thermal_work *work, double *factors)
 {
@@ -142,12 +152,13 @@ static void fill_factors(const struct thermal_work *work, double *factors)
     size_t n = thermal->count;
 
     for (size_t i = 0; i < n; i++) {
-        const struct estimate
-            *from = work->surfaces->list[thermal->surface[i]].factor;
+        size_t from = thermal->surface[i];
 
         for (size_t j = 0; j < n; j++)
-            factors[i * (n + 1) + j] = from[thermal->surface[j]].value;
-        factors[i * (n + 1) + n] = from[work->surfaces->count].value;
+            factors[i * (n + 1) + j] = factor_of(work->surfaces, from,
+                                                 thermal->surface[j]);
+        factors[i * (n + 1) + n] = factor_of(work->surfaces, from,
+                                             work->surfaces->count);
     }
 }
 

@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "tests/random.h"
+#include "tests/unit/heat_steps.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
@@ -316,6 +317,7 @@ static void compare_rows(const struct scene *scene,
     struct factors *factors = begin(scene, options);
     struct factor_row row = find(factors, 1);
 
+    assert_true(are_steps(row.clocks, &row.accounts));
     assert_int_equal(row.sent, expected->sent);
     assert_memory_equal(row.count, expected->count,
                         row.receivers * sizeof *row.count);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "tests/random.h"
+#include "tests/unit/heat_steps.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
@@ -144,6 +145,7 @@ static void test_forms(void **state)
     options.lines_log = 8;
     one = find(text, options);
     assert_exact(&one);
+    assert_true(are_steps(one.clocks, &one.accounts));
     for (int i = 0; i < 4; i++) {
         size_t width = one.surfaces + 1;
 

@@ -12,21 +12,18 @@
 ;
 ; A surface that is adiabatic has the emissivity 0: what meets it leaves it.
 ;
-; The equations (I - (1 - e) F) J = b are solved by Gaussian elimination, column by column:
-;
-;   L = A(k+1 .., k) / A(k, k)      A(k+1 .., j) := A(k+1 .., j) - A(k, j) L     j > k, and b
-;
-; without pivoting, as no row's other factors exceed its diagonal in sum, which elimination
-; keeps so.  A diagonal below LEAST is that of an exchange which has no solution: surfaces
-; that are adiabatic and see none but each other.
+; The equations (I - (1 - e) F) J = b are solved by elimination (elimination.s).  A diagonal below
+; LEAST is that of an exchange which has no solution: surfaces that are adiabatic and see none
+; but each other.
 ;
 ; Sums are formed by halves: of m words the last m / 2 are added to the first.
 ;
 ; In:  what stands below.
 ; Out: exchange_made: planes J, H, Q of n words, then Q_e, the sum of all flows, and the number
 ;      of the surface, from 1 on, where there was no solution, else 0.
-; Source: Hottel and Sarofim, Radiative Transfer (1967); elimination: Wilkinson, The
-; Algebraic Eigenvalue Problem (1965), 4; sigma: CODATA 2018.
+; Source: Hottel and Sarofim, Radiative Transfer (1967); sigma: CODATA 2018.
+
+        .include "heat/elimination.s"
 
         .data
 exchange_given:
@@ -44,27 +41,25 @@ exchange_outside: .word 0.0             ; T_e
                 .equ    EXCHANGE_GIVEN, 13
         .code
 
-        .regs   r10, exc_n, exc_factors, exc_areas, exc_emissivities, exc_temperatures
-        .regs   r15, exc_matrix, exc_made, exc_outside, exc_sigma, exc_unit, exc_least
-        .regs   r21, exc_one, exc_minus_one
-        .regs   r23, exc_stride         ; from a column, or a plane, to the next, in bits
-        .regs   r24, exc_b, exc_spare   ; addresses of b and of the column behind
-        .regs   r26, exc_j, exc_h, exc_q, exc_end
-        .regs   r30, exc_column, exc_left, exc_at, exc_work0, exc_work1, exc_work2
-        .regs   r36, exc_pivot, exc_k, exc_below, exc_row, exc_half, exc_upper
+        .regs   r10, lin_n, exc_factors, exc_areas, exc_emissivities, exc_temperatures
+        .regs   r15, lin_matrix, exc_made, exc_outside, exc_sigma, exc_unit, lin_least
+        .regs   r21, lin_one, lin_minus_one
+        .regs   r23, lin_stride         ; from a column, or a plane, to the next, in bits
+        .regs   r24, lin_b, exc_spare   ; addresses of b and of the column behind
+        .regs   r26, lin_x, exc_h, exc_q, exc_end
 
         .macro  exchange_begin
-        EX      exc_work0, exchange_given
-        ELEN    exc_work0, EXCHANGE_GIVEN
-        SWAP    [exc_work0], exc_n, [r0]
-        SHIFTI  exc_n, 6, exc_stride
-        MPYX    exc_n, exc_stride, exc_b
-        ADDX    exc_matrix, exc_b, exc_b
-        ADDX    exc_b, exc_stride, exc_spare
-        RTOR    exc_made, exc_j
-        ADDX    exc_j, exc_stride, exc_h
-        ADDX    exc_h, exc_stride, exc_q
-        ADDX    exc_q, exc_stride, exc_end
+        EX      lin_work0, exchange_given
+        ELEN    lin_work0, EXCHANGE_GIVEN
+        SWAP    [lin_work0], lin_n, [r0]
+        SHIFTI  lin_n, 6, lin_stride
+        MPYX    lin_n, lin_stride, lin_b
+        ADDX    lin_matrix, lin_b, lin_b
+        ADDX    lin_b, lin_stride, exc_spare
+        RTOR    exc_made, lin_x
+        ADDX    lin_x, lin_stride, exc_h
+        ADDX    exc_h, lin_stride, exc_q
+        ADDX    exc_q, lin_stride, exc_end
         MPYS    exc_outside, exc_outside, exc_outside
         MPYS    exc_outside, exc_outside, exc_outside
         MPYS    exc_sigma, exc_outside, exc_outside     ; of the environment, J

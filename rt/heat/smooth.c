@@ -1,0 +1,269 @@
+#include "rt/heat/smooth.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/error.h"
+#include "rt/layout/program.h"
+#include "rt/layout/single_run.h"
+
+/* ---- The machine's work ----------------------------------------------------- */
+
+static bool is_positive(double value)
+{
+    return value >= 0 && isfinite(value);
+}
+
+static bool check(const struct smooth_given *given, c205_error *error)
+{
+    size_t n = given->count;
+
+    if (n == 0 || n > SMOOTH_MOST)
+        return error_say(error, "%zu surfaces: 1 .. %d are smoothed", n,
+                         SMOOTH_MOST);
+    for (size_t i = 0; i < n; i++) {
+        if (!(given->areas[i] > 0) || !isfinite(given->areas[i]))
+            return error_say(error, "surface %zu has no area", i + 1);
+        for (size_t j = 0; j <= n; j++)
+            if (!is_positive(given->flows[i * (n + 1) + j])
+                || !is_positive(given->variances[i * (n + 1) + j]))
+                return error_say(error,
+                                 "a flow of surface %zu, or its variance, is "
+                                 "below 0",
+                                 i + 1);
+    }
+    return true;
+}
+
+/* Columns, as the machine has them. */
+static void lay_columns(const double *rows, size_t n, c205_word *words)
+{
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j <= n; j++)
+            words[j * n + i] = c205_from_double(rows[i * (n + 1) + j]);
+}
+
+/* Two matrices and a plane. */
+static c205_word *lay_words(const struct smooth_given *given)
+{
+    size_t n = given->count, size = n * (n + 1);
+    c205_word *words = calloc(2 * size + n, sizeof *words);
+
+    if (!words)
+        return NULL;
+    lay_columns(given->flows, n, words);
+    lay_columns(given->variances, n, words + size);
+    for (size_t i = 0; i < n; i++)
+        words[2 * size + i] = c205_from_double(given->areas[i]);
+    return words;
+}
+
+/* What the program makes: columns, a plane, a word. */
+static size_t made_size(size_t n)
+{
+    return n * (n + 1) + n + 1;
+}
+
+static bool run(const struct smooth_given *given, struct object *program,
+                const c205_word *words, c205_word *made,
+                struct accounts *accounts, c205_error *error)
+{
+    size_t n = given->count, size = n * (n + 1);
+    struct single_run run;
+    uint64_t at, clocks = 0;
+
+    single_run_begin(&run, program, given->model, error);
+    run.accounts = accounts;
+    single_run_word(&run, "smooth_count", n);
+    at = single_run_room(&run, "smooth_flows", words, 2 * size + n);
+    layout_word(&run.layout, "smooth_variances", at + 64 * size);
+    layout_word(&run.layout, "smooth_areas", at + 128 * size);
+    single_run_room(&run, "smooth_matrix", NULL, (n + 3) * n);
+    at = single_run_room(&run, "smooth_made", NULL, made_size(n));
+    return single_run_end(&run, at, made, made_size(n), &clocks);
+}
+
+static bool take(size_t n, const c205_word *made, double *flows,
+                 c205_error *error)
+{
+    int64_t singular = c205_to_integer(made[made_size(n) - 1]);
+
+    if (singular > 0)
+        return error_say(error,
+                         "factors cannot be smoothed: surface %lld is of "
+                         "some that see none but each other, and their areas "
+                         "leave no way",
+                         (long long)singular);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j <= n; j++)
+            flows[i * (n + 1) + j] = c205_to_double(made[j * n + i]);
+    return true;
+}
+
+bool smooth_flows(const struct smooth_given *given, double *flows,
+                  struct accounts *accounts, c205_error *error)
+{
+    static const struct asm_define none[] = { { NULL, 0 } };
+    struct object *program;
+    c205_word *words, *made;
+    char path[64];
+    bool good;
+
+    if (!check(given, error))
+        return false;
+    snprintf(path, sizeof path, "heat/smooth_%s.s",
+             trace_mode_name(given->mode));
+    program = program_assemble(path, none, error);
+    if (!program)
+        return false;
+    words = lay_words(given);
+    made = calloc(made_size(given->count), sizeof *made);
+    good = words && made ? run(given, program, words, made, accounts, error)
+                               && take(given->count, made, flows, error)
+                         : error_say(error, "no memory");
+    free(words);
+    free(made);
+    object_free(program);
+    return good;
+}
+
+/* ---- Of surfaces ------------------------------------------------------------ */
+
+struct smoothing {
+    struct surfaces *surfaces;
+    size_t count;
+    size_t *seen; /* of each, the number of its surface */
+    double *areas, *flows, *variances;
+};
+
+/* A flow with its variance; where rays went and none arrived one might have. */
+static struct estimate flow_of(const struct surface *from, size_t to)
+{
+    double error = from->count[to] > 0 ? from->factor[to].error
+                                       : 1 / (double)from->sent;
+
+    return (struct estimate){ from->area.value * from->factor[to].value,
+                              from->area.value * error };
+}
+
+/* What both ways say. */
+static struct estimate flow_between(const struct smoothing *smoothing,
+                                    size_t i, size_t j)
+{
+    size_t there = smoothing->seen[i], back = smoothing->seen[j];
+    const struct surface *one = &smoothing->surfaces->list[there];
+    const struct surface *other = &smoothing->surfaces->list[back];
+    struct estimate a = flow_of(one, back), b = flow_of(other, there);
+    double v = a.error * a.error, w = b.error * b.error;
+
+    if (one->count[back] + other->count[there] == 0)
+        return (struct estimate){ 0, 0 };
+    if (i == j)
+        return a;
+    if (v + w == 0)
+        return (struct estimate){ a.value / 2 + b.value / 2, 0 };
+    return (struct estimate){ (a.value * w + b.value * v) / (v + w),
+                              a.error * b.error / sqrt(v + w) };
+}
+
+static void put_flow(const struct smoothing *smoothing, size_t i, size_t j,
+                     struct estimate flow)
+{
+    size_t at = i * (smoothing->count + 1) + j;
+
+    smoothing->flows[at] = flow.value;
+    smoothing->variances[at] = flow.error * flow.error;
+}
+
+static void put_row(const struct smoothing *smoothing, size_t i)
+{
+    const struct surfaces *surfaces = smoothing->surfaces;
+    const struct surface *surface = &surfaces->list[smoothing->seen[i]];
+    struct estimate none = { 0, 0 };
+
+    smoothing->areas[i] = surface->area.value;
+    for (size_t j = 0; j < smoothing->count; j++)
+        put_flow(smoothing, i, j, flow_between(smoothing, i, j));
+    put_flow(smoothing, i, smoothing->count,
+             surface->count[surfaces->count] > 0
+                 ? flow_of(surface, surfaces->count)
+                 : none);
+}
+
+static void take_row(const struct smoothing *smoothing, size_t i)
+{
+    struct surface *surface = &smoothing->surfaces->list[smoothing->seen[i]];
+    const double *flows = smoothing->flows + i * (smoothing->count + 1);
+
+    for (size_t j = 0; j < smoothing->count; j++)
+        surface->smooth[smoothing->seen[j]] = flows[j] / smoothing->areas[i];
+    surface->smooth[smoothing->surfaces->count] = flows[smoothing->count]
+                                                  / smoothing->areas[i];
+}
+
+static bool list_seen(struct smoothing *smoothing, c205_error *error)
+{
+    const struct surfaces *surfaces = smoothing->surfaces;
+
+    for (size_t i = 0; i < surfaces->count; i++) {
+        const struct surface *surface = &surfaces->list[i];
+
+        if (surface->receives_alone)
+            return error_say(error,
+                             "factors cannot be smoothed: surface %s, the %s "
+                             "of line %zu, receives alone",
+                             surface->name,
+                             primitive_kind_name(surface->first->kind),
+                             surface->first->line);
+        if (surface->sent > 0)
+            smoothing->seen[smoothing->count++] = i;
+    }
+    return smoothing->count > 0 || error_say(error, "nothing is seen");
+}
+
+static bool smooth(const struct smoothing *smoothing, enum trace_mode mode,
+                   const c205_model *model, struct accounts *accounts,
+                   c205_error *error)
+{
+    const struct smooth_given given = { .mode = trace_mode_besides(mode),
+                                        .count = smoothing->count,
+                                        .flows = smoothing->flows,
+                                        .variances = smoothing->variances,
+                                        .areas = smoothing->areas,
+                                        .model = model };
+
+    for (size_t i = 0; i < smoothing->count; i++)
+        put_row(smoothing, i);
+    if (!smooth_flows(&given, smoothing->flows, accounts, error))
+        return false;
+    for (size_t i = 0; i < smoothing->count; i++)
+        take_row(smoothing, i);
+    smoothing->surfaces->are_smooth = true;
+    return true;
+}
+
+bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
+                     const c205_model *model, struct accounts *accounts,
+                     c205_error *error)
+{
+    size_t count = surfaces->count + 1;
+    struct smoothing smoothing = {
+        .surfaces = surfaces,
+        .seen = calloc(count, sizeof *smoothing.seen),
+        .areas = calloc(count, sizeof *smoothing.areas),
+        .flows = calloc(count * count, sizeof *smoothing.flows),
+        .variances = calloc(count * count, sizeof *smoothing.variances),
+    };
+    bool good = (smoothing.seen && smoothing.areas && smoothing.flows
+                 && smoothing.variances)
+                || error_say(error, "no memory");
+
+    good = good && list_seen(&smoothing, error)
+           && smooth(&smoothing, mode, model, accounts, error);
+    free(smoothing.seen);
+    free(smoothing.areas);
+    free(smoothing.flows);
+    free(smoothing.variances);
+    return good;
+}
