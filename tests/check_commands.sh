@@ -617,6 +617,21 @@ ends 1 "$build/rt205" $heat --temperature Shell=3 --emissivity Shell=1.5
 tells err "an emissivity is NAME=VALUE with a value 0 to 1"
 ends 1 "$build/rt205" heat floor.pov --rays 64 --exchange --temperature default=300
 tells err "surface 1, the plane of line 1, receives alone"
+ends 0 "$build/rt205" $heat --temperature Shell=300 --smooth -W 40 -H 30 -o flows.png
+tells out "^picture flows.png: flow from -"
+tells out "^Smoothed factors:"
+[ -s flows.png ]
+verdict $? "no picture of flows"
+ends 0 "$build/rt205" heat shell.pov --by part --rays 64 --show factor --from Ball -W 40 -H 30 -o factors.exr
+tells out "^picture factors.exr: factor from 0 to 1; "
+ends 1 "$build/rt205" heat shell.pov --by part --rays 64 --show factor --from Lid -o factors.png
+tells err "no surface is called .Lid., or nothing comes from it; surfaces: Ball, Shell"
+ends 2 "$build/rt205" heat shell.pov -o flows.png
+tells err "a picture shows flows, which --exchange finds; or --show factor --from NAME"
+ends 2 "$build/rt205" heat shell.pov --show factor -o flows.png
+ends 2 "$build/rt205" heat shell.pov --exchange -o flows.xcf
+ends 1 "$build/rt205" heat shell.pov --exchange -o missing/flows.png
+ends 2 "$build/rt205" heat shell.pov --exchange --part 1/2 --resume kept -o flows.png
 cat >row.pov <<'END'
 #declare Burner = disc { 0, y, 2 }
 #declare Tube = cylinder { -2*x, 2*x, .3 }

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
+#include "rt/heat/heat_picture.h"
 #include "rt/heat/heat_tables.h"
 #include "rt/study/stages.h"
 
@@ -216,6 +217,30 @@ static bool check_precision(const struct heat *heat, c205_error *error)
 
 /* ---- The command -------------------------------------------------------------- */
 
+static bool draw(const struct rt205_arguments *arguments,
+                 const struct heat *heat, const struct results *results,
+                 c205_error *error)
+{
+    struct heat_look look = { .shown = (enum heat_shown)arguments->heat.shown,
+                              .from = arguments->heat.from,
+                              .trace = arguments->trace,
+                              .path = arguments->output };
+    struct heat_drawn drawn;
+
+    if (!arguments->output)
+        return true;
+    look.trace.farm = NULL;
+    look.trace.progress = NULL;
+    if (!heat_draw(heat, &look, &drawn, error))
+        return false;
+    results_say(results, "\npicture %s: %s from %g to %g; %llu clocks\n",
+                arguments->output, heat_shown_name(look.shown), drawn.least,
+                drawn.most, (unsigned long long)drawn.clocks);
+    if (results->json)
+        json_text(results->json, "picture", arguments->output);
+    return true;
+}
+
 /* What is told leaves no need of the files. */
 static bool tell_all(const struct rt205_arguments *arguments,
                      const struct heat *heat, const struct results *results,
@@ -232,6 +257,8 @@ static bool tell_all(const struct rt205_arguments *arguments,
     if (!tell(arguments, heat, arguments->heat.stages ? &stages : NULL,
               results))
         return error_say(error, "no memory");
+    if (!draw(arguments, heat, results, error))
+        return false;
     if (!check_precision(heat, error))
         return false;
     farm_end(arguments->trace.farm, true);
@@ -282,20 +309,43 @@ static const char *contradiction(const struct rt205_arguments *arguments)
     if (arguments->heat.stages && apart)
         return "--stages compares what this process finds: not with --ranks "
                "or --part";
+    if (arguments->output && arguments->heat.hits)
+        return "--hits draws nothing";
+    if (arguments->output && arguments->heat.shown == SHOWN_FLOW
+        && !arguments->heat.exchange)
+        return "a picture shows flows, which --exchange finds; or --show "
+               "factor --from NAME";
+    if (arguments->output && arguments->heat.shown == SHOWN_FACTOR
+        && !arguments->heat.from)
+        return "factors are shown from a surface: --from NAME";
     if (arguments->heat.tolerance > 0 && units->farm.parts > 0)
         return "--part does not go with --tolerance: what comes next hangs "
                "on all of them";
     return NULL;
 }
 
+static bool check_picture(const struct rt205_arguments *arguments, int *code)
+{
+    struct picture_error why;
+
+    if (!arguments->output || picture_check_path(arguments->output, &why))
+        return true;
+    *code = picture_is_named(arguments->output)
+                ? cmd_failed(arguments->command, "%s", why.message)
+                : cmd_usage(arguments->command, "%s", why.message);
+    return false;
+}
+
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
     const char *why = contradiction(arguments);
+    int code;
 
     if (why)
         return cmd_usage(arguments->command, "%s", why);
-    arguments->trace.width = arguments->trace.height = 1;
+    if (!check_picture(arguments, &code))
+        return code;
     return cmd_with_farm(arguments, run);
 }
 
@@ -317,7 +367,26 @@ static const char *by_choice(size_t number)
     return number < SURFACES_BY ? names[number] : NULL;
 }
 
+static const char *shown_choice(size_t number)
+{
+    return heat_shown_name((enum heat_shown)number);
+}
+
 static const struct command_option options[] = {
+    { .name = "output",
+      .letter = 'o',
+      .value = "FILE",
+      .kind = COMMAND_OUTPUT,
+      .offset = CMD_PLACE(output),
+      .help = "a picture of the scene in colours of flows or factors: .png "
+              ".jpg, .exr .tif (with the values as a channel)" },
+    { .name = "show",
+      .value = "WHAT",
+      .kind = COMMAND_CHOICE,
+      .offset = CMD_PLACE(heat.shown),
+      .choice = shown_choice,
+      .help = "in the picture; factors are those --from one surface" },
+    CMD_SIZE(320, 240),
     { .name = "by",
       .value = "WHAT",
       .kind = COMMAND_CHOICE,
@@ -348,7 +417,8 @@ static const struct command_option options[] = {
       .value = "NAME",
       .kind = COMMAND_TEXT,
       .offset = CMD_PLACE(heat.from),
-      .help = "the part or material that emits, under --hits" },
+      .help = "the part or material that emits, under --hits; the surface "
+              "whose factors are shown" },
     CMD_FLAG(
         "hits", heat.hits,
         "whether rays strike cylinders, and no more, on a scalar machine "
@@ -398,6 +468,8 @@ static const struct command_example examples[] = {
     { "rt205 heat SCENE --by part --rays 4096", "factors between its parts" },
     { "rt205 heat SCENE --by part --tolerance 1e-3",
       "until no error is above a thousandth" },
+    { "rt205 heat SCENE --by part --show factor --from NAME -o PICTURE",
+      "where the radiation of one goes" },
     { "rt205 heat SCENE --by part --exchange "
       "--temperature default=300",
       "and what they exchange" },

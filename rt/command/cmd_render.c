@@ -51,7 +51,8 @@ static bool write_picture(const struct rt205_arguments *arguments,
     snprintf(rows, sizeof rows, "%zu of %zu", trace_rows_done(trace),
              arguments->trace.height);
     picture = picture_begin(arguments->output, options->width,
-                            options->height, notes, arguments->half, &why);
+                            options->height, notes, arguments->half, NULL,
+                            &why);
     good = picture && write_rows(options, trace, picture, &why);
     good = picture && picture_end(picture, good, &why);
     if (!good)

@@ -42,7 +42,7 @@ struct cmd_mass {
 struct cmd_heat {
     size_t rays, repeats, seed, lines; /* lines: 0: rays */
     int points;                        /* 0: of the lattice, 1: random */
-    int by;
+    int by, shown;
     bool exchange, smooth, hits, stages;
     double tolerance; /* 0: none */
     size_t limit;

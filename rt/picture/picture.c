@@ -119,13 +119,19 @@ static bool is_color(size_t channel)
     return channel <= CHANNEL_BLUE;
 }
 
+/* Behind the channels stands the layer. */
+static const double *plane_of(const struct frame *frame, size_t channel)
+{
+    return channel < FRAME_CHANNELS ? frame->channel[channel] : frame->value;
+}
+
 /* The planes of some rows, side by side. */
 static void interleave(const struct frame *frame,
                        const struct picture_image *image, float *sample)
 {
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
-            double value = frame->channel[channel][i];
+            double value = plane_of(frame, channel)[i];
             *sample++ = (float)(image->srgb ? srgb_encode(value) : value);
         }
 }
@@ -137,9 +143,12 @@ static void separate(const struct picture_image *image,
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
             double value = (double)*sample++;
-            frame->channel[channel][i] = image->srgb && is_color(channel)
-                                             ? srgb_decode(value)
-                                             : value;
+            if (image->srgb && is_color(channel))
+                value = srgb_decode(value);
+            if (channel < FRAME_CHANNELS)
+                frame->channel[channel][i] = value;
+            else
+                frame->value[i] = value;
         }
 }
 
@@ -260,6 +269,8 @@ static void choose_formats(struct picture_image *image, bool half)
 struct picture {
     const struct picture_adapter *files;
     struct picture_image image; /* its samples stay with their parts */
+    const char *names[FRAME_CHANNELS + 1];
+    char *layer;
     char *path;
     struct whole *whole;
     void *writing; /* the adapter's */
@@ -293,31 +304,58 @@ static bool open_file(struct picture *picture,
     return picture->writing || fail_at(path, &why, error);
 }
 
+static char *copy_of(const char *text)
+{
+    char *copy = text ? malloc(strlen(text) + 1) : NULL;
+    return copy ? strcpy(copy, text) : NULL;
+}
+
+/* The layer, too, where the kind of file has more than colours. */
+static void name_channels(struct picture *picture)
+{
+    for (size_t i = 0; i < FRAME_CHANNELS; i++)
+        picture->names[i] = channel_names[i];
+    picture->names[FRAME_CHANNELS] = picture->layer;
+    picture->image.names = picture->names;
+    if (picture->layer && picture->image.channels == FRAME_CHANNELS)
+        picture->image.channels++;
+}
+
+static void free_picture(struct picture *picture)
+{
+    if (picture) {
+        free(picture->path);
+        free(picture->layer);
+    }
+    free(picture);
+}
+
 struct picture *picture_begin(const char *path, size_t width, size_t height,
                               const struct picture_note *notes, bool half,
-                              struct picture_error *error)
+                              const char *layer, struct picture_error *error)
 {
     if (!picture_check_path(path, error))
         return NULL;
     const struct picture_kind *kind = kind_of(path);
     struct picture *picture = calloc(1, sizeof *picture);
-    char *copy = malloc(strlen(path) + 1);
     fail(error, "out of memory");
-    if (picture && copy) {
-        picture->path = strcpy(copy, path);
+    if (picture) {
+        picture->path = copy_of(path);
+        picture->layer = copy_of(layer);
+    }
+    if (picture && picture->path && (picture->layer || !layer)) {
         picture->image = (struct picture_image){ .width = width,
                                                  .height = height,
                                                  .channels = kind->channels,
-                                                 .srgb = kind->srgb,
-                                                 .names = channel_names };
+                                                 .srgb = kind->srgb };
+        name_channels(picture);
         choose_formats(&picture->image, half && kind->half);
         if (open_file(picture, notes, error))
             return picture;
         if (picture->whole)
             whole_discard(picture->whole);
     }
-    free(picture);
-    free(copy);
+    free_picture(picture);
     return NULL;
 }
 
@@ -355,8 +393,7 @@ bool picture_end(struct picture *picture, bool good,
     } else if (!whole_commit(picture->whole, &cause)) {
         ended = fail(error, "%s", cause.message);
     }
-    free(picture->path);
-    free(picture);
+    free_picture(picture);
     return ended;
 }
 
@@ -369,6 +406,8 @@ static struct frame part_of(const struct frame *frame, size_t first)
                                                         : PICTURE_PART };
     for (size_t i = 0; i < FRAME_CHANNELS; i++)
         part.channel[i] = frame->channel[i] + first * frame->width;
+    if (frame->layer)
+        part.value = frame->value + first * frame->width;
     return part;
 }
 
@@ -377,7 +416,7 @@ bool picture_write(const char *path, const struct frame *frame,
                    struct picture_error *error)
 {
     struct picture *picture = picture_begin(path, frame->width, frame->height,
-                                            notes, half, error);
+                                            notes, half, frame->layer, error);
     bool good = picture != NULL;
     for (size_t row = 0; good && row < frame->height; row += PICTURE_PART) {
         struct frame part = part_of(frame, row);
@@ -386,12 +425,17 @@ bool picture_write(const char *path, const struct frame *frame,
     return picture && picture_end(picture, good, error);
 }
 
-bool picture_read(const char *path, struct frame *frame,
-                  struct picture_error *error)
+/* The layer may be NULL. */
+static bool read_frame(const char *path, const char *layer,
+                       struct frame *frame, struct picture_error *error)
 {
     struct picture_error cause;
-    struct picture_image image = { .channels = FRAME_CHANNELS,
-                                   .names = channel_names };
+    const char *names[FRAME_CHANNELS + 1];
+    struct picture_image image = {
+        .channels = FRAME_CHANNELS + (layer != NULL), .names = names
+    };
+    memcpy(names, channel_names, sizeof channel_names);
+    names[FRAME_CHANNELS] = layer;
     const struct picture_adapter *files = adapter(error);
     memset(frame, 0, sizeof *frame);
     if (!files)
@@ -399,10 +443,27 @@ bool picture_read(const char *path, struct frame *frame,
     if (!files->read(path, &image, &cause))
         return fail(error, "%s: %s", path, cause.message);
     bool good = frame_allocate(frame, image.width, image.height);
+    frame->layer = layer;
+    if (good && layer)
+        frame->value = calloc(image.width * image.height,
+                              sizeof *frame->value);
+    good = good && (frame->value || !layer);
     if (good)
         separate(&image, frame);
     free(image.samples);
     return good || fail(error, "out of memory");
+}
+
+bool picture_read(const char *path, struct frame *frame,
+                  struct picture_error *error)
+{
+    return read_frame(path, NULL, frame, error);
+}
+
+bool picture_read_layer(const char *path, const char *layer,
+                        struct frame *frame, struct picture_error *error)
+{
+    return read_frame(path, layer, frame, error);
 }
 
 bool picture_read_note(const char *path, const char *name, char *text,

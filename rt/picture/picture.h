@@ -34,6 +34,10 @@ enum frame_channel {
 struct frame {
     size_t width, height;
     double *channel[FRAME_CHANNELS];
+    /* The name of one plane more, which pictures of linear colours have as a channel, and that
+     * plane, the caller's own; NULL: there is none. */
+    const char *layer;
+    double *value;
 };
 
 struct picture_note {
@@ -58,13 +62,13 @@ bool picture_write(const char *path, const struct frame *frame,
 /* The same of a frame that comes in parts, from its first row on.  begin: NULL,
  * and the error says why.  rows: the next ones, as many as the part has.  end
  * commits the picture, if all rows came and good is said, else leaves the old
- * file; it frees the picture in any case.  What is written in parts is the same
+ * file; it frees the picture in any case.  All parts have the layer, or none (NULL).  What is written in parts is the same
  * file if all parts but the last have PICTURE_PART rows. */
 enum { PICTURE_PART = 32 };
 struct picture;
 struct picture *picture_begin(const char *path, size_t width, size_t height,
                               const struct picture_note *notes, bool half,
-                              struct picture_error *error);
+                              const char *layer, struct picture_error *error);
 bool picture_rows(struct picture *picture, const struct frame *part,
                   struct picture_error *error);
 bool picture_end(struct picture *picture, bool good,
@@ -89,6 +93,11 @@ bool picture_holds_half(const char *path);
  * light, the other channels where the file has them and 0 elsewhere. */
 bool picture_read(const char *path, struct frame *frame,
                   struct picture_error *error);
+
+/* .. and of a layer, whose samples become frame->value, which the caller frees, too; 0 where the
+ * file has none of that name; of .tif, which has no names, the one plane behind the channels. */
+bool picture_read_layer(const char *path, const char *layer,
+                        struct frame *frame, struct picture_error *error);
 
 /* The text of one note of a picture, "" when it has none. */
 bool picture_read_note(const char *path, const char *name, char *text,

@@ -195,7 +195,9 @@ int place_of(const OIIO::ImageSpec &spec, const picture_image &image,
              size_t channel)
 {
     const int place = spec.channelindex(image.names[channel]);
-    if (place < 0 && spec.nchannels == static_cast<int>(image.channels))
+    const bool named = spec.channelindex(image.names[CHANNEL_NORMAL_X]) >= 0;
+    if (place < 0 && !named
+        && spec.nchannels == static_cast<int>(image.channels))
         return static_cast<int>(channel);
     return place;
 }

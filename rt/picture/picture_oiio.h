@@ -21,7 +21,7 @@ struct picture_image {
     size_t width, height, channels;
     bool srgb;
     const char *const *names;
-    enum sample_format format[FRAME_CHANNELS];
+    enum sample_format format[FRAME_CHANNELS + 1];
     float *samples;
 };
 

@@ -370,6 +370,35 @@ static void test_failure_keeps_the_old_file(void **state)
     frame_free(&frame);
 }
 
+/* One more plane, of pictures that have more than colours. */
+static void test_layer(void **state)
+{
+    (void)state;
+    static const char *const paths[] = { "l.exr", "l.tif", "l.png" };
+    for (size_t i = 0; i < 3; i++) {
+        struct frame frame = sample_frame(), back;
+        struct picture_error error = { "" };
+        double value[WIDTH * HEIGHT];
+        for (size_t k = 0; k < WIDTH * HEIGHT; k++)
+            value[k] = (double)k / 8 - 3;
+        frame.layer = "flow";
+        frame.value = value;
+        const char *path = in_folder(paths[i]);
+        assert_true(picture_write(path, &frame, NULL, true, &error));
+        assert_true(picture_read_layer(path, "flow", &back, &error));
+        for (size_t k = 0; k < WIDTH * HEIGHT; k++)
+            assert_true(back.value[k] == (i < 2 ? value[k] : 0));
+        free(back.value);
+        frame_free(&back);
+        assert_true(picture_read_layer(path, "factor", &back, &error));
+        assert_true(i == 1 || back.value[1] == 0); /* TIFF has no names */
+        free(back.value);
+        frame_free(&back);
+        frame_free(&frame);
+        assert_int_equal(remove(path), 0);
+    }
+}
+
 /* A picture of which rows are missing, or that is given up. */
 static void test_rows_missing(void **state)
 {
@@ -379,7 +408,7 @@ static void test_rows_missing(void **state)
         struct picture_error error = { "" };
         struct picture *picture = picture_begin(in_folder("p.png"), WIDTH,
                                                 HEIGHT + 1 - (size_t)given_up,
-                                                notes, false, &error);
+                                                notes, false, NULL, &error);
         assert_non_null(picture);
         assert_true(picture_rows(picture, &frame, &error));
         assert_false(picture_rows(picture, &frame, &error));
@@ -426,6 +455,7 @@ int main(void)
         cmocka_unit_test(test_bad_paths),
         cmocka_unit_test(test_unwritable_folder),
         cmocka_unit_test(test_failure_keeps_the_old_file),
+        cmocka_unit_test(test_layer),
         cmocka_unit_test(test_rows_missing),
         cmocka_unit_test(test_unreadable),
         cmocka_unit_test(test_frame_sizes),

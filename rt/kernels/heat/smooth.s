@@ -13,8 +13,8 @@
 ;   l_i + sum of v_ij l_j / d_i = (A_i - x_i1 - .. - x_in - x_ie) / d_i       j not i, not e
 ;   d_i = v_i1 + .. + v_in + v_ie
 ;
-; Where d_i is 0 nothing is changed: l_i = 0.  Equations are solved by elimination
-; (elimination.s); a diagonal below LEAST is that of surfaces that see none but each other,
+; Where d_i is 0 it counts as 1: no flow of i is changed.  Equations are solved by
+; elimination (elimination.s); a diagonal below LEAST is that of surfaces that see none but each other,
 ; by turns, whose areas leave no way.
 ;
 ; In:  what stands below.

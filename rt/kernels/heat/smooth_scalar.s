@@ -27,12 +27,11 @@ smooth_add:
         ADDN    lin_work1, smo_flow, lin_work1
         IBXNE   lin_left, lin_minus_one, r0, smooth_add, lin_left
 
-; b = (A - smo_sum) / d; where d is 0, that is 1 and b 0.
+; b = (A - smo_sum) / d; where d is 0 it counts as 1.
         LOD     [smo_areas, lin_i], lin_work2
         SUBN    lin_work2, lin_work1, lin_work1
         CFPNE   lin_work0, r0, smooth_known
         RTOR    smo_unit, lin_work0
-        SUBN    r0, r0, lin_work1
 smooth_known:
         DIVS    lin_work1, lin_work0, lin_work1
         STO     [smo_d, lin_i], lin_work0

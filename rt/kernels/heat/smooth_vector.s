@@ -29,16 +29,14 @@ smooth_add:
         ADDNV   [v_e], [v_b], [v_e]
         IBXNE   lin_left, lin_minus_one, r0, smooth_add, lin_left
 
-; b = (A - smo_sum) / d; where d is 0, that is 1 and b 0.
+; b = (A - smo_sum) / d; where d is 0 it counts as 1.
         EX      smo_bits, smooth_bits
         ADDLEN  smo_bits, lin_n, smo_bits
         ADDLEN  smo_areas, lin_n, v_a
         ADDLEN  lin_b, lin_n, v_b
         SUBNV   [v_a], [v_e], [v_e]
         CMPEQV  [v_d], r0, [smo_bits]
-        SUBN    r0, r0, lin_work0
         VTOV    smo_unit, [v_d] ? [smo_bits]
-        VTOV    lin_work0, [v_e] ? [smo_bits]
         DIVSV   [v_e], [v_d], [v_b]
 
 ; The matrix: v / d, and 1 in the diagonal.

@@ -1,0 +1,176 @@
+/* test_heat_picture.c - pictures of flows and factors: each pixel has the value of what is
+ * seen there. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "base/diagnostic.h"
+#include "rt/heat/heat_picture.h"
+#include "rt/scene/language/scene_read.h"
+#include "tests/unit/prior_model.h"
+
+enum { WIDTH = 40, HEIGHT = 30 };
+static char folder[] = "/tmp/heatXXXXXX", path[sizeof folder + 10];
+
+static const char text[] =
+    "camera { location <0, 1, -6> look_at 0 }\n"
+    "#declare Ball = sphere { -1.2*x, .8 }\n"
+    "#declare Block = box { <.3, -.6, -.6>, <1.5, .6, .6> }\n"
+    "#declare Sheet = disc { -y, y, 3 }\n"
+    "object { Ball } object { Block } object { Sheet }\n"
+    "object { Ball translate 30*z }\n";
+
+static struct scene *read_scene(void)
+{
+    const struct scene_options options = { .strict = false };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("scene", text, &options, &reports);
+
+    diagnostics_free(&reports);
+    assert_non_null(scene);
+    return scene;
+}
+
+static const char *const warm[] = { "default=300", "Ball=500",
+                                    "Sheet=adiabatic" };
+
+static struct heat_request usual(void)
+{
+    return (struct heat_request){ .mode = TRACE_VECTOR,
+                                  .queue = 2000,
+                                  .by = BY_PART,
+                                  .drawn = 64,
+                                  .repeats = 4,
+                                  .lattice = true,
+                                  .seed = 1,
+                                  .exchange = true,
+                                  .temperatures = warm,
+                                  .temperature_count = 3,
+                                  .model = prior_model };
+}
+
+static struct heat_look look_of(enum heat_shown shown, const char *from)
+{
+    return (struct heat_look){ .shown = shown,
+                               .from = from,
+                               .trace = { .mode = TRACE_VECTOR,
+                                          .queue = 500,
+                                          .width = WIDTH,
+                                          .height = HEIGHT,
+                                          .model = prior_model },
+                               .path = path };
+}
+
+static double value_of(const struct heat *heat, enum heat_shown shown,
+                       size_t from, size_t surface)
+{
+    if (shown == SHOWN_FACTOR)
+        return heat->surfaces.list[from].factor[surface].value;
+    return heat->thermal.exchange.flow[surface]
+           / heat->surfaces.list[surface].area.value;
+}
+
+static void check_picture(const struct heat *heat, enum heat_shown shown,
+                          const char *from, size_t number)
+{
+    struct heat_look look = look_of(shown, from);
+    struct heat_drawn drawn;
+    struct picture_error why = { "" };
+    struct frame frame;
+    bool seen[5] = { false };
+    double least = INFINITY, most = -INFINITY;
+    c205_error error = { "" };
+
+    if (!heat_draw(heat, &look, &drawn, &error))
+        fail_msg("%s", error.message);
+    assert_true(
+        picture_read_layer(path, heat_shown_name(shown), &frame, &why));
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
+        size_t id = (size_t)frame.channel[CHANNEL_ID][i];
+        double expected = id == 0
+                              ? 0
+                              : value_of(heat, shown, number,
+                                         heat->surfaces.surface_of[id - 1]);
+
+        seen[id] = true;
+        assert_true(frame.value[i] == (double)(float)expected);
+    }
+    assert_true(seen[0] && seen[1] && seen[2] && seen[3]);
+    for (size_t i = 0; i < heat->surfaces.count; i++) {
+        least = fmin(least, value_of(heat, shown, number, i));
+        most = fmax(most, value_of(heat, shown, number, i));
+    }
+    assert_true(drawn.least == least && drawn.most == most
+                && drawn.clocks > 0);
+    free(frame.value);
+    frame_free(&frame);
+    remove(path);
+}
+
+static void test_values(void **state)
+{
+    const struct heat_request request = usual();
+    struct scene *scene = read_scene();
+    struct heat heat;
+    c205_error error = { "" };
+
+    (void)state;
+    if (!heat_find(scene, &request, &heat, &error))
+        fail_msg("%s", error.message);
+    check_picture(&heat, SHOWN_FLOW, NULL, 0);
+    check_picture(&heat, SHOWN_FACTOR, "Block", 1);
+    check_picture(&heat, SHOWN_FACTOR, "Sheet", 2);
+    heat_free(&heat);
+    scene_free(scene);
+}
+
+static void test_refused(void **state)
+{
+    struct heat_request request = usual();
+    struct heat_look look = look_of(SHOWN_FACTOR, "Lid");
+    struct scene *scene = read_scene();
+    struct heat heat;
+    struct heat_drawn drawn;
+    c205_error error = { "" };
+
+    (void)state;
+    request.exchange = false;
+    assert_true(heat_find(scene, &request, &heat, &error));
+    assert_false(heat_draw(&heat, &look, &drawn, &error));
+    assert_string_equal(error.message,
+                        "no surface is called 'Lid', or nothing comes from "
+                        "it; surfaces: Ball, Block, Sheet");
+    look.shown = SHOWN_FLOW;
+    assert_false(heat_draw(&heat, &look, &drawn, &error));
+    assert_string_equal(error.message, "nothing has a value to be drawn");
+    look.shown = SHOWN_FACTOR;
+    look.from = "Ball";
+    look.path = "missing/folder.exr";
+    assert_false(heat_draw(&heat, &look, &drawn, &error));
+    assert_non_null(strstr(error.message, "missing"));
+    heat_free(&heat);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_refused),
+    };
+    int failed;
+
+    if (!mkdtemp(folder))
+        return 1;
+    snprintf(path, sizeof path, "%s/heat.exr", folder);
+    failed = cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+    rmdir(folder);
+    return failed;
+}
