@@ -65,7 +65,7 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
 	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
 	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/check_lines \
-	$(BUILD)/tests/oracle/check_mass \
+	$(BUILD)/tests/oracle/check_mass $(BUILD)/tests/oracle/check_heat \
 	$(BUILD)/tests/oracle/digest \
 	$(BUILD)/tests/oracle/check_language_scenes \
 	$(BUILD)/tests/oracle/draw_words
@@ -90,7 +90,7 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
-	check-lines check-mass check-uses check-language-scenes check-language \
+	check-lines check-mass check-heat check-uses check-language-scenes check-language \
 	check-library check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
@@ -100,6 +100,7 @@ FACES ?= 200
 REGIONS ?= 200
 SEEN ?= 60
 MASSES ?= 24
+HEATS ?= 16
 USES ?= some
 LANGUAGE ?= 200
 TRIES ?= 300
@@ -145,6 +146,7 @@ check-long: export FACES = 20000
 check-long: export REGIONS = 10000
 check-long: export SEEN = 5000
 check-long: export MASSES = 1000
+check-long: export HEATS = 1000
 check-long: export MASS_RAYS = 262144
 check-long: export HEAT_POINTS = 4096
 check-long: export USES = all
@@ -340,6 +342,9 @@ check-regions: $(BUILD)/tests/oracle/check_regions
 
 check-lines: $(BUILD)/tests/oracle/check_lines
 	$(call by_shares,$(SEEN))
+
+check-heat: $(BUILD)/tests/oracle/check_heat
+	$(call by_shares,$(HEATS))
 
 check-mass: $(BUILD)/tests/oracle/check_mass
 	$(call by_shares,$(MASSES))
@@ -550,7 +555,7 @@ clean:
 .PHONY: all mpi demo tests check check-long check-rooms check-unit check-programs \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
-	check-lines check-mass check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
+	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
 	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \

@@ -2,7 +2,7 @@
 # check_uses.sh BUILD SCENE - what else a traced scene is for: heat and mass, with few
 # rays.
 #
-# Both forms, with any queue and any number of jobs, print the same figures, to the last
+# All stages, with any queue and any number of jobs, print the same figures, to the last
 # digit that tells one number from the next; a scene that has none says why.
 # USES: some of the ways, or all.
 set -u
@@ -32,21 +32,23 @@ same() { # COMMAND OPTION ..
     outcome "$command" "$scene" "$@" --mode scalar >"$work/scalar"
     verdict $? "$scene: $command tells neither figures nor why not"
     while read -r way; do
-        outcome "$command" "$scene" "$@" $way >"$work/vector"
-        cmp -s "$work/scalar" "$work/vector"
+        outcome "$command" "$scene" "$@" $way >"$work/other"
+        cmp -s "$work/scalar" "$work/other"
         verdict $? "$scene: $command $way tells other figures than scalar"
     done
 }
 
 if [ "${USES:-some}" = all ]; then
-    printf '%s\n' "--queue 1" "--queue 77" "--queue 2000" "--queue 65535" >"$work/ways"
+    printf '%s\n' "--queue 1" "--queue 77" "--queue 2000" "--queue 65535" \
+        "--mode kernels --queue 33" "--mode kernels" >"$work/ways"
     mass="--rays 64 --repeats 4" heat="--rays 16 --repeats 2"
 else
-    echo "--queue 77" >"$work/ways"
+    printf '%s\n' "--queue 77" "--mode kernels" >"$work/ways"
     mass="--rays 16 --repeats 4" heat="--rays 4 --repeats 2"
 fi
 sed 's/$/ --jobs 3/' "$work/ways" >"$work/jobs"
 same mass $mass --density default=1 <"$work/jobs"
-same heat $heat <"$work/ways"
+same heat $heat <"$work/jobs"
+same heat --lines 32 --repeats 2 <"$work/jobs"
 echo "$scene"
 counted

@@ -212,6 +212,8 @@ static bool run_faces(const struct packet_work *work, const c205_word *list,
     single_run_word(&run, "faces_crossings", crossings);
     single_run_room(&run, "faces_list", list, FACE_PLANES * crossings);
     single_run_word(&run, "faces_primitive", work->primitive);
+    single_run_word(&run, "faces_vectors",
+                    UINT64_C(7) << EMITTED_FACE | UINT64_C(7) << EMITTED_RAY);
     single_run_room(&run, "faces_kept", NULL, points);
     if (!single_run_end(&run, made, work->stays, words + 1, &clocks))
         return false;

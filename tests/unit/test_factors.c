@@ -107,6 +107,41 @@ static void test_areas(void **state)
         check_area(solids[i].solid, solids[i].area);
 }
 
+/* A body of triangles radiates outward, in whatever order their corners are. */
+static void test_meshes(void **state)
+{
+    static const char corners[][20] = { "<1, 1, 1>", "<1, -1, -1>",
+                                        "<-1, 1, -1>", "<-1, -1, 1>" };
+
+    (void)state;
+    for (unsigned turned = 0; turned < 16; turned++) {
+        char text[600] = "mesh {";
+        struct scene *scene;
+        struct factors *factors;
+        struct factor_row row;
+
+        for (size_t i = 0; i < 4; i++) {
+            size_t turn = turned >> i & 1;
+
+            snprintf(text + strlen(text), sizeof text - strlen(text),
+                     " triangle { %s, %s, %s }", corners[(i + 1) % 4],
+                     corners[(i + 2 + turn) % 4],
+                     corners[(i + 3 - turn) % 4]);
+        }
+        strcat(text, " inside_vector <.2, .9, .1> }");
+        scene = read_scene(text);
+        factors = begin(scene, usual);
+        row = find(factors, 0);
+        assert_estimate(text, row.area, 8 * sqrt(3));
+        assert_int_equal(row.sent, row.tried);
+        assert_int_equal(row.count[1],
+                         row.sent); /* it sees nothing of itself */
+        factor_row_free(&row);
+        factors_free(factors);
+        scene_free(scene);
+    }
+}
+
 /* ---- Bodies that overlap and touch --------------------------------------------- */
 
 enum { SIDE = 4, BOXES = 5, CROWDS = 6 };
@@ -385,9 +420,10 @@ static void test_refused(void **state)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),         cmocka_unit_test(test_crowds),
-        cmocka_unit_test(test_known_factors), cmocka_unit_test(test_bias),
-        cmocka_unit_test(test_forms),         cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_areas),   cmocka_unit_test(test_meshes),
+        cmocka_unit_test(test_crowds),  cmocka_unit_test(test_known_factors),
+        cmocka_unit_test(test_bias),    cmocka_unit_test(test_forms),
+        cmocka_unit_test(test_refused),
     };
 
     if (argc > 1)

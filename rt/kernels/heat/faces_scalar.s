@@ -2,8 +2,8 @@
 
         .include "heat/faces.s"
 
-        .regs   r30, face_distance, face_own, face_point, face_sense, face_found
-        .regs   r35, face_plane_left, face_zero
+        .regs   r31, face_distance, face_own, face_point, face_sense, face_found
+        .regs   r36, face_plane_left, face_zero, face_inward, face_turned
 
 ; The next crossing; none left: to the first label, one that is far: to the second.
         .macro  crossing_next none, far
@@ -30,6 +30,7 @@
 faces:
         faces_begin
         ES      face_zero, 0
+        ES      face_inward, FACE_INWARD
         RTOR    face_list, face_row
         RTOR    face_crossings, face_left
 faces_own:
@@ -60,8 +61,16 @@ faces_point:
         RTOR    face_from, face_at
         RTOR    face_made, face_to
         RTOR    face_planes, face_plane_left
+        RTOR    face_vectors, face_turned
+        IBXEQ   face_found, r0, face_inward, faces_plane
+        ES      face_turned, 0
 faces_plane:
         LOD     [face_at, face_point], face_work
+        AND     face_turned, face_one, face_left
+        IBXEQ   face_left, r0, r0, faces_as_it_is
+        SUBN    r0, face_work, face_work
+faces_as_it_is:
+        SHIFTI  face_turned, -1, face_turned
         STO     [face_to, face_count], face_work
         ADDX    face_at, face_stride, face_at
         ADDX    face_to, face_stride, face_to

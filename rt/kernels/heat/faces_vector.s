@@ -3,14 +3,15 @@
         .include "heat/faces.s"
 
         .equ    STRIP, 4096
-        .regs   r30, v_distance, v_primitive, v_point, v_sense, v_list, v_senses, v_kept
-        .regs   r37, b_near, b_own, b_kept, face_n, face_zero
+        .regs   r31, v_distance, v_primitive, v_point, v_sense, v_list, v_senses, v_kept
+        .regs   r38, b_near, b_own, b_kept, b_inward, face_n, face_zero, face_inward
 
         .data
         .align  64
 face_store:     .space 3 * STRIP
 face_bits:      .space STRIP / 64 * 2
 kept_bits:      .space 65536 / 64
+inward_bits:    .space 65536 / 64
         .code
 
         .macro  face_bit bits, number
@@ -103,10 +104,21 @@ faces_left:
         ADDLEN  face_kept, face_points, face_work
         CMPGEV  [face_work], face_one, [b_kept]
         CNTOB   [b_kept], face_count
+        EX      b_inward, inward_bits
+        ADDLEN  b_inward, face_points, b_inward
+        ES      face_inward, FACE_INWARD
+        CMPEQV  [face_work], face_inward, [b_inward]
+        CNTOB   [b_inward], face_left
         ADDLEN  face_from, face_points, face_at
         ADDLEN  face_made, face_count, face_to
 faces_plane:
         IBXEQ   face_count, r0, r0, faces_none
+        IBXEQ   face_left, r0, r0, faces_as_they_are
+        AND     face_vectors, face_one, face_work
+        IBXEQ   face_work, r0, r0, faces_as_they_are
+        SUBNV   r0, [face_at], [face_at] ? [b_inward]
+faces_as_they_are:
+        SHIFTI  face_vectors, -1, face_vectors
         CPSV    [face_at], [face_to] ? [b_kept]
 faces_none:
         ADDX    face_at, face_stride, face_at

@@ -1,0 +1,273 @@
+/* check_heat.c - factors of scenes by chance, found in two ways that have nothing in common
+ * but the crossings of lines.
+ *
+ *     check_heat [SCENES [OF SHARE]] [--first]
+ *
+ * A few solids (placed_solid.h) radiate in one another's sight.  Rays from points of their
+ * surfaces and lines through all of the scene find the same areas and the same factors, but
+ * for errors that both tell; by lines reciprocity is exact, by rays rows add up to 1.  The
+ * other stages, with another queue, find the same as the vector form, bit for bit, and so do
+ * smoothed factors, whose rows add up to 1 and which have reciprocity.  A scene that fails is
+ * printed, and written to heat_N.pov.
+ */
+#include "rt/heat/heat.h"
+#include "tests/oracle/chance.h"
+#include "tests/oracle/many_scenes.h"
+#include "tests/oracle/placed_solid.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { REASON = 300, REPEATS = 16, SIGMAS = 8 };
+
+static c205_model *model;
+static size_t pair_count; /* factors that both ways found */
+
+static struct heat_request usual(void)
+{
+    return (struct heat_request){ .mode = TRACE_VECTOR,
+                                  .queue = 2000,
+                                  .by = BY_PART,
+                                  .drawn = 128,
+                                  .repeats = REPEATS,
+                                  .lattice = true,
+                                  .seed = 1,
+                                  .model = model };
+}
+
+/* --- scenes ------------------------------------------------------------------- */
+
+/* What has no inside is seen from both sides by lines, and radiates from one by rays. */
+static bool is_closed(const char *text)
+{
+    static const char *const words[] = { "open", "height_field", "disc",
+                                         "steiner_patch", "clipped_by" };
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (strstr(text, words[i]))
+            return false;
+    return !strstr(text, "mesh") || strstr(text, "inside_vector");
+}
+
+/* The words of a solid, which the caller frees. */
+static char *closed_solid(uint64_t *state, const struct place *place)
+{
+    for (;;) {
+        struct solid *solid = solid_at(state, place, DULL,
+                                       (int)below(state, 3));
+        char *text;
+        FILE *file = test_text(&text);
+        solid_print(solid, 1, file);
+        fclose(file);
+        solid_free(solid);
+        if (is_closed(text))
+            return text;
+        free(text);
+    }
+}
+
+static char *random_scene(uint64_t *state)
+{
+    char *text;
+    FILE *file = test_text(&text);
+    size_t count = 2 + below(state, 2);
+    for (size_t i = 0; i < count; i++) {
+        struct place place = { .size = between(state, .5, 1) };
+        for (int k = 0; k < 3; k++)
+            place.at[k] = between(state, -1.5, 1.5);
+        char *solid = closed_solid(state, &place);
+        fprintf(file,
+                "#declare Part%zu = object {\n%s}\nobject { Part%zu }\n", i,
+                solid, i);
+        free(solid);
+    }
+    fclose(file);
+    return text;
+}
+
+/* --- what must agree ---------------------------------------------------------- */
+
+static bool differs(double a, double a_error, double b, double b_error,
+                    double least)
+{
+    return !(fabs(a - b) <= SIGMAS * hypot(a_error, b_error) + least);
+}
+
+/* Of few rays the spread of repeats may be none: one that went elsewhere is counted as
+ * possible. */
+static double error_of(const struct surface *surface, size_t to)
+{
+    return hypot(surface->factor[to].error, 1 / (double)surface->sent);
+}
+
+static bool same_factors(const struct heat *rays, const struct heat *lines,
+                         size_t from, char *reason)
+{
+    const struct surface *one = &rays->surfaces.list[from];
+    const struct surface *other = &lines->surfaces.list[from];
+    for (size_t to = 0; to <= rays->surfaces.count; to++) {
+        if (one->sent == 0 || other->sent == 0)
+            continue;
+        pair_count++;
+        if (differs(one->factor[to].value, error_of(one, to),
+                    other->factor[to].value, error_of(other, to), 0)) {
+            snprintf(reason, REASON,
+                     "from %s to %s: %.6g +- %.2g by rays, %.6g +- %.2g by "
+                     "lines",
+                     one->name, heat_receiver(rays, to),
+                     one->factor[to].value, error_of(one, to),
+                     other->factor[to].value, error_of(other, to));
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool same_areas(const struct surface *one, const struct surface *other,
+                       double largest, char *reason)
+{
+    double single = largest / (double)(1 + other->sent); /* of a line */
+    if (!differs(one->area.value, one->area.error, other->area.value,
+                 hypot(other->area.error, single), 1e-4 * largest))
+        return true;
+    snprintf(reason, REASON, "%s: the area is %.6g +- %.2g or %.6g +- %.2g",
+             one->name, one->area.value, one->area.error, other->area.value,
+             other->area.error);
+    return false;
+}
+
+static bool keeps_rules(const struct heat *heat, char *reason)
+{
+    const struct surfaces *surfaces = &heat->surfaces;
+    for (size_t i = 0; i < surfaces->count; i++) {
+        const struct surface *surface = &surfaces->list[i];
+        double sum = 0, smooth = 0;
+        for (size_t j = 0; surface->sent > 0 && j <= surfaces->count; j++) {
+            sum += surface->factor[j].value;
+            smooth += surface->smooth[j];
+        }
+        if (surface->sent > 0
+            && (fabs(sum - 1) > 1e-11
+                || (surfaces->are_smooth && fabs(smooth - 1) > 1e-10))) {
+            snprintf(reason, REASON, "the factors of %s are %.15g in all",
+                     surface->name, fabs(sum - 1) > 1e-11 ? sum : smooth);
+            return false;
+        }
+        for (size_t j = 0; surfaces->are_smooth && j < i; j++) {
+            const struct surface *other = &surfaces->list[j];
+            double there = surface->area.value * surface->smooth[j];
+            double back = other->area.value * other->smooth[i];
+            if (fabs(there - back) > 1e-10 * surface->area.value) {
+                snprintf(reason, REASON, "smoothed, %s and %s differ",
+                         surface->name, other->name);
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* Another stage, queue and number of jobs, of fewer points. */
+static bool same_stages(const struct scene *scene,
+                        struct heat_request request, uint64_t *state,
+                        char *reason)
+{
+    struct heat vector, other;
+    c205_error error = { "" };
+    request.drawn /= 8;
+    bool there = heat_find(scene, &request, &vector, &error);
+    request.mode = one_in(state, 2) ? TRACE_SCALAR : TRACE_KERNELS;
+    request.queue = 1 + below(state, 40);
+    request.jobs = 2;
+    bool good = heat_find(scene, &request, &other, &error) == there
+                && (!there || heat_is_same(&vector, &other));
+    if (!good)
+        snprintf(reason, REASON, "%s finds others than vector, by %s",
+                 trace_mode_name(request.mode),
+                 request.by_lines ? "lines" : "rays");
+    heat_free(&vector);
+    heat_free(&other);
+    return good;
+}
+
+static bool same_ways(const struct heat *rays, const struct heat *lines,
+                      char *reason)
+{
+    double largest = 0;
+    for (size_t i = 0; i < rays->surfaces.count; i++)
+        largest = fmax(largest, lines->surfaces.list[i].area.value);
+    for (size_t i = 0; i < rays->surfaces.count; i++) {
+        const struct surface *one = &rays->surfaces.list[i];
+        if (!one->receives_alone
+            && (!same_areas(one, &lines->surfaces.list[i], largest, reason)
+                || !same_factors(rays, lines, i, reason)))
+            return false;
+    }
+    return true;
+}
+
+static bool emits_all(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (emission_refusal(&scene->primitives[i]))
+            return false;
+    return true;
+}
+
+static bool passes(const struct scene *scene, uint64_t *state, char *reason)
+{
+    struct heat_request by_rays = usual(), by_lines = usual();
+    struct heat rays, lines;
+    c205_error error = { "" };
+    by_lines.by_lines = true;
+    by_lines.drawn = 1024;
+    by_rays.smooth = emits_all(scene);
+    bool found = heat_find(scene, &by_lines, &lines, &error);
+    if (!found && strstr(error.message, "no end that is known")) {
+        heat_free(&lines);
+        return true;
+    }
+    bool good = found && heat_find(scene, &by_rays, &rays, &error);
+    if (!good && strstr(error.message, "nothing is seen")) {
+        by_rays.smooth = false;
+        heat_free(&rays);
+        good = heat_find(scene, &by_rays, &rays, &error);
+    }
+    snprintf(reason, REASON, "%.250s", error.message);
+    good = good && same_ways(&rays, &lines, reason)
+           && keeps_rules(&rays, reason) && keeps_rules(&lines, reason)
+           && same_stages(scene, by_rays, state, reason)
+           && same_stages(scene, by_lines, state, reason);
+    if (found)
+        heat_free(&rays);
+    heat_free(&lines);
+    return good;
+}
+
+static bool check_scene(size_t number, bool first)
+{
+    uint64_t state = RANDOM_SEED
+                     ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
+    char *text = random_scene(&state), reason[REASON] = "", path[40];
+    struct scene *scene = scene_of(text);
+    bool good = passes(scene, &state, reason);
+    snprintf(path, sizeof path, "heat_%zu.pov", number);
+    if (!good && first)
+        printf("scene %zu: %s\n", number, reason);
+    else if (!good) {
+        printf("FAIL %s: %s\n%s", path, reason, text);
+        keep_scene(path, text);
+    }
+    scene_free(scene);
+    free(text);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    model = usual_model();
+    int code = check_many(count, words, check_scene);
+    c205_model_free(model);
+    printf("%zu factors were found by both\n", pair_count);
+    return code;
+}
