@@ -19,6 +19,7 @@
         .entry  lines
         .kernel lines
 lines:
+        begin_machine
         begin_queues
         EX      target, begin_scalar
         BSAVE   link_kernel, [target]

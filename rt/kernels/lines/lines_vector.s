@@ -19,8 +19,9 @@
         .entry  lines
         .kernel lines
 lines:
-        begin_queues
+        begin_machine
         EX      found, found_crossings
+        begin_queues
 lines_next:
         begin_queue
         EX      target, walk_regions

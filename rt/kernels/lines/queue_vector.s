@@ -2,6 +2,7 @@
 ; 1984: where a queue's lines are, and where what is found of them goes.
 ;
 ;   lines:
+;           begin_machine
 ;           begin_queues
 ;   lines_next:
 ;           begin_queue             ; the next queue
@@ -25,7 +26,7 @@
         VTOV    [w3], [\o]
         .endm
 
-        .macro  begin_queues
+        .macro  begin_machine
         EX      s0, constants
         ELEN    s0, CONSTANTS
         SWAP    [s0], one, [r0]
@@ -37,6 +38,9 @@
         VTOV    tmin, [s5]
         ES      from_one_point, 0
         ES      shadows, 0
+        .endm
+
+        .macro  begin_queues
         load_word lines_count, lines_left
         load_word lines_behind, line_behind
         SHIFTI  lines_left, 6, line_stride
