@@ -269,7 +269,7 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
                           const struct scene *scene,
                           const struct results *results, c205_error *error)
 {
-    const struct heat_request request = request_of(arguments);
+    struct heat_request request = request_of(arguments);
     struct heat heat;
     bool good;
 

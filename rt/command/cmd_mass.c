@@ -202,7 +202,7 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
                           const struct scene *scene,
                           const struct results *results, c205_error *error)
 {
-    const struct mass_request request = request_of(arguments);
+    struct mass_request request = request_of(arguments);
     struct diagnostics reports = { 0 };
     struct mass mass;
     bool good = mass_begin(scene, &request, &mass, &reports, error);

@@ -16,7 +16,7 @@ const char *heat_shown_name(enum heat_shown shown)
     return shown < HEAT_SHOWN ? names[shown] : NULL;
 }
 
-struct drawing {
+struct heat_drawing {
     const struct heat *heat;
     const struct heat_look *look;
     struct heat_drawn *drawn;
@@ -29,7 +29,7 @@ struct drawing {
 
 /* ---- Values ----------------------------------------------------------------- */
 
-static bool find_from(struct drawing *drawing)
+static bool find_from(struct heat_drawing *drawing)
 {
     const struct surfaces *surfaces = &drawing->heat->surfaces;
     const char *name = drawing->look->from ? drawing->look->from : "";
@@ -51,7 +51,7 @@ static bool find_from(struct drawing *drawing)
     return false;
 }
 
-static void put_factors(const struct drawing *drawing)
+static void put_factors(const struct heat_drawing *drawing)
 {
     const struct surfaces *surfaces = &drawing->heat->surfaces;
     const struct surface *from = &surfaces->list[drawing->from];
@@ -61,7 +61,7 @@ static void put_factors(const struct drawing *drawing)
                                                   : from->factor[i].value;
 }
 
-static void put_flows(const struct drawing *drawing)
+static void put_flows(const struct heat_drawing *drawing)
 {
     const struct thermal *thermal = &drawing->heat->thermal;
 
@@ -74,7 +74,7 @@ static void put_flows(const struct drawing *drawing)
     }
 }
 
-static bool find_range(const struct drawing *drawing)
+static bool find_range(const struct heat_drawing *drawing)
 {
     struct heat_drawn *drawn = drawing->drawn;
 
@@ -88,7 +88,7 @@ static bool find_range(const struct drawing *drawing)
            || error_say(drawing->error, "nothing has a value to be drawn");
 }
 
-static bool find_values(struct drawing *drawing)
+static bool find_values(struct heat_drawing *drawing)
 {
     size_t count = drawing->heat->surfaces.count;
 
@@ -121,7 +121,7 @@ static void mix(const double (*way)[3], size_t count, double share,
         color[k] = way[i][k] + (at - (double)i) * (way[i + 1][k] - way[i][k]);
 }
 
-static void color_of(const struct drawing *drawing, size_t surface,
+static void color_of(const struct heat_drawing *drawing, size_t surface,
                      double color[3])
 {
     static const double flow[][3] = { { .02, .08, .6 },
@@ -163,7 +163,7 @@ static void paint(struct primitive *primitive, const double color[3])
     memcpy(primitive->pigment.color[0], color, 3 * sizeof *color);
 }
 
-static bool paint_scene(struct drawing *drawing)
+static bool paint_scene(struct heat_drawing *drawing)
 {
     const struct scene *from = drawing->heat->scene;
     struct scene *scene = &drawing->scene;
@@ -195,7 +195,7 @@ static bool paint_scene(struct drawing *drawing)
 
 /* ---- The frame -------------------------------------------------------------- */
 
-static void put_values(const struct drawing *drawing,
+static void put_values(const struct heat_drawing *drawing,
                        const struct frame *frame)
 {
     for (size_t i = 0; i < frame->width * frame->height; i++) {
@@ -209,7 +209,8 @@ static void put_values(const struct drawing *drawing,
     }
 }
 
-static bool write_frame(const struct drawing *drawing, struct frame *frame)
+static bool write_frame(const struct heat_drawing *drawing,
+                        struct frame *frame)
 {
     const struct heat_look *look = drawing->look;
     char range[80], clocks[32];
@@ -232,7 +233,7 @@ static bool write_frame(const struct drawing *drawing, struct frame *frame)
            || error_say(drawing->error, "%s", why.message);
 }
 
-static bool read_and_write(const struct drawing *drawing,
+static bool read_and_write(const struct heat_drawing *drawing,
                            const struct trace *trace)
 {
     const struct trace_options *options = &drawing->look->trace;
@@ -255,7 +256,7 @@ static bool read_and_write(const struct drawing *drawing,
     return good;
 }
 
-static bool trace_and_write(const struct drawing *drawing)
+static bool trace_and_write(const struct heat_drawing *drawing)
 {
     struct trace *trace = trace_new(&drawing->scene, &drawing->look->trace,
                                     drawing->error);
@@ -271,7 +272,7 @@ static bool trace_and_write(const struct drawing *drawing)
 bool heat_draw(const struct heat *heat, const struct heat_look *look,
                struct heat_drawn *drawn, c205_error *error)
 {
-    struct drawing drawing = {
+    struct heat_drawing drawing = {
         .heat = heat, .look = look, .drawn = drawn, .error = error
     };
     bool good = find_values(&drawing) && paint_scene(&drawing)

@@ -116,7 +116,7 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
 
 static void test_values(void **state)
 {
-    const struct heat_request request = usual();
+    struct heat_request request = usual();
     struct scene *scene = read_scene();
     struct heat heat;
     c205_error error = { "" };
