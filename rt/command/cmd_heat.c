@@ -9,6 +9,7 @@
 #include "rt/command/rt205_command.h"
 #include "rt/heat/heat_picture.h"
 #include "rt/heat/heat_tables.h"
+#include "rt/heat/source.h"
 #include "rt/study/stages.h"
 
 /* Whether all that packets come to is here, not elsewhere. */
@@ -66,17 +67,19 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
 static void warn_of_receivers(const struct rt205_arguments *arguments,
                               const struct scene *scene)
 {
-    if (arguments->heat.lines > 0)
-        return;
-    for (size_t i = 0; i < scene->primitive_count; i++) {
-        const struct primitive *primitive = &scene->primitives[i];
-        const char *refusal = emission_refusal(primitive);
+    const char **refusals = NULL;
 
-        if (refusal)
+    if (arguments->heat.lines == 0)
+        refusals = source_refusals(scene);
+    for (size_t i = 0; refusals && i < scene->primitive_count; i++) {
+        const struct primitive *primitive = &scene->primitives[i];
+
+        if (refusals[i])
             fprintf(stderr, "%s:%zu: warning: the %s receives alone: %s\n",
                     arguments->scene, primitive->line,
-                    primitive_kind_name(primitive->kind), refusal);
+                    primitive_kind_name(primitive->kind), refusals[i]);
     }
+    free(refusals);
 }
 
 /* ---- Three stages ------------------------------------------------------------ */

@@ -103,7 +103,7 @@ static bool count_rays(const struct repeats *repeats, struct factor_row *row)
     for (size_t k = 0; good && k < repeats->count; k++) {
         const struct packet *packet = &repeats->packets[k];
 
-        row->tried += repeats->points;
+        row->tried += packet->made;
         row->sent += packet->stay
                      - (uint64_t)c205_to_integer(
                          packet->counts[row->receivers]);
@@ -144,9 +144,9 @@ static bool conclude(const struct packet_programs *programs,
 
 /* ---- Packets, done by a farm ------------------------------------------------ */
 
-/* The emission of a thread's last packet, which its next one often needs as well. */
+/* The source of a thread's last packet, which its next one often needs as well. */
 struct emitting {
-    struct emission *emission;
+    struct heat_source *source;
     size_t primitive;
 };
 
@@ -165,26 +165,24 @@ struct rows_work {
     struct factor_row *rows;   /* .. */
 };
 
-static bool begin_emission(const struct rows_work *work,
-                           struct emitting *emitting, size_t primitive,
-                           c205_error *error)
+static bool begin_source(const struct rows_work *work,
+                         struct emitting *emitting, size_t primitive,
+                         c205_error *error)
 {
     const struct factors_options *options = &work->programs->options;
-    const struct emission_options emits = { .mode = trace_mode_besides(
-                                                options->mode),
+    const struct emission_options emits = { .mode = options->mode,
                                             .queue = options->queue,
                                             .points = options->points,
                                             .lattice = options->lattice,
                                             .model = options->model };
 
-    if (emitting->emission && emitting->primitive == primitive)
+    if (emitting->source && emitting->primitive == primitive)
         return true;
-    emission_free(emitting->emission);
+    source_free(emitting->source);
     emitting->primitive = primitive;
-    emitting->emission = emission_new(&work->programs->scene
-                                           ->primitives[primitive],
-                                      &emits, error);
-    return emitting->emission;
+    emitting->source = source_new(work->programs->scene, primitive, &emits,
+                                  error);
+    return emitting->source;
 }
 
 static bool run_unit(void *context, size_t job, size_t unit,
@@ -197,10 +195,10 @@ static bool run_unit(void *context, size_t job, size_t unit,
     struct packet packet = { .width = 0 };
     bool good;
 
-    if (!begin_emission(work, emitting, primitive, error))
+    if (!begin_source(work, emitting, primitive, error))
         return false;
     good = packet_begin(&packet, work->programs)
-               ? packet_run(work->programs, emitting->emission, primitive,
+               ? packet_run(work->programs, emitting->source, primitive,
                             unit % repeats, &packet, error)
                : error_say(error, "no memory");
     if (good)
@@ -311,7 +309,7 @@ static bool begin(struct rows_work *work)
 static void end(struct rows_work *work)
 {
     for (size_t i = 0; work->emitting && i < work->job_count; i++)
-        emission_free(work->emitting[i].emission);
+        source_free(work->emitting[i].source);
     for (size_t i = 0; work->coming && i < work->emitter_count; i++)
         end_coming(&work->coming[i], work->programs->options.repeats);
     free(work->emitting);

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "rt/heat/emission.h"
+#include "rt/heat/chords.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
@@ -15,9 +15,8 @@
 
 /* Gaps shorter than that, a length in the world, are none: surfaces touch there. */
 static const double least_gap = 1e-7;
-/* The sphere is larger than the box about the scene, and lines begin outside of it: so
- * many radii behind where they leave it. */
-static const double larger = 1.001, behind = 2.01;
+/* The sphere is larger than the box about the scene. */
+static const double larger = 1.001;
 
 enum { SURFACES_MOST = 1023, ENDS_MOST = 65535 };
 
@@ -25,8 +24,7 @@ struct global_work {
     const struct scene *scene;
     const struct global_lines_options *options;
     struct global_lines *found;
-    double center[3];
-    struct emission *sphere;
+    struct chords chords;
     struct lines *lines;
     struct object *gaps;
     size_t lines_of_packet, packets; /* packets: of a repeat */
@@ -78,10 +76,11 @@ static bool find_sphere(struct global_work *work, c205_error *error)
         good = join_box(&bounds[scene->regions[i].first_node],
                         &scene->regions[i], low, high, error);
     for (int i = 0; good && i < 3; i++) {
-        work->center[i] = (low[i] + high[i]) / 2;
+        work->chords.center[i] = (low[i] + high[i]) / 2;
         square += (high[i] - low[i]) * (high[i] - low[i]);
     }
-    work->found->radius = larger * sqrt(square) / 2;
+    work->chords.radius = larger * sqrt(square) / 2;
+    work->found->radius = work->chords.radius;
     free(bounds);
     return good;
 }
@@ -113,8 +112,7 @@ static bool check(const struct scene *scene,
     return true;
 }
 
-/* What a sphere radiates goes out; seen from its end, that came in. */
-static bool begin_sphere(struct global_work *work, c205_error *error)
+static bool begin_chords(struct global_work *work, c205_error *error)
 {
     const struct global_lines_options *options = work->options;
     const struct emission_options emits = { .mode = trace_mode_besides(
@@ -123,15 +121,8 @@ static bool begin_sphere(struct global_work *work, c205_error *error)
                                             .points = work->lines_of_packet,
                                             .lattice = options->lattice,
                                             .model = options->model };
-    struct primitive sphere = { .kind = PRIMITIVE_SPHERE };
 
-    for (int i = 0; i < 3; i++) {
-        sphere.shape.sphere.center[i] = work->center[i];
-        sphere.to_world.rows[i][i] = sphere.to_local.rows[i][i] = 1;
-    }
-    sphere.shape.sphere.radius = work->found->radius;
-    work->sphere = emission_new(&sphere, &emits, error);
-    return work->sphere;
+    return chords_begin(&work->chords, &emits, error);
 }
 
 static bool begin_lines(struct global_work *work, c205_error *error)
@@ -141,7 +132,7 @@ static bool begin_lines(struct global_work *work, c205_error *error)
         .mode = options->mode,
         .queue = options->queue,
         .packet = work->lines_of_packet,
-        .behind = behind * work->found->radius,
+        .behind = CHORDS_BEHIND * work->found->radius,
         .bodies = true,
         .model = options->model,
     };
@@ -177,13 +168,13 @@ static bool begin(struct global_work *work, c205_error *error)
     work->packets = lines / work->lines_of_packet;
     if (!begin_room(work))
         return error_say(error, "no memory");
-    return find_sphere(work, error) && begin_sphere(work, error)
+    return find_sphere(work, error) && begin_chords(work, error)
            && begin_lines(work, error) && begin_gaps(work, error);
 }
 
 static void end(struct global_work *work)
 {
-    emission_free(work->sphere);
+    chords_end(&work->chords);
     lines_free(work->lines);
     object_free(work->gaps);
 }
@@ -206,9 +197,8 @@ static bool make_lines(struct global_packet *packet)
 {
     const struct global_work *work = packet->work;
     const struct global_lines_options *options = work->options;
-    size_t count = work->lines_of_packet;
     size_t repeat = packet->unit / work->packets;
-    size_t first = packet->unit % work->packets * count;
+    size_t first = packet->unit % work->packets * work->lines_of_packet;
     struct emission_choice choice = { .seed = options->seed,
                                       .m = options->lines_log,
                                       .shift = repeat,
@@ -216,17 +206,10 @@ static bool make_lines(struct global_packet *packet)
 
     if (!options->lattice)
         choice.first += repeat << options->lines_log;
-    if (!emission_run(work->sphere, &choice, packet->planes,
-                      &packet->accounts, packet->error))
+    if (!chords_run(&work->chords, &choice, packet->planes, packet->lines,
+                    &packet->accounts, packet->error))
         return false;
     heat_charge(packet->clocks, &packet->accounts, STEP_EMISSION);
-    for (size_t i = 0; i < count; i++)
-        for (size_t k = 0; k < 3; k++) {
-            packet->lines[i].origin[k] = c205_to_double(
-                packet->planes[(EMITTED_SPOT + k) * count + i]);
-            packet->lines[i].direction[k] = c205_to_double(
-                packet->planes[(EMITTED_RAY + k) * count + i]);
-        }
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "rt/farm/farm.h"
 #include "rt/heat/smooth.h"
+#include "rt/heat/source.h"
 #include "rt/scene/given_values.h"
 
 /* What there is besides while it is found. */
@@ -35,13 +36,16 @@ static bool add_accounts(const struct heat_work *work,
 
 /* ---- By rays --------------------------------------------------------------- */
 
-static void list_emitters(struct heat_work *work)
+static bool list_emitters(struct heat_work *work)
 {
     const struct scene *scene = work->heat->scene;
+    const char **refusals = source_refusals(scene);
 
-    for (size_t i = 0; i < scene->primitive_count; i++)
-        if (!emission_refusal(&scene->primitives[i]))
+    for (size_t i = 0; refusals && i < scene->primitive_count; i++)
+        if (!refusals[i])
             work->emitters[work->emitter_count++] = i;
+    free(refusals);
+    return refusals || error_say(work->error, "no memory");
 }
 
 static bool find_rows(struct heat_work *work)
@@ -105,10 +109,7 @@ static bool find_by_rays(struct heat_work *work)
     work->rows = calloc(primitives + 1, sizeof *work->rows);
     good = (work->emitters && work->rows)
            || error_say(work->error, "no memory");
-    if (good) {
-        list_emitters(work);
-        good = find_rows(work);
-    }
+    good = good && list_emitters(work) && find_rows(work);
     if (good && collects(work->heat)) {
         place_rows(work);
         good = combine_rows(work);

@@ -92,6 +92,7 @@ void packet_free(struct packet *packet)
 
 void packet_put(const struct packet *packet, struct unit_words *words)
 {
+    words_put(words, packet->made);
     words_put(words, packet->stay);
     words_put_all(words, packet->sums, packet->width);
     words_put_all(words, packet->clocks, HEAT_STEPS);
@@ -100,6 +101,7 @@ void packet_put(const struct packet *packet, struct unit_words *words)
 
 bool packet_take(struct packet *packet, struct unit_words *words)
 {
+    packet->made = words_take(words);
     packet->stay = words_take(words);
     words_take_all(words, packet->sums, packet->width);
     words_take_all(words, packet->clocks, HEAT_STEPS);
@@ -113,11 +115,11 @@ bool packet_take(struct packet *packet, struct unit_words *words)
 
 struct packet_work {
     const struct packet_programs *programs;
-    const struct emission *emission;
+    const struct heat_source *source;
     size_t primitive, repeat;
     struct packet *packet;
-    c205_word *made;  /* planes of all points, */
-    c205_word *stays; /* of those that stay, and their number */
+    struct sourced made; /* all points */
+    c205_word *stays;    /* planes of those that stay, and their number */
     struct scene_line *lines;
     c205_error *error;
 };
@@ -129,7 +131,7 @@ static void charge(const struct packet_work *work, enum heat_step step)
 }
 
 /* Each primitive has shifts, or rays, of its own. */
-static bool emit(const struct packet_work *work)
+static bool emit(struct packet_work *work)
 {
     const struct factors_options *options = &work->programs->options;
     size_t place = work->primitive * options->repeats + work->repeat;
@@ -137,8 +139,8 @@ static bool emit(const struct packet_work *work)
                                                     options->seed,
                                                     options->points, place);
 
-    if (!emission_run(work->emission, &choice, work->made,
-                      &work->packet->accounts, work->error))
+    if (!source_run(work->source, &choice, &work->made,
+                    &work->packet->accounts, work->error))
         return false;
     charge(work, STEP_EMISSION);
     return true;
@@ -149,7 +151,7 @@ static bool follow(const struct packet_work *work, const struct lines *lines,
                    const c205_word *planes, enum emitted direction,
                    size_t count, struct seen_crossings *found)
 {
-    size_t points = work->programs->options.points;
+    size_t points = work->made.count;
 
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < 3; k++) {
@@ -199,7 +201,7 @@ static c205_word *lay_crossings(const struct seen_crossings *found)
 static bool run_faces(const struct packet_work *work, const c205_word *list,
                       size_t crossings)
 {
-    size_t points = work->programs->options.points;
+    size_t points = work->made.count;
     size_t words = EMITTED_PLANES * points;
     struct single_run run;
     uint64_t made, clocks = 0;
@@ -207,7 +209,7 @@ static bool run_faces(const struct packet_work *work, const c205_word *list,
     begin_run(work, work->programs->faces, &run);
     single_run_word(&run, "faces_points", points);
     single_run_word(&run, "faces_planes", EMITTED_PLANES);
-    single_run_room(&run, "faces_from", work->made, words);
+    single_run_room(&run, "faces_from", work->made.planes, words);
     made = single_run_room(&run, "faces_made", NULL, words + 1);
     single_run_word(&run, "faces_crossings", crossings);
     single_run_room(&run, "faces_list", list, FACE_PLANES * crossings);
@@ -229,8 +231,8 @@ static bool keep_faces(const struct packet_work *work)
     c205_word *list;
     bool good;
 
-    if (!follow(work, programs->normals, work->made, EMITTED_FACE,
-                programs->options.points, &found))
+    if (!follow(work, programs->normals, work->made.planes, EMITTED_FACE,
+                work->made.count, &found))
         return false;
     list = lay_crossings(&found);
     good = list ? run_faces(work, list, found.first[found.line_count])
@@ -282,7 +284,7 @@ static bool run_received(const struct packet_work *work,
                          const c205_word *list)
 {
     const struct packet *made = work->packet;
-    size_t rays = (size_t)made->stay, points = work->programs->options.points;
+    size_t rays = (size_t)made->stay, points = work->made.count;
     size_t receivers = packet_receivers(work->programs) + 1;
     struct single_run run;
     uint64_t sums, clocks = 0;
@@ -328,17 +330,20 @@ static bool receive(const struct packet_work *work)
 
 static bool run_packet(struct packet_work *work)
 {
-    size_t points = work->programs->options.points;
-    size_t words = EMITTED_PLANES * points;
+    size_t points, words;
     bool good;
 
-    work->made = malloc(words * sizeof *work->made);
+    if (!emit(work))
+        return false;
+    points = work->made.count;
+    work->packet->made = points;
+    words = EMITTED_PLANES * points;
     work->stays = malloc((words + 1) * sizeof *work->stays);
-    work->lines = malloc(points * sizeof *work->lines);
-    good = work->made && work->stays && work->lines
-               ? emit(work) && keep_faces(work) && receive(work)
+    work->lines = malloc((points + 1) * sizeof *work->lines);
+    good = work->stays && work->lines
+               ? points == 0 || (keep_faces(work) && receive(work))
                : error_say(work->error, "no memory");
-    free(work->made);
+    free(work->made.planes);
     free(work->stays);
     free(work->lines);
     return good;
@@ -346,11 +351,11 @@ static bool run_packet(struct packet_work *work)
 
 
 bool packet_run(const struct packet_programs *programs,
-                const struct emission *emission, size_t primitive,
+                const struct heat_source *source, size_t primitive,
                 size_t repeat, struct packet *packet, c205_error *error)
 {
     struct packet_work work = { .programs = programs,
-                                .emission = emission,
+                                .source = source,
                                 .primitive = primitive,
                                 .repeat = repeat,
                                 .packet = packet,

@@ -1,7 +1,7 @@
 /* packet.h - a packet of rays: one repeat of an emitter, its points, which of them are
  * seen, and what receives the rays that go out from these.
  *
- * A point that emission makes stays if the surface is seen there, that is if its
+ * A point of the emitter's source stays if the surface is seen there, that is if its
  * region has another value before it than behind it.  Of the points that stay one ray goes
  * out each, and what it meets first receives it; one that begins within another body is
  * counted as covered.
@@ -11,6 +11,7 @@
 
 #include "rt/farm/words.h"
 #include "rt/heat/factors.h"
+#include "rt/heat/source.h"
 
 /* What the packets of a scene have in common. */
 struct packet_programs {
@@ -30,7 +31,8 @@ size_t packet_receivers(const struct packet_programs *programs);
 
 /* What the rays of a repeat come to, and what that took. */
 struct packet {
-    uint64_t stay;   /* points on faces */
+    uint64_t made;   /* points of the source */
+    uint64_t stay;   /* .. that are on faces */
     size_t width;    /* of words */
     c205_word *sums; /* of weights: by receiver, of what is covered, of all */
     c205_word *counts; /* of rays: by receiver, of what is covered */
@@ -45,7 +47,7 @@ void packet_free(struct packet *packet);
 
 /* Any number of threads may run packets at a time.  False: a trap, no memory. */
 bool packet_run(const struct packet_programs *programs,
-                const struct emission *emission, size_t primitive,
+                const struct heat_source *source, size_t primitive,
                 size_t repeat, struct packet *packet, c205_error *error);
 
 /* As a unit of work comes to it. */

@@ -1,6 +1,7 @@
 /* test_thermal.c - surfaces of a scene by primitive, part and material, and what they exchange. */
 #include <stdio.h>
 
+#include "rt/heat/source.h"
 #include "rt/heat/thermal.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
@@ -38,14 +39,17 @@ static void find_rows(struct study *study)
     size_t count = study->scene->primitive_count;
     c205_error error = { "" };
     struct factors *factors = factors_new(study->scene, &options, &error);
+    const char **refusals = source_refusals(study->scene);
 
     assert_non_null(factors);
+    assert_non_null(refusals);
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
-        if (!emission_refusal(&study->scene->primitives[i])
+        if (!refusals[i]
             && !factors_find(factors, &i, 1, &study->rows[i], &error))
             fail_msg("%s", error.message);
     factors_free(factors);
+    free(refusals);
     surfaces_combine(&study->surfaces, study->rows);
 }
 

@@ -33,12 +33,7 @@
         .field  EMISSION_TABLE     ; address of their columns (pieces.s)
         .endrecord
 
-        .record EMITTED
-        .field  EMITTED_SPOT, 3    ; the point, in the world
-        .field  EMITTED_FACE, 3    ; its outward normal, of length one
-        .field  EMITTED_WEIGHT     ; an area in the world
-        .field  EMITTED_RAY, 3     ; the direction, of length one
-        .endrecord
+        .include "heat/emitted.s"
 
 ; Columns: registers of numbers, or of descriptors.
         .equ    EMISSION_WORK, 28

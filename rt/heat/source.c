@@ -1,0 +1,351 @@
+#include "rt/heat/source.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "base/error.h"
+#include "rt/heat/chords.h"
+#include "rt/layout/bounds.h"
+#include "rt/layout/program.h"
+#include "rt/layout/single_run.h"
+
+/* A sphere is so much larger than a bound. */
+static const double larger = 1.001;
+
+struct heat_source {
+    struct emission_options options;
+    struct emission *emission; /* or NULL: by lines .. */
+    struct chords chords;
+    /* .. through a scene of the primitive alone. */
+    struct scene alone;
+    struct tree_node node;
+    struct region region;
+    struct primitive primitive;
+    struct lines *lines;
+    struct object *spots;
+};
+
+/* ---- What has a source -------------------------------------------------------- */
+
+static const struct region *region_of(const struct scene *scene,
+                                      size_t primitive)
+{
+    const struct region *region = scene->regions;
+
+    while (primitive < region->first_primitive
+           || primitive >= region->first_primitive + region->primitive_count)
+        region++;
+    return region;
+}
+
+/* The least that is known to be about it. */
+static struct bound bound_of(const struct scene *scene,
+                             const struct bound *bounds, size_t primitive)
+{
+    const struct region *region = region_of(scene, primitive);
+    size_t first = region->first_node, end = first + region->node_count;
+    struct bound bound = bounds[first];
+
+    for (size_t i = first; i < end; i++) {
+        const struct tree_node *node = &scene->nodes[i];
+
+        if (node->operation == TREE_LEAF && node->primitive == primitive
+            && !bound_is_none(&bounds[i])
+            && (bound_is_none(&bound) || bounds[i].radius < bound.radius))
+            bound = bounds[i];
+    }
+    return bound;
+}
+
+static struct bound *bound_all(const struct scene *scene)
+{
+    struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
+
+    if (bounds && bound_nodes(scene, bounds))
+        return bounds;
+    free(bounds);
+    return NULL;
+}
+
+static const char *refusal_of(const struct scene *scene,
+                              const struct bound *bounds, size_t primitive)
+{
+    struct bound bound = bound_of(scene, bounds, primitive);
+    const char *refusal = emission_refusal(&scene->primitives[primitive]);
+
+    if (refusal && bound_is_none(&bound))
+        return scene->primitives[primitive].kind == PRIMITIVE_PLANE
+                   ? refusal
+                   : "it has no end that is known, and so no emission";
+    return NULL;
+}
+
+const char **source_refusals(const struct scene *scene)
+{
+    const char **refusals = calloc(scene->primitive_count + 1,
+                                   sizeof *refusals);
+    struct bound *bounds = bound_all(scene);
+
+    for (size_t i = 0; refusals && bounds && i < scene->primitive_count; i++)
+        refusals[i] = refusal_of(scene, bounds, i);
+    if (!bounds) {
+        free(refusals);
+        refusals = NULL;
+    }
+    free(bounds);
+    return refusals;
+}
+
+/* ---- To begin ----------------------------------------------------------------- */
+
+static bool find_sphere(struct heat_source *source, const struct scene *scene,
+                        size_t primitive, c205_error *error)
+{
+    struct bound *bounds = bound_all(scene), bound;
+    const char *refusal;
+
+    if (!bounds)
+        return error_say(error, "no memory");
+    bound = bound_of(scene, bounds, primitive);
+    refusal = refusal_of(scene, bounds, primitive);
+    free(bounds);
+    if (refusal)
+        return error_say(error, "the %s of line %zu: %s",
+                         primitive_kind_name(
+                             scene->primitives[primitive].kind),
+                         scene->primitives[primitive].line, refusal);
+    for (int i = 0; i < 3; i++)
+        source->chords.center[i] = bound.center[i];
+    source->chords.radius = larger * bound.radius;
+    return true;
+}
+
+static void put_alone(struct heat_source *source, const struct scene *scene,
+                      size_t primitive)
+{
+    source->primitive = scene->primitives[primitive];
+    source->node = (struct tree_node){ .operation = TREE_LEAF, .next = 1 };
+    source->region = (struct region){ .primitive_count = 1,
+                                      .node_count = 1,
+                                      .line = source->primitive.line };
+    source->alone = *scene;
+    source->alone.primitives = &source->primitive;
+    source->alone.nodes = &source->node;
+    source->alone.regions = &source->region;
+    source->alone.primitive_count = source->alone.node_count =
+        source->alone.region_count = 1;
+}
+
+static bool begin_lines(struct heat_source *source, c205_error *error)
+{
+    static const struct asm_define none[] = { { NULL, 0 } };
+    const struct lines_options options = {
+        .mode = source->options.mode,
+        .queue = source->options.queue,
+        .behind = CHORDS_BEHIND * source->chords.radius,
+        .normals = true,
+        .model = source->options.model,
+    };
+    struct emission_options emits = source->options;
+    char path[64];
+
+    emits.mode = trace_mode_besides(emits.mode);
+    snprintf(path, sizeof path, "heat/spots_%s.s",
+             trace_mode_name(emits.mode));
+    source->lines = lines_new(&source->alone, &options, error);
+    if (!source->lines)
+        return false;
+    source->spots = program_assemble(path, none, error);
+    return source->spots && chords_begin(&source->chords, &emits, error);
+}
+
+static bool begin(struct heat_source *source, const struct scene *scene,
+                  size_t primitive, c205_error *error)
+{
+    const struct primitive *emitter = &scene->primitives[primitive];
+    struct emission_options emits = source->options;
+
+    emits.mode = trace_mode_besides(emits.mode);
+    if (!emission_refusal(emitter)) {
+        source->emission = emission_new(emitter, &emits, error);
+        return source->emission;
+    }
+    if (!find_sphere(source, scene, primitive, error))
+        return false;
+    put_alone(source, scene, primitive);
+    return begin_lines(source, error);
+}
+
+struct heat_source *source_new(const struct scene *scene, size_t primitive,
+                               const struct emission_options *options,
+                               c205_error *error)
+{
+    struct heat_source *source = calloc(1, sizeof *source);
+
+    if (!source) {
+        error_say(error, "no memory");
+        return NULL;
+    }
+    source->options = *options;
+    if (begin(source, scene, primitive, error))
+        return source;
+    source_free(source);
+    return NULL;
+}
+
+void source_free(struct heat_source *source)
+{
+    if (!source)
+        return;
+    emission_free(source->emission);
+    chords_end(&source->chords);
+    lines_free(source->lines);
+    object_free(source->spots);
+    free(source);
+}
+
+/* ---- By lines ----------------------------------------------------------------- */
+
+/* The planes of a crossing, as in spots.s. */
+enum {
+    CROSSED_DISTANCE,
+    CROSSED_LINE,
+    CROSSED_NORMAL,
+    CROSSED_PLANES = CROSSED_NORMAL + 3
+};
+
+static c205_word *lay_crossings(const struct seen_crossings *found)
+{
+    size_t count = found->first[found->line_count];
+    c205_word *planes = calloc(CROSSED_PLANES * count + 1, sizeof *planes);
+
+    for (size_t line = 0; planes && line < found->line_count; line++)
+        for (size_t i = found->first[line]; i < found->first[line + 1]; i++) {
+            const struct seen_crossing *seen = &found->list[i];
+
+            planes[CROSSED_DISTANCE * count + i] = seen->distance;
+            planes[CROSSED_LINE * count + i] = c205_from_integer(
+                (int64_t)line);
+            for (size_t k = 0; k < 3; k++)
+                planes[(CROSSED_NORMAL + k) * count + i] = seen->normal[k];
+        }
+    return planes;
+}
+
+static bool run_spots(const struct heat_source *source,
+                      const c205_word *lines, const c205_word *crossings,
+                      struct sourced *made, struct accounts *accounts,
+                      c205_error *error)
+{
+    size_t words = EMITTED_PLANES * made->count;
+    struct single_run run;
+    uint64_t at, clocks = 0;
+
+    single_run_begin(&run, source->spots, source->options.model, error);
+    run.accounts = accounts;
+    single_run_word(&run, "spots_lines", source->chords.count);
+    single_run_word(&run, "spots_crossings", made->count);
+    single_run_room(&run, "spots_from", lines,
+                    EMITTED_PLANES * source->chords.count);
+    single_run_room(&run, "spots_list", crossings,
+                    CROSSED_PLANES * made->count);
+    at = single_run_room(&run, "spots_made", NULL, words);
+    single_run_number(&run, "spots_weight", 0,
+                      chords_weight(&source->chords));
+    return single_run_end(&run, at, made->planes, words, &clocks);
+}
+
+static bool make_spots(const struct heat_source *source,
+                       const c205_word *lines,
+                       const struct seen_crossings *found,
+                       struct sourced *made, struct accounts *accounts,
+                       c205_error *error)
+{
+    c205_word *crossings;
+    bool good;
+
+    made->count = found->first[found->line_count];
+    if (made->count > EMISSION_MOST)
+        return error_say(error,
+                         "the %s of line %zu is crossed %zu times: %d at the "
+                         "most; take fewer rays",
+                         primitive_kind_name(source->primitive.kind),
+                         source->primitive.line, made->count, EMISSION_MOST);
+    crossings = lay_crossings(found);
+    made->planes = malloc((EMITTED_PLANES * made->count + 1)
+                          * sizeof *made->planes);
+    good = (crossings && made->planes) || error_say(error, "no memory");
+    if (good && made->count > 0)
+        good = run_spots(source, lines, crossings, made, accounts, error);
+    free(crossings);
+    return good;
+}
+
+static bool run_lines(const struct heat_source *source,
+                      const struct emission_choice *choice,
+                      struct scene_line *lines, c205_word *planes,
+                      struct sourced *made, struct accounts *accounts,
+                      c205_error *error)
+{
+    struct seen_crossings found = { 0 };
+    bool good = chords_run(&source->chords, choice, planes, lines, accounts,
+                           error)
+                && lines_find(source->lines, lines, source->chords.count,
+                              &found, error);
+
+    if (good && !accounts_add_all(accounts, &found.accounts))
+        good = error_say(error, "no memory");
+    good = good && make_spots(source, planes, &found, made, accounts, error);
+    seen_crossings_free(&found);
+    return good;
+}
+
+static bool run_by_lines(const struct heat_source *source,
+                         const struct emission_choice *choice,
+                         struct sourced *made, struct accounts *accounts,
+                         c205_error *error)
+{
+    size_t count = source->chords.count;
+    struct scene_line *lines = malloc(count * sizeof *lines);
+    c205_word *planes = malloc(EMITTED_PLANES * count * sizeof *planes);
+    bool good = lines && planes ? run_lines(source, choice, lines, planes,
+                                            made, accounts, error)
+                                : error_say(error, "no memory");
+
+    free(lines);
+    free(planes);
+    return good;
+}
+
+/* ---- Runs --------------------------------------------------------------------- */
+
+static bool run_emission(const struct heat_source *source,
+                         const struct emission_choice *choice,
+                         struct sourced *made, struct accounts *accounts,
+                         c205_error *error)
+{
+    made->count = source->options.points;
+    made->planes = malloc(EMITTED_PLANES * made->count
+                          * sizeof *made->planes);
+    return made->planes ? emission_run(source->emission, choice, made->planes,
+                                       accounts, error)
+                        : error_say(error, "no memory");
+}
+
+bool source_run(const struct heat_source *source,
+                const struct emission_choice *choice, struct sourced *made,
+                struct accounts *accounts, c205_error *error)
+{
+    bool good;
+
+    *made = (struct sourced){ .count = 0 };
+    good = source->emission
+               ? run_emission(source, choice, made, accounts, error)
+               : run_by_lines(source, choice, made, accounts, error);
+    if (!good) {
+        free(made->planes);
+        *made = (struct sourced){ .count = 0 };
+    }
+    return good;
+}

@@ -1,0 +1,72 @@
+; spots.s - points from which a surface radiates, made of where lines cross it; what the two
+; forms have in common.
+;
+; Lines are isotropic and uniform, so the points are, over the surface, and directions have
+; the cosine law on either side of it.  Each crossing, at the distance t along its line, makes
+; a point o + t d, the direction d, and of the normal n, which is against the line, -n: where
+; the line comes into a body both point inward, and faces.s turns them round.
+;
+; In:  what stands below.
+; Out: spots_made: EMITTED_SIZE planes of as many words as there are crossings.
+; Source: M. Sbert, "An integral geometry based method for fast form-factor computation"
+; (1993).
+
+        .include "heat/emitted.s"
+
+        .record CROSSED                 ; a crossing's words: planes
+        .field  CROSSED_DISTANCE        ; from the origin of its line
+        .field  CROSSED_LINE            ; the number of that, an integer
+        .field  CROSSED_NORMAL, 3       ; of length one, against the line
+        .endrecord
+
+        .data
+spots_given:
+spots_lines:    .word 0                 ; how many, an integer
+spots_crossings: .word 0                ; .. 1 .. 65535
+spots_from:     .word 0                 ; address of the planes of the lines, as EMITTED
+spots_list:     .word 0                 ; .. of the crossings
+spots_made:     .word 0                 ; .. of what is made
+spots_weight:   .word 0.0               ; an area
+                .word 1
+                .equ    SPOTS_GIVEN, 7
+        .code
+
+        .regs   r10, spot_lines, spot_count, spot_from, spot_list, spot_made, spot_weight, spot_one
+        .regs   r17, spot_line_stride, spot_stride, spot_work
+        .regs   r20, spot_origin, spot_way      ; planes of the lines
+        .regs   r22, spot_distance, spot_line, spot_normal
+        .regs   r25, made_spot, made_face, made_weight, made_ray
+
+; The plane of a field, of so many words each.
+        .macro  plane_at base, stride, field, into
+        ES      spot_work, \field
+        MPYX    spot_work, \stride, spot_work
+        ADDX    \base, spot_work, \into
+        .endm
+
+        .macro  spots_begin
+        EX      spot_work, spots_given
+        ELEN    spot_work, SPOTS_GIVEN
+        SWAP    [spot_work], spot_lines, [r0]
+        SHIFTI  spot_lines, 6, spot_line_stride
+        SHIFTI  spot_count, 6, spot_stride
+        plane_at spot_from, spot_line_stride, EMITTED_SPOT, spot_origin
+        plane_at spot_from, spot_line_stride, EMITTED_RAY, spot_way
+        plane_at spot_list, spot_stride, CROSSED_DISTANCE, spot_distance
+        plane_at spot_list, spot_stride, CROSSED_LINE, spot_line
+        plane_at spot_list, spot_stride, CROSSED_NORMAL, spot_normal
+        plane_at spot_made, spot_stride, EMITTED_SPOT, made_spot
+        plane_at spot_made, spot_stride, EMITTED_FACE, made_face
+        plane_at spot_made, spot_stride, EMITTED_WEIGHT, made_weight
+        plane_at spot_made, spot_stride, EMITTED_RAY, made_ray
+        .endm
+
+; Those of the next axis.
+        .macro  spots_next
+        ADDX    spot_origin, spot_line_stride, spot_origin
+        ADDX    spot_way, spot_line_stride, spot_way
+        ADDX    spot_normal, spot_stride, spot_normal
+        ADDX    made_spot, spot_stride, made_spot
+        ADDX    made_face, spot_stride, made_face
+        ADDX    made_ray, spot_stride, made_ray
+        .endm

@@ -1,0 +1,37 @@
+; spots_vector.s - the points of spots.s, all at once.
+
+        .include "heat/spots.s"
+
+        .regs   r30, v_line, v_distance, v_spot, v_ray, v_toil, v_plane
+
+        .macro  as_vector plane, vector
+        ADDLEN  \plane, spot_count, \vector
+        .endm
+
+        .macro  spots_axis
+        as_vector made_ray, v_ray
+        as_vector made_spot, v_spot
+        VXTOV   [v_line], [spot_way], [v_ray]
+        VXTOV   [v_line], [spot_origin], [v_toil]
+        MPYSV   [v_distance], [v_ray], [v_spot]
+        ADDNV   [v_toil], [v_spot], [v_spot]
+        as_vector spot_normal, v_plane
+        as_vector made_face, v_spot
+        SUBNV   r0, [v_plane], [v_spot]
+        .endm
+
+        .entry  spots
+        .kernel spots
+spots:
+        spots_begin
+        as_vector spot_line, v_line
+        as_vector spot_distance, v_distance
+        as_vector made_weight, v_toil
+        spots_axis
+        spots_next
+        spots_axis
+        spots_next
+        spots_axis
+        VTOV    spot_weight, [v_toil]
+        EXIT
+        .endkernel
