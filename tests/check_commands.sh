@@ -678,6 +678,28 @@ object { Pin texture { Copper } }
 sphere { 3*x, 1 }
 plane { y, -9 }
 END
+cat >named.pov <<'END'
+#version 3.7;
+#declare Pin = cylinder { 0, 2*y, .5 }
+object { Pin #ifdef (part) part { "lower pin" density 2 temperature 300 emissivity .5 } #end }
+object { Pin translate 3*x #ifdef (part) part { "upper pin" density 4 } #end }
+END
+ends 0 "$build/rt205" mass named.pov --rays 512
+tells out "^lower pin  *mass  *3\.1"
+tells out "^upper pin  *mass  *6\.[23]"
+ends 0 "$build/rt205" heat named.pov --by part --rays 64 --exchange --temperature "upper pin=adiabatic"
+tells out "^lower pin  *0\.500  300\.0"
+ends 1 "$build/rt205" heat named.pov --by part --rays 64 --exchange
+tells err "no temperature is known of: upper pin"
+echo "sphere { 0, 1 part { } }" >bad_part.pov
+ends 1 "$build/rt205" mass bad_part.pov
+tells err "expected the part.s name, a string"
+echo "sphere { 0, 1 part { \"a\" weight 3 } }" >bad_part.pov
+ends 1 "$build/rt205" mass bad_part.pov
+tells err "expected a word of part"
+echo "sphere { 0, 1 part { \"\" } }" >bad_part.pov
+ends 1 "$build/rt205" mass bad_part.pov
+tells err "a part.s name has 1 to 200 characters"
 printf '#version 3.7;\nsphere { 0, 1 }\ndisc { 4*x, z, 1 }\n' >open.pov
 printf '1 7.85 Steel\n2 .5 line 6\n' >densities.txt
 printf '1 7.85 Steel\n2 x Pine\n' >bad.txt

@@ -102,9 +102,11 @@ static bool read_file_exists(struct reader *reader, double *value)
 
 /* ---- Names and arrays --------------------------------------------------- */
 
-/* A shape that POV-Ray has not. */
-static bool is_own_shape(const struct scene_token *token)
+/* A shape, or another word, that POV-Ray has not. */
+static bool is_own_word(const struct scene_token *token)
 {
+    if (is_token(token, "part"))
+        return true;
     for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
         if (!shapes[kind]->povray
             && is_token(token,
@@ -119,7 +121,7 @@ bool read_defined(struct reader *reader, double *value)
 {
     if (reader->token.kind != TOKEN_WORD)
         return reader_expected(reader, "a name");
-    *value = is_own_shape(&reader->token);
+    *value = is_own_word(&reader->token);
     if (reader_look_up(reader, &reader->token)) {
         if (reader->token.value->kind == VALUE_ARRAY
             && !element_read_place(reader))

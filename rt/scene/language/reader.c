@@ -217,6 +217,24 @@ const char *reader_keep_name(struct reader *reader)
     return arena_text(&reader->scene->kept, name, length);
 }
 
+bool reader_keep_float(struct reader *reader, const char *name, size_t length,
+                       double value)
+{
+    struct scene *scene = reader->scene;
+    struct declared_float *list = arena_grow(&scene->kept, scene->floats,
+                                             scene->float_count,
+                                             &reader->floats_room,
+                                             sizeof *list);
+
+    if (!list)
+        return false;
+    scene->floats = list;
+    list += scene->float_count++;
+    list->name = arena_text(&scene->kept, name, length);
+    list->value = value;
+    return list->name;
+}
+
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind)
 {

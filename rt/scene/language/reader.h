@@ -75,6 +75,7 @@ struct reader {
     struct texture default_texture;
     struct scene_object world;
     size_t objects_room; /* for what is told of those in it */
+    size_t floats_room;  /* .. for floats that have names */
     size_t primitives_made, triangles;
     size_t interiors;                /* the greatest number of one */
     const struct kept_image *images; /* the last one (image_map.c) */
@@ -161,6 +162,9 @@ const struct scene_value *reader_value(const struct reader *reader);
 /* The name of the symbol that the next token stands for, as long as the scene lives;
  * NULL: no memory. */
 const char *reader_keep_name(struct reader *reader);
+/* A float of that name, for who reads the scene.  False: no memory. */
+bool reader_keep_float(struct reader *reader, const char *name, size_t length,
+                       double value);
 /* The same if it is of the kind. */
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind);

@@ -1,4 +1,5 @@
 /* shape.c - solids made of others, objects and their modifiers. */
+#include "rt/scene/language/part.h"
 #include "rt/scene/language/bicubic_patch.h"
 #include "rt/scene/language/blob.h"
 #include "rt/scene/language/clip.h"
@@ -230,6 +231,7 @@ static const struct keyword modifiers[] = {
     { "inverse", read_inverse, 0 },
     { "no_shadow", read_no_shadow, 0 },
     { "sturm", read_sturm, 0 },
+    { "part", part_read, 0 },
     { "clipped_by", clipped_by_read, 0 },
     { "bounded_by", bounded_by_read, 0 },
     { NULL, NULL, 0 },

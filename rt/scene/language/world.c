@@ -303,8 +303,7 @@ static bool take_regions(struct reader *reader)
 /* ---- Floats that have names ---------------------------------------------- */
 
 struct floats {
-    struct scene *scene;
-    size_t room;
+    struct reader *reader;
     bool failed;
 };
 
@@ -312,27 +311,16 @@ static void keep_float(void *context, const char *name, size_t length,
                        const struct scene_value *value)
 {
     struct floats *floats = context;
-    struct scene *scene = floats->scene;
-    struct declared_float *list;
 
-    if (floats->failed || value->kind != VALUE_NUMBERS
-        || value->is.numbers.count != 1)
-        return;
-    list = arena_grow(&scene->kept, scene->floats, scene->float_count,
-                      &floats->room, sizeof *list);
-    floats->failed = !list;
-    if (!list)
-        return;
-    scene->floats = list;
-    list += scene->float_count++;
-    list->name = arena_text(&scene->kept, name, length);
-    list->value = value->is.numbers.n[0];
-    floats->failed = !list->name;
+    if (!floats->failed && value->kind == VALUE_NUMBERS
+        && value->is.numbers.count == 1)
+        floats->failed = !reader_keep_float(floats->reader, name, length,
+                                            value->is.numbers.n[0]);
 }
 
 static bool take_floats(struct reader *reader)
 {
-    struct floats floats = { .scene = reader->scene };
+    struct floats floats = { .reader = reader };
 
     symbols_walk(&reader->symbols, keep_float, &floats);
     return !floats.failed || reader_no_memory(reader);

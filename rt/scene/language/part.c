@@ -1,0 +1,73 @@
+#include "rt/scene/language/part.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rt/scene/language/expression.h"
+#include "rt/scene/language/string_value.h"
+
+enum { NAME_MOST = 200 };
+
+/* A float of the part's name and the word's: Lid_Density. */
+static bool read_value(struct reader *reader, void *subject,
+                       const struct item *item)
+{
+    const char *part = subject, *word = item->keyword->word;
+    char name[NAME_MOST + 20];
+    double value;
+
+    if (!read_number(reader, &value))
+        return false;
+    snprintf(name, sizeof name, "%s_%c%s", part, toupper((int)word[0]),
+             word + 1);
+    return reader_keep_float(reader, name, strlen(name), value)
+           || reader_no_memory(reader);
+}
+
+static const struct keyword words[] = {
+    { "density", read_value, 0 },
+    { "emissivity", read_value, 0 },
+    { "temperature", read_value, 0 },
+    { NULL, NULL, 0 },
+};
+static const struct grammar grammar = { "a word of part", { words }, NULL };
+
+static bool read_name(struct reader *reader, char name[NAME_MOST + 1])
+{
+    struct scene_token at = reader->token;
+    char *string;
+    bool good;
+
+    if (!starts_string(reader))
+        return reader_expected(reader, "the part's name, a string");
+    if (!string_read(reader, &string))
+        return false;
+    good = (*string && strlen(string) <= NAME_MOST)
+           || reader_fault(reader, &at,
+                           "a part's name has 1 to %d characters", NAME_MOST);
+    if (good)
+        strcpy(name, string);
+    free(string);
+    return good;
+}
+
+bool part_read(struct reader *reader, void *subject, const struct item *item)
+{
+    struct scene_object *object = subject;
+    struct block block;
+    char name[NAME_MOST + 1] = "";
+    bool good;
+
+    (void)item;
+    if (!block_open(reader, &block, '{'))
+        return false;
+    good = read_name(reader, name);
+    if (good) {
+        object->name = arena_text(&reader->scene->kept, name, strlen(name));
+        if (!object->name)
+            return reader_no_memory(reader);
+    }
+    return block_items(reader, &block, &grammar, name, good);
+}
