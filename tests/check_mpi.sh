@@ -24,6 +24,8 @@ command_of() { # KIND
     mass) echo "mass bracket.pov --density default=1 --rays 16384 --repeats 4" ;;
     rays) echo "heat burner.pov --by part --rays 64 --repeats 4" ;;
     lines) echo "heat burner.pov --by part --lines 131072 --repeats 16" ;;
+    rounds) echo "heat burner.pov --by part --rays 16 --repeats 4 --tolerance .02" ;;
+    drawn) echo "heat burner.pov --rays 16 --repeats 2 --show factor --from 1" ;;
     esac
 }
 
@@ -33,26 +35,30 @@ asked() { # KIND OPTION ..: in this folder
     timeout 120 "$build/rt205" $command "$@" >told 2>said
 }
 
+is_drawn() { # KIND
+    [ "$1" = frame ] || [ "$1" = drawn ]
+}
+
 in_folder() { # FOLDER KIND OPTION ..: all that it tells and writes
     folder=$work/$1 kind=$2
     shift 2
     mkdir -p "$folder"
     rm -f "$folder"/*.png "$folder"/*.json
     cp "$work"/*.pov "$folder"
-    [ "$kind" = frame ] && set -- "$@" -o picture.png
+    is_drawn "$kind" && set -- "$@" -o picture.png
     (cd "$folder" && asked "$kind" "$@" --json figures.json)
 }
 
 # The bytes of one process alone.
 alike() { # FOLDER KIND
-    for file in told figures.json $([ "$2" = frame ] && echo picture.png); do
+    for file in told figures.json $(is_drawn "$2" && echo picture.png); do
         cmp -s "$work/alone.$2/$file" "$work/$1/$file" || return 1
     done
 }
 
 # ---- Any number of ranks -------------------------------------------------------
 
-for kind in $kinds; do
+for kind in $kinds rounds drawn; do
     said=$work/alone.$kind/said
     in_folder "alone.$kind" "$kind" --jobs 2
     verdict $? "$kind: one process alone fails"
