@@ -43,12 +43,13 @@ if [ "${USES:-some}" = all ]; then
         "--mode kernels --queue 33" "--mode kernels" >"$work/ways"
     mass="--rays 64 --repeats 4" heat="--rays 16 --repeats 2"
 else
-    printf '%s\n' "--queue 77" "--mode kernels" >"$work/ways"
+    echo "--queue 77" >"$work/ways"
     mass="--rays 16 --repeats 4" heat="--rays 4 --repeats 2"
 fi
 sed 's/$/ --jobs 3/' "$work/ways" >"$work/jobs"
 same mass $mass --density default=1 <"$work/jobs"
-same heat $heat <"$work/jobs"
 same heat --lines 32 --repeats 2 <"$work/jobs"
+[ "${USES:-some}" = all ] || sed -i 's/^/--mode kernels /' "$work/jobs"
+same heat $heat <"$work/jobs"
 echo "$scene"
 counted

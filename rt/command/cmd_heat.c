@@ -327,18 +327,6 @@ static const char *contradiction(const struct rt205_arguments *arguments)
     return NULL;
 }
 
-static bool check_picture(const struct rt205_arguments *arguments, int *code)
-{
-    struct picture_error why;
-
-    if (!arguments->output || picture_check_path(arguments->output, &why))
-        return true;
-    *code = picture_is_named(arguments->output)
-                ? cmd_failed(arguments->command, "%s", why.message)
-                : cmd_usage(arguments->command, "%s", why.message);
-    return false;
-}
-
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
@@ -347,9 +335,8 @@ static int run_command_line(void *given)
 
     if (why)
         return cmd_usage(arguments->command, "%s", why);
-    if (!check_picture(arguments, &code))
-        return code;
-    return cmd_with_farm(arguments, run);
+    code = cmd_check_picture(arguments);
+    return code == CMD_DONE ? cmd_with_farm(arguments, run) : code;
 }
 
 static const char *points_choice(size_t number)

@@ -356,7 +356,7 @@ static int render_scene(const struct rt205_arguments *arguments,
  * nothing. */
 static int check_files(const struct rt205_arguments *arguments)
 {
-    struct picture_error why;
+    int code;
 
     if (arguments->output && arguments->no_picture)
         return cmd_usage(arguments->command,
@@ -371,10 +371,9 @@ static int check_files(const struct rt205_arguments *arguments)
     if (!arguments->output)
         return cmd_usage(arguments->command,
                          "name the picture with -o (--no-picture: none)");
-    if (!picture_check_path(arguments->output, &why))
-        return picture_is_named(arguments->output)
-                   ? cmd_failed(arguments->command, "%s", why.message)
-                   : cmd_usage(arguments->command, "%s", why.message);
+    code = cmd_check_picture(arguments);
+    if (code != CMD_DONE)
+        return code;
     if (arguments->half && !picture_holds_half(arguments->output))
         return cmd_usage(arguments->command, "--half is for .exr alone");
     return CMD_DONE;

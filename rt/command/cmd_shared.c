@@ -92,6 +92,17 @@ struct scene *cmd_read_scene(const struct rt205_arguments *arguments)
     return scene;
 }
 
+int cmd_check_picture(const struct rt205_arguments *arguments)
+{
+    struct picture_error why;
+
+    if (!arguments->output || picture_check_path(arguments->output, &why))
+        return CMD_DONE;
+    return picture_is_named(arguments->output)
+               ? cmd_failed(arguments->command, "%s", why.message)
+               : cmd_usage(arguments->command, "%s", why.message);
+}
+
 /* ---- The names of what options choose ------------------------------------ */
 
 const char *cmd_mode_choice(size_t number)

@@ -199,6 +199,10 @@ bool cmd_take_part(char *text, void *farm);
 /* "1/4".  False: it is no share. */
 bool cmd_is_part(const char *text, struct farm *farm);
 
+/* Whether the picture, if one is asked, could be written: CMD_DONE, or the exit code after
+ * telling why not. */
+int cmd_check_picture(const struct rt205_arguments *arguments);
+
 /* The scene of the arguments; its reports go to stderr.  NULL: it has errors,
  * which have been told. */
 struct scene *cmd_read_scene(const struct rt205_arguments *arguments);

@@ -41,11 +41,13 @@ static bool list_emitters(struct heat_work *work)
     const struct scene *scene = work->heat->scene;
     const char **refusals = source_refusals(scene);
 
-    for (size_t i = 0; refusals && i < scene->primitive_count; i++)
+    if (!refusals)
+        return error_say(work->error, "no memory");
+    for (size_t i = 0; i < scene->primitive_count; i++)
         if (!refusals[i])
             work->emitters[work->emitter_count++] = i;
     free(refusals);
-    return refusals || error_say(work->error, "no memory");
+    return true;
 }
 
 static bool find_rows(struct heat_work *work)
