@@ -372,15 +372,13 @@ static void compare_rows(const struct scene *scene,
     factors_free(factors);
 }
 
-static void test_forms(void **state)
+/* Of the second primitive. */
+static void check_forms(const char *text)
 {
     static const size_t queues[] = { 1, 77, 300, 300, 65535 };
     struct factors_options options = usual;
-    struct scene *scene = read_scene(
-        "difference { box { -1, 1 } cylinder { -2*y, 2*y, .6 } torus { 1, .3 } }"
-        "sphere { 0, .4 scale <1, 2, 1> }");
+    struct scene *scene = read_scene(text);
 
-    (void)state;
     options.points = 300;
     options.repeats = 2;
     options.mode = TRACE_SCALAR;
@@ -403,6 +401,18 @@ static void test_forms(void **state)
         factor_row_free(&scalar);
     }
     scene_free(scene);
+}
+
+/* By its emission, and by lines through it. */
+static void test_forms(void **state)
+{
+    (void)state;
+    check_forms(
+        "difference { box { -1, 1 } cylinder { -2*y, 2*y, .6 } torus { 1, .3 } }"
+        "sphere { 0, .4 scale <1, 2, 1> }");
+    check_forms("intersection { plane { x, .5 }"
+                " lathe { 4, <.5,-1>, <1,0>, <.5,1>, <.5,-1> } }"
+                " sphere { 2*x, .4 }");
 }
 
 /* ---- What is refused ------------------------------------------------------------- */
