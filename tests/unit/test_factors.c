@@ -82,7 +82,7 @@ static const struct {
     /* By lines, for they have no emission. */
     { "prism { -1, 1, 4, <-1,-1>, <1,-1>, <1,1>, <-1,1> scale <1,2,.5> }",
       28 },
-    { "intersection { plane { x, .5 } sphere { 0, 1 } }", 11.7809724509617 },
+    { "intersection { sphere { 0, 1 } plane { x, .5 } }", 11.7809724509617 },
     { "lathe { 4, <.5,-1>, <1,0>, <.5,1>, <.5,-1> }", 16.8204074037407 },
     { "intersection { quadric { <1,1,0>, 0, 0, -1 } box { -1, 1 } }",
       18.8495559215388 },
