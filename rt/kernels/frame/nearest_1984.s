@@ -101,12 +101,7 @@ tree_taken:
         .kernel shadow
 tree_to_light:
         IBXEQ   its_shadow, r0, m_index_one, tree_dark
-        LOD     [from_ox, loop_place], w_ox
-        LOD     [from_oy, loop_place], w_oy
-        LOD     [from_oz, loop_place], w_oz
-        LOD     [from_dx, loop_place], w_dx
-        LOD     [from_dy, loop_place], w_dy
-        LOD     [from_dz, loop_place], w_dz
+        load_ray
         EX      from_red, light_left
         EX      from_green, light_left + 64 * QUEUE
         EX      from_blue, light_left + 64 * QUEUE * 2

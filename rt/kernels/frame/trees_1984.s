@@ -13,6 +13,9 @@
 ;           ..                      ; loop_place = the ray's place in the queue
 ;           rays_end                ; has tree_skip: the next ray, and the next region
 ;
+; What it wants of the loop's own registers it loads in a macro that it names,
+; once for a region.
+;
 ; In: the crossings of the rays at hand in a region's primitives.
 ; begin_span, node_met: nothing; each ray is looked at by itself.
 
@@ -62,12 +65,23 @@ found_place\@:
         LOD     [loop_at], its_patch
         .endm
 
-        .macro  walk_rays
+; The ray at hand, where crossings are found for normals and for light.
+        .macro  load_ray
+        LOD     [from_ox, loop_place], w_ox
+        LOD     [from_oy, loop_place], w_oy
+        LOD     [from_oz, loop_place], w_oz
+        LOD     [from_dx, loop_place], w_dx
+        LOD     [from_dy, loop_place], w_dy
+        LOD     [from_dz, loop_place], w_dz
+        .endm
+
+        .macro  walk_rays prepare=
         hand_over_rays
         hand_over region, 1, 11
         hand_over aox, 6, 12
         to_scalar
         load_at operands, TREE_OPERANDS, to_nearest
+        \prepare
         RTOR    near, loop_count
         ES      loop_index, 0
         LOD     [from_least], w_lower

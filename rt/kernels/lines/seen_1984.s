@@ -21,14 +21,13 @@ seen_operands:  .space SEEN_OPERANDS
 line_ray:       .space 6
         .code
 
+        .macro  take_seen_operands
+        load_at seen_operands, SEEN_OPERANDS, to_stride
+        .endm
+
 ; The line, as normals want it.
         .macro  load_line
-        LOD     [from_ox, loop_place], w_ox
-        LOD     [from_oy, loop_place], w_oy
-        LOD     [from_oz, loop_place], w_oz
-        LOD     [from_dx, loop_place], w_dx
-        LOD     [from_dy, loop_place], w_dy
-        LOD     [from_dz, loop_place], w_dz
+        load_ray
         EX      loop_at, line_ray
         ELEN    loop_at, 6
         SWAP    [r0], w_ox, [loop_at]
@@ -95,8 +94,7 @@ simple_met:
 
 walk_tree:
         hand_over line_stride, SEEN_OPERANDS, 0, seen_operands
-        walk_rays
-        load_at seen_operands, SEEN_OPERANDS, to_stride
+        walk_rays take_seen_operands
         find_line
         .if     NORMALS
         load_line
