@@ -585,11 +585,18 @@ tells err "stages compares what this process finds: not with --ranks or --part"
 ends 0 "$build/rt205" heat bay.pov --rays 16 --tolerance .01
 tells out "16 repeats of 256 points of each primitive"
 ends 1 "$build/rt205" heat bay.pov --rays 16 --tolerance 1e-9 --limit 40 --json never.json
-tells err "the tolerance 1e-09 is not reached: the standard error of the factor from [123] to "
+tells err "the tolerance 1e-09 is not reached: the error of the factor from [123] to "
 tells out "16 repeats of 40 points of each primitive"
 [ ! -e never.json ]
 verdict $? "factors that are not good enough are kept"
 ends 2 "$build/rt205" heat bay.pov --tolerance .1 --part 1/2 --resume kept
+for wish in --stages --smooth --exchange "--tolerance .1" "-o hits.png"; do
+    ends 2 "$build/rt205" heat bay.pov --hits --from 1 $wish
+    tells err "hits tells what rays strike, and no more"
+done
+ends 1 "$build/rt205" heat bay.pov --rays 16 --tolerance 1e-9 --limit 40 --show factor --from 1 -o never.png
+[ ! -e never.png ]
+verdict $? "factors that are not good enough are drawn"
 ends 2 "$build/rt205" heat bay.pov --tolerance 2
 ends 2 "$build/rt205" heat bay.pov --by line
 ends 2 "$build/rt205" heat
@@ -615,6 +622,13 @@ ends 1 "$build/rt205" $heat --temperature Shell=-3
 tells err "a temperature is NAME=VALUE with a value not below 0, not 'Shell=-3'"
 ends 1 "$build/rt205" $heat --temperature Shell=3 --emissivity Shell=1.5
 tells err "an emissivity is NAME=VALUE with a value 0 to 1"
+cat >room.pov <<'END'
+#declare Room = sphere { 0, 2 inverse }
+#declare Ball = sphere { 0, 1 }
+object { Room } object { Ball }
+END
+ends 1 "$build/rt205" heat room.pov --by part --rays 64 --exchange --temperature default=adiabatic
+tells err "the exchange has no solution: surface [A-Z][a-z]* is of some that are adiabatic"
 ends 1 "$build/rt205" heat floor.pov --rays 64 --exchange --temperature default=300
 tells err "surface 1, the plane of line 1, receives alone"
 ends 0 "$build/rt205" $heat --temperature Shell=300 --smooth -W 40 -H 30 -o flows.png
@@ -691,6 +705,15 @@ ends 0 "$build/rt205" heat named.pov --by part --rays 64 --exchange --temperatur
 tells out "^lower pin  *0\.500  300\.0"
 ends 1 "$build/rt205" heat named.pov --by part --rays 64 --exchange
 tells err "no temperature is known of: upper pin"
+cat >again.pov <<'END'
+#declare Ring = torus { 2, .3 part { "lower ring" density 7 } }
+#declare Other = object { Ring translate 2*y part { "upper ring" density 5 } }
+#declare Kept = object { Ring }
+object { Kept } object { Other translate y }
+END
+ends 0 "$build/rt205" mass again.pov --rays 512
+tells out "^lower ring  *mass"
+tells out "^upper ring  *mass"
 echo "sphere { 0, 1 part { } }" >bad_part.pov
 ends 1 "$build/rt205" mass bad_part.pov
 tells err "expected the part.s name, a string"

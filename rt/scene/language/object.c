@@ -358,6 +358,8 @@ bool object_copy(struct scene_object *copy, const struct scene_object *object)
     copy->ior = object->ior;
     copy->interior = object->interior;
     copy->is_light = object->is_light;
+    copy->name = object->name;
+    copy->named = object->named;
     return object_add(copy, &bare);
 }
 

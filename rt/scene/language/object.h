@@ -51,7 +51,9 @@ struct scene_object {
     enum joining joining;
     size_t child_count; /* lights counted */
     bool textured;
-    const char *name; /* of the #declare that it comes from, or NULL */
+    const char
+        *name;  /* its own, of the #declare that it comes from, or NULL */
+    bool named; /* the name is its own (part.h) */
     struct texture texture;
     bool filled;
     double ior;

@@ -68,6 +68,7 @@ bool part_read(struct reader *reader, void *subject, const struct item *item)
         object->name = arena_text(&reader->scene->kept, name, strlen(name));
         if (!object->name)
             return reader_no_memory(reader);
+        object->named = true;
     }
     return block_items(reader, &block, &grammar, name, good);
 }

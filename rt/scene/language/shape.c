@@ -329,7 +329,8 @@ static bool read_base(struct reader *reader, struct scene_object *object)
     if (value) {
         bool done = shape_copy(reader, object, &value->is.object);
 
-        object->name = reader_keep_name(reader);
+        if (!object->named)
+            object->name = reader_keep_name(reader);
         reader_next(reader);
         return done;
     }
