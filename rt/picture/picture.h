@@ -34,8 +34,8 @@ enum frame_channel {
 struct frame {
     size_t width, height;
     double *channel[FRAME_CHANNELS];
-    /* The name of one plane more, which pictures of linear colours have as a channel, and that
-     * plane, the caller's own; NULL: there is none. */
+    /* The name of one plane more, which pictures of linear colours have as a
+     * channel, and that plane, the caller's own; NULL: there is none. */
     const char *layer;
     double *value;
 };
@@ -62,8 +62,9 @@ bool picture_write(const char *path, const struct frame *frame,
 /* The same of a frame that comes in parts, from its first row on.  begin: NULL,
  * and the error says why.  rows: the next ones, as many as the part has.  end
  * commits the picture, if all rows came and good is said, else leaves the old
- * file; it frees the picture in any case.  All parts have the layer, or none (NULL).  What is written in parts is the same
- * file if all parts but the last have PICTURE_PART rows. */
+ * file; it frees the picture in any case.  All parts have the layer, or none
+ * (NULL).  What is written in parts is the same file if all parts but the last
+ * have PICTURE_PART rows. */
 enum { PICTURE_PART = 32 };
 struct picture;
 struct picture *picture_begin(const char *path, size_t width, size_t height,
@@ -94,8 +95,9 @@ bool picture_holds_half(const char *path);
 bool picture_read(const char *path, struct frame *frame,
                   struct picture_error *error);
 
-/* .. and of a layer, whose samples become frame->value, which the caller frees, too; 0 where the
- * file has none of that name; of .tif, which has no names, the one plane behind the channels. */
+/* .. and of a layer, whose samples become frame->value, which the caller frees,
+ * too; 0 where the file has none of that name; of .tif, which has no names, the
+ * one plane behind the channels. */
 bool picture_read_layer(const char *path, const char *layer,
                         struct frame *frame, struct picture_error *error);
 
