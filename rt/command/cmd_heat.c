@@ -2,14 +2,13 @@
  * exchange. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
+#include <string.h>
 
 #include "base/error.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 #include "rt/heat/heat_picture.h"
 #include "rt/heat/heat_tables.h"
-#include "rt/heat/source.h"
 #include "rt/study/stages.h"
 
 /* Whether all that packets come to is here, not elsewhere. */
@@ -65,35 +64,25 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
 
 /* What has no emission gets a warning, unless lines find it. */
 static void warn_of_receivers(const struct rt205_arguments *arguments,
-                              const struct scene *scene)
+                              const struct heat *heat)
 {
-    const char **refusals = NULL;
+    const struct scene *scene = heat->scene;
 
-    if (arguments->heat.lines == 0)
-        refusals = source_refusals(scene);
-    for (size_t i = 0; refusals && i < scene->primitive_count; i++) {
-        const struct primitive *primitive = &scene->primitives[i];
-
-        if (refusals[i])
+    for (size_t i = 0; i < scene->primitive_count; i++)
+        if (heat->refusals[i])
             fprintf(stderr, "%s:%zu: warning: the %s receives alone: %s\n",
-                    arguments->scene, primitive->line,
-                    primitive_kind_name(primitive->kind), refusals[i]);
-    }
-    free(refusals);
+                    arguments->scene, scene->primitives[i].line,
+                    primitive_kind_name(scene->primitives[i].kind),
+                    heat->refusals[i]);
 }
 
 /* ---- Three stages ------------------------------------------------------------ */
 
-static void take_clocks(struct stages *stages, const struct heat *heat)
+static bool find_stage(const void *found, enum trace_mode mode,
+                       uint64_t clocks[STAGES_STEPS_MOST], bool *same,
+                       c205_error *error)
 {
-    for (int i = 0; i < HEAT_STEPS; i++)
-        stages->clocks[heat->request->mode][i] = heat->clocks[i];
-}
-
-/* .. in another one, which must find the same. */
-static bool find_stage(const struct heat *heat, enum trace_mode mode,
-                       struct stages *stages, c205_error *error)
-{
+    const struct heat *heat = found;
     struct heat_request request = *heat->request;
     struct heat other;
     bool good;
@@ -102,13 +91,12 @@ static bool find_stage(const struct heat *heat, enum trace_mode mode,
     request.drawn = heat->drawn;
     request.tolerance = 0;
     request.farm = NULL;
-    good = heat_find(heat->scene, &request, &other, error);
-    if (good && !heat_is_same(heat, &other))
-        good = error_say(error, "the stages %s and %s do not agree",
-                         trace_mode_name(heat->request->mode),
-                         trace_mode_name(mode));
-    if (good)
-        take_clocks(stages, &other);
+    good = heat_begin(heat->scene, &request, &other, error)
+           && heat_find(&other, error);
+    if (good) {
+        *same = heat_is_same(heat, &other);
+        memcpy(clocks, other.clocks, sizeof other.clocks);
+    }
     heat_free(&other);
     return good;
 }
@@ -119,12 +107,9 @@ static bool find_stages(const struct heat *heat, struct stages *stages,
     *stages = (struct stages){ .step_count = HEAT_STEPS };
     for (int i = 0; i < HEAT_STEPS; i++)
         stages->steps[i] = heat_step_name((enum heat_step)i);
-    take_clocks(stages, heat);
-    for (int mode = 0; mode < TRACE_MODES; mode++)
-        if (mode != (int)heat->request->mode
-            && !find_stage(heat, (enum trace_mode)mode, stages, error))
-            return false;
-    return true;
+    memcpy(stages->clocks[heat->request->mode], heat->clocks,
+           sizeof heat->clocks);
+    return stages_find(stages, heat->request->mode, find_stage, heat, error);
 }
 
 /* ---- What is told ----------------------------------------------------------- */
@@ -209,7 +194,7 @@ static bool check_precision(const struct heat *heat, c205_error *error)
 {
     return heat_is_precise(heat)
            || error_say(error,
-                        "the tolerance %g is not reached: the standard error "
+                        "the tolerance %g is not reached: the error "
                         "of the factor from %s to %s is %.2g with the most "
                         "that are drawn, --limit %zu",
                         heat->request->tolerance,
@@ -233,7 +218,6 @@ static bool draw(const struct rt205_arguments *arguments,
     if (!arguments->output)
         return true;
     look.trace.farm = NULL;
-    look.trace.progress = NULL;
     if (!heat_draw(heat, &look, &drawn, error))
         return false;
     results_say(results, "\npicture %s: %s from %g to %g; %llu clocks\n",
@@ -260,12 +244,12 @@ static bool tell_all(const struct rt205_arguments *arguments,
     if (!tell(arguments, heat, arguments->heat.stages ? &stages : NULL,
               results))
         return error_say(error, "no memory");
-    if (!draw(arguments, heat, results, error))
-        return false;
-    if (!check_precision(heat, error))
+    if (!check_precision(heat, error)
+        || (arguments->strict && !check_strictly(heat, error))
+        || !draw(arguments, heat, results, error))
         return false;
     farm_end(arguments->trace.farm, true);
-    return !arguments->strict || check_strictly(heat, error);
+    return true;
 }
 
 static bool find_and_tell(const struct rt205_arguments *arguments,
@@ -276,8 +260,10 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
     struct heat heat;
     bool good;
 
-    warn_of_receivers(arguments, scene);
-    good = heat_find(scene, &request, &heat, error)
+    good = heat_begin(scene, &request, &heat, error);
+    if (good && !request.by_lines)
+        warn_of_receivers(arguments, &heat);
+    good = good && heat_find(&heat, error)
            && tell_all(arguments, &heat, results, error);
     heat_free(&heat);
     return good;
@@ -312,8 +298,12 @@ static const char *contradiction(const struct rt205_arguments *arguments)
     if (arguments->heat.stages && apart)
         return "--stages compares what this process finds: not with --ranks "
                "or --part";
-    if (arguments->output && arguments->heat.hits)
-        return "--hits draws nothing";
+    if (arguments->heat.hits
+        && (arguments->heat.stages || arguments->heat.smooth
+            || arguments->heat.exchange || arguments->heat.tolerance > 0
+            || arguments->output))
+        return "--hits tells what rays strike, and no more: not with "
+               "--stages, --smooth, --exchange, --tolerance or -o";
     if (arguments->output && arguments->heat.shown == SHOWN_FLOW
         && !arguments->heat.exchange)
         return "a picture shows flows, which --exchange finds; or --show "

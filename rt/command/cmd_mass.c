@@ -43,16 +43,17 @@ static struct mass_request request_of(const struct rt205_arguments *arguments)
 
 /* ---- Three stages --------------------------------------------------------- */
 
-static void take_clocks(struct stages *stages, const struct mass *mass)
+static void take_clocks(const struct mass *mass, uint64_t *clocks)
 {
     for (int i = 0; i < COLUMNS_STAGES; i++)
-        stages->clocks[mass->request->mode][i] = mass->sums.clocks[i];
+        clocks[i] = mass->sums.clocks[i];
 }
 
-/* .. in another one, which must find the same. */
-static bool find_stage(const struct mass *mass, enum trace_mode mode,
-                       struct stages *stages, c205_error *error)
+static bool find_stage(const void *found, enum trace_mode mode,
+                       uint64_t clocks[STAGES_STEPS_MOST], bool *same,
+                       c205_error *error)
 {
+    const struct mass *mass = found;
     struct mass_request request = *mass->request;
     struct diagnostics reports = { 0 };
     struct mass other;
@@ -64,13 +65,11 @@ static bool find_stage(const struct mass *mass, enum trace_mode mode,
     request.farm = NULL;
     good = mass_begin(mass->scene, &request, &other, &reports, error)
            && mass_find(&other, error);
-    if (good
-        && columns_checksum(&other.sums) != columns_checksum(&mass->sums))
-        good = error_say(error, "the stages %s and %s do not agree",
-                         trace_mode_name(mass->request->mode),
-                         trace_mode_name(mode));
-    if (good)
-        take_clocks(stages, &other);
+    if (good) {
+        *same = columns_checksum(&other.sums)
+                == columns_checksum(&mass->sums);
+        take_clocks(&other, clocks);
+    }
     mass_free(&other);
     diagnostics_free(&reports);
     return good;
@@ -82,12 +81,8 @@ static bool find_stages(const struct mass *mass, struct stages *stages,
     *stages = (struct stages){ .step_count = COLUMNS_STAGES };
     for (int i = 0; i < COLUMNS_STAGES; i++)
         stages->steps[i] = columns_stage_name((enum columns_stage)i);
-    take_clocks(stages, mass);
-    for (int mode = 0; mode < TRACE_MODES; mode++)
-        if (mode != (int)mass->request->mode
-            && !find_stage(mass, (enum trace_mode)mode, stages, error))
-            return false;
-    return true;
+    take_clocks(mass, stages->clocks[mass->request->mode]);
+    return stages_find(stages, mass->request->mode, find_stage, mass, error);
 }
 
 /* ---- What is told --------------------------------------------------------- */

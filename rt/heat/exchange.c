@@ -1,12 +1,11 @@
 #include "rt/heat/exchange.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/error.h"
-#include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
+#include "rt/trace/form.h"
 
 static bool is_share(double value)
 {
@@ -17,13 +16,14 @@ static bool check_surface(const struct exchange_given *given, size_t i,
                           c205_error *error)
 {
     if (!(given->area[i] > 0) || !isfinite(given->area[i]))
-        return error_say(error, "surface %zu has no area", i + 1);
+        return error_say(error, "surface %s has no area", given->names[i]);
     if (!is_share(given->emissivity[i]))
         return error_say(error,
-                         "the emissivity %g of surface %zu is not 0 to 1",
-                         given->emissivity[i], i + 1);
+                         "the emissivity %g of surface %s is not 0 to 1",
+                         given->emissivity[i], given->names[i]);
     if (given->emissivity[i] > 0 && !(given->temperature[i] >= 0))
-        return error_say(error, "surface %zu has no temperature", i + 1);
+        return error_say(error, "surface %s has no temperature",
+                         given->names[i]);
     return true;
 }
 
@@ -103,10 +103,10 @@ static bool take(const struct exchange_given *given, const c205_word *made,
 
     if (singular > 0)
         return error_say(error,
-                         "the exchange has no solution: surface %lld is of "
+                         "the exchange has no solution: surface %s is of "
                          "some that are adiabatic and see none but each "
                          "other",
-                         (long long)singular);
+                         given->names[singular - 1]);
     for (size_t i = 0; i < n; i++) {
         exchange->radiosity[i] = c205_to_double(made[i]);
         exchange->irradiation[i] = c205_to_double(made[n + i]);
@@ -142,19 +142,15 @@ void exchange_free(struct exchange *exchange)
 bool exchange_find(const struct exchange_given *given,
                    struct exchange *exchange, c205_error *error)
 {
-    static const struct asm_define none[] = { { NULL, 0 } };
     size_t count = MADE_PLANES * given->count + MADE_WORDS;
     struct object *program;
     c205_word *words, *made;
-    char path[64];
     bool good;
 
     *exchange = (struct exchange){ 0 };
     if (!check(given, error))
         return false;
-    snprintf(path, sizeof path, "heat/exchange_%s.s",
-             trace_mode_name(given->mode));
-    program = program_assemble(path, none, error);
+    program = form_assemble_beside("heat/exchange", given->mode, NULL, error);
     if (!program)
         return false;
     words = lay_words(given);

@@ -10,8 +10,9 @@
 enum { EXCHANGE_MOST = 4096 }; /* surfaces */
 
 struct exchange_given {
-    enum trace_mode mode; /* scalar or vector */
-    size_t count;         /* surfaces, 1 .. EXCHANGE_MOST */
+    enum trace_mode mode;
+    size_t count;             /* surfaces, 1 .. EXCHANGE_MOST */
+    const char *const *names; /* for errors */
     const double *area;
     const double
         *emissivity; /* 0 .. 1; 0: it is adiabatic, or reflects all */

@@ -1,16 +1,15 @@
 #include "rt/heat/global_lines.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/error.h"
 #include "base/hash.h"
 #include "rt/heat/chords.h"
 #include "rt/layout/bounds.h"
-#include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
 #include "rt/shapes/primitive.h"
+#include "rt/trace/form.h"
 #include "rt/trace/lines.h"
 
 /* Gaps shorter than that, a length in the world, are none: surfaces touch there. */
@@ -143,12 +142,8 @@ static bool begin_lines(struct global_work *work, c205_error *error)
 
 static bool begin_gaps(struct global_work *work, c205_error *error)
 {
-    static const struct asm_define none[] = { { NULL, 0 } };
-    char path[64];
-
-    snprintf(path, sizeof path, "heat/gaps_%s.s",
-             trace_mode_name(trace_mode_besides(work->options->mode)));
-    work->gaps = program_assemble(path, none, error);
+    work->gaps = form_assemble_beside("heat/gaps", work->options->mode, NULL,
+                                      error);
     return work->gaps;
 }
 

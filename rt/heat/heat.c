@@ -13,7 +13,6 @@
 /* What there is besides while it is found. */
 struct heat_work {
     struct heat *heat;
-    struct given_values emissivities, temperatures;
     size_t emitter_count, *emitters; /* primitives, in order */
     struct factor_row *rows;         /* of all primitives */
     c205_error *error;
@@ -36,18 +35,13 @@ static bool add_accounts(const struct heat_work *work,
 
 /* ---- By rays --------------------------------------------------------------- */
 
-static bool list_emitters(struct heat_work *work)
+static void list_emitters(struct heat_work *work)
 {
-    const struct scene *scene = work->heat->scene;
-    const char **refusals = source_refusals(scene);
+    const struct heat *heat = work->heat;
 
-    if (!refusals)
-        return error_say(work->error, "no memory");
-    for (size_t i = 0; i < scene->primitive_count; i++)
-        if (!refusals[i])
+    for (size_t i = 0; i < heat->scene->primitive_count; i++)
+        if (!heat->refusals[i])
             work->emitters[work->emitter_count++] = i;
-    free(refusals);
-    return true;
 }
 
 static bool find_rows(struct heat_work *work)
@@ -111,7 +105,9 @@ static bool find_by_rays(struct heat_work *work)
     work->rows = calloc(primitives + 1, sizeof *work->rows);
     good = (work->emitters && work->rows)
            || error_say(work->error, "no memory");
-    good = good && list_emitters(work) && find_rows(work);
+    if (good)
+        list_emitters(work);
+    good = good && find_rows(work);
     if (good && collects(work->heat)) {
         place_rows(work);
         good = combine_rows(work);
@@ -176,6 +172,13 @@ bool heat_is_precise(const struct heat *heat)
     return tolerance == 0 || heat->worst <= tolerance;
 }
 
+/* Where all repeats say the same there is no spread; what a ray more or less would say is
+ * not known better for that. */
+static double error_of(const struct surface *surface, size_t to)
+{
+    return fmax(surface->factor[to].error, 1 / (double)surface->sent);
+}
+
 static void find_worst(struct heat *heat)
 {
     const struct surfaces *surfaces = &heat->surfaces;
@@ -185,18 +188,28 @@ static void find_worst(struct heat *heat)
         for (size_t j = 0; j <= surfaces->count; j++) {
             const struct surface *surface = &surfaces->list[i];
 
-            if (surface->sent == 0 || surface->factor[j].error <= heat->worst)
+            if (surface->sent == 0 || error_of(surface, j) <= heat->worst)
                 continue;
-            heat->worst = surface->factor[j].error;
+            heat->worst = error_of(surface, j);
             heat->worst_from = i;
             heat->worst_to = j;
         }
 }
 
+/* Lines are drawn in powers of two. */
+static size_t limit_of(const struct heat_request *request)
+{
+    size_t limit = request->limit;
+
+    return request->by_lines && limit > 0
+               ? (size_t)1 << (log_of(limit + 1) - 1)
+               : limit;
+}
+
 /* How many are drawn in the next round; 0: none is needed, or allowed. */
 static uint64_t find_next(struct heat *heat)
 {
-    size_t limit = heat->request->limit;
+    size_t limit = limit_of(heat->request);
 
     if (!collects(heat))
         return 0;
@@ -239,37 +252,37 @@ static bool find_factors(struct heat_work *work)
 
 /* ---- What is given --------------------------------------------------------- */
 
-static bool take_given(const struct heat_work *work,
-                       struct given_values *given,
-                       const struct value_kind *kind,
+static bool take_given(const struct heat *heat, struct given_values *given,
                        const char *const *texts, size_t count,
-                       const char *besides)
+                       const char *besides, c205_error *error)
 {
     bool good = true;
 
-    given_begin(given, kind);
     for (size_t i = 0; good && i < count; i++)
-        good = given_add(given, texts[i], work->error);
-    return good
-           && given_check(given, &work->heat->parts, besides, work->error)
-           && given_add_scene(given, work->heat->scene, work->error);
+        good = given_add(given, texts[i], error);
+    return good && given_check(given, &heat->parts, besides, error)
+           && given_add_scene(given, heat->scene, error);
 }
 
-static bool begin(struct heat_work *work)
+bool heat_begin(const struct scene *scene, const struct heat_request *request,
+                struct heat *heat, c205_error *error)
 {
-    const struct heat *heat = work->heat;
-    const struct heat_request *request = heat->request;
-
-    if (!named_parts_find(heat->scene, &work->heat->parts))
-        return error_say(work->error, "no memory");
-    if (heat->scene->primitive_count == 0)
-        return error_say(work->error, "the scene has no surfaces");
-    return take_given(work, &work->emissivities, &emissivity_kind,
-                      request->emissivities, request->emissivity_count, NULL)
-           && take_given(work, &work->temperatures, &temperature_kind,
-                         request->temperatures, request->temperature_count,
-                         thermal_environment);
+    *heat = (struct heat){ .request = request, .scene = scene };
+    given_begin(&heat->emissivities, &emissivity_kind);
+    given_begin(&heat->temperatures, &temperature_kind);
+    if (scene->primitive_count == 0)
+        return error_say(error, "the scene has no surfaces");
+    heat->refusals = source_refusals(scene);
+    if (!heat->refusals || !named_parts_find(scene, &heat->parts))
+        return error_say(error, "no memory");
+    return take_given(heat, &heat->emissivities, request->emissivities,
+                      request->emissivity_count, NULL, error)
+           && take_given(heat, &heat->temperatures, request->temperatures,
+                         request->temperature_count, thermal_environment,
+                         error);
 }
+
+/* ---- What follows from factors ---------------------------------------------- */
 
 static bool smooth(const struct heat_work *work)
 {
@@ -292,8 +305,8 @@ static bool find_exchange(const struct heat_work *work)
 
     if (!request->exchange || !collects(heat))
         return true;
-    if (!thermal_find(&heat->surfaces, &heat->parts, &work->emissivities,
-                      &work->temperatures, request->mode, request->model,
+    if (!thermal_find(&heat->surfaces, &heat->parts, &heat->emissivities,
+                      &heat->temperatures, request->mode, request->model,
                       &heat->thermal, work->error)
         || !accounts_add_all(&heat->accounts,
                              &heat->thermal.exchange.accounts))
@@ -302,18 +315,11 @@ static bool find_exchange(const struct heat_work *work)
     return true;
 }
 
-bool heat_find(const struct scene *scene, const struct heat_request *request,
-               struct heat *heat, c205_error *error)
+bool heat_find(struct heat *heat, c205_error *error)
 {
     struct heat_work work = { .heat = heat, .error = error };
-    bool good;
 
-    *heat = (struct heat){ .request = request, .scene = scene };
-    good = begin(&work) && find_factors(&work) && smooth(&work)
-           && find_exchange(&work);
-    given_free(&work.emissivities);
-    given_free(&work.temperatures);
-    return good;
+    return find_factors(&work) && smooth(&work) && find_exchange(&work);
 }
 
 void heat_free(struct heat *heat)
@@ -321,6 +327,9 @@ void heat_free(struct heat *heat)
     thermal_free(&heat->thermal);
     surfaces_free(&heat->surfaces);
     named_parts_free(&heat->parts);
+    given_free(&heat->emissivities);
+    given_free(&heat->temperatures);
+    free(heat->refusals);
     accounts_free(&heat->accounts);
     *heat = (struct heat){ .request = NULL };
 }
@@ -343,9 +352,11 @@ static bool is_same_surface(const struct surface *one,
            && memcmp(one->factor, other->factor,
                      receivers * sizeof *one->factor)
                   == 0
-           && memcmp(one->smooth, other->smooth,
-                     receivers * sizeof *one->smooth)
-                  == 0;
+           && !one->smooth == !other->smooth
+           && (!one->smooth
+               || memcmp(one->smooth, other->smooth,
+                         receivers * sizeof *one->smooth)
+                      == 0);
 }
 
 static bool is_same_exchange(const struct exchange *one,

@@ -17,7 +17,8 @@ struct heat_request {
     size_t repeats; /* 2 or more */
     bool lattice;   /* or random */
     uint64_t seed;
-    /* With four times as many until no factor's standard error is larger; 0: once. */
+    /* With four times as many until no factor's standard error, or what one of its rays
+     * says, is larger; 0: once. */
     double tolerance;
     size_t limit; /* drawn at the most, if there is a tolerance */
     bool smooth;  /* factors, too, and the exchange is by them (smooth.h) */
@@ -34,22 +35,26 @@ struct heat {
     const struct heat_request *request;
     const struct scene *scene;
     struct named_parts parts;
+    const char **refusals; /* of each primitive, as in source.h */
+    struct given_values emissivities, temperatures;
     struct surfaces surfaces;
     struct thermal thermal;      /* if the exchange is asked */
     struct accounts accounts;    /* of all machines that found it */
     uint64_t clocks[HEAT_STEPS]; /* .. of them */
     size_t drawn,
         units;    /* of the last round; packets, done here or elsewhere */
-    double worst; /* the largest standard error of a factor, */
+    double worst; /* the largest error of a factor, one ray at least, */
     size_t worst_from, worst_to; /* .. and whose it is */
 };
 
-/* What is given must outlive the heat.  Where the farm does not collect packets nothing
- * but their number is found.  False: a scene without surfaces, names and values that cannot
- * be, a trap, no memory, a file of another run, whatever factors.h, global_lines.h and
- * thermal.h refuse.  Free it in either case. */
-bool heat_find(const struct scene *scene, const struct heat_request *request,
-               struct heat *heat, c205_error *error);
+/* What is given must outlive the heat.  False: a scene without surfaces, names and values
+ * that cannot be; no memory.  Free it in either case. */
+bool heat_begin(const struct scene *scene, const struct heat_request *request,
+                struct heat *heat, c205_error *error);
+/* Where the farm does not collect packets nothing but their number is found.  False: a trap,
+ * no memory, a file of another run, whatever factors.h, global_lines.h and thermal.h
+ * refuse. */
+bool heat_find(struct heat *heat, c205_error *error);
 void heat_free(struct heat *heat);
 
 bool heat_is_precise(const struct heat *heat);

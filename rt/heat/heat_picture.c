@@ -57,8 +57,7 @@ static void put_factors(const struct heat_drawing *drawing)
     const struct surface *from = &surfaces->list[drawing->from];
 
     for (size_t i = 0; i < surfaces->count; i++)
-        drawing->values[i] = surfaces->are_smooth ? from->smooth[i]
-                                                  : from->factor[i].value;
+        drawing->values[i] = surface_factor(from, i);
 }
 
 static void put_flows(const struct heat_drawing *drawing)

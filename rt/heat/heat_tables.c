@@ -86,17 +86,17 @@ struct table *heat_table_of_smoothed(const struct heat *heat)
         for (size_t j = 0; j <= surfaces->count; j++) {
             const struct surface *surface = &surfaces->list[i];
             struct estimate factor = surface->factor[j];
+            double smooth = surface_factor(surface, j);
 
-            if (surface->count[j] == 0 && surface->smooth[j] == 0)
+            if (surface->count[j] == 0 && smooth == 0)
                 continue;
             table_text(table, surface->name);
             table_text(table, heat_receiver(heat, j));
             table_number(table, factor.value);
             table_number(table, factor.error);
-            table_number(table, surface->smooth[j]);
+            table_number(table, smooth);
             table_number(table, factor.error > 1e-9
-                                    ? (surface->smooth[j] - factor.value)
-                                          / factor.error
+                                    ? (smooth - factor.value) / factor.error
                                     : NAN);
         }
     return table;

@@ -1,15 +1,14 @@
 #include "rt/heat/hits.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/error.h"
-#include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
 #include "rt/scene/vector.h"
 #include "rt/shapes/primitive.h"
+#include "rt/trace/form.h"
 
 /* ---- Cylinders ---------------------------------------------------------------- */
 
@@ -230,11 +229,8 @@ static struct object *assemble(const struct hits_work *work, const char *name)
           (int64_t)options->queue },
         { NULL, 0 },
     };
-    char path[64];
 
-    snprintf(path, sizeof path, "heat/%s_%s.s", name,
-             trace_mode_name(options->mode));
-    return program_assemble(path, defines, work->error);
+    return form_assemble_beside(name, options->mode, defines, work->error);
 }
 
 static bool begin(struct hits_work *work)
@@ -255,8 +251,8 @@ static bool begin(struct hits_work *work)
         return error_say(work->error, "no memory");
     if (!list_cylinders(work))
         return false;
-    work->program = assemble(work, "hits");
-    work->received = work->program ? assemble(work, "received") : NULL;
+    work->program = assemble(work, "heat/hits");
+    work->received = work->program ? assemble(work, "heat/received") : NULL;
     return work->received;
 }
 

@@ -1,11 +1,10 @@
 #include "rt/heat/packet.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/error.h"
-#include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
+#include "rt/trace/form.h"
 
 /* Lines through points along their normals begin so far below them. */
 static const double below = 1e-3;
@@ -25,30 +24,22 @@ static struct lines *begin_lines(const struct packet_programs *programs,
     return lines_new(programs->scene, &options, error);
 }
 
-static struct object *assemble(const struct packet_programs *programs,
-                               const char *name, c205_error *error)
-{
-    static const struct asm_define none[] = { { NULL, 0 } };
-    char path[64];
-
-    snprintf(path, sizeof path, "heat/%s_%s.s", name,
-             trace_mode_name(trace_mode_besides(programs->options.mode)));
-    return program_assemble(path, none, error);
-}
-
 bool packet_programs_begin(struct packet_programs *programs,
                            c205_error *error)
 {
+    enum trace_mode mode = programs->options.mode;
+
     programs->normals = begin_lines(programs, below, false, error);
     if (!programs->normals)
         return false;
     programs->rays = begin_lines(programs, 0, true, error);
     if (!programs->rays)
         return false;
-    programs->faces = assemble(programs, "faces", error);
+    programs->faces = form_assemble_beside("heat/faces", mode, NULL, error);
     if (!programs->faces)
         return false;
-    programs->received = assemble(programs, "received", error);
+    programs->received = form_assemble_beside("heat/received", mode, NULL,
+                                              error);
     return programs->received;
 }
 

@@ -1,12 +1,11 @@
 #include "rt/heat/smooth.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/error.h"
-#include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
+#include "rt/trace/form.h"
 
 /* ---- The machine's work ----------------------------------------------------- */
 
@@ -24,14 +23,15 @@ static bool check(const struct smooth_given *given, c205_error *error)
                          SMOOTH_MOST);
     for (size_t i = 0; i < n; i++) {
         if (!(given->areas[i] > 0) || !isfinite(given->areas[i]))
-            return error_say(error, "surface %zu has no area", i + 1);
+            return error_say(error, "surface %s has no area",
+                             given->names[i]);
         for (size_t j = 0; j <= n; j++)
             if (!is_positive(given->flows[i * (n + 1) + j])
                 || !is_positive(given->variances[i * (n + 1) + j]))
                 return error_say(error,
-                                 "a flow of surface %zu, or its variance, is "
+                                 "a flow of surface %s, or its variance, is "
                                  "below 0",
-                                 i + 1);
+                                 given->names[i]);
     }
     return true;
 }
@@ -84,17 +84,18 @@ static bool run(const struct smooth_given *given, struct object *program,
     return single_run_end(&run, at, made, made_size(n), &clocks);
 }
 
-static bool take(size_t n, const c205_word *made, double *flows,
-                 c205_error *error)
+static bool take(const struct smooth_given *given, const c205_word *made,
+                 double *flows, c205_error *error)
 {
+    size_t n = given->count;
     int64_t singular = c205_to_integer(made[made_size(n) - 1]);
 
     if (singular > 0)
         return error_say(error,
-                         "factors cannot be smoothed: surface %lld is of "
+                         "factors cannot be smoothed: surface %s is of "
                          "some that see none but each other, and their areas "
                          "leave no way",
-                         (long long)singular);
+                         given->names[singular - 1]);
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j <= n; j++)
             flows[i * (n + 1) + j] = c205_to_double(made[j * n + i]);
@@ -104,23 +105,19 @@ static bool take(size_t n, const c205_word *made, double *flows,
 bool smooth_flows(const struct smooth_given *given, double *flows,
                   struct accounts *accounts, c205_error *error)
 {
-    static const struct asm_define none[] = { { NULL, 0 } };
     struct object *program;
     c205_word *words, *made;
-    char path[64];
     bool good;
 
     if (!check(given, error))
         return false;
-    snprintf(path, sizeof path, "heat/smooth_%s.s",
-             trace_mode_name(given->mode));
-    program = program_assemble(path, none, error);
+    program = form_assemble_beside("heat/smooth", given->mode, NULL, error);
     if (!program)
         return false;
     words = lay_words(given);
     made = calloc(made_size(given->count), sizeof *made);
     good = words && made ? run(given, program, words, made, accounts, error)
-                               && take(given->count, made, flows, error)
+                               && take(given, made, flows, error)
                          : error_say(error, "no memory");
     free(words);
     free(made);
@@ -134,6 +131,7 @@ struct smoothing {
     struct surfaces *surfaces;
     size_t count;
     size_t *seen; /* of each, the number of its surface */
+    const char **names;
     double *areas, *flows, *variances;
 };
 
@@ -191,15 +189,22 @@ static void put_row(const struct smoothing *smoothing, size_t i)
                  : none);
 }
 
-static void take_row(const struct smoothing *smoothing, size_t i)
+static bool take_row(const struct smoothing *smoothing, size_t i,
+                     c205_error *error)
 {
     struct surface *surface = &smoothing->surfaces->list[smoothing->seen[i]];
     const double *flows = smoothing->flows + i * (smoothing->count + 1);
+
+    surface->smooth = calloc(smoothing->surfaces->count + 1,
+                             sizeof *surface->smooth);
+    if (!surface->smooth)
+        return error_say(error, "no memory");
 
     for (size_t j = 0; j < smoothing->count; j++)
         surface->smooth[smoothing->seen[j]] = flows[j] / smoothing->areas[i];
     surface->smooth[smoothing->surfaces->count] = flows[smoothing->count]
                                                   / smoothing->areas[i];
+    return true;
 }
 
 static bool list_seen(struct smoothing *smoothing, c205_error *error)
@@ -216,8 +221,10 @@ static bool list_seen(struct smoothing *smoothing, c205_error *error)
                              surface->name,
                              primitive_kind_name(surface->first->kind),
                              surface->first->line);
-        if (surface->sent > 0)
-            smoothing->seen[smoothing->count++] = i;
+        if (surface->sent == 0)
+            continue;
+        smoothing->names[smoothing->count] = surface->name;
+        smoothing->seen[smoothing->count++] = i;
     }
     return smoothing->count > 0 || error_say(error, "nothing is seen");
 }
@@ -226,11 +233,12 @@ static bool smooth(const struct smoothing *smoothing, enum trace_mode mode,
                    const c205_model *model, struct accounts *accounts,
                    c205_error *error)
 {
-    const struct smooth_given given = { .mode = trace_mode_besides(mode),
+    const struct smooth_given given = { .mode = mode,
                                         .count = smoothing->count,
                                         .flows = smoothing->flows,
                                         .variances = smoothing->variances,
                                         .areas = smoothing->areas,
+                                        .names = smoothing->names,
                                         .model = model };
 
     for (size_t i = 0; i < smoothing->count; i++)
@@ -238,8 +246,8 @@ static bool smooth(const struct smoothing *smoothing, enum trace_mode mode,
     if (!smooth_flows(&given, smoothing->flows, accounts, error))
         return false;
     for (size_t i = 0; i < smoothing->count; i++)
-        take_row(smoothing, i);
-    smoothing->surfaces->are_smooth = true;
+        if (!take_row(smoothing, i, error))
+            return false;
     return true;
 }
 
@@ -251,17 +259,19 @@ bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
     struct smoothing smoothing = {
         .surfaces = surfaces,
         .seen = calloc(count, sizeof *smoothing.seen),
+        .names = calloc(count, sizeof *smoothing.names),
         .areas = calloc(count, sizeof *smoothing.areas),
         .flows = calloc(count * count, sizeof *smoothing.flows),
         .variances = calloc(count * count, sizeof *smoothing.variances),
     };
-    bool good = (smoothing.seen && smoothing.areas && smoothing.flows
-                 && smoothing.variances)
+    bool good = (smoothing.seen && smoothing.names && smoothing.areas
+                 && smoothing.flows && smoothing.variances)
                 || error_say(error, "no memory");
 
     good = good && list_seen(&smoothing, error)
            && smooth(&smoothing, mode, model, accounts, error);
     free(smoothing.seen);
+    free(smoothing.names);
     free(smoothing.areas);
     free(smoothing.flows);
     free(smoothing.variances);

@@ -11,10 +11,11 @@ enum { SMOOTH_MOST = 1024 }; /* surfaces */
 /* Of each surface a row: flows x_ij = A_i F_ij to all of them and, as the last one, to the
  * environment, with their variances v_ij; x_ij = x_ji, v_ij = v_ji. */
 struct smooth_given {
-    enum trace_mode mode;            /* scalar or vector */
+    enum trace_mode mode;
     size_t count;                    /* surfaces, 1 .. SMOOTH_MOST */
     const double *flows, *variances; /* [count][count + 1]; not below 0 */
     const double *areas;
+    const char *const *names; /* for errors */
     const c205_model *model;
 };
 

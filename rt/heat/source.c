@@ -1,14 +1,13 @@
 #include "rt/heat/source.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/error.h"
 #include "rt/heat/chords.h"
 #include "rt/layout/bounds.h"
-#include "rt/layout/program.h"
 #include "rt/layout/single_run.h"
+#include "rt/trace/form.h"
 
 /* A sphere is so much larger than a bound. */
 static const double larger = 1.001;
@@ -28,41 +27,36 @@ struct heat_source {
 
 /* ---- What has a source -------------------------------------------------------- */
 
-static const struct region *region_of(const struct scene *scene,
-                                      size_t primitive)
+/* Bounds of a region's primitives, of bounds of its nodes: that of the region, or the least
+ * of those of the leaves that are the primitive. */
+static void bound_in(const struct scene *scene, const struct region *region,
+                     const struct bound *nodes, struct bound *bounds)
 {
-    const struct region *region = scene->regions;
-
-    while (primitive < region->first_primitive
-           || primitive >= region->first_primitive + region->primitive_count)
-        region++;
-    return region;
-}
-
-/* The least that is known to be about it. */
-static struct bound bound_of(const struct scene *scene,
-                             const struct bound *bounds, size_t primitive)
-{
-    const struct region *region = region_of(scene, primitive);
     size_t first = region->first_node, end = first + region->node_count;
-    struct bound bound = bounds[first];
 
+    for (size_t i = 0; i < region->primitive_count; i++)
+        bounds[region->first_primitive + i] = nodes[first];
     for (size_t i = first; i < end; i++) {
-        const struct tree_node *node = &scene->nodes[i];
+        struct bound *bound = &bounds[scene->nodes[i].primitive];
 
-        if (node->operation == TREE_LEAF && node->primitive == primitive
-            && !bound_is_none(&bounds[i])
-            && (bound_is_none(&bound) || bounds[i].radius < bound.radius))
-            bound = bounds[i];
+        if (scene->nodes[i].operation == TREE_LEAF
+            && !bound_is_none(&nodes[i])
+            && (bound_is_none(bound) || nodes[i].radius < bound->radius))
+            *bound = nodes[i];
     }
-    return bound;
 }
 
-static struct bound *bound_all(const struct scene *scene)
+/* The least that is known to be about each of the scene's primitives. */
+static struct bound *bound_primitives(const struct scene *scene)
 {
-    struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
+    struct bound *nodes = calloc(scene->node_count + 1, sizeof *nodes);
+    struct bound *bounds = calloc(scene->primitive_count + 1, sizeof *bounds);
+    bool good = nodes && bounds && bound_nodes(scene, nodes);
 
-    if (bounds && bound_nodes(scene, bounds))
+    for (size_t i = 0; good && i < scene->region_count; i++)
+        bound_in(scene, &scene->regions[i], nodes, bounds);
+    free(nodes);
+    if (good)
         return bounds;
     free(bounds);
     return NULL;
@@ -71,10 +65,9 @@ static struct bound *bound_all(const struct scene *scene)
 static const char *refusal_of(const struct scene *scene,
                               const struct bound *bounds, size_t primitive)
 {
-    struct bound bound = bound_of(scene, bounds, primitive);
     const char *refusal = emission_refusal(&scene->primitives[primitive]);
 
-    if (refusal && bound_is_none(&bound))
+    if (refusal && bound_is_none(&bounds[primitive]))
         return scene->primitives[primitive].kind == PRIMITIVE_PLANE
                    ? refusal
                    : "it has no end that is known, and so no emission";
@@ -85,7 +78,7 @@ const char **source_refusals(const struct scene *scene)
 {
     const char **refusals = calloc(scene->primitive_count + 1,
                                    sizeof *refusals);
-    struct bound *bounds = bound_all(scene);
+    struct bound *bounds = bound_primitives(scene);
 
     for (size_t i = 0; refusals && bounds && i < scene->primitive_count; i++)
         refusals[i] = refusal_of(scene, bounds, i);
@@ -102,12 +95,12 @@ const char **source_refusals(const struct scene *scene)
 static bool find_sphere(struct heat_source *source, const struct scene *scene,
                         size_t primitive, c205_error *error)
 {
-    struct bound *bounds = bound_all(scene), bound;
+    struct bound *bounds = bound_primitives(scene), bound;
     const char *refusal;
 
     if (!bounds)
         return error_say(error, "no memory");
-    bound = bound_of(scene, bounds, primitive);
+    bound = bounds[primitive];
     refusal = refusal_of(scene, bounds, primitive);
     free(bounds);
     if (refusal)
@@ -139,7 +132,6 @@ static void put_alone(struct heat_source *source, const struct scene *scene,
 
 static bool begin_lines(struct heat_source *source, c205_error *error)
 {
-    static const struct asm_define none[] = { { NULL, 0 } };
     const struct lines_options options = {
         .mode = source->options.mode,
         .queue = source->options.queue,
@@ -148,15 +140,13 @@ static bool begin_lines(struct heat_source *source, c205_error *error)
         .model = source->options.model,
     };
     struct emission_options emits = source->options;
-    char path[64];
 
     emits.mode = trace_mode_besides(emits.mode);
-    snprintf(path, sizeof path, "heat/spots_%s.s",
-             trace_mode_name(emits.mode));
     source->lines = lines_new(&source->alone, &options, error);
     if (!source->lines)
         return false;
-    source->spots = program_assemble(path, none, error);
+    source->spots = form_assemble_beside("heat/spots", emits.mode, NULL,
+                                         error);
     return source->spots && chords_begin(&source->chords, &emits, error);
 }
 

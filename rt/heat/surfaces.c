@@ -61,9 +61,7 @@ static bool make_rows(struct surfaces *surfaces)
         surface->count = calloc(surfaces->count + 1, sizeof *surface->count);
         surface->factor = calloc(surfaces->count + 1,
                                  sizeof *surface->factor);
-        surface->smooth = calloc(surfaces->count + 1,
-                                 sizeof *surface->smooth);
-        good = surface->count && surface->factor && surface->smooth;
+        good = surface->count && surface->factor;
     }
     return good;
 }
@@ -166,6 +164,11 @@ void surfaces_take_lines(struct surfaces *surfaces,
         for (size_t j = 0; j <= surfaces->count && surface->sent > 0; j++)
             surface->factor[j] = global_lines_factor(found, i, j);
     }
+}
+
+double surface_factor(const struct surface *from, size_t to)
+{
+    return from->smooth ? from->smooth[to] : from->factor[to].value;
 }
 
 double surfaces_reciprocity(const struct surfaces *surfaces, size_t from,

@@ -23,12 +23,11 @@ struct surface {
     bool receives_alone;  /* some of it has no emission */
     uint64_t *count;      /* [surfaces + 1], the last one the environment */
     struct estimate *factor;
-    double *smooth; /* .. once they are smoothed (smooth.h) */
+    double *smooth; /* NULL, or those that are smoothed (smooth.h) */
 };
 
 struct surfaces {
     size_t count;
-    bool are_smooth;
     struct surface *list;
     size_t primitive_count;
     size_t *surface_of; /* of each of the scene's primitives, */
@@ -49,6 +48,9 @@ void surfaces_combine(struct surfaces *surfaces,
 /* Of all of them at once. */
 void surfaces_take_lines(struct surfaces *surfaces,
                          const struct global_lines *found);
+
+/* The factor from one to another, smoothed if they are. */
+double surface_factor(const struct surface *from, size_t to);
 
 /* By how many standard errors A F from one to the other differs from that back; NaN: of itself,
  * or where there is no way back. */

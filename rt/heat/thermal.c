@@ -40,11 +40,17 @@ struct thermal_work {
     c205_error *error;
 };
 
+/* Of those that something is seen of. */
+static const struct surface *surface_of(const struct thermal_work *work,
+                                        size_t i)
+{
+    return &work->surfaces->list[work->thermal->surface[i]];
+}
+
 static void take_values(const struct thermal_work *work, size_t i)
 {
     struct thermal *thermal = work->thermal;
-    const struct surface *surface = &work->surfaces
-                                         ->list[thermal->surface[i]];
+    const struct surface *surface = surface_of(work, i);
     const struct named_part *part = &work->parts->list[surface->part];
     double emissivity = given_of_part(work->emissivities, part);
     double temperature = given_of_part(work->temperatures, part);
@@ -135,16 +141,6 @@ static void find_outside(const struct thermal_work *work)
 
 /* ---- The exchange ------------------------------------------------------------- */
 
-/* Smoothed ones, if there are any. */
-static double factor_of(const struct surfaces *surfaces, size_t from,
-                        size_t to)
-{
-    const struct surface *surface = &surfaces->list[from];
-
-    return surfaces->are_smooth ? surface->smooth[to]
-                                : surface->factor[to].value;
-}
-
 /* Of surfaces that something is seen of: rows of factors, as each has them. */
 static void fill_factors(const struct thermal_work *work, double *factors)
 {
@@ -152,13 +148,13 @@ static void fill_factors(const struct thermal_work *work, double *factors)
     size_t n = thermal->count;
 
     for (size_t i = 0; i < n; i++) {
-        size_t from = thermal->surface[i];
+        const struct surface *surface = surface_of(work, i);
 
         for (size_t j = 0; j < n; j++)
-            factors[i * (n + 1) + j] = factor_of(work->surfaces, from,
-                                                 thermal->surface[j]);
-        factors[i * (n + 1) + n] = factor_of(work->surfaces, from,
-                                             work->surfaces->count);
+            factors[i * (n + 1) + j] = surface_factor(surface,
+                                                      thermal->surface[j]);
+        factors[i * (n + 1) + n] = surface_factor(surface,
+                                                  work->surfaces->count);
     }
 }
 
@@ -181,9 +177,11 @@ static bool find_exchange(const struct thermal_work *work,
     size_t n = thermal->count;
     double *factors = calloc(n * (n + 1), sizeof *factors);
     double *area = calloc(2 * n, sizeof *area), *emissivity = area + n;
+    const char **names = calloc(n, sizeof *names);
     const struct exchange_given given = {
-        .mode = trace_mode_besides(mode),
+        .mode = mode,
         .count = n,
+        .names = names,
         .area = area,
         .emissivity = emissivity,
         .temperature = thermal->temperature,
@@ -191,18 +189,23 @@ static bool find_exchange(const struct thermal_work *work,
         .outside = thermal->outside,
         .model = model,
     };
-    bool good = factors && area;
+    bool good = factors && area && names;
 
     if (good) {
         fill_factors(work, factors);
         split_values(thermal, emissivity);
-        for (size_t i = 0; i < n; i++)
-            area[i] = work->surfaces->list[thermal->surface[i]].area.value;
+        for (size_t i = 0; i < n; i++) {
+            const struct surface *surface = surface_of(work, i);
+
+            names[i] = surface->name;
+            area[i] = surface->area.value;
+        }
     }
     good = good ? exchange_find(&given, &thermal->exchange, work->error)
                 : error_say(work->error, "no memory");
     free(factors);
     free(area);
+    free(names);
     return good;
 }
 

@@ -1,7 +1,6 @@
 #include "rt/mass/columns.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,8 +8,8 @@
 #include "base/hash.h"
 #include "rt/farm/farm.h"
 #include "rt/layout/bounds.h"
-#include "rt/layout/program.h"
 #include "rt/mass/overlaps.h"
+#include "rt/trace/form.h"
 #include "rt/trace/lines.h"
 
 const char *columns_stage_name(enum columns_stage stage)
@@ -99,11 +98,8 @@ static struct object *assemble(const struct columns_work *work,
         { "RAYS", (int64_t)work->rays_of_packet },
         { NULL, 0 },
     };
-    char path[64];
 
-    snprintf(path, sizeof path, "mass/%s_%s.s", name,
-             trace_mode_name(trace_mode_besides(work->options->mode)));
-    return program_assemble(path, defines, error);
+    return form_assemble_beside(name, work->options->mode, defines, error);
 }
 
 static bool begin_view(struct columns_work *work, size_t view,
@@ -137,10 +133,10 @@ static bool begin_work(struct columns_work *work, c205_error *error)
     work->crossings = calloc(units, sizeof *work->crossings);
     if (!work->words || !work->clocks || !work->crossings)
         return error_say(error, "no memory");
-    work->rays = assemble(work, "rays", error);
-    work->columns = assemble(work, "columns", error);
-    work->overlaps = assemble(work, "overlaps", error);
-    work->totals = assemble(work, "totals", error);
+    work->rays = assemble(work, "mass/rays", error);
+    work->columns = assemble(work, "mass/columns", error);
+    work->overlaps = assemble(work, "mass/overlaps", error);
+    work->totals = assemble(work, "mass/totals", error);
     good = work->rays && work->columns && work->overlaps && work->totals;
     for (size_t view = 0; good && view < VIEWS; view++)
         good = begin_view(work, view, error);

@@ -58,7 +58,7 @@ const char *columns_stage_name(enum columns_stage stage);
 
 struct columns_options {
     enum trace_mode mode;
-    size_t queue;         /* rays at a time; not in scalar mode */
+    size_t queue; /* rays at a time; not in scalar mode */
     enum columns_points points;
     size_t rays_log; /* 2^rays_log rays of a view under a shift, at the most
                         2^COLUMNS_LOG_MOST */

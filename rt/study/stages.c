@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "base/error.h"
+
 static const struct table_column columns[] = {
     { "step", "step", TABLE_TEXT, 0 },
     { "scalar", "scalar", TABLE_COUNT, 0 },
@@ -11,6 +13,25 @@ static const struct table_column columns[] = {
     { "speedup_vector", "scalar/vector", TABLE_NUMBER, 1 },
     { "speedup_rest", "kernels/vector", TABLE_NUMBER, 1 },
 };
+
+bool stages_find(struct stages *stages, enum trace_mode there,
+                 stages_function *find, const void *found, c205_error *error)
+{
+    for (int mode = 0; mode < TRACE_MODES; mode++) {
+        bool same = true;
+
+        if (mode == (int)there)
+            continue;
+        if (!find(found, (enum trace_mode)mode, stages->clocks[mode], &same,
+                  error))
+            return false;
+        if (!same)
+            return error_say(error, "the stages %s and %s do not agree",
+                             trace_mode_name(there),
+                             trace_mode_name((enum trace_mode)mode));
+    }
+    return true;
+}
 
 uint64_t stages_clocks(const struct stages *stages, enum trace_mode mode)
 {

@@ -15,6 +15,17 @@ struct stages {
     uint64_t clocks[TRACE_MODES][STAGES_STEPS_MOST];
 };
 
+/* What a computation takes in another mode, step by step; *same: it finds the same as the one
+ * whose clocks are there.  False: it fails; the error says why. */
+typedef bool stages_function(const void *found, enum trace_mode mode,
+                             uint64_t clocks[STAGES_STEPS_MOST], bool *same,
+                             c205_error *error);
+
+/* All stages but that of one mode, whose clocks are there.  False: one fails, or finds
+ * something else; the error says which. */
+bool stages_find(struct stages *stages, enum trace_mode there,
+                 stages_function *find, const void *found, c205_error *error);
+
 uint64_t stages_clocks(const struct stages *stages, enum trace_mode mode);
 /* Step by step, then all of them: clocks, and how many times those of the scalar stage are
  * these.  NULL: no memory. */

@@ -1,5 +1,6 @@
 #include "rt/trace/form.h"
 
+#include <stdio.h>
 #include <string.h>
 
 #include "rt/layout/bumps.h"
@@ -153,4 +154,16 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue,
     if (bodies)
         define(&defines, "BODIES", 1);
     return program_assemble(programs[mode], defines.list, error);
+}
+
+struct object *form_assemble_beside(const char *name, enum trace_mode mode,
+                                    const struct asm_define *defines,
+                                    c205_error *error)
+{
+    static const struct asm_define none[] = { { NULL, 0 } };
+    char path[64];
+
+    snprintf(path, sizeof path, "%s_%s.s", name,
+             trace_mode_name(trace_mode_besides(mode)));
+    return program_assemble(path, defines ? defines : none, error);
 }

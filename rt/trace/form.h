@@ -17,4 +17,11 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue,
                                    const struct scene *scene,
                                    c205_error *error);
 
+/* .. that meets no primitives and is called beside those that do: "heat/faces" is
+ * heat/faces_scalar.s or heat/faces_vector.s (trace_mode_besides).  The defines may be
+ * NULL. */
+struct object *form_assemble_beside(const char *name, enum trace_mode mode,
+                                    const struct asm_define *defines,
+                                    c205_error *error);
+
 #endif

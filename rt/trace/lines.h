@@ -20,7 +20,7 @@
 
 struct lines_options {
     enum trace_mode mode;
-    size_t queue;         /* lines at a time; not in scalar mode */
+    size_t queue; /* lines at a time; not in scalar mode */
     /* Lines that a machine takes at the most, before it is loaded anew; 0:
      * LINES_PACKET. */
     size_t packet;

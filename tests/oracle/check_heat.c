@@ -42,9 +42,9 @@ static struct heat_request usual(void)
 /* What has no inside is seen from both sides by lines, and radiates from one by rays. */
 static bool is_closed(const char *text)
 {
-    static const char *const words[] = { "open", "height_field", "disc",
-                                         "steiner_patch", "clipped_by",
-                                         "lathe { 3," };
+    static const char *const words[] = { "open",       "height_field",
+                                         "disc",       "steiner_patch",
+                                         "clipped_by", "lathe { 3," };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strstr(text, words[i]))
             return false;
@@ -146,19 +146,19 @@ static bool keeps_rules(const struct heat *heat, char *reason)
         double sum = 0, smooth = 0;
         for (size_t j = 0; surface->sent > 0 && j <= surfaces->count; j++) {
             sum += surface->factor[j].value;
-            smooth += surface->smooth[j];
+            smooth += surface_factor(surface, j);
         }
         if (surface->sent > 0
             && (fabs(sum - 1) > 1e-11
-                || (surfaces->are_smooth && fabs(smooth - 1) > 1e-10))) {
+                || (surface->smooth && fabs(smooth - 1) > 1e-10))) {
             snprintf(reason, REASON, "the factors of %s are %.15g in all",
                      surface->name, fabs(sum - 1) > 1e-11 ? sum : smooth);
             return false;
         }
-        for (size_t j = 0; surfaces->are_smooth && j < i; j++) {
+        for (size_t j = 0; surface->smooth && j < i; j++) {
             const struct surface *other = &surfaces->list[j];
-            double there = surface->area.value * surface->smooth[j];
-            double back = other->area.value * other->smooth[i];
+            double there = surface->area.value * surface_factor(surface, j);
+            double back = other->area.value * surface_factor(other, i);
             if (fabs(there - back) > 1e-10 * surface->area.value) {
                 snprintf(reason, REASON, "smoothed, %s and %s differ",
                          surface->name, other->name);
@@ -169,6 +169,13 @@ static bool keeps_rules(const struct heat *heat, char *reason)
     return true;
 }
 
+static bool find(const struct scene *scene,
+                 const struct heat_request *request, struct heat *heat,
+                 c205_error *error)
+{
+    return heat_begin(scene, request, heat, error) && heat_find(heat, error);
+}
+
 /* Another stage, queue and number of jobs, of fewer points. */
 static bool same_stages(const struct scene *scene,
                         struct heat_request request, uint64_t *state,
@@ -177,11 +184,11 @@ static bool same_stages(const struct scene *scene,
     struct heat vector, other;
     c205_error error = { "" };
     request.drawn /= 8;
-    bool there = heat_find(scene, &request, &vector, &error);
+    bool there = find(scene, &request, &vector, &error);
     request.mode = one_in(state, 2) ? TRACE_SCALAR : TRACE_KERNELS;
     request.queue = 1 + below(state, 40);
     request.jobs = 2;
-    bool good = heat_find(scene, &request, &other, &error) == there
+    bool good = find(scene, &request, &other, &error) == there
                 && (!there || heat_is_same(&vector, &other));
     if (!good)
         snprintf(reason, REASON, "%s finds others than vector, by %s",
@@ -226,16 +233,16 @@ static bool passes(const struct scene *scene, uint64_t *state, char *reason)
     by_lines.by_lines = true;
     by_lines.drawn = 1024;
     by_rays.smooth = emits_all(scene);
-    bool found = heat_find(scene, &by_lines, &lines, &error);
+    bool found = find(scene, &by_lines, &lines, &error);
     if (!found && strstr(error.message, "no end that is known")) {
         heat_free(&lines);
         return true;
     }
-    bool good = found && heat_find(scene, &by_rays, &rays, &error);
+    bool good = found && find(scene, &by_rays, &rays, &error);
     if (!good && strstr(error.message, "nothing is seen")) {
         by_rays.smooth = false;
         heat_free(&rays);
-        good = heat_find(scene, &by_rays, &rays, &error);
+        good = find(scene, &by_rays, &rays, &error);
     }
     snprintf(reason, REASON, "%.250s", error.message);
     good = good && same_ways(&rays, &lines, reason)

@@ -264,6 +264,7 @@ static void test_enclosures(void **state)
 
 static void refuses(const struct enclosure *enclosure, const char *message)
 {
+    static const char *const names[] = { "1", "2" };
     struct exchange exchange;
     c205_error error = { "" };
 
@@ -271,6 +272,7 @@ static void refuses(const struct enclosure *enclosure, const char *message)
         struct exchange_given given = given_of(enclosure,
                                                (enum trace_mode)mode);
 
+        given.names = names;
         assert_false(exchange_find(&given, &exchange, &error));
         if (!strstr(error.message, message))
             fail_msg("%s: %s", message, error.message);

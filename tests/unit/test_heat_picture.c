@@ -122,7 +122,8 @@ static void test_values(void **state)
     c205_error error = { "" };
 
     (void)state;
-    if (!heat_find(scene, &request, &heat, &error))
+    if (!heat_begin(scene, &request, &heat, &error)
+        || !heat_find(&heat, &error))
         fail_msg("%s", error.message);
     check_picture(&heat, SHOWN_FLOW, NULL, 0);
     check_picture(&heat, SHOWN_FACTOR, "Block", 1);
@@ -142,7 +143,8 @@ static void test_refused(void **state)
 
     (void)state;
     request.exchange = false;
-    assert_true(heat_find(scene, &request, &heat, &error));
+    assert_true(heat_begin(scene, &request, &heat, &error)
+                && heat_find(&heat, &error));
     assert_false(heat_draw(&heat, &look, &drawn, &error));
     assert_string_equal(error.message,
                         "no surface is called 'Lid', or nothing comes from "

@@ -243,12 +243,15 @@ static void test_left_alone(void **state)
 
 static void refuses(const struct found *found, const char *message)
 {
+    static const char *const names[] = { "1", "2" };
+
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         struct smooth_given given = given_of(found, (enum trace_mode)mode);
         struct accounts accounts = { .model = prior_model };
         double smooth[MOST * (MOST + 1)];
         c205_error error = { "" };
 
+        given.names = names;
         assert_false(smooth_flows(&given, smooth, &accounts, &error));
         if (!strstr(error.message, message))
             fail_msg("%s: %s", message, error.message);

@@ -1,0 +1,134 @@
+/* test_heat.c - rounds of heat: how many are drawn until factors are good enough, and
+ * when two runs found the same. */
+#include "rt/heat/heat.h"
+#include "tests/unit/prior_model.h"
+#include "tests/unit/scene_reading.h"
+
+static const char balls[] = "sphere { -1.5*x, 1 } sphere { 1.5*x, 1 }";
+
+static struct heat_request usual(void)
+{
+    return (struct heat_request){ .mode = TRACE_VECTOR,
+                                  .queue = 2000,
+                                  .by = BY_PRIMITIVE,
+                                  .drawn = 16,
+                                  .repeats = 2,
+                                  .lattice = true,
+                                  .seed = 1,
+                                  .model = prior_model };
+}
+
+static void find(const struct scene *scene,
+                 const struct heat_request *request, struct heat *heat)
+{
+    c205_error error = { "" };
+
+    if (!heat_begin(scene, request, heat, &error) || !heat_find(heat, &error))
+        fail_msg("%s", error.message);
+}
+
+static size_t drawn_of(const char *text, const struct heat_request *request,
+                       bool precise)
+{
+    struct scene *scene = read_scene(text);
+    struct heat heat;
+    size_t drawn;
+
+    find(scene, request, &heat);
+    assert_int_equal(heat_is_precise(&heat), precise);
+    drawn = heat.drawn;
+    heat_free(&heat);
+    scene_free(scene);
+    return drawn;
+}
+
+/* Four times as many until the limit, which is drawn itself; lines in powers of two. */
+static void test_rounds(void **state)
+{
+    struct heat_request request = usual();
+
+    (void)state;
+    assert_int_equal(drawn_of(balls, &request, true), 16);
+    request.tolerance = 1e-9;
+    request.limit = 100;
+    assert_int_equal(drawn_of(balls, &request, false), 100);
+    request.limit = 4;
+    assert_int_equal(drawn_of(balls, &request, false), 16);
+    request.by_lines = true;
+    request.limit = 1000;
+    assert_int_equal(drawn_of(balls, &request, false), 512);
+    request.limit = 1024;
+    assert_int_equal(drawn_of(balls, &request, false), 1024);
+    request.tolerance = .5;
+    assert_int_equal(drawn_of(balls, &request, true), 16);
+}
+
+/* All rays of a ball by itself go to the environment, in all repeats; that does not make few
+ * of them good enough. */
+static void test_no_spread(void **state)
+{
+    struct heat_request request = usual();
+
+    (void)state;
+    request.tolerance = .01;
+    request.limit = 1000;
+    assert_int_equal(drawn_of("sphere { 0, 1 }", &request, true), 64);
+}
+
+/* A number that is a little off is another one. */
+static void check_number(const struct heat *one, const struct heat *other,
+                         double *number)
+{
+    double kept = *number;
+
+    *number = nextafter(kept, INFINITY);
+    assert_false(heat_is_same(one, other));
+    *number = kept;
+    assert_true(heat_is_same(one, other));
+}
+
+static void test_same(void **state)
+{
+    static const char *const warm[] = { "default=300" };
+    struct scene *scene = read_scene(balls);
+    struct heat_request request = usual();
+    struct heat one, other;
+    struct surface *last;
+
+    (void)state;
+    request.smooth = request.exchange = true;
+    request.temperatures = warm;
+    request.temperature_count = 1;
+    find(scene, &request, &one);
+    find(scene, &request, &other);
+    last = &other.surfaces.list[1];
+    assert_true(heat_is_same(&one, &other));
+    check_number(&one, &other, &last->area.value);
+    check_number(&one, &other, &last->factor[0].value);
+    check_number(&one, &other, &last->factor[2].error);
+    check_number(&one, &other, &last->smooth[0]);
+    check_number(&one, &other, &other.thermal.exchange.radiosity[1]);
+    check_number(&one, &other, &other.thermal.exchange.irradiation[1]);
+    check_number(&one, &other, &other.thermal.exchange.flow[1]);
+    last->count[2]++;
+    assert_false(heat_is_same(&one, &other));
+    last->count[2]--;
+    last->tried++;
+    assert_false(heat_is_same(&one, &other));
+    last->tried--;
+    assert_true(heat_is_same(&one, &other));
+    heat_free(&one);
+    heat_free(&other);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_rounds),
+        cmocka_unit_test(test_no_spread),
+        cmocka_unit_test(test_same),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
