@@ -29,7 +29,7 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm)
+asm_c = $(call c_of,asm asm/debug)
 c205_c = $(call c_of,asm/command)
 rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
 	trace picture roots study study/sweep study/plot heat mass))
@@ -149,6 +149,7 @@ check-long: export MASSES = 1000
 check-long: export HEATS = 1000
 check-long: export MASS_RAYS = 262144
 check-long: export HEAT_POINTS = 4096
+check-long: export HISTORY_JUMPS = 1000
 check-long: export USES = all
 check-long: export KILLS = 20
 check-long: export USED = $(SCENES)
@@ -185,7 +186,7 @@ $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 
 $(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
 		$(filter-out %librt205.a,$(libraries))
-	$(CC) $(LDFLAGS) -o $@ $^ -lm
+	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
 $(BUILD)/rt205: $(call objects,$(rt205_c)) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \

@@ -72,9 +72,8 @@ static void put_operand(const struct sink *sink,
     put_vector(sink, operand);
 }
 
-/* Of a linked pair those of both. */
-static void put_operands(const struct sink *sink, const c205 *machine,
-                         uint64_t pc)
+void trap_report_operands(const c205 *machine, uint64_t pc,
+                          const struct sink *sink)
 {
     struct instruction_view view;
     size_t i, n = 1;
@@ -113,5 +112,5 @@ void trap_report(const struct object *object, const char *name,
     diagnostics_put(&diagnostics, sink);
     diagnostics_free(&diagnostics);
     if (stop->insn && stop->trap != C205_TRAP_CLOCK_LIMIT)
-        put_operands(sink, machine, stop->pc);
+        trap_report_operands(machine, stop->pc, sink);
 }

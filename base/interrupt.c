@@ -12,6 +12,10 @@ bool interrupt_came(void)
     return false;
 }
 
+void interrupt_forget(void)
+{
+}
+
 #else
 
 #include <signal.h>
@@ -39,6 +43,11 @@ void interrupt_catch(void)
 bool interrupt_came(void)
 {
     return came;
+}
+
+void interrupt_forget(void)
+{
+    came = 0;
 }
 
 #endif

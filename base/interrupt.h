@@ -9,5 +9,7 @@
 void interrupt_catch(void);
 /* It was pressed. */
 bool interrupt_came(void);
+/* It counts as not pressed yet. */
+void interrupt_forget(void);
 
 #endif

@@ -43,10 +43,11 @@ static bool run_unit(void *context, size_t job, size_t unit,
                      struct unit_words *words, c205_error *error)
 {
     struct load *load = context;
+    struct ranks_pause pause = { 0 };
 
     (void)job, (void)error;
     while (load->ranks->rank == 0 && count_taken(load, 0) + 1 < load->units)
-        ranks_wait();
+        ranks_wait(&pause);
     for (size_t i = 0; i < load->words; i++)
         words_put(words, unit + i);
     return true;

@@ -367,6 +367,46 @@ typedef enum c205_event_kind {
     C205_EVENT_STOP
 } c205_event_kind;
 
+/* What a piece of time was spent on: what was waited for. */
+typedef enum c205_wait {
+    C205_WAIT_NONE,     /* for nothing: it is the instruction's own work */
+    C205_WAIT_REGISTER, /* its number: a source that was not ready, or a result
+                           on its way */
+    C205_WAIT_UNIT,     /* its number, of c205_unit: it was busy */
+    C205_WAIT_LOADS,    /* all that were in flight, or the oldest of as many as
+                           there can be */
+    C205_WAIT_RESULTS,  /* all that were in flight */
+    C205_WAIT_VECTOR,   /* the vector unit was busy */
+    C205_WAITS
+} c205_wait;
+
+typedef struct c205_piece {
+    uint64_t clocks;
+    c205_cause cause;
+    size_t region; /* whose account they are in */
+    c205_wait wait;
+    unsigned number; /* .. of what, or 0 */
+} c205_piece;
+
+/* The time of one instruction, from the clock itself.  Its pieces, in the order of time,
+ * are by how much it moved the clock.  A vector instruction goes on after that; its
+ * phases follow each other from the clock at which it issued to the end, those of no
+ * length left out. */
+enum { C205_PIECES = 40, C205_PHASES = 5 };
+typedef struct c205_times {
+    uint64_t arrived;   /* the clock before it */
+    uint64_t issued;    /* at which it issued */
+    uint64_t ready;     /* at which its results are */
+    uint64_t unit_free; /* .. its unit takes the next one: of a vector instruction,
+                           one whose start-up does not overlap */
+    size_t piece_count, phase_count;
+    c205_piece piece[C205_PIECES];
+    struct {
+        uint64_t begin, end;
+        c205_cause cause;
+    } phase[C205_PHASES];
+} c205_times;
+
 typedef struct c205_event {
     c205_event_kind kind;
     uint64_t pc;
@@ -375,6 +415,8 @@ typedef struct c205_event {
     size_t region;    /* index into the accounts */
     uint64_t issued;  /* the clock at which it issued */
     uint64_t clocks;  /* by how much it moved the clock */
+    const c205_times *record;  /* all about its time; NULL: it is none of an
+                                  instruction */
     size_t elements;  /* vector length, 0 for scalar instructions */
     size_t recurrent; /* those that waited for an earlier one's result */
     bool taken;       /* branches */
@@ -404,6 +446,14 @@ typedef enum c205_access {
  * they were not mapped before. */
 bool c205_map(c205 *machine, uint64_t address, size_t words,
               c205_access access, c205_error *error);
+
+/* The first mapped page from an address on, whether it may be written, and whether a page
+ * that is mapped when it is touched was; false: there is none. */
+typedef struct c205_page {
+    uint64_t address;
+    bool writable, touched;
+} c205_page;
+bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page);
 
 /* Copy between the host and the machine's memory; costs no clocks.  Fails
  * without effect where a page is not mapped. */
@@ -518,6 +568,37 @@ bool c205_save(const c205 *machine, c205_writer *write, void *context,
  * the bytes are damaged, not a saved machine, of another version or model. */
 c205 *c205_restore(const void *bytes, size_t count, const c205_model *model,
                    c205_error *error);
+
+/* ---- Going back (vm/history.c) --------------------------------------------
+ *
+ * A machine with its past: it goes forward an instruction at a time, and back to any
+ * step, by snapshots and running again from the one before.  State, clock and accounts
+ * are those of a run that came there for the first time.
+ */
+typedef struct c205_history c205_history;
+
+/* The machine as it stands is step 0; it is the history's from then on.  Snapshots
+ * take so many bytes at the most, but two are always kept: with fewer of them it is
+ * farther to go.  NULL: no memory, and the machine remains the caller's. */
+c205_history *c205_history_new(c205 *machine, size_t budget,
+                               c205_error *error);
+void c205_history_free(c205_history *history);
+/* The machine at this step: after a way back it is another one, with the same
+ * listeners. */
+c205 *c205_history_machine(const c205_history *history);
+/* Instructions since step 0: now, and the most that there were. */
+uint64_t c205_history_step(const c205_history *history);
+uint64_t c205_history_known(const c205_history *history);
+/* One instruction, as c205_step does it; where the program has ended the same stop
+ * again. */
+bool c205_history_forward(c205_history *history, c205_stop *stop);
+/* To a step before this one; of what is run again for that, listeners hear of the last
+ * instruction alone.  False: no memory; the machine stays where it is. */
+bool c205_history_back(c205_history *history, uint64_t step,
+                       c205_error *error);
+/* Somebody has written registers or memory: from here on the run is another one.
+ * False: no memory; the way back is that of before. */
+bool c205_history_changed(c205_history *history, c205_error *error);
 
 /* Tells programs apart: entry, segments and regions all count. */
 uint64_t c205_program_hash(const c205_program *program);

@@ -131,7 +131,6 @@ static c205_event make_event(const struct c205 *machine, c205_event_kind kind,
     c205_event event;
     memset(&event, 0, sizeof event);
     event.kind = kind;
-    event.issued = before;
     event.clocks = clock_now(machine->clock) - before;
     return event;
 }
@@ -147,6 +146,8 @@ static void tell_instruction(struct c205 *machine,
                                           : C205_EVENT_INSTRUCTION,
                                   before);
     event.pc = decoded->pc;
+    event.issued = clock_issued(machine->clock);
+    event.record = &machine->record;
     event.insn = decoded->insn;
     event.fields = decoded->fields;
     event.region = decoded->region;
@@ -484,6 +485,20 @@ bool c205_map(c205 *machine, uint64_t address, size_t words,
     return memory_map(&machine->memory, address, words, access, error);
 }
 
+bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page)
+{
+    uint64_t address = memory_next_page(&machine->memory,
+                                        from & ~(PAGE_BITS - 1));
+    const struct page *found;
+    if (from > ADDRESS_MASK || address > ADDRESS_MASK)
+        return false;
+    found = memory_peek(&machine->memory, address);
+    page->address = address;
+    page->touched = !memory_is_untouched(found);
+    page->writable = !page->touched || found->writable;
+    return true;
+}
+
 static bool host_may_copy(const c205 *machine, uint64_t address, size_t count)
 {
     uint64_t fault;
@@ -582,5 +597,6 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context)
     machine->listener[machine->listener_count].call = listener;
     machine->listener[machine->listener_count++].context = context;
     machine->eventful = true;
+    clock_listen(machine->clock, &machine->record);
     return true;
 }

@@ -51,6 +51,7 @@ struct c205 {
     const c205_model *model;
     struct effect effect;           /* of the instruction being executed .. */
     const struct decoded *executed; /* .. which listeners are told of */
+    c205_times record;              /* .. and its time */
     struct package progress;        /* of the one that was interrupted */
     size_t allowed;      /* elements of this one before the clock limit
                                  comes, SIZE_MAX: any number */

@@ -14,7 +14,7 @@
 #include "base/results.h"
 
 extern const struct command run_command, asm_command, dis_command,
-    isa_command, model_command, time_command;
+    isa_command, model_command, time_command, debug_command;
 
 enum { CMD_DEFINES = 64 };
 struct cmd_defines {
@@ -40,6 +40,7 @@ struct c205_arguments {
     struct command_texts folders;
     const char *file;           /* what is no option: one, or .. */
     struct command_texts files; /* .. any number */
+    struct command_texts scripts;
 };
 
 /* ---- Options of several commands ---------------------------------------- */

@@ -318,6 +318,7 @@ static void serve(struct service *service)
 {
     struct pool *pool = service->pool;
     struct unit_words message = { .items = NULL };
+    struct ranks_pause pause = { 0 };
     bool busy = true;
     size_t from;
 
@@ -331,8 +332,10 @@ static void serve(struct service *service)
             ask(pool);
         busy = service->left > 0 || pool->active > 0;
         pthread_mutex_unlock(&pool->lock);
-        if (!heard && busy)
-            ranks_wait();
+        if (heard)
+            pause = (struct ranks_pause){ 0 };
+        else if (busy)
+            ranks_wait(&pause);
     }
     words_free(&message);
 }

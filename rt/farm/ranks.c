@@ -30,7 +30,7 @@ static const struct ranks_adapter *find_adapter(c205_error *error)
                   why.message);
         return NULL;
     }
-    object = dlopen(path, RTLD_NOW | RTLD_GLOBAL);
+    object = dlopen(path, RTLD_LAZY | RTLD_GLOBAL);
     table = object ? dlsym(object, RANKS_SYMBOL) : NULL;
     if (!table)
         error_say(error,
@@ -80,21 +80,27 @@ bool ranks_hear(const struct ranks *ranks, size_t *from,
     return true;
 }
 
-void ranks_wait(void)
+void ranks_wait(struct ranks_pause *pause)
 {
-    const struct timespec moment = { 0, 300000 };
+    enum { LEAST = 50000, MOST = 1000000 }; /* nanoseconds */
+    struct timespec moment = { 0, LEAST };
 
+    if (pause->nanoseconds > 0)
+        moment.tv_nsec = pause->nanoseconds;
     nanosleep(&moment, NULL);
+    pause->nanoseconds = 2 * moment.tv_nsec < MOST ? 2 * moment.tv_nsec
+                                                   : MOST;
 }
 
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word)
 {
     struct unit_words message = { .items = NULL };
+    struct ranks_pause pause = { 0 };
     enum rank_message what;
     size_t from;
 
     while (!ranks_hear(ranks, &from, &message))
-        ranks_wait();
+        ranks_wait(&pause);
     what = (enum rank_message)words_take(&message);
     *word = words_take(&message);
     words_free(&message);
@@ -116,6 +122,7 @@ bool ranks_agree(struct ranks *ranks, uint64_t *word)
 static void release(const struct ranks *ranks)
 {
     struct unit_words message = { .items = NULL };
+    struct ranks_pause pause = { 0 };
     size_t left = ranks->count - 1, from;
 
     for (size_t to = 1; to < ranks->count; to++)
@@ -124,7 +131,7 @@ static void release(const struct ranks *ranks)
         if (ranks_hear(ranks, &from, &message))
             left -= words_take(&message) == RANK_LEAVES;
         else
-            ranks_wait();
+            ranks_wait(&pause);
     words_free(&message);
 }
 

@@ -151,7 +151,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     if (event->kind != C205_EVENT_INSTRUCTION
         && event->kind != C205_EVENT_REQUEST)
         return;
-    assert_int_equal(event->issued, heard->clock);
+    assert_int_equal(event->record->arrived, heard->clock);
     heard->clock += event->clocks;
     heard->events++;
 }

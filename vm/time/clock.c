@@ -8,27 +8,66 @@
 
 /* ---- The time line ------------------------------------------------------- */
 
-static void spend(struct clock *clock, uint64_t clocks, c205_cause cause)
+/* What is waited for. */
+struct reason {
+    c205_wait wait;
+    unsigned number;
+};
+static const struct reason own_work = { C205_WAIT_NONE, 0 },
+                           for_loads = { C205_WAIT_LOADS, 0 },
+                           for_results = { C205_WAIT_RESULTS, 0 },
+                           for_vector = { C205_WAIT_VECTOR, 0 };
+
+/* For who listens. */
+static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
+                 size_t region, struct reason reason)
 {
+    c205_times *record = clock->record;
+    if (clocks == 0)
+        return;
+    if (record->piece_count == C205_PIECES) { /* never, so far */
+        record->piece[C205_PIECES - 1].clocks += clocks;
+        return;
+    }
+    record->piece[record->piece_count++] = (c205_piece){ clocks, cause,
+                                                         region, reason.wait,
+                                                         reason.number };
+}
+
+static inline void spend_for(struct clock *clock, uint64_t clocks,
+                             c205_cause cause, struct reason reason)
+{
+    if (clock->record)
+        note(clock, clocks, cause, clock->region, reason);
     clock->account->clocks[cause] += clocks;
     clock->now += clocks;
 }
 
-static void wait_until(struct clock *clock, uint64_t until, c205_cause cause)
+static inline void spend(struct clock *clock, uint64_t clocks,
+                         c205_cause cause)
+{
+    spend_for(clock, clocks, cause, own_work);
+}
+
+static inline void wait_until(struct clock *clock, uint64_t until,
+                              c205_cause cause, struct reason reason)
 {
     if (clock->now < until)
-        spend(clock, until - clock->now, cause);
+        spend_for(clock, until - clock->now, cause, reason);
 }
 
 /* Until a clock at which the vector unit is still at work: each piece is
  * charged to the phase in which it falls, in the region of that phase. */
-static inline void wait_through_phases(struct clock *clock, uint64_t until)
+static inline void wait_through_phases(struct clock *clock, uint64_t until,
+                                       struct reason reason)
 {
     c205_account *accounts = clock->accounts.account;
     uint64_t now = clock->now;
     for (const struct phase *phase = clock->phase; now < until; phase++) {
         uint64_t end = phase->end < until ? phase->end : until;
         if (now < end) {
+            if (clock->record)
+                note(clock, end - now, phase->cause, phase->region, reason);
             accounts[phase->region].clocks[phase->cause] += end - now;
             now = end;
         }
@@ -38,16 +77,17 @@ static inline void wait_through_phases(struct clock *clock, uint64_t until)
 
 static void wait_for_vector(struct clock *clock)
 {
-    wait_through_phases(clock, clock->vector_end);
+    wait_through_phases(clock, clock->vector_end, for_vector);
 }
 
 static void wait_for_slot(struct clock *clock, uint16_t slot)
 {
+    struct reason reason = { C205_WAIT_REGISTER, slot };
     if (clock->awaits[slot] == FOR_VECTOR)
-        wait_through_phases(clock, clock->ready[slot]);
+        wait_through_phases(clock, clock->ready[slot], reason);
     else
-        wait_until(clock, clock->ready[slot],
-                   (c205_cause)clock->awaits[slot]);
+        wait_until(clock, clock->ready[slot], (c205_cause)clock->awaits[slot],
+                   reason);
 }
 
 /* Sources must be ready; a result still on its way must have arrived. */
@@ -86,15 +126,27 @@ static inline uint64_t at_rate(struct rate rate, uint64_t n)
 
 /* ---- The scalar unit ----------------------------------------------------- */
 
+static void note_times(const struct clock *clock, uint64_t ready,
+                       uint64_t unit_free)
+{
+    clock->record->issued = clock->issued;
+    clock->record->ready = ready;
+    clock->record->unit_free = unit_free;
+}
+
 /* Issue to a unit; gives the clock at which the result is ready. */
 static uint64_t issue(struct clock *clock, const struct decoded *decoded,
                       c205_cause awaits)
 {
     const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     uint64_t *free_at = &clock->free_at[decoded->insn->unit];
-    wait_until(clock, *free_at, C205_UNIT_BUSY);
+    struct reason unit = { C205_WAIT_UNIT, decoded->insn->unit };
+    wait_until(clock, *free_at, C205_UNIT_BUSY, unit);
+    clock->issued = clock->now;
     uint64_t ready = clock->now + timing->latency;
     *free_at = clock->now + timing->busy;
+    if (clock->record)
+        note_times(clock, ready, *free_at);
     spend(clock, clock->issue_interval, C205_ISSUE);
     set_results(clock, decoded, ready, awaits);
     if (clock->results_done < ready)
@@ -132,7 +184,7 @@ static void reach_memory(struct clock *clock, const struct effect *effect)
 static void charge_load(struct clock *clock, const struct decoded *decoded)
 {
     uint64_t *oldest = &clock->load_end[clock->load];
-    wait_until(clock, *oldest, C205_MEMORY_WAIT);
+    wait_until(clock, *oldest, C205_MEMORY_WAIT, for_loads);
     *oldest = issue(clock, decoded, C205_MEMORY_WAIT);
     if (clock->loads_done < *oldest)
         clock->loads_done = *oldest;
@@ -146,11 +198,13 @@ static void charge_load(struct clock *clock, const struct decoded *decoded)
 static void charge_swap(struct clock *clock, const struct decoded *decoded,
                         const struct effect *effect)
 {
-    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
-    wait_until(clock, clock->results_done, C205_OPERAND_WAIT);
+    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT, for_loads);
+    wait_until(clock, clock->results_done, C205_OPERAND_WAIT, for_results);
     uint64_t begun = issue(clock, decoded, C205_MEMORY_WAIT);
     uint64_t end = begun + at_rate(clock->swap_word, effect->swapped);
-    wait_until(clock, end, C205_MEMORY_WAIT);
+    wait_until(clock, end, C205_MEMORY_WAIT, own_work);
+    if (clock->record)
+        clock->record->ready = end;
 }
 
 static void charge_memory(struct clock *clock, const struct decoded *decoded,
@@ -188,10 +242,21 @@ static void charge_branch(struct clock *clock, const struct decoded *decoded,
 /* The monitor takes over until it has done what it was asked for. */
 static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 {
-    wait_until(clock, issue(clock, decoded, C205_OPERAND_WAIT), C205_BRANCH);
+    uint64_t done = issue(clock, decoded, C205_OPERAND_WAIT);
+    wait_until(clock, done, C205_BRANCH, own_work);
 }
 
 /* ---- The vector unit ----------------------------------------------------- */
+
+static void note_phase(const struct clock *clock, uint64_t clocks,
+                       c205_cause cause)
+{
+    c205_times *record = clock->record;
+    size_t i = record->phase_count++;
+    record->phase[i].begin = clock->vector_end;
+    record->phase[i].end = clock->vector_end + clocks;
+    record->phase[i].cause = cause;
+}
 
 /* From the vector unit's end on, which moves. */
 static inline void add_phase(struct clock *clock, uint64_t clocks,
@@ -200,6 +265,8 @@ static inline void add_phase(struct clock *clock, uint64_t clocks,
     struct phase *phase = &clock->phase[clock->phase_count];
     if (clocks == 0)
         return;
+    if (clock->record)
+        note_phase(clock, clocks, cause);
     clock->vector_end += clocks;
     phase->end = clock->vector_end;
     phase->cause = cause;
@@ -320,13 +387,16 @@ static inline void charge_vector(struct clock *clock,
     uint64_t startup = startup_of(clock, decoded);
     if (decoded->linked[0])
         wait_for_pair(clock, decoded);
-    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
-    wait_through_phases(clock, vector_free_at(clock, startup));
+    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT, for_loads);
+    wait_through_phases(clock, vector_free_at(clock, startup), for_vector);
     drop_phases(clock);
+    clock->issued = clock->now;
     uint64_t issued = clock->now + clock->issue_interval;
     add_phases(clock, decoded, effect, startup);
-    wait_through_phases(clock, lesser(issued, clock->vector_end));
-    wait_until(clock, issued, C205_ISSUE);
+    if (clock->record)
+        note_times(clock, clock->vector_end, clock->vector_end);
+    wait_through_phases(clock, lesser(issued, clock->vector_end), own_work);
+    wait_until(clock, issued, C205_ISSUE, own_work);
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
     clock->account->vector_instructions++;
     clock->account->elements += effect->elements;
@@ -336,10 +406,19 @@ static inline void charge_vector(struct clock *clock,
 
 /* ---- One instruction ----------------------------------------------------- */
 
+static void begin_record(const struct clock *clock)
+{
+    c205_times *record = clock->record;
+    record->arrived = clock->now;
+    record->piece_count = record->phase_count = 0;
+}
+
 void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect)
 {
     clock_enter_region(clock, decoded->region);
+    if (clock->record)
+        begin_record(clock);
     if (decoded->pc != clock->stack.next)
         stack_begin(&clock->stack, decoded->pc);
     clock->stack.next = decoded->next;
@@ -374,8 +453,8 @@ static void check_sum(const struct clock *clock)
 void clock_drain(struct clock *clock)
 {
     wait_for_vector(clock);
-    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT);
-    wait_until(clock, clock->results_done, C205_OPERAND_WAIT);
+    wait_until(clock, clock->loads_done, C205_MEMORY_WAIT, for_loads);
+    wait_until(clock, clock->results_done, C205_OPERAND_WAIT, for_results);
     check_sum(clock);
 }
 
@@ -454,15 +533,16 @@ void clock_show(struct clock *clock, const struct decoded *decoded,
 {
     uint64_t begin = stream_begin(clock, decoded);
     struct clock cut = *clock; /* with the same accounts */
+    cut.record = NULL;
     keep_charged(clock);
     cut_at(&cut, until);
     cut.account = &cut.accounts.account[decoded->region];
     wait_for_registers(&cut, decoded);
     wait_for_pair(&cut, decoded);
-    wait_until(&cut, cut.loads_done, C205_MEMORY_WAIT);
+    wait_until(&cut, cut.loads_done, C205_MEMORY_WAIT, for_loads);
     wait_for_vector(&cut);
-    wait_until(&cut, lesser(begin, until), C205_VECTOR_STARTUP);
-    wait_until(&cut, until, C205_VECTOR_STREAM);
+    wait_until(&cut, lesser(begin, until), C205_VECTOR_STARTUP, own_work);
+    wait_until(&cut, until, C205_VECTOR_STREAM, own_work);
     clock->now = cut.now;
     check_sum(clock);
 }
@@ -492,6 +572,16 @@ void clock_settle(struct clock *clock)
 uint64_t clock_now(const struct clock *clock)
 {
     return clock->now;
+}
+
+void clock_listen(struct clock *clock, c205_times *record)
+{
+    clock->record = record;
+}
+
+uint64_t clock_issued(const struct clock *clock)
+{
+    return clock->issued;
 }
 
 size_t clock_account_count(const struct clock *clock)

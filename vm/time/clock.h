@@ -55,6 +55,11 @@ uint64_t clock_all_done(const struct clock *clock);
 /* Wait until everything in flight is done, and charge it. */
 void clock_drain(struct clock *clock);
 
+/* From now on the record is that of the latest instruction; NULL: of none. */
+void clock_listen(struct clock *clock, c205_times *record);
+/* The clock at which the latest instruction issued. */
+uint64_t clock_issued(const struct clock *clock);
+
 /* How many elements of a vector instruction that comes next will have
  * streamed at a clock.  What only its execution tells, misses, faults and
  * conflicts, does not count. */

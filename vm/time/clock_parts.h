@@ -79,6 +79,10 @@ struct clock {
     uint64_t load_end[LOADS_MOST]; /* of the last loads_in_flight loads */
     size_t load;                   /* the oldest of them */
 
+    uint64_t issued;             /* the latest instruction did then .. */
+    struct c205_times *record;  /* .. and this is all about its time; NULL:
+                                    nobody listens */
+
     struct phase phase[PHASES];
     size_t phase_count;
     uint64_t vector_end;  /* the end of the last phase .. */

@@ -1,0 +1,136 @@
+/* cmd_debug.c - c205 debug: a program under control, by a person or a script. */
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/command/c205_command.h"
+#include "asm/command/lines.h"
+#include "asm/debug/debugger.h"
+#include "base/interrupt.h"
+
+static const char prompt[] = "(c205) ";
+
+/* Lines of a script are shown as if somebody had typed them.  False: it was quit. */
+static bool obey_all(struct debugger *debugger, FILE *file)
+{
+    struct typed_lines lines = lines_of(file, debugger_verb);
+    const char *line;
+    bool more = true;
+    while (more && (line = lines_next(&lines, prompt)) != NULL) {
+        if (!lines.terminal) {
+            printf("%s%s\n", prompt, line);
+        }
+        interrupt_forget();
+        more = debugger_obey(debugger, line);
+    }
+    if (lines.terminal && more) {
+        putchar('\n');
+    }
+    lines_free(&lines);
+    return more;
+}
+
+/* False: it cannot be read. */
+static bool obey_script(const struct c205_arguments *arguments,
+                        struct debugger *debugger, const char *path,
+                        bool *more)
+{
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
+    if (!file) {
+        cmd_failed(arguments->command, "%s: it cannot be read", path);
+        return false;
+    }
+    *more = obey_all(debugger, file);
+    if (file != stdin) {
+        fclose(file);
+    }
+    return true;
+}
+
+static int obey(const struct c205_arguments *arguments,
+                struct debugger *debugger)
+{
+    const struct command_texts *scripts = &arguments->scripts;
+    bool more = true, terminal = false;
+    debugger_greet(debugger);
+    if (scripts->count == 0) {
+        struct typed_lines lines = lines_of(stdin, debugger_verb);
+        terminal = lines.terminal;
+        obey_all(debugger, stdin);
+    }
+    for (size_t i = 0; i < scripts->count && more; i++) {
+        if (!obey_script(arguments, debugger, scripts->items[i], &more)) {
+            return CMD_FAILED;
+        }
+    }
+    return terminal || debugger_faults(debugger) == 0 ? CMD_DONE : CMD_FAILED;
+}
+
+static int debug_program(const struct c205_arguments *arguments,
+                         const struct object *object, const c205_model *model)
+{
+    const struct debugger_setup setup = { .object = object,
+                                          .name = arguments->file,
+                                          .model = model,
+                                          .out = stream_sink(stdout),
+                                          .interrupted = interrupt_came };
+    c205_error error;
+    struct debugger *debugger = debugger_new(&setup, &error);
+    int code;
+    if (!debugger) {
+        return cmd_failed(arguments->command, "%s", error.message);
+    }
+    interrupt_catch();
+    code = obey(arguments, debugger);
+    debugger_free(debugger);
+    return code;
+}
+
+static int run(void *given)
+{
+    const struct c205_arguments *arguments = given;
+    struct sink report = stream_sink(stderr);
+    struct object *object = cmd_read_program(arguments, arguments->file,
+                                             &report);
+    c205_model *model = object
+                            ? model_open(arguments->command, arguments->model)
+                            : NULL;
+    int code = model ? debug_program(arguments, object, model) : CMD_FAILED;
+    c205_model_free(model);
+    object_free(object);
+    return code;
+}
+
+static const struct command_option options[] = {
+    { .name = "script",
+      .letter = 'x',
+      .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .many = true,
+      .offset = CMD_PLACE(scripts),
+      .help =
+          "take the lines from there, and end with 1 if one of them fails, "
+          "as an assert does" },
+    CMD_MODEL,
+    CMD_WARN,
+    CMD_DEFINE,
+    CMD_INCLUDE,
+    COMMAND_END
+};
+static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
+static const struct command_example examples[] = {
+    { "c205 debug FILE", "go through a program, forward and back" },
+    { "c205 debug -x SCRIPT FILE", "the same by a script" },
+    { NULL, NULL }
+};
+
+const struct command debug_command = {
+    .name = "debug",
+    .summary = "go through a program, forward and back",
+    .function = run,
+    .options = options,
+    .operands = operands,
+    .examples = examples,
+    .details =
+        "On a terminal libedit, if it is installed, keeps the lines and "
+        "completes. help tells the verbs.",
+};

@@ -1,0 +1,28 @@
+/* lines.h - lines from a person or a file.
+ *
+ * On a terminal the package libedit reads them, if it is installed: with a history,
+ * and Tab completes.  It is opened only there.
+ */
+#ifndef ASM_LINES_H
+#define ASM_LINES_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+struct typed_lines {
+    FILE *file;
+    bool terminal;
+    char *text; /* the last line, without its end */
+    size_t capacity;
+    /* libedit's, or NULL */
+    char *(*read)(const char *prompt);
+    int (*keep)(const char *line);
+};
+
+/* The names are those that Tab completes; each call gives one, NULL behind the last. */
+struct typed_lines lines_of(FILE *file, const char *(*name)(size_t i));
+/* NULL: there are no more, or no memory. */
+const char *lines_next(struct typed_lines *lines, const char *prompt);
+void lines_free(struct typed_lines *lines);
+
+#endif

@@ -1,0 +1,232 @@
+/* debugger.c - its beginning and end, what it hears, and its verbs. */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/debug/parts.h"
+#include "base/nearest.h"
+
+/* Bytes of snapshots. */
+static const size_t budget = (size_t)128 << 20;
+
+/* ---- Verbs ---------------------------------------------------------------- */
+
+static debug_verb verb_help;
+
+struct verb {
+    const char *name, *other; /* a second name, or NULL */
+    debug_verb *obey;         /* NULL: quit */
+    bool moves;               /* an empty line does it again */
+    const char *arguments, *help;
+};
+
+/* A beginning means the first verb that has it. */
+static const struct verb verbs[] = {
+    { "step", "si", verb_step, true, "[N]", "N instructions, 1" },
+    { "next", "ni", verb_next, true, "[N]",
+      "the same, a call and all that it does being one" },
+    { "continue", NULL, verb_continue, true, "[N]",
+      "to the next stop, or the N-th" },
+    { "reverse-step", "rs", verb_reverse_step, true, "[N]",
+      "N instructions back" },
+    { "reverse-continue", "rc", verb_reverse_continue, true, "",
+      "back to the stop before" },
+    { "until", NULL, verb_until, false, "PLACE",
+      "on to that place, or the next stop" },
+    { "goto", NULL, verb_goto, false, "N | clock N",
+      "to that step, or that clock, wherever it is" },
+    { "run", NULL, verb_run, false, "", "from the beginning to a stop" },
+    { "break", NULL, verb_break, false, "PLACE [if VALUE]",
+      "stop there; PLACE: LABEL, LINE, FILE:LINE, *ADDRESS, insn NAME, "
+      "region NAME" },
+    { "tbreak", NULL, verb_tbreak, false, "PLACE [if VALUE]", "once" },
+    { "watch", NULL, verb_watch, false, "ADDRESS [, WORDS] [if VALUE]",
+      "stop when what memory holds changes" },
+    { "delete", NULL, verb_delete, false, "[N]", "a stop, or all" },
+    { "where", NULL, verb_where, false, "", "where the program stands" },
+    { "list", NULL, verb_list, false, "[PLACE] [, N]", "source lines" },
+    { "disassemble", NULL, verb_disassemble, false, "[PLACE] [, N]",
+      "instructions" },
+    { "print", NULL, verb_print, false, "VALUE",
+      "r10, NAME, NAME.i, [ADDRESS], clock, step .. with + - * / % == < && "
+      "||" },
+    { "x", NULL, verb_x, false, "[/N fixhb] REGISTER | ADDRESS [? REGISTER]",
+      "elements: numbers, integers, hex, half words, bits; beside their "
+      "control bits" },
+    { "info", NULL, verb_info, false,
+      "registers | operands | breaks | regions | pages | symbols", "" },
+    { "why", NULL, verb_why, false, "",
+      "the time of the last instruction, and what it waited for" },
+    { "account", NULL, verb_account, false, "",
+      "where the clocks went so far" },
+    { "set", NULL, verb_set, false, "REGISTER | [ADDRESS] = VALUE",
+      "change it: from here on it is another run" },
+    { "assert", NULL, verb_assert, false, "VALUE",
+      "a fault if it is 0; scripts end with 1 then" },
+    { "help", NULL, verb_help, false, "", "this" },
+    { "quit", NULL, NULL, false, "", "" },
+};
+enum { VERBS = sizeof verbs / sizeof *verbs };
+
+const char *debugger_verb(size_t i)
+{
+    return i < VERBS ? verbs[i].name : NULL;
+}
+
+static bool verb_help(struct debugger *debugger, struct rest *rest)
+{
+    if (!rest_finish(debugger, rest))
+        return false;
+    for (size_t i = 0; i < VERBS; i++) {
+        sink_print(&debugger->out, "%s %s\n", verbs[i].name,
+                   verbs[i].arguments);
+        if (*verbs[i].help)
+            sink_print(&debugger->out, "    %s\n", verbs[i].help);
+    }
+    sink_put(&debugger->out,
+             "A beginning of a verb does; an empty line moves again.\n");
+    return true;
+}
+
+/* ---- What it hears -------------------------------------------------------- */
+
+/* What the program prints is printed once, however often it is run again. */
+static void hear(void *context, const c205 *machine, const c205_event *event)
+{
+    struct debugger *debugger = context;
+
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST)
+        return;
+    debugger->has_last = true;
+    debugger->last = *event;
+    debugger->record = *event->record;
+    debugger->last.record = &debugger->record;
+    if (c205_history_step(debugger->history) < debugger->told)
+        return;
+    debugger->told = c205_history_step(debugger->history) + 1;
+    printer_listen(&debugger->printer, machine, event);
+}
+
+/* ---- To begin and to end -------------------------------------------------- */
+
+static c205 *load(struct debugger *debugger, c205_error *error)
+{
+    c205 *machine = c205_new(debugger->setup.model, error);
+
+    if (machine && c205_load(machine, &debugger->setup.object->program, error)
+        && c205_listen(machine, hear, debugger))
+        return machine;
+    c205_free(machine);
+    return NULL;
+}
+
+struct debugger *debugger_new(const struct debugger_setup *setup,
+                              c205_error *error)
+{
+    struct debugger *debugger = calloc(1, sizeof *debugger);
+    c205 *machine;
+
+    if (!debugger) {
+        snprintf(error->message, sizeof error->message, "no memory");
+        return NULL;
+    }
+    debugger->setup = *setup;
+    debugger->out = setup->out;
+    debugger->printer.sink = setup->out;
+    machine = load(debugger, error);
+    if (machine)
+        debugger->history = c205_history_new(machine, budget, error);
+    if (debugger->history)
+        return debugger;
+    c205_free(machine);
+    free(debugger);
+    return NULL;
+}
+
+void debugger_free(struct debugger *debugger)
+{
+    if (!debugger)
+        return;
+    c205_history_free(debugger->history);
+    free(debugger->stops);
+    free(debugger);
+}
+
+void debugger_greet(struct debugger *debugger)
+{
+    show_place(debugger);
+}
+
+size_t debugger_faults(const struct debugger *debugger)
+{
+    return debugger->faults;
+}
+
+/* ---- Lines ---------------------------------------------------------------- */
+
+static bool is_verb(const struct verb *verb, const char *name, size_t length)
+{
+    return (strlen(verb->name) >= length
+            && strncmp(verb->name, name, length) == 0)
+           || (verb->other && strlen(verb->other) == length
+               && strncmp(verb->other, name, length) == 0);
+}
+
+static size_t verb_length(const char *text)
+{
+    size_t length = 0;
+
+    while (isalpha((unsigned char)text[length]) || text[length] == '-')
+        length++;
+    return length;
+}
+
+static void tell_unknown(struct debugger *debugger, const char *name,
+                         size_t length)
+{
+    char word[40];
+    struct nearest nearest = { .word = word };
+
+    snprintf(word, sizeof word, "%.*s", (int)length, name);
+    for (size_t i = 0; i < VERBS; i++)
+        nearest_try(&nearest, verbs[i].name);
+    debug_fault(debugger, "there is no '%.*s': %s%s%s",
+                length < 40 ? (int)length : 40, name,
+                nearest.name ? "was it " : "help lists what there is",
+                nearest.name ? nearest.name : "", nearest.name ? "?" : "");
+}
+
+static void keep_movement(struct debugger *debugger, const char *line)
+{
+    if (line != debugger->again)
+        snprintf(debugger->again, sizeof debugger->again, "%s", line);
+}
+
+bool debugger_obey(struct debugger *debugger, const char *line)
+{
+    struct rest rest = { line };
+    size_t length, i = 0;
+
+    if (rest_end(&rest))
+        rest.at = line = debugger->again;
+    if (rest_end(&rest) || *rest.at == '#')
+        return true;
+    length = verb_length(rest.at);
+    while (i < VERBS && !(length > 0 && is_verb(&verbs[i], rest.at, length)))
+        i++;
+    if (i == VERBS) {
+        tell_unknown(debugger, rest.at, strcspn(rest.at, " \t\n"));
+        return true;
+    }
+    if (!verbs[i].obey)
+        return false;
+    rest.at += length;
+    if (verbs[i].moves)
+        keep_movement(debugger, line);
+    else
+        debugger->again[0] = '\0';
+    verbs[i].obey(debugger, &rest);
+    return true;
+}

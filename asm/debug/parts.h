@@ -1,0 +1,154 @@
+/* parts.h - the inside of a debugger.  Not public.
+ *
+ * A verb gets the rest of its line; each part reads of it what it knows, by a
+ * struct rest that moves on.  What is wrong is told by debug_fault, once.
+ */
+#ifndef ASM_DEBUG_PARTS_H
+#define ASM_DEBUG_PARTS_H
+
+#include "asm/debug/debugger.h"
+#include "asm/print.h"
+
+/* ---- Values (value.c) ---------------------------------------------------- */
+
+/* A number; of a word of the machine its value as a number, and the word. */
+struct value_of {
+    bool is_real, is_word;
+    int64_t integer; /* of a word: its low 48 bits, as an integer */
+    double real;     /* in any case */
+    c205_word word;
+};
+
+struct rest {
+    const char *at;
+};
+
+/* ---- Stops (stops.c) ------------------------------------------------------ */
+
+enum stop_kind {
+    STOP_AT,    /* an address */
+    STOP_INSN,  /* each instruction of a name */
+    STOP_ENTRY, /* where control comes into a region */
+    STOP_WATCH  /* what memory holds changes */
+};
+
+enum { WATCHED_WORDS = 64, TEXT_MOST = 200 };
+
+struct stop_point {
+    size_t number;
+    enum stop_kind kind;
+    bool once;
+    char text[TEXT_MOST];      /* as it was written */
+    char condition[TEXT_MOST]; /* "": none */
+    uint64_t address;
+    const c205_insn *insn;
+    const char *region;
+    size_t count; /* words that are watched, and what they held */
+    c205_word held[WATCHED_WORDS];
+    uint64_t hits;
+};
+
+struct debugger {
+    struct debugger_setup setup;
+    struct sink out;
+    c205_history *history;
+    struct printer printer;
+    uint64_t told; /* steps whose output was printed */
+    bool has_last; /* there is a last instruction: */
+    c205_event last;
+    c205_times record; /* its time */
+    bool halted;       /* the program cannot go on from here: */
+    c205_stop halt;
+    size_t stop_count, stop_number;
+    struct stop_point *stops;
+    char again[TEXT_MOST]; /* the last movement */
+    size_t faults;
+};
+
+static inline c205 *machine_of(const struct debugger *debugger)
+{
+    return c205_history_machine(debugger->history);
+}
+
+/* "error: ..." to the sink; false. */
+bool debug_fault(struct debugger *debugger, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+/* ---- Reading a line (value.c) --------------------------------------------- */
+
+void rest_skip(struct rest *rest);
+bool rest_end(struct rest *rest);
+/* A word of letters, digits and - _ . if it is this one, or when unique the beginning
+ * of it. */
+bool rest_take(struct rest *rest, const char *word);
+/* Nothing may be left. */
+bool rest_finish(struct debugger *debugger, struct rest *rest);
+
+/* An expression; false after telling what is wrong. */
+bool debug_value(struct debugger *debugger, struct rest *rest,
+                 struct value_of *value);
+bool debug_address(struct debugger *debugger, struct rest *rest,
+                   uint64_t *address);
+bool debug_count(struct debugger *debugger, struct rest *rest,
+                 uint64_t *count);
+bool debug_is_true(const struct value_of *value);
+/* A register by its name or number: r10, h21, or a name of the program. */
+struct register_of {
+    uint8_t number;
+    bool half;
+};
+bool debug_register(struct debugger *debugger, struct rest *rest,
+                    struct register_of *named);
+/* The name that the program gave it last; "": none. */
+const char *debug_register_name(const struct debugger *debugger,
+                                unsigned number);
+c205_word debug_register_word(const struct debugger *debugger,
+                              struct register_of named);
+
+/* ---- Places (place.c) ------------------------------------------------------ */
+
+/* What a stop point is at: fills all but its number.  LABEL, LABEL + EXPRESSION, LINE,
+ * FILE:LINE, *EXPRESSION, insn NAME, region NAME. */
+bool place_read(struct debugger *debugger, struct rest *rest,
+                struct stop_point *stop);
+/* One address. */
+bool place_address(struct debugger *debugger, struct rest *rest,
+                   uint64_t *address);
+/* The region of an address; "" for none. */
+const char *place_region(const struct debugger *debugger, uint64_t address);
+
+/* ---- Stops ---------------------------------------------------------------- */
+
+/* A stop point that the last instruction, or where the program stands, has come to;
+ * NULL: none.  before: the address of that instruction. */
+struct stop_point *stops_met(struct debugger *debugger, uint64_t before);
+/* What is watched is as it is now. */
+void stops_sample(struct debugger *debugger);
+/* That point was met where the program is left standing: tells of it. */
+void stops_tell(struct debugger *debugger, struct stop_point *stop);
+
+/* ---- Verbs: each false after telling a fault ------------------------------ */
+
+typedef bool debug_verb(struct debugger *debugger, struct rest *rest);
+
+/* move.c */
+debug_verb verb_step, verb_next, verb_continue, verb_reverse_step,
+    verb_reverse_continue, verb_until, verb_goto, verb_run;
+/* stops.c */
+debug_verb verb_break, verb_tbreak, verb_watch, verb_delete;
+/* show.c */
+debug_verb verb_where, verb_list, verb_disassemble, verb_print, verb_x,
+    verb_info, verb_set, verb_assert;
+/* time.c */
+debug_verb verb_why, verb_account;
+
+/* One line: where the program stands, or that it has ended. */
+void show_place(struct debugger *debugger);
+/* An instruction, and its source line if it is known. */
+void show_instruction(struct debugger *debugger, uint64_t address,
+                      const char *before);
+
+#endif

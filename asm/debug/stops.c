@@ -1,0 +1,244 @@
+/* stops.c - break and watch points. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/debug/parts.h"
+#include "asm/operand_view.h"
+#include "base/array.h"
+
+/* ---- Are they met? -------------------------------------------------------- */
+
+static bool is_insn(const struct debugger *debugger,
+                    const struct stop_point *stop)
+{
+    struct instruction_view view;
+
+    view_decode(&view, machine_of(debugger), c205_pc(machine_of(debugger)));
+    return view.insn == stop->insn;
+}
+
+static bool is_changed(const struct debugger *debugger,
+                       const struct stop_point *stop)
+{
+    c205_word now[WATCHED_WORDS];
+
+    return c205_read(machine_of(debugger), stop->address, now, stop->count)
+           && memcmp(now, stop->held, stop->count * sizeof *now) != 0;
+}
+
+static bool is_entered(const struct debugger *debugger,
+                       const struct stop_point *stop, uint64_t before)
+{
+    uint64_t pc = c205_pc(machine_of(debugger));
+
+    return strcmp(place_region(debugger, pc), stop->region) == 0
+           && strcmp(place_region(debugger, before), stop->region) != 0;
+}
+
+static bool is_there(const struct debugger *debugger,
+                     const struct stop_point *stop, uint64_t before)
+{
+    switch (stop->kind) {
+    case STOP_AT: return c205_pc(machine_of(debugger)) == stop->address;
+    case STOP_INSN: return is_insn(debugger, stop);
+    case STOP_ENTRY: return is_entered(debugger, stop, before);
+    default: return is_changed(debugger, stop);
+    }
+}
+
+/* One that cannot be told holds: it is shown where it fails. */
+static bool holds(struct debugger *debugger, const struct stop_point *stop)
+{
+    struct rest rest = { stop->condition };
+    struct value_of value;
+
+    return !*stop->condition || !debug_value(debugger, &rest, &value)
+           || debug_is_true(&value);
+}
+
+static void sample(const struct debugger *debugger, struct stop_point *stop)
+{
+    if (stop->kind == STOP_WATCH)
+        c205_read(machine_of(debugger), stop->address, stop->held,
+                  stop->count);
+}
+
+void stops_sample(struct debugger *debugger)
+{
+    for (size_t i = 0; i < debugger->stop_count; i++)
+        sample(debugger, &debugger->stops[i]);
+}
+
+struct stop_point *stops_met(struct debugger *debugger, uint64_t before)
+{
+    for (size_t i = 0; i < debugger->stop_count; i++) {
+        struct stop_point *stop = &debugger->stops[i];
+
+        if (!is_there(debugger, stop, before))
+            continue;
+        if (holds(debugger, stop))
+            return stop;
+        sample(debugger, stop);
+    }
+    return NULL;
+}
+
+/* ---- What is told --------------------------------------------------------- */
+
+static void tell_change(struct debugger *debugger,
+                        const struct stop_point *stop)
+{
+    c205_word now[WATCHED_WORDS];
+    char old_text[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
+    size_t i = 0;
+
+    if (!c205_read(machine_of(debugger), stop->address, now, stop->count))
+        return;
+    while (i + 1 < stop->count && now[i] == stop->held[i])
+        i++;
+    c205_to_text(stop->held[i], old_text);
+    c205_to_text(now[i], text);
+    sink_print(&debugger->out, "watch %zu: [%" PRIX64 "] was %s, is %s\n",
+               stop->number, stop->address + 64 * (uint64_t)i, old_text,
+               text);
+}
+
+static void forget(struct debugger *debugger, size_t i)
+{
+    memmove(&debugger->stops[i], &debugger->stops[i + 1],
+            (debugger->stop_count - i - 1) * sizeof *debugger->stops);
+    debugger->stop_count--;
+}
+
+void stops_tell(struct debugger *debugger, struct stop_point *stop)
+{
+    stop->hits++;
+    if (stop->kind == STOP_WATCH) {
+        tell_change(debugger, stop);
+        sample(debugger, stop);
+    } else {
+        sink_print(&debugger->out, "break %zu: %s\n", stop->number,
+                   stop->text);
+    }
+    if (stop->once)
+        forget(debugger, (size_t)(stop - debugger->stops));
+}
+
+/* ---- Made and deleted ----------------------------------------------------- */
+
+static void keep_text(char *text, const char *from, size_t length)
+{
+    while (length > 0 && from[length - 1] == ' ')
+        length--;
+    snprintf(text, TEXT_MOST, "%.*s", (int)length, from);
+}
+
+/* "if CONDITION", which must be one now. */
+static bool read_condition(struct debugger *debugger, struct rest *rest,
+                           struct stop_point *stop)
+{
+    struct value_of value;
+    const char *from;
+
+    if (!rest_take(rest, "if"))
+        return rest_finish(debugger, rest);
+    from = rest->at;
+    if (strlen(from) >= TEXT_MOST)
+        return debug_fault(debugger, "a condition of so many letters");
+    if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
+        return false;
+    keep_text(stop->condition, from, strlen(from));
+    return true;
+}
+
+static bool add(struct debugger *debugger, struct stop_point *stop)
+{
+    struct stop_point *grown = array_grow(debugger->stops,
+                                          debugger->stop_count,
+                                          sizeof *grown);
+
+    if (!grown)
+        return debug_fault(debugger, "no memory");
+    stop->number = ++debugger->stop_number;
+    sample(debugger, stop);
+    debugger->stops = grown;
+    grown[debugger->stop_count++] = *stop;
+    sink_print(&debugger->out, "%s %zu: %s%s%s\n",
+               stop->kind == STOP_WATCH ? "watch" : "break", stop->number,
+               stop->text, *stop->condition ? " if " : "", stop->condition);
+    return true;
+}
+
+static bool make_break(struct debugger *debugger, struct rest *rest,
+                       bool once)
+{
+    struct stop_point stop = { .once = once };
+    const char *from;
+
+    rest_skip(rest);
+    from = rest->at;
+    if (!place_read(debugger, rest, &stop))
+        return false;
+    keep_text(stop.text, from, (size_t)(rest->at - from));
+    return read_condition(debugger, rest, &stop) && add(debugger, &stop);
+}
+
+bool verb_break(struct debugger *debugger, struct rest *rest)
+{
+    return make_break(debugger, rest, false);
+}
+
+bool verb_tbreak(struct debugger *debugger, struct rest *rest)
+{
+    return make_break(debugger, rest, true);
+}
+
+/* watch ADDRESS [, WORDS] [if CONDITION] */
+bool verb_watch(struct debugger *debugger, struct rest *rest)
+{
+    struct stop_point stop = { .kind = STOP_WATCH };
+    uint64_t count = 1;
+    const char *from;
+
+    rest_skip(rest);
+    from = rest->at;
+    if (!place_address(debugger, rest, &stop.address))
+        return false;
+    rest_skip(rest);
+    if (*rest->at == ',') {
+        rest->at++;
+        if (!debug_count(debugger, rest, &count))
+            return false;
+    }
+    if (count < 1 || count > WATCHED_WORDS)
+        return debug_fault(debugger, "1 to %d words are watched",
+                           WATCHED_WORDS);
+    stop.count = (size_t)count;
+    keep_text(stop.text, from, (size_t)(rest->at - from));
+    if (!c205_read(machine_of(debugger), stop.address, stop.held, stop.count))
+        return debug_fault(debugger, "there are no words at %" PRIX64,
+                           stop.address);
+    return read_condition(debugger, rest, &stop) && add(debugger, &stop);
+}
+
+/* One, or all. */
+bool verb_delete(struct debugger *debugger, struct rest *rest)
+{
+    uint64_t number;
+    size_t i = 0;
+
+    if (rest_end(rest)) {
+        debugger->stop_count = 0;
+        return true;
+    }
+    if (!debug_count(debugger, rest, &number) || !rest_finish(debugger, rest))
+        return false;
+    while (i < debugger->stop_count && debugger->stops[i].number != number)
+        i++;
+    if (i == debugger->stop_count)
+        return debug_fault(debugger, "there is no stop %" PRIu64, number);
+    forget(debugger, i);
+    return true;
+}

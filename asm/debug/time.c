@@ -1,0 +1,149 @@
+/* time.c - why an instruction took its time, and where the clocks went. */
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "asm/debug/parts.h"
+
+/* ---- The last instruction ------------------------------------------------- */
+
+static void put_wait(const struct debugger *debugger, const c205_piece *piece)
+{
+    const char *name;
+
+    switch (piece->wait) {
+    case C205_WAIT_REGISTER:
+        name = debug_register_name(debugger, piece->number);
+        sink_print(&debugger->out, "  waits for r%u%s%s", piece->number,
+                   *name ? ", " : "", name);
+        break;
+    case C205_WAIT_UNIT:
+        sink_print(&debugger->out, "  the %s unit is busy",
+                   c205_unit_name((c205_unit)piece->number));
+        break;
+    case C205_WAIT_LOADS:
+        sink_put(&debugger->out, "  waits for loads");
+        break;
+    case C205_WAIT_RESULTS:
+        sink_put(&debugger->out, "  waits for all results");
+        break;
+    case C205_WAIT_VECTOR:
+        sink_put(&debugger->out, "  the vector unit is busy");
+        break;
+    default: break;
+    }
+}
+
+static void put_pieces(const struct debugger *debugger)
+{
+    const c205_times *record = &debugger->record;
+    c205 *machine = machine_of(debugger);
+
+    for (size_t i = 0; i < record->piece_count; i++) {
+        const c205_piece *piece = &record->piece[i];
+        const char *region = c205_account_at(machine, piece->region)->name;
+
+        sink_print(&debugger->out, "%10" PRIu64 "  %-16s", piece->clocks,
+                   c205_cause_name(piece->cause));
+        put_wait(debugger, piece);
+        if (piece->region != debugger->last.region)
+            sink_print(&debugger->out, "  (charged to %s)",
+                       *region ? region : "code outside regions");
+        sink_put(&debugger->out, "\n");
+    }
+}
+
+static void put_constant(const struct debugger *debugger, const char *kind)
+{
+    const c205_model *model = debugger->setup.model;
+    const c205_constant *constant;
+    char name[80];
+
+    snprintf(name, sizeof name, "%s.%s", kind,
+             c205_timing_name(debugger->last.insn->timing));
+    constant = c205_model_lookup(model, name);
+    if (constant)
+        sink_print(&debugger->out, "  %s = %s %s (%c)", name, constant->text,
+                   constant->unit, constant->source);
+}
+
+static void put_phases(const struct debugger *debugger)
+{
+    const c205_times *record = &debugger->record;
+
+    for (size_t i = 0; i < record->phase_count; i++) {
+        uint64_t begin = record->phase[i].begin, end = record->phase[i].end;
+        c205_cause cause = record->phase[i].cause;
+
+        sink_print(&debugger->out,
+                   "%10" PRIu64 "  %-16s  %" PRIu64 " .. %" PRIu64,
+                   end - begin, c205_cause_name(cause), begin, end);
+        if (cause == C205_VECTOR_STARTUP)
+            put_constant(debugger, "startup");
+        if (cause == C205_VECTOR_STREAM) {
+            sink_print(&debugger->out, "  %zu elements",
+                       debugger->last.elements);
+            put_constant(debugger, "stream");
+        }
+        sink_put(&debugger->out, "\n");
+    }
+}
+
+bool verb_why(struct debugger *debugger, struct rest *rest)
+{
+    const c205_times *record = &debugger->record;
+
+    if (!rest_finish(debugger, rest))
+        return false;
+    if (!debugger->has_last)
+        return debug_fault(debugger, "no instruction has been executed");
+    show_instruction(debugger, debugger->last.pc, "   ");
+    sink_print(&debugger->out,
+               "arrived at clock %" PRIu64 ", issued at %" PRIu64
+               ", its result at %" PRIu64 ", its unit free at %" PRIu64 "\n",
+               record->arrived, record->issued, record->ready,
+               record->unit_free);
+    sink_print(&debugger->out, "%10" PRIu64 "  clocks, of these\n",
+               debugger->last.clocks);
+    put_pieces(debugger);
+    if (record->phase_count > 0) {
+        sink_put(&debugger->out, "the vector unit works on\n");
+        put_phases(debugger);
+    }
+    return true;
+}
+
+/* ---- All of it ------------------------------------------------------------ */
+
+static void put_account(const struct debugger *debugger,
+                        const c205_account *account)
+{
+    uint64_t sum = 0;
+
+    for (int i = 0; i < C205_CAUSES; i++)
+        sum += account->clocks[i];
+    if (sum == 0 && account->instructions == 0)
+        return;
+    sink_print(&debugger->out,
+               "%s: %" PRIu64 " clocks, %" PRIu64 " instructions, %" PRIu64
+               " of them vector, %" PRIu64 " elements\n",
+               *account->name ? account->name : "outside regions", sum,
+               account->instructions, account->vector_instructions,
+               account->elements);
+    for (int i = 0; i < C205_CAUSES; i++)
+        if (account->clocks[i] > 0)
+            sink_print(&debugger->out, "%10" PRIu64 "  %s\n",
+                       account->clocks[i], c205_cause_name((c205_cause)i));
+}
+
+bool verb_account(struct debugger *debugger, struct rest *rest)
+{
+    c205 *machine = machine_of(debugger);
+
+    if (!rest_finish(debugger, rest))
+        return false;
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        put_account(debugger, c205_account_at(machine, i));
+    sink_print(&debugger->out, "%" PRIu64 " clocks in all\n",
+               c205_clock(machine));
+    return true;
+}

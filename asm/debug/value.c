@@ -1,0 +1,572 @@
+/* value.c - expressions of the debugger.
+ *
+ *   integers, X'hex', numbers with a point or an exponent, ( )
+ *   r10 h21 NAME      registers, as numbers; what has exponent 0 is an integer; NAME.i
+ *                     the low 48 bits as an integer, NAME.length
+ *   label             its bit address; a constant's value
+ *   [ADDRESS]         the word there; [ADDRESS].i
+ *   pc clock step flags    or $pc .., where the program has such a name itself
+ *   - !   * / %   + -   == != < <= > >=   &&   ||
+ */
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/debug/parts.h"
+
+enum { DEPTH_MOST = 100, LENGTH_SHIFT = 48 };
+
+bool debug_fault(struct debugger *debugger, const char *format, ...)
+{
+    char text[512];
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    sink_print(&debugger->out, "error: %s\n", text);
+    debugger->faults++;
+    return false;
+}
+
+/* ---- Words ---------------------------------------------------------------- */
+
+void rest_skip(struct rest *rest)
+{
+    while (isspace((unsigned char)*rest->at))
+        rest->at++;
+}
+
+bool rest_end(struct rest *rest)
+{
+    rest_skip(rest);
+    return *rest->at == '\0';
+}
+
+static bool is_name(char c)
+{
+    return isalnum((unsigned char)c) || c == '_' || c == '.' || c == '$';
+}
+
+static size_t name_length(const char *text)
+{
+    size_t length = 0;
+
+    while (is_name(text[length]))
+        length++;
+    return length;
+}
+
+bool rest_take(struct rest *rest, const char *word)
+{
+    size_t length;
+
+    rest_skip(rest);
+    length = name_length(rest->at);
+    if (length != strlen(word) || strncmp(rest->at, word, length) != 0)
+        return false;
+    rest->at += length;
+    rest_skip(rest);
+    return true;
+}
+
+bool rest_finish(struct debugger *debugger, struct rest *rest)
+{
+    return rest_end(rest)
+           || debug_fault(debugger, "what is '%.60s' to mean?", rest->at);
+}
+
+/* ---- Values --------------------------------------------------------------- */
+
+struct reading {
+    struct debugger *debugger;
+    struct rest *rest;
+    unsigned depth;
+};
+
+static struct value_of of_integer(int64_t integer)
+{
+    return (struct value_of){ .integer = integer, .real = (double)integer };
+}
+
+static struct value_of of_real(double real)
+{
+    return (struct value_of){ .is_real = true, .real = real };
+}
+
+static struct value_of of_word(c205_word word)
+{
+    return (struct value_of){ .is_real = word >> LENGTH_SHIFT != 0,
+                              .is_word = true,
+                              .integer = c205_to_integer(word),
+                              .real = c205_to_double(word),
+                              .word = word };
+}
+
+bool debug_is_true(const struct value_of *value)
+{
+    return value->real != 0;
+}
+
+static bool take(struct reading *reading, const char *sign)
+{
+    size_t length = strlen(sign);
+
+    rest_skip(reading->rest);
+    if (strncmp(reading->rest->at, sign, length) != 0)
+        return false;
+    reading->rest->at += length;
+    return true;
+}
+
+static bool read_any(struct reading *reading, struct value_of *value);
+
+/* ---- Names ---------------------------------------------------------------- */
+
+/* The last that was given a name. */
+static const struct asm_register *
+find_register(const struct debugger *debugger, const char *name,
+              size_t length)
+{
+    const struct object *object = debugger->setup.object;
+
+    for (size_t i = object->register_count; i-- > 0;)
+        if (strlen(object->registers[i].name) == length
+            && strncmp(object->registers[i].name, name, length) == 0)
+            return &object->registers[i];
+    return NULL;
+}
+
+static bool is_numbered(const char *name, size_t length,
+                        struct register_of *named)
+{
+    char *end;
+    unsigned long number;
+
+    if (length < 2 || length > 4 || (*name != 'r' && *name != 'h')
+        || !isdigit((unsigned char)name[1]))
+        return false;
+    number = strtoul(name + 1, &end, 10);
+    if (end != name + length || number >= C205_REGISTERS)
+        return false;
+    *named = (struct register_of){ (uint8_t)number, *name == 'h' };
+    return true;
+}
+
+static bool find_named(const struct debugger *debugger, const char *name,
+                       size_t length, struct register_of *named)
+{
+    const struct asm_register *known = find_register(debugger, name, length);
+
+    if (known)
+        *named = (struct register_of){ known->number, known->half };
+    return known || is_numbered(name, length, named);
+}
+
+/* A name ends before ".i" and ".length". */
+static size_t base_length(const char *text)
+{
+    size_t length = name_length(text);
+
+    if (length > 2 && strncmp(text + length - 2, ".i", 2) == 0)
+        return length - 2;
+    if (length > 7 && strncmp(text + length - 7, ".length", 7) == 0)
+        return length - 7;
+    return length;
+}
+
+bool debug_register(struct debugger *debugger, struct rest *rest,
+                    struct register_of *named)
+{
+    size_t length;
+
+    rest_skip(rest);
+    length = name_length(rest->at);
+    if (!find_named(debugger, rest->at, length, named))
+        return false;
+    rest->at += length;
+    return true;
+}
+
+const char *debug_register_name(const struct debugger *debugger,
+                                unsigned number)
+{
+    const struct object *object = debugger->setup.object;
+
+    for (size_t i = object->register_count; i-- > 0;)
+        if (!object->registers[i].half
+            && object->registers[i].number == number)
+            return object->registers[i].name;
+    return "";
+}
+
+c205_word debug_register_word(const struct debugger *debugger,
+                              struct register_of named)
+{
+    c205 *machine = machine_of(debugger);
+
+    if (!named.half)
+        return c205_register(machine, named.number);
+    return c205_register(machine, named.number / 2u) << named.number % 2 * 32
+           & ~(c205_word)UINT32_MAX;
+}
+
+/* ".i" the low 48 bits as an integer, ".length" the 16 before them. */
+static void take_part(struct reading *reading, struct value_of *value)
+{
+    if (take(reading, ".length"))
+        *value = of_integer((int64_t)(value->word >> LENGTH_SHIFT));
+    else if (take(reading, ".i"))
+        *value = of_integer(value->integer);
+}
+
+static struct value_of of_register(const struct debugger *debugger,
+                                   struct register_of named)
+{
+    c205_word word = debug_register_word(debugger, named);
+    struct value_of value = of_word(word);
+
+    if (named.half) {
+        value.is_real = true;
+        value.real = c205_half_to_double(word);
+    }
+    return value;
+}
+
+static bool read_special(const struct debugger *debugger, const char *name,
+                         size_t length, struct value_of *value)
+{
+    c205 *machine = machine_of(debugger);
+
+    if (*name == '$') {
+        name++;
+        length--;
+    }
+    if (length == 2 && strncmp(name, "pc", 2) == 0)
+        *value = of_integer((int64_t)c205_pc(machine));
+    else if (length == 5 && strncmp(name, "clock", 5) == 0)
+        *value = of_integer((int64_t)c205_clock(machine));
+    else if (length == 4 && strncmp(name, "step", 4) == 0)
+        *value = of_integer((int64_t)c205_history_step(debugger->history));
+    else if (length == 5 && strncmp(name, "flags", 5) == 0)
+        *value = of_word(c205_data_flags(machine));
+    else
+        return false;
+    return true;
+}
+
+static bool read_symbol(const struct debugger *debugger, const char *name,
+                        size_t length, struct value_of *value)
+{
+    char text[TEXT_MOST];
+    const struct asm_symbol *symbol;
+
+    if (length >= sizeof text)
+        return false;
+    memcpy(text, name, length);
+    text[length] = '\0';
+    symbol = object_symbol(debugger->setup.object, text);
+    if (!symbol)
+        return false;
+    *value = symbol->is_word ? of_word((c205_word)symbol->value)
+                             : of_integer(symbol->value);
+    return true;
+}
+
+/* The program's own names come first. */
+static bool read_name(struct reading *reading, struct value_of *value)
+{
+    struct debugger *debugger = reading->debugger;
+    const char *name = reading->rest->at;
+    size_t length = base_length(name);
+    struct register_of named;
+
+    reading->rest->at += length;
+    if (find_register(debugger, name, length)) {
+        find_named(debugger, name, length, &named);
+        *value = of_register(debugger, named);
+    } else if (read_symbol(debugger, name, length, value)) {
+        return true;
+    } else if (is_numbered(name, length, &named)) {
+        *value = of_register(debugger, named);
+    } else if (!read_special(debugger, name, length, value)) {
+        return debug_fault(debugger, "nothing is called '%.*s'", (int)length,
+                           name);
+    }
+    if (value->is_word)
+        take_part(reading, value);
+    return true;
+}
+
+/* ---- Numbers -------------------------------------------------------------- */
+
+static bool read_number(struct reading *reading, struct value_of *value)
+{
+    const char *at = reading->rest->at;
+    char *end;
+    long long integer = strtoll(at, &end, 0);
+
+    if (*end == '.' || *end == 'e' || *end == 'E') {
+        *value = of_real(strtod(at, &end));
+    } else {
+        *value = of_integer(integer);
+    }
+    reading->rest->at = end;
+    return !is_name(*end)
+           || debug_fault(reading->debugger, "'%.40s' is no number", at);
+}
+
+/* X'FFD2 4000 0000 0000', or 8 digits of a half word. */
+static bool read_hex(struct reading *reading, struct value_of *value)
+{
+    const char *at = reading->rest->at + 2;
+    c205_word word = 0;
+    unsigned digits = 0;
+
+    for (; *at && *at != '\''; at++) {
+        if (*at == ' ')
+            continue;
+        if (!isxdigit((unsigned char)*at) || digits++ == 16)
+            break;
+        word = word << 4
+               | (c205_word)(isdigit((unsigned char)*at)
+                                 ? *at - '0'
+                                 : toupper((unsigned char)*at) - 'A' + 10);
+    }
+    if (*at != '\'' || digits == 0)
+        return debug_fault(reading->debugger,
+                           "a word is X' and up to 16 hex digits and '");
+    reading->rest->at = at + 1;
+    *value = of_word(word);
+    return true;
+}
+
+static bool read_memory(struct reading *reading, struct value_of *value)
+{
+    c205_word word;
+    uint64_t address;
+
+    if (!read_any(reading, value))
+        return false;
+    if (!take(reading, "]"))
+        return debug_fault(reading->debugger, "a ] is missing");
+    address = (uint64_t)value->integer;
+    if (!c205_read(machine_of(reading->debugger), address, &word, 1))
+        return debug_fault(reading->debugger, "there is no word at %llX",
+                           (unsigned long long)address);
+    *value = of_word(word);
+    take_part(reading, value);
+    return true;
+}
+
+static bool read_first(struct reading *reading, struct value_of *value)
+{
+    const char *at;
+
+    rest_skip(reading->rest);
+    at = reading->rest->at;
+    if (take(reading, "("))
+        return read_any(reading, value)
+               && (take(reading, ")")
+                   || debug_fault(reading->debugger, "a ) is missing"));
+    if (take(reading, "["))
+        return read_memory(reading, value);
+    if (at[0] == 'X' && at[1] == '\'')
+        return read_hex(reading, value);
+    if (isdigit((unsigned char)*at)
+        || (*at == '.' && isdigit((unsigned char)at[1])))
+        return read_number(reading, value);
+    if (is_name(*at))
+        return read_name(reading, value);
+    return debug_fault(reading->debugger,
+                       *at ? "expected a value, found '%.40s'"
+                           : "expected a value%.40s",
+                       at);
+}
+
+/* ---- Operators ------------------------------------------------------------ */
+
+static bool read_signed(struct reading *reading, struct value_of *value)
+{
+    bool good;
+
+    if (reading->depth++ > DEPTH_MOST)
+        return debug_fault(reading->debugger, "too many operators");
+    if (take(reading, "-")) {
+        good = read_signed(reading, value);
+        if (good)
+            *value = value->is_real
+                         ? of_real(-value->real)
+                         : of_integer(
+                             (int64_t)(0 - (uint64_t)value->integer));
+    } else if (strncmp(reading->rest->at, "!=", 2) != 0
+               && take(reading, "!")) {
+        good = read_signed(reading, value);
+        if (good)
+            *value = of_integer(!debug_is_true(value));
+    } else {
+        good = read_first(reading, value);
+    }
+    reading->depth--;
+    return good;
+}
+
+static struct value_of combine_integers(char sign, int64_t a, int64_t b)
+{
+    uint64_t x = (uint64_t)a, y = (uint64_t)b;
+
+    switch (sign) {
+    case '+': return of_integer((int64_t)(x + y));
+    case '-': return of_integer((int64_t)(x - y));
+    case '*': return of_integer((int64_t)(x * y));
+    case '%': return of_integer(b == -1 ? 0 : a % b);
+    default: return of_integer(b == -1 ? (int64_t)(0 - x) : a / b);
+    }
+}
+
+static bool combine(struct reading *reading, char sign,
+                    struct value_of *value, const struct value_of *other)
+{
+    double a = value->real, b = other->real;
+
+    if (!value->is_real && !other->is_real) {
+        if ((sign == '/' || sign == '%') && other->integer == 0)
+            return debug_fault(reading->debugger, "a division by 0");
+        *value = combine_integers(sign, value->integer, other->integer);
+        return true;
+    }
+    *value = of_real(sign == '+'   ? a + b
+                     : sign == '-' ? a - b
+                     : sign == '*' ? a * b
+                     : sign == '%' ? fmod(a, b)
+                                   : a / b);
+    return true;
+}
+
+static bool read_chain(struct reading *reading, struct value_of *value,
+                       const char *signs,
+                       bool (*read)(struct reading *, struct value_of *))
+{
+    if (!read(reading, value))
+        return false;
+    for (;;) {
+        struct value_of other;
+        char sign;
+
+        rest_skip(reading->rest);
+        sign = *reading->rest->at;
+        if (!sign || !strchr(signs, sign))
+            return true;
+        reading->rest->at++;
+        if (!read(reading, &other) || !combine(reading, sign, value, &other))
+            return false;
+    }
+}
+
+static bool read_product(struct reading *reading, struct value_of *value)
+{
+    return read_chain(reading, value, "*/%", read_signed);
+}
+
+static bool read_sum(struct reading *reading, struct value_of *value)
+{
+    return read_chain(reading, value, "+-", read_product);
+}
+
+/* Words that are the same are equal, whatever numbers they are. */
+static bool is_equal(const struct value_of *a, const struct value_of *b)
+{
+    if (a->is_word && b->is_word)
+        return a->word == b->word;
+    return a->is_real || b->is_real ? a->real == b->real
+                                    : a->integer == b->integer;
+}
+
+static bool read_comparison(struct reading *reading, struct value_of *value)
+{
+    static const char *const signs[] = { "==", "!=", "<=", ">=", "<", ">" };
+    struct value_of other;
+    size_t i = 0;
+
+    if (!read_sum(reading, value))
+        return false;
+    while (i < 6 && !take(reading, signs[i]))
+        i++;
+    if (i == 6)
+        return true;
+    if (!read_sum(reading, &other))
+        return false;
+    *value = of_integer(i == 0   ? is_equal(value, &other)
+                        : i == 1 ? !is_equal(value, &other)
+                        : i == 2 ? value->real <= other.real
+                        : i == 3 ? value->real >= other.real
+                        : i == 4 ? value->real < other.real
+                                 : value->real > other.real);
+    return true;
+}
+
+static bool read_both(struct reading *reading, struct value_of *value)
+{
+    struct value_of other;
+
+    if (!read_comparison(reading, value))
+        return false;
+    while (take(reading, "&&")) {
+        if (!read_comparison(reading, &other))
+            return false;
+        *value = of_integer(debug_is_true(value) && debug_is_true(&other));
+    }
+    return true;
+}
+
+static bool read_any(struct reading *reading, struct value_of *value)
+{
+    struct value_of other;
+
+    if (reading->depth++ > DEPTH_MOST)
+        return debug_fault(reading->debugger, "too many brackets");
+    if (!read_both(reading, value))
+        return false;
+    while (take(reading, "||")) {
+        if (!read_both(reading, &other))
+            return false;
+        *value = of_integer(debug_is_true(value) || debug_is_true(&other));
+    }
+    reading->depth--;
+    return true;
+}
+
+bool debug_value(struct debugger *debugger, struct rest *rest,
+                 struct value_of *value)
+{
+    struct reading reading = { debugger, rest, 0 };
+
+    return read_any(&reading, value);
+}
+
+bool debug_address(struct debugger *debugger, struct rest *rest,
+                   uint64_t *address)
+{
+    struct value_of value;
+
+    if (!debug_value(debugger, rest, &value))
+        return false;
+    *address = (uint64_t)value.integer & ((UINT64_C(1) << LENGTH_SHIFT) - 1);
+    return (value.is_word || !value.is_real)
+           || debug_fault(debugger, "%g is no address", value.real);
+}
+
+bool debug_count(struct debugger *debugger, struct rest *rest,
+                 uint64_t *count)
+{
+    struct value_of value;
+
+    if (!debug_value(debugger, rest, &value))
+        return false;
+    *count = (uint64_t)value.integer;
+    return (!value.is_real && value.integer >= 0)
+           || debug_fault(debugger, "%g is no count", value.real);
+}

@@ -1,0 +1,103 @@
+/* fuzz_debugger.c - any bytes as lines for the debugger of a small program: whatever they
+ * say, the clock is what the accounts sum to, and the way back leads to step 0. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/debug/parts.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+enum { LINES_MOST = 60, ASKED_MOST = 40 };
+
+static const char text[] = "        .include \"vectors.s\"\n"
+                           "        .regs r16, a, b, turns, to\n"
+                           "        words a, 1.5, -2.0, 3.0, 4.0\n"
+                           "        words b\n"
+                           "        ES    turns, 5\n"
+                           "        EX    to, again\n"
+                           "        .kernel loop\n"
+                           "again:  ADDNV [a], [a], [b]\n"
+                           "        LINKV\n"
+                           "        MPYSV [a], [b], [b]\n"
+                           "        ADDNV [b], [a], [b]\n"
+                           "        DBNZ  turns, [to]\n"
+                           "        .endkernel\n"
+                           "        EXIT  turns, r0, 2\n"
+                           "        EXIT\n";
+
+static void ignore(void *context, const char *said, size_t length)
+{
+    (void)context;
+    (void)said;
+    (void)length;
+}
+
+/* A program that somebody has changed may run for ever. */
+static unsigned asked;
+
+static bool is_enough(void)
+{
+    return ++asked > ASKED_MOST;
+}
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+static void check_clock(struct debugger *debugger)
+{
+    const c205 *machine = machine_of(debugger);
+    uint64_t sum = 0;
+
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            sum += c205_account_at(machine, i)->clocks[cause];
+    must(sum == c205_clock(machine));
+}
+
+static void obey_lines(struct debugger *debugger, char *lines)
+{
+    size_t count = 0;
+
+    for (char *line = strtok(lines, "\n"); line && count < LINES_MOST;
+         line = strtok(NULL, "\n"), count++) {
+        asked = 0;
+        if (!debugger_obey(debugger, line))
+            break;
+        check_clock(debugger);
+    }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static c205_model *model;
+    static struct object *object;
+    struct diagnostics errors = { 0 };
+    struct debugger_setup setup = { .name = "fuzz.s",
+                                    .out = { ignore, NULL },
+                                    .interrupted = is_enough };
+    struct debugger *debugger;
+    c205_error error;
+    char *lines = malloc(size + 1);
+
+    must(lines != NULL);
+    memcpy(lines, data, size);
+    lines[size] = '\0';
+    if (!model)
+        model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    if (!object)
+        object = assemble_text("fuzz.s", text, NULL, &errors);
+    must(model && object);
+    setup.model = model;
+    setup.object = object;
+    debugger = debugger_new(&setup, &error);
+    must(debugger != NULL);
+    obey_lines(debugger, lines);
+    debugger_obey(debugger, "goto 0");
+    must(c205_clock(machine_of(debugger)) == 0);
+    debugger_free(debugger);
+    free(lines);
+    return 0;
+}

@@ -1,0 +1,382 @@
+/* test_history.c - a machine with its past: at any step, from wherever it comes there, its
+ * state, clock and accounts are those of a run from the beginning; and the record of
+ * each instruction's time is that of its clocks. */
+#include "tests/oracle/random_program.h"
+#include "tests/random.h"
+#include "tests/unit/saved_machine.h"
+
+#include "base/hash.h"
+
+enum { PROGRAMS = 50, TARGETS = 40, STEPS_MOST = 2500, CHANGES = 2 };
+static size_t jumps = 100;
+static uint64_t random_state = RANDOM_SEED;
+
+/* What somebody does to the machine at a step. */
+struct change {
+    uint64_t step;
+    unsigned number;
+    c205_word word;
+};
+
+struct story {
+    struct random_program program;
+    c205_model *model;
+    size_t change_count;
+    struct change change[CHANGES]; /* by step */
+    uint64_t steps;                /* the program has so many, or more */
+    uint64_t target[TARGETS], hash[TARGETS];
+};
+
+static size_t below(size_t end)
+{
+    return (size_t)(xorshift(&random_state) % end);
+}
+
+static bool add_to_hash(void *context, const void *bytes, size_t count)
+{
+    uint64_t *hash = context;
+    *hash = hash_bytes(*hash, bytes, count);
+    return true;
+}
+
+static uint64_t hash_of(const c205 *machine)
+{
+    uint64_t hash = HASH_START;
+    c205_error error;
+    assert_true(c205_save(machine, add_to_hash, &hash, &error));
+    return hash;
+}
+
+static c205 *begin(const struct story *story)
+{
+    c205_error error;
+    c205 *machine = c205_new(story->model, &error);
+    assert_non_null(machine);
+    assert_true(random_load(machine, &story->program, &error));
+    return machine;
+}
+
+static c205_model *model_of(size_t number)
+{
+    c205_error error;
+    c205_model *model = c205_model_parse("random", random_models[number],
+                                         &error);
+    assert_non_null(model);
+    return model;
+}
+
+static bool change_at(const struct story *story, c205 *machine, uint64_t step)
+{
+    bool changed = false;
+    for (size_t i = 0; i < story->change_count; i++)
+        if (story->change[i].step == step) {
+            c205_set_register(machine, story->change[i].number,
+                              story->change[i].word);
+            changed = true;
+        }
+    return changed;
+}
+
+/* How far it goes; with the target steps drawn, what it is at each. */
+static uint64_t run_plainly(struct story *story, bool hashes)
+{
+    c205 *machine = begin(story);
+    uint64_t step = 0;
+    c205_stop stop;
+    bool goes_on = true;
+    while (goes_on) {
+        change_at(story, machine, step);
+        for (size_t i = 0; hashes && i < TARGETS; i++)
+            if (story->target[i] == step)
+                story->hash[i] = hash_of(machine);
+        goes_on = step < STEPS_MOST && c205_step(machine, &stop);
+        step += goes_on;
+    }
+    c205_free(machine);
+    return step;
+}
+
+static void make_story(struct story *story, size_t number)
+{
+    *story = (struct story){ .program = random_program(RANDOM_SEED
+                                                       + number) };
+    story->model = model_of(story->program.model);
+    story->steps = run_plainly(story, false);
+    story->change_count = number % (CHANGES + 1);
+    for (size_t i = 0; i < story->change_count; i++)
+        story->change[i] = (struct change){ below((size_t)story->steps + 1),
+                                            1 + (unsigned)below(255),
+                                            xorshift(&random_state) };
+    story->steps = run_plainly(story, false);
+    for (size_t i = 0; i < TARGETS; i++)
+        story->target[i] = below((size_t)story->steps + 1);
+    run_plainly(story, true);
+}
+
+/* ---- Jumps ---------------------------------------------------------------- */
+
+static void go_on_to(c205_history *history, uint64_t step)
+{
+    c205_stop stop;
+    while (c205_history_step(history) < step)
+        assert_true(c205_history_forward(history, &stop));
+}
+
+/* The first time, with all changes on the way. */
+static void go_through(const struct story *story, c205_history *history)
+{
+    c205_error error;
+    for (uint64_t step = 0; step <= story->steps; step++) {
+        go_on_to(history, step);
+        if (change_at(story, c205_history_machine(history), step))
+            assert_true(c205_history_changed(history, &error));
+    }
+}
+
+static void jump(const struct story *story, c205_history *history,
+                 size_t target)
+{
+    uint64_t step = story->target[target];
+    c205_error error;
+    if (step < c205_history_step(history))
+        assert_true(c205_history_back(history, step, &error));
+    else
+        go_on_to(history, step);
+    assert_int_equal(c205_history_step(history), step);
+    if (hash_of(c205_history_machine(history)) != story->hash[target])
+        fail_msg("seed %llu: step %llu is another one",
+                 (unsigned long long)story->program.seed,
+                 (unsigned long long)step);
+}
+
+static void test_jumps(void **state)
+{
+    struct story story;
+    (void)state;
+    for (size_t number = 0; number < PROGRAMS; number++) {
+        c205_error error;
+        c205_history *history;
+        make_story(&story, number);
+        history = c205_history_new(begin(&story), below(1 << 20), &error);
+        assert_non_null(history);
+        go_through(&story, history);
+        for (size_t i = 0; i < jumps; i++)
+            jump(&story, history, below(TARGETS));
+        assert_int_equal(c205_history_known(history), story.steps);
+        c205_history_free(history);
+        c205_model_free(story.model);
+    }
+}
+
+/* ---- The end -------------------------------------------------------------- */
+
+/* A program that has ended does not go on, and goes back all the same. */
+static void test_end(void **state)
+{
+    c205_error error;
+    c205_model *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    c205 *machine = machine_from("asm/examples/dot.s", model);
+    c205_history *history = c205_history_new(machine, 1 << 20, &error);
+    c205_stop stop, again;
+    uint64_t end, clock;
+    (void)state;
+    while (c205_history_forward(history, &stop))
+        continue;
+    assert_int_equal(stop.trap, C205_TRAP_NONE);
+    end = c205_history_step(history);
+    clock = c205_clock(c205_history_machine(history));
+    assert_false(c205_history_forward(history, &again));
+    assert_same_stop(&stop, &again);
+    assert_int_equal(c205_history_step(history), end);
+    assert_true(c205_history_back(history, end - 2, &error));
+    assert_true(c205_history_forward(history, &again));
+    assert_false(c205_history_forward(history, &again));
+    assert_same_stop(&stop, &again);
+    assert_int_equal(c205_clock(c205_history_machine(history)), clock);
+    c205_history_free(history);
+    c205_model_free(model);
+}
+
+/* ---- Times ---------------------------------------------------------------- */
+
+struct heard {
+    uint64_t clock, events, vectors;
+};
+
+static uint64_t sum_of(const c205_times *times)
+{
+    uint64_t sum = 0;
+    for (size_t i = 0; i < times->piece_count; i++) {
+        assert_true(times->piece[i].clocks > 0);
+        sum += times->piece[i].clocks;
+    }
+    return sum;
+}
+
+/* Phases without a gap, from where it issued to where its results are. */
+static void check_phases(const c205_times *times)
+{
+    uint64_t at = times->issued;
+    for (size_t i = 0; i < times->phase_count; i++) {
+        assert_int_equal(times->phase[i].begin, at);
+        assert_true(times->phase[i].end > at);
+        at = times->phase[i].end;
+    }
+    assert_int_equal(at, times->ready);
+}
+
+static uint64_t constant_of(const c205 *machine, const char *kind,
+                            const c205_insn *insn)
+{
+    char name[80];
+    const c205_constant *constant;
+    snprintf(name, sizeof name, "%s.%s", kind,
+             c205_timing_name(insn->timing));
+    constant = c205_model_lookup(c205_machine_model(machine), name);
+    assert_non_null(constant);
+    return (uint64_t)constant->value;
+}
+
+/* Of a scalar instruction; one that moves registers takes longer. */
+static void check_constants(const c205 *machine, const c205_event *event)
+{
+    const c205_times *times = event->record;
+    uint64_t ready = times->issued
+                     + constant_of(machine, "latency", event->insn);
+    assert_true(event->insn->timing == C205_TIMING_swap
+                    ? times->ready >= ready
+                    : times->ready == ready);
+    assert_int_equal(times->unit_free,
+                     times->issued
+                         + constant_of(machine, "busy", event->insn));
+}
+
+static void hear(void *context, const c205 *machine, const c205_event *event)
+{
+    struct heard *heard = context;
+    const c205_times *times = event->record;
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST) {
+        assert_null(times);
+        return;
+    }
+    assert_int_equal(times->arrived, heard->clock);
+    assert_int_equal(sum_of(times), event->clocks);
+    assert_int_equal(times->issued, event->issued);
+    assert_in_range(times->issued, times->arrived,
+                    times->arrived + event->clocks);
+    assert_true(times->ready >= times->issued
+                && times->unit_free >= times->issued);
+    if (c205_unit_is_vector(event->insn->unit)) {
+        check_phases(times);
+        heard->vectors++;
+    } else {
+        assert_int_equal(times->phase_count, 0);
+        check_constants(machine, event);
+    }
+    heard->clock += event->clocks;
+    heard->events++;
+}
+
+/* All pieces of a run, by cause and region, are its accounts. */
+struct summed {
+    uint64_t clocks[64][C205_CAUSES];
+};
+
+static void add_up(void *context, const c205 *machine,
+                   const c205_event *event)
+{
+    struct summed *summed = context;
+    (void)machine;
+    for (size_t i = 0; event->record && i < event->record->piece_count; i++) {
+        const c205_piece *piece = &event->record->piece[i];
+        summed->clocks[piece->region][piece->cause] += piece->clocks;
+    }
+}
+
+/* As far as it goes; what is in flight at its end is no instruction's. */
+static uint64_t check_times(c205 *machine)
+{
+    struct heard heard = { 0 };
+    struct summed summed = { { { 0 } } };
+    c205_stop stop;
+    assert_true(c205_listen(machine, hear, &heard)
+                && c205_listen(machine, add_up, &summed));
+    for (size_t i = 0; i < 20000 && c205_step(machine, &stop); i++) {
+        assert_int_equal(c205_clock(machine), heard.clock);
+        if (i % 64 != 0)
+            continue;
+        for (size_t k = 0; k < c205_account_count(machine); k++)
+            assert_memory_equal(c205_account_at(machine, k)->clocks,
+                                summed.clocks[k], sizeof summed.clocks[k]);
+    }
+    c205_free(machine);
+    return heard.vectors;
+}
+
+static void test_times(void **state)
+{
+    static const char *const paths[] = {
+        "asm/examples/dot.s",          "asm/examples/horner.s",
+        "asm/examples/lookup.s",       "asm/examples/saxpy_linked.s",
+        "asm/examples/saxpy_scalar.s", "asm/examples/saxpy_vector.s",
+        "asm/examples/sieve.s",        "tests/programs/swap.s"
+    };
+    uint64_t vectors = 0;
+    c205_error error;
+    c205_model *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    (void)state;
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
+        vectors += check_times(machine_from(paths[i], model));
+    c205_model_free(model);
+    for (size_t number = 0; number < 400; number++) {
+        struct story story = { .program = random_program(RANDOM_SEED
+                                                         ^ number << 20) };
+        story.model = model_of(story.program.model);
+        vectors += check_times(begin(&story));
+        c205_model_free(story.model);
+    }
+    assert_true(vectors > 1000);
+}
+
+/* ---- Pages ---------------------------------------------------------------- */
+
+static void test_pages(void **state)
+{
+    struct story story = { .program = random_program(RANDOM_SEED) };
+    c205_error error;
+    c205_page page = { 0 };
+    uint64_t from = 0;
+    c205 *machine;
+    size_t count = 0;
+    (void)state;
+    story.model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    machine = begin(&story);
+    while (c205_next_page(machine, from, &page)) {
+        bool known = false;
+        for (size_t i = 0; i < RANDOM_PAGES; i++)
+            known |= random_pages[i].address == page.address
+                     && (random_pages[i].access != C205_READ_ONLY)
+                            == page.writable;
+        assert_true(known);
+        from = page.address + UINT64_C(64) * C205_PAGE_WORDS;
+        count++;
+    }
+    assert_int_equal(count, RANDOM_PAGES);
+    c205_free(machine);
+    c205_model_free(story.model);
+}
+
+int main(void)
+{
+    const char *wanted = getenv("HISTORY_JUMPS");
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_jumps),
+        cmocka_unit_test(test_end),
+        cmocka_unit_test(test_times),
+        cmocka_unit_test(test_pages),
+    };
+    if (wanted)
+        jumps = (size_t)strtoul(wanted, NULL, 10);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,302 @@
+/* history.c - a machine with its past: snapshots, and running forward again.
+ *
+ * A machine does the same again from a saved state.  So of a run nothing is
+ * kept but states, so many instructions and so many clocks apart; to go back is
+ * to restore the last state before, and to run from there.
+ */
+#include "vm/machine.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A state is kept after so many instructions, or after so many clocks, for vector
+ * instructions are long: what is run again takes some milliseconds. */
+enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
+
+struct snapshot {
+    uint64_t step, clock;
+    bool changed; /* by hand: whoever comes to this step goes on from here */
+    size_t size;
+    unsigned char *bytes;
+};
+
+struct c205_history {
+    c205 *machine;
+    uint64_t step;       /* instructions since the first snapshot .. */
+    uint64_t known;      /* .. the most that there ever were */
+    bool ended;          /* behind the last of them the program has ended */
+    c205_stop end;       /* .. that way */
+    size_t budget, held; /* bytes of snapshots: at the most, now */
+    uint64_t steps, clocks; /* so far apart are the next */
+    size_t count, capacity;
+    struct snapshot *list; /* by step */
+};
+
+/* ---- Snapshots ----------------------------------------------------------- */
+
+struct saved {
+    unsigned char *bytes;
+    size_t size, capacity;
+};
+
+static bool add_bytes(void *context, const void *bytes, size_t count)
+{
+    struct saved *saved = context;
+    size_t wanted = saved->size + count;
+    if (wanted > saved->capacity) {
+        size_t capacity = wanted + wanted / 2 + 4096;
+        unsigned char *grown = realloc(saved->bytes, capacity);
+        if (!grown)
+            return false;
+        saved->bytes = grown;
+        saved->capacity = capacity;
+    }
+    memcpy(saved->bytes + saved->size, bytes, count);
+    saved->size = wanted;
+    return true;
+}
+
+static bool make_room(struct c205_history *history)
+{
+    size_t capacity = 2 * history->capacity + 16;
+    struct snapshot *grown;
+    if (history->count < history->capacity)
+        return true;
+    grown = realloc(history->list, capacity * sizeof *grown);
+    if (!grown)
+        return false;
+    history->list = grown;
+    history->capacity = capacity;
+    return true;
+}
+
+static void drop(struct c205_history *history, size_t i)
+{
+    history->held -= history->list[i].size;
+    free(history->list[i].bytes);
+}
+
+/* Every second one goes, the first stays, and those that nothing else leads to; the next
+ * are twice as far apart. */
+static void thin(struct c205_history *history)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < history->count; i++)
+        if (i % 2 == 0 || history->list[i].changed)
+            history->list[kept++] = history->list[i];
+        else
+            drop(history, i);
+    history->count = kept;
+    history->steps *= 2;
+    history->clocks *= 2;
+}
+
+static bool keep(struct c205_history *history, bool changed,
+                 c205_error *error)
+{
+    struct saved saved = { NULL, 0, 0 };
+    unsigned char *shrunk;
+    if (!make_room(history)
+        || !c205_save(history->machine, add_bytes, &saved, error)) {
+        free(saved.bytes);
+        snprintf(error->message, sizeof error->message, "no memory");
+        return false;
+    }
+    shrunk = realloc(saved.bytes, saved.size);
+    history->list[history->count++] = (struct snapshot){
+        history->step, clock_now(history->machine->clock), changed,
+        saved.size, shrunk ? shrunk : saved.bytes
+    };
+    history->held += saved.size;
+    if (history->held > history->budget && history->count > 2)
+        thin(history);
+    return true;
+}
+
+/* Those of later steps mean nothing any more. */
+static void forget_later(struct c205_history *history)
+{
+    while (history->count > 0
+           && history->list[history->count - 1].step >= history->step)
+        drop(history, --history->count);
+    history->known = history->step;
+    history->ended = false;
+}
+
+static bool is_time(const struct c205_history *history)
+{
+    const struct snapshot *last = &history->list[history->count - 1];
+    uint64_t clock = clock_now(history->machine->clock);
+    return history->step > last->step
+           && (history->step - last->step >= history->steps
+               || clock - last->clock >= history->clocks);
+}
+
+/* The last one at a step or before. */
+static size_t find(const struct c205_history *history, uint64_t step)
+{
+    size_t low = 0, high = history->count;
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+        if (history->list[middle].step <= step)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* ---- To begin and to end ------------------------------------------------- */
+
+c205_history *c205_history_new(c205 *machine, size_t budget,
+                               c205_error *error)
+{
+    struct c205_history *history = calloc(1, sizeof *history);
+    if (!history) {
+        snprintf(error->message, sizeof error->message, "no memory");
+        return NULL;
+    }
+    history->machine = machine;
+    history->budget = budget;
+    history->steps = STEPS_APART;
+    history->clocks = CLOCKS_APART;
+    if (keep(history, false, error))
+        return history;
+    free(history->list);
+    free(history);
+    return NULL;
+}
+
+void c205_history_free(c205_history *history)
+{
+    if (!history)
+        return;
+    while (history->count > 0)
+        drop(history, --history->count);
+    free(history->list);
+    c205_free(history->machine);
+    free(history);
+}
+
+c205 *c205_history_machine(const c205_history *history)
+{
+    return history->machine;
+}
+
+uint64_t c205_history_step(const c205_history *history)
+{
+    return history->step;
+}
+
+uint64_t c205_history_known(const c205_history *history)
+{
+    return history->known;
+}
+
+bool c205_history_changed(c205_history *history, c205_error *error)
+{
+    forget_later(history);
+    return keep(history, true, error);
+}
+
+/* ---- Another machine ------------------------------------------------------ */
+
+static void replace(struct c205_history *history, c205 *machine)
+{
+    const c205 *old = history->machine;
+    memcpy(machine->listener, old->listener, sizeof machine->listener);
+    machine->listener_count = old->listener_count;
+    machine->eventful = machine->listener_count > 0;
+    if (machine->eventful)
+        clock_listen(machine->clock, &machine->record);
+    c205_free(history->machine);
+    history->machine = machine;
+}
+
+static c205 *restore(const struct c205_history *history,
+                     const struct snapshot *from, c205_error *error)
+{
+    return c205_restore(from->bytes, from->size, history->machine->model,
+                        error);
+}
+
+/* Where somebody has changed the machine, it is what it was made then. */
+static bool take_change(struct c205_history *history)
+{
+    const struct snapshot *here = &history
+                                       ->list[find(history, history->step)];
+    c205_error error;
+    c205 *machine;
+    if (here->step != history->step || !here->changed)
+        return true;
+    machine = restore(history, here, &error);
+    if (machine)
+        replace(history, machine);
+    return machine;
+}
+
+/* ---- Forward ------------------------------------------------------------- */
+
+/* One that was done before does the same again. */
+static bool forward(struct c205_history *history, c205_stop *stop)
+{
+    bool goes_on;
+    if (history->ended && history->step == history->known) {
+        *stop = history->end;
+        return false;
+    }
+    goes_on = c205_step(history->machine, stop);
+    if (!goes_on && stop->trap != C205_TRAP_NONE)
+        return false;
+    if (++history->step > history->known)
+        history->known = history->step;
+    else if (!take_change(history)) {
+        stop->trap = C205_TRAP_NO_MEMORY;
+        return false;
+    }
+    if (!goes_on) {
+        history->ended = true;
+        history->end = *stop;
+    }
+    return goes_on;
+}
+
+bool c205_history_forward(c205_history *history, c205_stop *stop)
+{
+    bool goes_on = forward(history, stop);
+    c205_error error;
+    if (goes_on && history->step > history->list[history->count - 1].step
+        && is_time(history))
+        keep(history, false,
+             &error); /* without memory it is farther back to the last */
+    return goes_on;
+}
+
+/* ---- Back ---------------------------------------------------------------- */
+
+/* The listeners hear of the last step alone. */
+static bool go_from(struct c205_history *history, c205 *machine,
+                    uint64_t first, uint64_t step)
+{
+    c205_stop stop;
+    history->step = first;
+    while (history->step + 1 < step && c205_step(machine, &stop))
+        history->step++;
+    replace(history, machine);
+    if (history->step < step)
+        forward(history, &stop);
+    return history->step == step;
+}
+
+bool c205_history_back(c205_history *history, uint64_t step,
+                       c205_error *error)
+{
+    const struct snapshot *from;
+    c205 *machine;
+    if (step >= history->step)
+        return true;
+    from = &history->list[find(history, step > 0 ? step - 1 : 0)];
+    machine = restore(history, from, error);
+    return machine && go_from(history, machine, from->step, step);
+}
