@@ -205,6 +205,33 @@ tells out '[0-9] clocks, [0-9.]* us$'
 tells out '^time, us  *all  *%$'
 tells out '^page fault  *20.00 '
 tells out '^all  *[0-9.]*  *100.0$'
+# The debugger, by scripts and by a pipe.
+printf 'step\nassert step == 1\n\n# and no more\nwhy\nquit\nassert 0\n' >good.lines
+printf 'assert step == 1\nstpe' >bad.lines
+ends 0 "$build/c205" debug -x good.lines good.s
+tells out "^(c205) assert step == 1$"
+tells out "^step 2, clock [0-9]*$"
+tells out "^arrived at clock "
+ends 1 "$build/c205" debug -x bad.lines good.s
+tells out "^error: it does not hold: step == 1$"
+tells out "^error: there is no .stpe.: was it step?$"
+ends 1 "$build/c205" debug -x missing.lines good.s
+tells err "missing.lines: it cannot be read"
+ends 1 "$build/c205" debug missing.s
+ends 2 "$build/c205" debug
+ends 2 "$build/c205" debug good.s bad.s
+printf 'continue\n' | "$build/c205" debug good.s >out 2>err
+verdict $? "the debugger at the end of a pipe"
+tells out "^1.5$"
+tells out "^the program has ended with status 0$"
+{ echo continue; sleep 2; echo "print clock > 1000"; } |
+    "$build/c205" debug endless.s >out 2>err &
+sleep 1
+kill -INT $!
+wait $!
+verdict $? "Ctrl-C ends the debugger"
+tells out "^interrupted$"
+tells out "^1  X.1.$"
 ends 0 "$build/c205" run good.s --format csv
 tells out '^all,page fault,1000,2[.e0-9-]*,'
 tells out '^region,entries,instructions,vector_instructions,elements,operations,clocks,seconds,percent$'

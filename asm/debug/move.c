@@ -224,7 +224,7 @@ static void arrive_at(struct debugger *debugger, uint64_t step, size_t number)
 /* To the stop before, a stretch at a time from here back. */
 bool verb_reverse_continue(struct debugger *debugger, struct rest *rest)
 {
-    uint64_t end = here(debugger), stretch = 512, step = 0;
+    uint64_t end = here(debugger), stretch = 64, step = 0;
     size_t number = 0;
 
     if (!rest_finish(debugger, rest))
