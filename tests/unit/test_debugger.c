@@ -180,7 +180,7 @@ static void choose_place(struct session *session)
     session->told.by_place = true;
     session->told.place = session->plain->moments[below(session->plain->end)]
                               .pc;
-    session->told.every = 1 + below(3);
+    session->told.every = 1 + below(below(2) ? 3 : 97);
     obey(session, "delete");
     session->told.by_watch = false;
     session->told.region = NULL;
