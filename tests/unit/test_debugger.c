@@ -320,6 +320,30 @@ static void test_movements(void **state)
     }
 }
 
+/* One stop, and from each step behind it the way back. */
+static void test_far_back(void **state)
+{
+    enum { STOP = 150, FAR = 400 };
+    struct plain plain = run_plainly("asm/examples/saxpy_scalar.s");
+    struct session session;
+    char line[80];
+
+    (void)state;
+    begin(&session, &plain, "saxpy_scalar.s");
+    snprintf(line, sizeof line, "break *%llu if $step == %d",
+             (unsigned long long)plain.moments[STOP].pc, STOP);
+    obey(&session, line);
+    for (session.step = STOP + 1; session.step < STOP + FAR; session.step++) {
+        snprintf(line, sizeof line, "goto %zu", session.step);
+        obey(&session, line);
+        check_place(&session, line);
+        obey(&session, "rc");
+        assert_int_equal(c205_history_step(session.debugger->history), STOP);
+    }
+    end(&session);
+    free_plain(&plain);
+}
+
 /* ---- Values --------------------------------------------------------------- */
 
 static const char text[] = "        .include \"vectors.s\"\n"
@@ -533,6 +557,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_movements),
+        cmocka_unit_test(test_far_back),
         cmocka_unit_test(test_values),
         cmocka_unit_test(test_faults),
         cmocka_unit_test(test_printed),

@@ -97,10 +97,19 @@ static uint64_t run_plainly(struct story *story, bool hashes)
     return step;
 }
 
+/* Every second one is a loop. */
+static struct random_program draw_program(size_t number)
+{
+    uint64_t seed = RANDOM_SEED + (number << 16);
+    struct random_program program = random_program(seed);
+    while (number % 2 == 1 && !program.loop)
+        program = random_program(++seed);
+    return program;
+}
+
 static void make_story(struct story *story, size_t number)
 {
-    *story = (struct story){ .program = random_program(RANDOM_SEED
-                                                       + number) };
+    *story = (struct story){ .program = draw_program(number) };
     story->model = model_of(story->program.model);
     story->steps_before = story->steps = run_plainly(story, false);
     story->change_count = number % (CHANGES + 1);
