@@ -29,6 +29,11 @@ struct asm_line {
     const char *file;
     size_t number;
     const char *source;
+    /* The macro call that it comes from, the outermost; the line itself if it comes
+     * from none. */
+    const char *call_file;
+    size_t call_number;
+    const char *call_source;
 };
 
 /* A name of a register, as .reg and .regs gave it. */

@@ -1,4 +1,5 @@
 /* encode.c - items become words, and the words an object. */
+#include <ctype.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -293,10 +294,38 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     return true;
 }
 
+/* A repetition is where its lines stand. */
+static bool is_repetition(const struct line *line)
+{
+    const char *at = line->begin;
+
+    while (at < line->end && isspace((unsigned char)*at))
+        at++;
+    return at < line->end && *at == '.';
+}
+
+/* The outermost macro call, or the line itself. */
+static const struct line *call_of(const struct line *line)
+{
+    const struct line *call = line, *caller;
+
+    for (caller = line->caller; caller; caller = caller->caller)
+        if (!is_repetition(caller))
+            call = caller;
+    return call;
+}
+
+static const char *keep_source(struct storage *storage,
+                               const struct line *line)
+{
+    return arena_text(&storage->arena, line->text,
+                      (size_t)(line->text_end - line->text));
+}
+
 static bool add_line(struct storage *storage, const struct layout_item *item)
 {
     struct asm_line *line = storage_add_line(storage);
-    const struct line *from = item->line;
+    const struct line *from = item->line, *call = call_of(from);
 
     if (!line)
         return false;
@@ -304,9 +333,12 @@ static bool add_line(struct storage *storage, const struct layout_item *item)
     line->halves = item->halves;
     line->number = from->number;
     line->file = keep(storage, from->file);
-    line->source = arena_text(&storage->arena, from->text,
-                              (size_t)(from->text_end - from->text));
-    return line->source != NULL;
+    line->source = line->call_source = keep_source(storage, from);
+    line->call_file = keep(storage, call->file);
+    line->call_number = call->number;
+    if (call != from)
+        line->call_source = keep_source(storage, call);
+    return line->source && line->call_source;
 }
 
 /* Items of one line that lie side by side are one. */

@@ -205,11 +205,50 @@ tells out '[0-9] clocks, [0-9.]* us$'
 tells out '^time, us  *all  *%$'
 tells out '^page fault  *20.00 '
 tells out '^all  *[0-9.]*  *100.0$'
+# Line by line.
+ends 0 "$build/c205" run good.s --profile --json profile.json
+tells out "^line  *clocks  *%  *times"
+tells profile.json "\"operand_wait\""
+ends 0 "$build/c205" run good.s --profile --in-order --warm --format csv
+tells out "^line,clocks,percent,executions,elements,issue"
+ends 2 "$build/c205" run good.s --in-order
+tells err "in-order is of --profile"
+ends 2 "$build/c205" run --check good.s --profile
+ends 2 "$build/c205" run --restore some.state --profile
+ends 2 "$build/c205" run --restore some.state --warm
+"$build/c205" asm good.s -o good.o
+ends 1 "$build/c205" run good.o --profile
+tells err "the source lines of good.o are not known; run its text"
+
+# Two programs side by side.
+matrix=$here/asm/examples/profiling/matrix
+ends 0 "$build/c205" compare --warm "${matrix}_3.s" "${matrix}_4.s" --json compare.json
+tells out "^The second takes [0-9]* clocks less than the first: "
+tells compare.json "\"regions\""
+ends 0 "$build/c205" compare "${matrix}_4.s" --other-model cyber205-4pipe
+tells out "fewer of vector stream.$"
+ends 0 "$build/c205" compare "${matrix}_4.s" --other-define n=24 --format csv
+"$build/c205" compare "${matrix}_3.s" "${matrix}_4.s" --format csv |
+    awk -F, '$1 == "all" { print first == $2 && second == $3 ? $2 " " $3 : "off" }
+             NF == 5 { first += $2; second += $3 }' >summed
+for number in 3 4; do
+    "$build/c205" run "${matrix}_$number.s" | sed -n 's/ clocks, .*//p'
+done | paste -s -d ' ' | cmp -s - summed
+verdict $? "compare has other clocks than run"
+ends 0 "$build/c205" compare good.s good.s
+tells out "^Both take [0-9]* clocks.$"
+ends 1 "$build/c205" compare good.s endless.s
+tells err "endless.s: trap clock-limit"
+ends 1 "$build/c205" compare good.s missing.s
+ends 2 "$build/c205" compare good.s
+tells err "with what?"
+ends 2 "$build/c205" compare good.s good.s good.s
+
 # The debugger, by scripts and by a pipe.
-printf 'step\nassert step == 1\n\n# and no more\nwhy\nquit\nassert 0\n' >good.lines
+printf "step\n\nassert step == 2\n# and no more\nwhy\nquit\nassert 0\n" >good.lines
 printf 'assert step == 1\nstpe' >bad.lines
 ends 0 "$build/c205" debug -x good.lines good.s
-tells out "^(c205) assert step == 1$"
+tells out "^(c205) assert step == 2$"
 tells out "^step 2, clock [0-9]*$"
 tells out "^arrived at clock "
 ends 1 "$build/c205" debug -x bad.lines good.s

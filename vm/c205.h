@@ -384,6 +384,8 @@ typedef struct c205_piece {
     uint64_t clocks;
     c205_cause cause;
     size_t region; /* whose account they are in */
+    uint64_t pc;   /* the instruction whose work it is: a vector instruction goes
+                      on while others wait */
     c205_wait wait;
     unsigned number; /* .. of what, or 0 */
 } c205_piece;
@@ -394,6 +396,7 @@ typedef struct c205_piece {
  * length left out. */
 enum { C205_PIECES = 40, C205_PHASES = 5 };
 typedef struct c205_times {
+    uint64_t pc;
     uint64_t arrived;   /* the clock before it */
     uint64_t issued;    /* at which it issued */
     uint64_t ready;     /* at which its results are */
@@ -415,8 +418,9 @@ typedef struct c205_event {
     size_t region;    /* index into the accounts */
     uint64_t issued;  /* the clock at which it issued */
     uint64_t clocks;  /* by how much it moved the clock */
-    const c205_times *record;  /* all about its time; NULL: it is none of an
-                                  instruction */
+    const c205_times *record;  /* all about its time; of what was in flight at
+                                  the end or at a trap pieces alone; NULL: there is
+                                  nothing to tell */
     size_t elements;  /* vector length, 0 for scalar instructions */
     size_t recurrent; /* those that waited for an earlier one's result */
     bool taken;       /* branches */
@@ -454,6 +458,11 @@ typedef struct c205_page {
     bool writable, touched;
 } c205_page;
 bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page);
+
+/* All mapped pages are known to the associative registers and in real memory, as far as
+ * there is room, those of the highest addresses for sure: as if the program had used
+ * them before.  Costs no clocks. */
+void c205_warm(c205 *machine);
 
 /* Copy between the host and the machine's memory; costs no clocks.  Fails
  * without effect where a page is not mapped. */

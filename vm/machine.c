@@ -164,13 +164,14 @@ static void tell_instruction(struct c205 *machine,
 
 /* Listeners hear of the end of a run that had been charged up to a clock. */
 static bool stop_run(struct c205 *machine, const c205_stop *stop,
-                     uint64_t before)
+                     uint64_t before, bool drained)
 {
     c205_event event = make_event(machine,
                                   stop->trap ? C205_EVENT_TRAP
                                              : C205_EVENT_STOP,
                                   before);
     event.pc = stop->pc;
+    event.record = drained ? &machine->record : NULL;
     event.insn = stop->insn;
     event.region = machine_region(machine, stop->pc);
     event.trap = stop->trap;
@@ -218,7 +219,7 @@ static bool stop_at_limit(struct c205 *machine, c205_stop *stop)
     machine->fault = 0;
     set_trap(machine, C205_TRAP_CLOCK_LIMIT,
              trap == C205_TRAP_NONE ? decoded->insn : NULL, stop);
-    return stop_run(machine, stop, clock_now(machine->clock));
+    return stop_run(machine, stop, clock_now(machine->clock), false);
 }
 
 /* At an instruction that cannot begin.  The clock shows the time when all in
@@ -229,7 +230,7 @@ static bool stop_before(struct c205 *machine, c205_trap trap,
     uint64_t before = clock_now(machine->clock);
     set_trap(machine, trap, insn, stop);
     clock_show_drained(machine->clock);
-    return stop_run(machine, stop, before);
+    return stop_run(machine, stop, before, true);
 }
 
 /* In the middle of a vector instruction: at the limit, or at a trap that came
@@ -247,7 +248,7 @@ static bool stop_within(struct c205 *machine, c205_trap trap,
         limit = machine->resumed_at;
     set_trap(machine, trap, decoded->insn, stop);
     clock_show(machine->clock, decoded, limit);
-    return stop_run(machine, stop, before);
+    return stop_run(machine, stop, before, false);
 }
 
 /* After an instruction that listeners hear of, or a request; false: it was
@@ -269,7 +270,7 @@ static bool attend(struct c205 *machine, const struct decoded *decoded,
     stop->insn = decoded->insn;
     stop->status = c205_to_integer(machine->slot[decoded->a]);
     clock_drain(machine->clock);
-    return stop_run(machine, stop, after);
+    return stop_run(machine, stop, after, true);
 }
 
 static inline void clear_effect(struct effect *effect)
@@ -483,6 +484,14 @@ bool c205_map(c205 *machine, uint64_t address, size_t words,
               c205_access access, c205_error *error)
 {
     return memory_map(&machine->memory, address, words, access, error);
+}
+
+void c205_warm(c205 *machine)
+{
+    uint64_t address = memory_next_page(&machine->memory, 0);
+    for (; address <= ADDRESS_MASK;
+         address = memory_next_page(&machine->memory, address + PAGE_BITS))
+        clock_know(machine->clock, address, PAGE_BITS);
 }
 
 bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page)

@@ -13,7 +13,7 @@
 
 #define SAVE_MAGIC UINT64_C(0x4332303553415645) /* "C205SAVE" */
 /* To be raised with each change of what is saved or of its order. */
-enum { SAVE_VERSION = 4 };
+enum { SAVE_VERSION = 5 };
 
 /* ---- Hashes -------------------------------------------------------------- */
 

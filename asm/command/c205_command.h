@@ -14,7 +14,7 @@
 #include "base/results.h"
 
 extern const struct command run_command, asm_command, dis_command,
-    isa_command, model_command, time_command, debug_command;
+    isa_command, model_command, time_command, debug_command, compare_command;
 
 enum { CMD_DEFINES = 64 };
 struct cmd_defines {
@@ -31,11 +31,12 @@ struct c205_arguments {
     const char *command;
     const char *model;
     struct results results;
+    const char *other_model; /* of the second program; NULL: the same */
     const char *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit;
     bool check, trace, listing, names, points, markdown;
-    bool no_limit, exit_status;
-    struct cmd_defines defines;
+    bool no_limit, exit_status, profile, in_order, warm;
+    struct cmd_defines defines, other_defines;
     struct cmd_warnings warnings;
     struct command_texts folders;
     const char *file;           /* what is no option: one, or .. */

@@ -5,6 +5,7 @@
 #include "asm/command/c205_command.h"
 #include "base/interrupt.h"
 #include "asm/disassemble.h"
+#include "asm/line_profile.h"
 #include "asm/print.h"
 #include "asm/state.h"
 #include "asm/trap_report.h"
@@ -52,6 +53,34 @@ static const char *program_name(const struct c205_arguments *arguments)
 {
     return arguments->files.count ? arguments->files.items[0]
                                   : arguments->restore;
+}
+
+/* For the eye with causes in words. */
+static int show_profile(const struct c205_arguments *arguments,
+                        const struct line_profile *profile,
+                        const struct results *results)
+{
+    enum profile_order order = arguments->in_order ? PROFILE_AS_WRITTEN
+                                                   : PROFILE_HOTTEST;
+    struct results shown = *results, kept = *results;
+    bool words = results->file
+                 && (results->format == RESULTS_TEXT
+                     || results->format == RESULTS_MARKDOWN);
+    if (!words) {
+        return results_show(results,
+                            line_profile_table(profile, order, false),
+                            "lines", "Lines");
+    }
+    shown.json = NULL;
+    kept.file = NULL;
+    results_gap(results);
+    int code = results_show(&shown, line_profile_table(profile, order, true),
+                            NULL, "Lines");
+    return code != CMD_DONE || !results->json
+               ? code
+               : results_show(&kept,
+                              line_profile_table(profile, order, false),
+                              "lines", NULL);
 }
 
 static int show_accounts(const struct c205_arguments *arguments,
@@ -221,12 +250,19 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
         return CMD_FAILED;
     }
     struct printer printer = printer_beside(&results);
+    struct line_profile *profile = NULL;
+    if (arguments->profile) {
+        profile = line_profile_new(object);
+    }
     c205_listen(machine, printer_listen, &printer);
     if (arguments->trace) {
         c205_listen(machine, trace, stderr);
     }
-    if (!start_watch(arguments, machine, object, &watch)) {
+    if ((arguments->profile
+         && (!profile || !c205_listen(machine, line_profile_listen, profile)))
+        || !start_watch(arguments, machine, object, &watch)) {
         results_close(&results, CMD_FAILED);
+        line_profile_free(profile);
         return cmd_failed(arguments->command, "no memory");
     }
     interrupt_catch();
@@ -234,6 +270,10 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
     bool errors = watch && watch_errors(watch) > 0;
     watch_free(watch);
     int code = show_accounts(arguments, machine, &stop, &results);
+    if (profile && code == CMD_DONE) {
+        code = show_profile(arguments, profile, &results);
+    }
+    line_profile_free(profile);
     code = results_close(&results, code);
     int verdict = conclude(arguments, object, machine, &stop, &results);
     return code != CMD_DONE ? code : errors ? CMD_FAILED : verdict;
@@ -278,6 +318,16 @@ static int make_and_run(const struct c205_arguments *arguments,
     if (!machine) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
+    if (arguments->profile && object->line_count == 0) {
+        c205_free(machine);
+        return cmd_failed(arguments->command,
+                          "--profile: the source lines of %s are not known; "
+                          "run its text",
+                          program_name(arguments));
+    }
+    if (arguments->warm) {
+        c205_warm(machine);
+    }
     int code = run(arguments, machine, object);
     c205_free(machine);
     return code;
@@ -308,11 +358,22 @@ static int check_usage(const struct c205_arguments *arguments)
     }
     if (arguments->check) {
         return state ? cmd_usage(command, "tests are not saved or restored")
-                     : CMD_DONE;
+               : arguments->profile || arguments->warm
+                   ? cmd_usage(command, "tests have no --profile or --warm")
+                   : CMD_DONE;
     }
     if (arguments->files.count > 1) {
         return cmd_usage(command, "one program, not %s too",
                          arguments->files.items[1]);
+    }
+    if (arguments->profile && arguments->restore) {
+        return cmd_usage(command, "--profile is of a run from its beginning");
+    }
+    if (arguments->in_order && !arguments->profile) {
+        return cmd_usage(command, "--in-order is of --profile");
+    }
+    if (arguments->warm && arguments->restore) {
+        return cmd_usage(command, "--warm is of a run from its beginning");
     }
     if (arguments->save && arguments->limit == C205_NO_LIMIT) {
         return cmd_usage(command, "--save needs a --limit");
@@ -378,6 +439,13 @@ static const struct command_option options[] = {
     CMD_DEFINE,
     CMD_INCLUDE,
     CMD_FLAG(trace, "print each instruction as it is executed"),
+    CMD_FLAG(profile, "also where the clocks went line by line, the hottest "
+                      "first; macros where they are called"),
+    { .name = "in-order",
+      .kind = COMMAND_FLAG,
+      .offset = CMD_PLACE(in_order),
+      .help = "lines of --profile as they stand in memory" },
+    CMD_FLAG(warm, "all pages are in memory when the program begins"),
     CMD_FIGURES,
     COMMAND_END
 };

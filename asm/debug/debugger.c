@@ -91,6 +91,15 @@ static bool verb_help(struct debugger *debugger, struct rest *rest)
 
 /* ---- What it hears -------------------------------------------------------- */
 
+static void print(void *context, const char *text, size_t length)
+{
+    struct debugger *debugger = context;
+
+    if (length > 0)
+        debugger->line_open = text[length - 1] != '\n';
+    debugger->out.put(debugger->out.context, text, length);
+}
+
 /* What the program prints is printed once, however often it is run again. */
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
@@ -134,7 +143,7 @@ struct debugger *debugger_new(const struct debugger_setup *setup,
     }
     debugger->setup = *setup;
     debugger->out = setup->out;
-    debugger->printer.sink = setup->out;
+    debugger->printer.sink = (struct sink){ print, debugger };
     machine = load(debugger, error);
     if (machine)
         debugger->history = c205_history_new(machine, budget, error);

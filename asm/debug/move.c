@@ -48,6 +48,7 @@ static enum moved advance(struct debugger *debugger, uint64_t count,
 static bool arrive(struct debugger *debugger, enum moved moved,
                    struct stop_point *stop)
 {
+    show_end_line(debugger);
     if (moved == MOVED_TO_STOP)
         stops_tell(debugger, stop);
     else if (moved == MOVED_INTERRUPTED)

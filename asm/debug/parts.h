@@ -53,8 +53,9 @@ struct debugger {
     struct sink out;
     c205_history *history;
     struct printer printer;
-    uint64_t told; /* steps whose output was printed */
-    bool has_last; /* there is a last instruction: */
+    bool line_open; /* what the program printed has not ended its line */
+    uint64_t told;  /* steps whose output was printed */
+    bool has_last;  /* there is a last instruction: */
     c205_event last;
     c205_times record; /* its time */
     bool halted;       /* the program cannot go on from here: */
@@ -145,6 +146,8 @@ debug_verb verb_where, verb_list, verb_disassemble, verb_print, verb_x,
 /* time.c */
 debug_verb verb_why, verb_account;
 
+/* What the program printed has its line to itself. */
+void show_end_line(struct debugger *debugger);
 /* One line: where the program stands, or that it has ended. */
 void show_place(struct debugger *debugger);
 /* An instruction, and its source line if it is known. */

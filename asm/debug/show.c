@@ -12,17 +12,28 @@
 
 /* ---- Instructions --------------------------------------------------------- */
 
-static void put_source(const struct debugger *debugger,
-                       const struct asm_line *line)
+static void put_text(const struct debugger *debugger, const char *file,
+                     size_t number, const char *source)
 {
-    const char *source = line->source ? line->source : "";
-    const char *slash = strrchr(line->file, '/');
+    const char *slash = strrchr(file, '/');
 
     while (isspace((unsigned char)*source))
         source++;
-    sink_print(&debugger->out, "  ; %s:%zu: %.*s",
-               slash ? slash + 1 : line->file, line->number,
-               (int)strcspn(source, "\n"), source);
+    sink_print(&debugger->out, "%s:%zu: %s", slash ? slash + 1 : file, number,
+               source);
+}
+
+/* Of a macro the call first. */
+static void put_source(const struct debugger *debugger,
+                       const struct asm_line *line)
+{
+    sink_put(&debugger->out, "  ; ");
+    put_text(debugger, line->call_file, line->call_number, line->call_source);
+    if (line->number == line->call_number
+        && strcmp(line->file, line->call_file) == 0)
+        return;
+    sink_put(&debugger->out, "  <- ");
+    put_text(debugger, line->file, line->number, line->source);
 }
 
 void show_instruction(struct debugger *debugger, uint64_t address,
@@ -55,11 +66,19 @@ static void show_halt(struct debugger *debugger)
                     machine_of(debugger), stop, &debugger->out);
 }
 
+void show_end_line(struct debugger *debugger)
+{
+    if (debugger->line_open)
+        sink_put(&debugger->out, "\n");
+    debugger->line_open = false;
+}
+
 void show_place(struct debugger *debugger)
 {
     c205 *machine = machine_of(debugger);
     const char *region = place_region(debugger, c205_pc(machine));
 
+    show_end_line(debugger);
     sink_print(&debugger->out, "step %" PRIu64 ", clock %" PRIu64 "%s%s\n",
                c205_history_step(debugger->history), c205_clock(machine),
                *region ? ", region " : "", region);

@@ -45,9 +45,9 @@ static void put_pieces(const struct debugger *debugger)
         sink_print(&debugger->out, "%10" PRIu64 "  %-16s", piece->clocks,
                    c205_cause_name(piece->cause));
         put_wait(debugger, piece);
-        if (piece->region != debugger->last.region)
-            sink_print(&debugger->out, "  (charged to %s)",
-                       *region ? region : "code outside regions");
+        if (piece->pc != record->pc)
+            sink_print(&debugger->out, "  with the work of %" PRIX64 "%s%s",
+                       piece->pc, *region ? ", region " : "", region);
         sink_put(&debugger->out, "\n");
     }
 }

@@ -359,8 +359,9 @@ static void test_refused(void **state)
     };
 
     (void)state;
-    check_refused(&bad[0], "lines have a scalar form, a vector form and the one of "
-                 "1984");
+    check_refused(&bad[0],
+                  "lines have a scalar form, a vector form and the one of "
+                  "1984");
     check_refused(&bad[1], "a queue has from 1 to 65535 lines");
     check_refused(&bad[2], "a queue has from 1 to 65535 lines");
     check_refused(&bad[3], "lines begin at their origins or behind them");

@@ -20,7 +20,7 @@ static const struct reason own_work = { C205_WAIT_NONE, 0 },
 
 /* For who listens. */
 static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
-                 size_t region, struct reason reason)
+                 size_t region, uint64_t pc, struct reason reason)
 {
     c205_times *record = clock->record;
     if (clocks == 0)
@@ -29,16 +29,16 @@ static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
         record->piece[C205_PIECES - 1].clocks += clocks;
         return;
     }
-    record->piece[record->piece_count++] = (c205_piece){ clocks, cause,
-                                                         region, reason.wait,
-                                                         reason.number };
+    record->piece[record->piece_count++] = (c205_piece){
+        clocks, cause, region, pc, reason.wait, reason.number
+    };
 }
 
 static inline void spend_for(struct clock *clock, uint64_t clocks,
                              c205_cause cause, struct reason reason)
 {
     if (clock->record)
-        note(clock, clocks, cause, clock->region, reason);
+        note(clock, clocks, cause, clock->region, clock->record->pc, reason);
     clock->account->clocks[cause] += clocks;
     clock->now += clocks;
 }
@@ -67,7 +67,8 @@ static inline void wait_through_phases(struct clock *clock, uint64_t until,
         uint64_t end = phase->end < until ? phase->end : until;
         if (now < end) {
             if (clock->record)
-                note(clock, end - now, phase->cause, phase->region, reason);
+                note(clock, end - now, phase->cause, phase->region, phase->pc,
+                     reason);
             accounts[phase->region].clocks[phase->cause] += end - now;
             now = end;
         }
@@ -271,6 +272,7 @@ static inline void add_phase(struct clock *clock, uint64_t clocks,
     phase->end = clock->vector_end;
     phase->cause = cause;
     phase->region = clock->region;
+    phase->pc = clock->vector_pc;
     clock->phase_count++;
 }
 
@@ -358,6 +360,7 @@ static inline void add_phases(struct clock *clock,
                       + effect->recurrent * startup;
     clock->vector_end = clock->now;
     clock->vector_tail = stream;
+    clock->vector_pc = decoded->pc;
     add_phase(clock, startup, C205_VECTOR_STARTUP);
     if (met.misses > 0) { /* no fault without */
         add_phase(clock, met.misses * clock->translation_miss,
@@ -406,9 +409,10 @@ static inline void charge_vector(struct clock *clock,
 
 /* ---- One instruction ----------------------------------------------------- */
 
-static void begin_record(const struct clock *clock)
+static void begin_record(const struct clock *clock, uint64_t pc)
 {
     c205_times *record = clock->record;
+    record->pc = pc;
     record->arrived = clock->now;
     record->piece_count = record->phase_count = 0;
 }
@@ -418,7 +422,7 @@ void clock_charge(struct clock *clock, const struct decoded *decoded,
 {
     clock_enter_region(clock, decoded->region);
     if (clock->record)
-        begin_record(clock);
+        begin_record(clock, decoded->pc);
     if (decoded->pc != clock->stack.next)
         stack_begin(&clock->stack, decoded->pc);
     clock->stack.next = decoded->next;
@@ -452,6 +456,8 @@ static void check_sum(const struct clock *clock)
 
 void clock_drain(struct clock *clock)
 {
+    if (clock->record)
+        begin_record(clock, clock->record->pc);
     wait_for_vector(clock);
     wait_until(clock, clock->loads_done, C205_MEMORY_WAIT, for_loads);
     wait_until(clock, clock->results_done, C205_OPERAND_WAIT, for_results);
@@ -577,6 +583,12 @@ uint64_t clock_now(const struct clock *clock)
 void clock_listen(struct clock *clock, c205_times *record)
 {
     clock->record = record;
+}
+
+void clock_know(struct clock *clock, uint64_t address, uint64_t bits)
+{
+    struct translation met = { 0, 0 };
+    pages_touch(&clock->pages, address, bits, &met);
 }
 
 uint64_t clock_issued(const struct clock *clock)

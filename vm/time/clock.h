@@ -39,6 +39,9 @@ bool clock_set_regions(struct clock *clock, const char *const *names,
 void clock_reset(struct clock *clock);
 void clock_forget_pages(struct clock *clock);
 
+/* The pages of a range are known and resident. */
+void clock_know(struct clock *clock, uint64_t address, uint64_t bits);
+
 /* One instruction has executed. */
 void clock_charge(struct clock *clock, const struct decoded *decoded,
                   const struct effect *effect);

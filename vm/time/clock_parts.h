@@ -21,6 +21,7 @@ struct phase {
     uint64_t end;
     c205_cause cause;
     size_t region;
+    uint64_t pc; /* of the instruction */
 };
 /* Start-up, misses, faults, conflicts, stream; and the tail of the stream of
  * the instruction before, under which the start-up hides. */
@@ -87,6 +88,7 @@ struct clock {
     size_t phase_count;
     uint64_t vector_end;  /* the end of the last phase .. */
     uint64_t vector_tail; /* .. and how much of it may hide a start-up */
+    uint64_t vector_pc;   /* of the instruction whose phases are added */
 
     struct stack stack;
 

@@ -130,6 +130,7 @@ static void walk_phase(struct phase *phase, size_t regions, struct tape *tape)
     tape_size(tape, &cause, C205_CAUSES - 1);
     phase->cause = (c205_cause)cause;
     tape_size(tape, &phase->region, regions - 1);
+    tape_word(tape, &phase->pc);
 }
 
 /* The phases follow each other up to the end; before the last one begins,

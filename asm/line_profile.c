@@ -1,0 +1,343 @@
+#include "asm/line_profile.h"
+
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Behind those of the lines. */
+enum { ROW_UNKNOWN, ROW_END, ROWS_BESIDES };
+
+struct line_profile {
+    const struct object *object;
+    size_t *row_of; /* of each of the object's lines */
+    size_t row_count;
+    struct profile_row *rows;    /* [row_count + ROWS_BESIDES] */
+    const struct asm_line *last; /* that was found */
+};
+
+/* ---- Rows ----------------------------------------------------------------- */
+
+/* Lines of one call, by their first. */
+struct called_line {
+    const struct asm_line *line;
+    size_t index;
+};
+
+static int compare_places(const void *a, const void *b)
+{
+    const struct called_line *one = a, *other = b;
+    int order = strcmp(one->line->call_file, other->line->call_file);
+
+    if (order == 0)
+        order = (one->line->call_number > other->line->call_number)
+                - (one->line->call_number < other->line->call_number);
+    return order != 0
+               ? order
+               : (one->index > other->index) - (one->index < other->index);
+}
+
+static bool is_same_call(const struct asm_line *a, const struct asm_line *b)
+{
+    return a->call_number == b->call_number
+           && strcmp(a->call_file, b->call_file) == 0;
+}
+
+/* Of each line the first one of its call. */
+static void find_firsts(const struct called_line *places, size_t count,
+                        size_t *first)
+{
+    size_t i, begin = 0;
+
+    for (i = 0; i < count; i++) {
+        if (!is_same_call(places[i].line, places[begin].line))
+            begin = i;
+        first[places[i].index] = places[begin].index;
+    }
+}
+
+static bool sort_places(const struct object *object, size_t *first)
+{
+    size_t i, count = object->line_count;
+    struct called_line *places = malloc((count + 1) * sizeof *places);
+
+    if (!places)
+        return false;
+    for (i = 0; i < count; i++) {
+        places[i].line = &object->lines[i];
+        places[i].index = i;
+    }
+    qsort(places, count, sizeof *places, compare_places);
+    find_firsts(places, count, first);
+    free(places);
+    return true;
+}
+
+/* A row for each call, in the order of addresses: a first line comes before others. */
+static void make_rows(struct line_profile *profile)
+{
+    size_t i;
+
+    for (i = 0; i < profile->object->line_count; i++) {
+        const struct asm_line *line = &profile->object->lines[i];
+        struct profile_row *row = &profile->rows[profile->row_count];
+
+        if (profile->row_of[i] < i) {
+            profile->row_of[i] = profile->row_of[profile->row_of[i]];
+            continue;
+        }
+        row->file = line->call_file;
+        row->number = line->call_number;
+        row->source = line->call_source;
+        profile->row_of[i] = profile->row_count++;
+    }
+}
+
+struct line_profile *line_profile_new(const struct object *object)
+{
+    struct line_profile *profile = calloc(1, sizeof *profile);
+    size_t count = object->line_count;
+
+    if (!profile)
+        return NULL;
+    profile->object = object;
+    profile->row_of = calloc(count + 1, sizeof *profile->row_of);
+    profile->rows = calloc(count + ROWS_BESIDES, sizeof *profile->rows);
+    if (profile->row_of && profile->rows
+        && sort_places(object, profile->row_of)) {
+        make_rows(profile);
+        return profile;
+    }
+    line_profile_free(profile);
+    return NULL;
+}
+
+void line_profile_free(struct line_profile *profile)
+{
+    if (!profile)
+        return;
+    free(profile->row_of);
+    free(profile->rows);
+    free(profile);
+}
+
+size_t line_profile_count(const struct line_profile *profile)
+{
+    return profile->row_count + ROWS_BESIDES;
+}
+
+const struct profile_row *line_profile_row(const struct line_profile *profile,
+                                           size_t i)
+{
+    return &profile->rows[i];
+}
+
+/* ---- What is heard -------------------------------------------------------- */
+
+static bool holds(const struct asm_line *line, uint64_t address)
+{
+    return line && address >= line->address
+           && address - line->address < 32 * line->halves;
+}
+
+static struct profile_row *row_at(struct line_profile *profile,
+                                  uint64_t address)
+{
+    if (!holds(profile->last, address))
+        profile->last = object_line(profile->object, address);
+    return profile->last
+               ? &profile->rows[profile->row_of[profile->last
+                                                - profile->object->lines]]
+               : &profile->rows[profile->row_count + ROW_UNKNOWN];
+}
+
+static void add_pieces(struct line_profile *profile, const c205_times *times)
+{
+    size_t i;
+
+    for (i = 0; i < times->piece_count; i++) {
+        const c205_piece *piece = &times->piece[i];
+
+        row_at(profile, piece->pc)->clocks[piece->cause] += piece->clocks;
+    }
+}
+
+/* Of a run that was stopped within an instruction: what no record has. */
+static void add_end(struct line_profile *profile, const c205 *machine)
+{
+    struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
+    size_t i;
+    int cause;
+
+    for (cause = 0; cause < C205_CAUSES; cause++) {
+        uint64_t clocks = 0;
+
+        for (i = 0; i < c205_account_count(machine); i++)
+            clocks += c205_account_at(machine, i)->clocks[cause];
+        for (i = 0; i <= profile->row_count; i++)
+            clocks -= profile->rows[i].clocks[cause];
+        end->clocks[cause] = clocks;
+    }
+}
+
+void line_profile_listen(void *context, const c205 *machine,
+                         const c205_event *event)
+{
+    struct line_profile *profile = context;
+    struct profile_row *row;
+
+    if (!event->record) {
+        add_end(profile, machine);
+        return;
+    }
+    add_pieces(profile, event->record);
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST)
+        return;
+    row = row_at(profile, event->pc);
+    row->executions++;
+    row->elements += event->elements;
+}
+
+/* ---- Tables --------------------------------------------------------------- */
+
+static const struct table_column in_words[] = {
+    { "line", "line", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "percent", "%", TABLE_NUMBER, 1 },
+    { "executions", "times", TABLE_COUNT, 0 },
+    { "elements", "elements", TABLE_COUNT, 0 },
+    { "source", "source", TABLE_TEXT, 0 },
+    { "causes", "mostly", TABLE_TEXT, 0 },
+};
+static const struct table_column in_columns[] = {
+    { "line", "line", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "percent", "%", TABLE_NUMBER, 1 },
+    { "executions", "times", TABLE_COUNT, 0 },
+    { "elements", "elements", TABLE_COUNT, 0 },
+    { "issue", "issue", TABLE_COUNT, 0 },
+    { "operand_wait", "operand wait", TABLE_COUNT, 0 },
+    { "unit_busy", "unit busy", TABLE_COUNT, 0 },
+    { "branch", "branch", TABLE_COUNT, 0 },
+    { "memory_wait", "memory wait", TABLE_COUNT, 0 },
+    { "vector_startup", "vector start-up", TABLE_COUNT, 0 },
+    { "vector_stream", "vector stream", TABLE_COUNT, 0 },
+    { "bank_conflict", "bank conflict", TABLE_COUNT, 0 },
+    { "translation_miss", "translation miss", TABLE_COUNT, 0 },
+    { "page_fault", "page fault", TABLE_COUNT, 0 },
+    { "source", "source", TABLE_TEXT, 0 },
+};
+
+static uint64_t clocks_of(const struct profile_row *row)
+{
+    uint64_t sum = 0;
+    int cause;
+
+    for (cause = 0; cause < C205_CAUSES; cause++)
+        sum += row->clocks[cause];
+    return sum;
+}
+
+static void put_name(struct table *table, const struct line_profile *profile,
+                     const struct profile_row *row)
+{
+    char name[300];
+    const char *slash = row->file ? strrchr(row->file, '/') : NULL;
+
+    if (row->file)
+        snprintf(name, sizeof name, "%.280s:%zu",
+                 slash ? slash + 1 : row->file, row->number);
+    else
+        snprintf(name, sizeof name, "%s",
+                 row == &profile->rows[profile->row_count + ROW_END]
+                     ? "stopped within one"
+                     : "no line");
+    table_text(table, name);
+}
+
+static void put_source(struct table *table, const struct profile_row *row)
+{
+    const char *source = row->source ? row->source : "";
+
+    table_text(table, source + strspn(source, " \t"));
+}
+
+/* The largest, each at least a tenth of the row: at most three. */
+static void put_causes(struct table *table, const struct profile_row *row)
+{
+    char text[160] = "";
+    uint64_t all = clocks_of(row), below = UINT64_MAX;
+    size_t used = 0;
+    int i, cause;
+
+    for (i = 0; i < 3; i++) {
+        int found = -1;
+
+        for (cause = 0; cause < C205_CAUSES; cause++)
+            if (row->clocks[cause] < below && row->clocks[cause] * 10 >= all
+                && (found < 0 || row->clocks[cause] > row->clocks[found]))
+                found = cause;
+        if (found < 0)
+            break;
+        below = row->clocks[found];
+        used += (size_t)snprintf(text + used, sizeof text - used,
+                                 "%s%s %" PRIu64, used > 0 ? ", " : "",
+                                 c205_cause_name((c205_cause)found), below);
+    }
+    table_text(table, text);
+}
+
+static void put_row(struct table *table, const struct line_profile *profile,
+                    const struct profile_row *row, uint64_t all, bool words)
+{
+    int cause;
+
+    put_name(table, profile, row);
+    table_count(table, clocks_of(row));
+    table_number(table,
+                 all > 0 ? 100 * (double)clocks_of(row) / (double)all : 0);
+    table_count(table, row->executions);
+    table_count(table, row->elements);
+    for (cause = 0; !words && cause < C205_CAUSES; cause++)
+        table_count(table, row->clocks[cause]);
+    put_source(table, row);
+    if (words)
+        put_causes(table, row);
+}
+
+static int compare_hottest(const void *a, const void *b)
+{
+    const struct profile_row *one = *(const struct profile_row *const *)a;
+    const struct profile_row *other = *(const struct profile_row *const *)b;
+    uint64_t x = clocks_of(one), y = clocks_of(other);
+
+    return x != y ? (x < y) - (x > y) : (one > other) - (one < other);
+}
+
+struct table *line_profile_table(const struct line_profile *profile,
+                                 enum profile_order order, bool words)
+{
+    size_t i, count = line_profile_count(profile), shown = 0;
+    const struct profile_row **rows = malloc(count * sizeof *rows);
+    struct table *table = words ? table_new(TABLE_COLUMNS(in_words))
+                                : table_new(TABLE_COLUMNS(in_columns));
+    uint64_t all = 0;
+
+    for (i = 0; rows && i < count; i++)
+        if (profile->rows[i].executions > 0
+            || clocks_of(&profile->rows[i]) > 0) {
+            rows[shown++] = &profile->rows[i];
+            all += clocks_of(&profile->rows[i]);
+        }
+    if (rows && order == PROFILE_HOTTEST)
+        qsort(rows, shown, sizeof *rows, compare_hottest);
+    for (i = 0; table && i < shown; i++)
+        put_row(table, profile, rows[i], all, words);
+    if (!rows) {
+        table_free(table);
+        table = NULL;
+    }
+    free(rows);
+    return table;
+}

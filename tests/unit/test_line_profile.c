@@ -1,0 +1,154 @@
+/* test_line_profile.c - what a profile has of a run, line by line, is what the accounts have,
+ * cause by cause. */
+#include <glob.h>
+
+#include "asm/line_profile.h"
+#include "tests/unit/asm_helper.h"
+#include "tests/unit/prior_model.h"
+
+static void check_sums(const struct line_profile *profile,
+                       const c205 *machine, const char *path)
+{
+    uint64_t executions = 0, elements = 0, instructions = 0, streamed = 0;
+
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        uint64_t sum = 0, all = 0;
+
+        for (size_t i = 0; i < line_profile_count(profile); i++)
+            sum += line_profile_row(profile, i)->clocks[cause];
+        for (size_t i = 0; i < c205_account_count(machine); i++)
+            all += c205_account_at(machine, i)->clocks[cause];
+        if (sum != all)
+            fail_msg("%s: %s is %llu line by line, %llu in all", path,
+                     c205_cause_name((c205_cause)cause),
+                     (unsigned long long)sum, (unsigned long long)all);
+    }
+    for (size_t i = 0; i < line_profile_count(profile); i++) {
+        executions += line_profile_row(profile, i)->executions;
+        elements += line_profile_row(profile, i)->elements;
+    }
+    for (size_t i = 0; i < c205_account_count(machine); i++) {
+        instructions += c205_account_at(machine, i)->instructions;
+        streamed += c205_account_at(machine, i)->elements;
+    }
+    assert_int_equal(executions, instructions);
+    assert_int_equal(elements, streamed);
+}
+
+static void check_run(const char *path, uint64_t limit)
+{
+    struct diagnostics errors = { 0 };
+    struct object *object = assemble_file(path, NULL, &errors);
+    struct line_profile *profile;
+    c205_error error;
+    c205 *machine = c205_new(prior_model, &error);
+    c205_stop stop;
+
+    diagnostics_free(&errors);
+    if (!object)
+        fail_msg("%s: it cannot be assembled", path);
+    profile = line_profile_new(object);
+    assert_true(c205_load(machine, &object->program, &error));
+    assert_true(c205_listen(machine, line_profile_listen, profile));
+    stop = c205_run(machine, limit);
+    check_sums(profile, machine, path);
+    (void)stop;
+    line_profile_free(profile);
+    c205_free(machine);
+    object_free(object);
+}
+
+/* To the end, or a trap; and stopped on the way, perhaps within an instruction. */
+static void test_programs(void **state)
+{
+    static const char *const patterns[] = { "asm/examples/*.s",
+                                            "tests/programs/*.s",
+                                            "tests/programs/traps/*.s" };
+    size_t count = 0;
+
+    (void)state;
+    for (size_t i = 0; i < 3; i++) {
+        glob_t found;
+
+        assert_int_equal(glob(patterns[i], 0, NULL, &found), 0);
+        for (size_t k = 0; k < found.gl_pathc; k++, count++) {
+            check_run(found.gl_pathv[k], 100000000);
+            check_run(found.gl_pathv[k], 1100 + 7 * k);
+        }
+        globfree(&found);
+    }
+    assert_true(count > 200);
+}
+
+static const struct profile_row *row_of(const struct line_profile *profile,
+                                        size_t number)
+{
+    for (size_t i = 0; i < line_profile_count(profile); i++)
+        if (line_profile_row(profile, i)->file
+            && line_profile_row(profile, i)->number == number)
+            return line_profile_row(profile, i);
+    fail_msg("line %zu has no row", number);
+    return NULL;
+}
+
+/* A macro is summed where it is called, a repetition where it stands; a vector instruction
+ * has the clocks that others wait for it, warm pages cost nothing. */
+static void test_lines(void **state)
+{
+    struct object *object = good("        .include \"vectors.s\"\n"
+                                 "        .macro twice r\n"
+                                 "        ADDX \\r, \\r, \\r\n"
+                                 "        ADDX \\r, \\r, \\r\n"
+                                 "        .endm\n"
+                                 "        .regs r16, a, b\n"
+                                 "        words a, 1.0, 2.0, 3.0, 4.0\n"
+                                 "        twice r20\n"
+                                 "        twice r20\n"
+                                 "        .rept 3\n"
+                                 "        ES r21, 5\n"
+                                 "        .endr\n"
+                                 "        ADDNV [a], [a], [a]\n"
+                                 "        ADDNV [a], [a], [a]\n"
+                                 "        EXIT\n");
+    struct line_profile *profile = line_profile_new(object);
+    const struct profile_row *row;
+    c205_error error;
+    c205 *machine = c205_new(prior_model, &error);
+    struct table *table;
+    c205_stop stop;
+
+    (void)state;
+    assert_true(c205_load(machine, &object->program, &error)
+                && c205_listen(machine, line_profile_listen, profile));
+    c205_warm(machine);
+    stop = c205_run(machine, C205_NO_LIMIT);
+    assert_int_equal(stop.trap, C205_TRAP_NONE);
+    check_sums(profile, machine, "lines");
+    assert_int_equal(row_of(profile, 8)->executions, 2);
+    assert_int_equal(row_of(profile, 9)->executions, 2);
+    assert_string_equal(row_of(profile, 9)->source, "        twice r20");
+    assert_int_equal(row_of(profile, 11)->executions, 3);
+    for (size_t number = 13; number <= 14; number++) {
+        row = row_of(profile, number);
+        assert_int_equal(row->elements, 4);
+        assert_true(row->clocks[C205_VECTOR_STARTUP] > 30);
+        assert_in_range(row->clocks[C205_VECTOR_STREAM], 1, 2);
+        assert_int_equal(row->clocks[C205_PAGE_FAULT], 0);
+    }
+    table = line_profile_table(profile, PROFILE_HOTTEST, false);
+    for (size_t i = 1; i < table_rows(table); i++)
+        assert_true(table_value(table, i - 1, 1) >= table_value(table, i, 1));
+    assert_true(table_value(table, 0, 1) > 40);
+    table_free(table);
+    line_profile_free(profile);
+    c205_free(machine);
+    object_free(object);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_programs),
+                                        cmocka_unit_test(test_lines) };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
