@@ -244,6 +244,30 @@ ends 2 "$build/c205" compare good.s
 tells err "with what?"
 ends 2 "$build/c205" compare good.s good.s good.s
 
+# Clock by clock.
+for kind in svg kanata json; do
+    ends 0 "$build/c205" timeline good.s -o run.$kind
+    tells out "^run.$kind: [0-9]* instructions, clocks 0 to "
+done
+tells run.svg "^</svg>$"
+tells run.kanata "^Kanata.0004$"
+tells run.json "^]}$"
+ends 0 "$build/c205" timeline endless.s --from 1000 --to 1100 --warm -o run.svg
+tells out "clocks 1000 to 1100$"
+ends 1 "$build/c205" timeline endless.s -o never.svg
+tells err "these are more than 50000 instructions: choose some by --from CLOCK and --to CLOCK"
+[ ! -e never.svg ]
+verdict $? "half a timeline is kept"
+ends 1 "$build/c205" timeline good.s --from 5000000 -o never.svg
+tells err "no instruction is at work then: the program takes [0-9]* clocks"
+ends 0 "$build/c205" timeline trap.s -o run.svg
+tells err "^trap.s: trap unmapped-address"
+ends 1 "$build/c205" timeline good.s -o missing/run.svg
+ends 2 "$build/c205" timeline good.s
+ends 2 "$build/c205" timeline good.s -o run.pdf
+tells err "run.pdf: a timeline is .svg, .kanata or .json"
+ends 2 "$build/c205" timeline good.s --from 9 --to 9 -o run.svg
+
 # The debugger, by scripts and by a pipe.
 printf "step\n\nassert step == 2\n# and no more\nwhy\nquit\nassert 0\n" >good.lines
 printf 'assert step == 1\nstpe' >bad.lines

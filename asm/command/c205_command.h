@@ -14,7 +14,8 @@
 #include "base/results.h"
 
 extern const struct command run_command, asm_command, dis_command,
-    isa_command, model_command, time_command, debug_command, compare_command;
+    isa_command, model_command, time_command, debug_command, compare_command,
+    timeline_command;
 
 enum { CMD_DEFINES = 64 };
 struct cmd_defines {
@@ -33,7 +34,7 @@ struct c205_arguments {
     struct results results;
     const char *other_model; /* of the second program; NULL: the same */
     const char *output, *save, *restore; /* NULL: not wanted */
-    uint64_t limit;
+    uint64_t limit, from;
     bool check, trace, listing, names, points, markdown;
     bool no_limit, exit_status, profile, in_order, warm;
     struct cmd_defines defines, other_defines;

@@ -1,0 +1,212 @@
+/* cmd_timeline.c - c205 timeline: a run as a picture, or for a viewer. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/command/c205_command.h"
+#include "asm/timeline/timeline.h"
+#include "base/whole.h"
+
+/* 20 seconds of the machine, as run has it. */
+static const uint64_t limit = 1000000000;
+
+static bool ends_with(const char *path, const char *ending)
+{
+    size_t length = strlen(path), rest = strlen(ending);
+    return length > rest && strcmp(path + length - rest, ending) == 0;
+}
+
+static bool write_timeline(const struct c205_arguments *arguments,
+                           const struct timeline *timeline,
+                           const struct sink *sink)
+{
+    char title[400];
+    if (ends_with(arguments->output, ".kanata")) {
+        return timeline_kanata(timeline, sink);
+    }
+    if (ends_with(arguments->output, ".json")) {
+        return timeline_trace_events(timeline, sink);
+    }
+    snprintf(title, sizeof title,
+             "%.200s, clocks %" PRIu64 " to %" PRIu64 " on %.80s",
+             arguments->file, timeline->from, timeline->to,
+             arguments->model ? arguments->model : C205_DEFAULT_MODEL);
+    return timeline_svg(timeline, title, sink);
+}
+
+static size_t instructions_of(const struct timeline *timeline)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < timeline->insn_count; i++) {
+        count += timeline->insns[i].insn != NULL;
+    }
+    return count;
+}
+
+static int write_file(const struct c205_arguments *arguments,
+                      const struct timeline *timeline)
+{
+    c205_error error = { "no memory" };
+    struct whole *whole = whole_open(arguments->output, &error);
+    struct sink sink;
+    bool good;
+    if (!whole) {
+        return cmd_failed(arguments->command, "%s", error.message);
+    }
+    sink = stream_sink(whole->file);
+    good = write_timeline(arguments, timeline, &sink);
+    if (!good) {
+        whole_discard(whole);
+    }
+    if (!good || !whole_commit(whole, &error)) {
+        return cmd_failed(arguments->command, "%s", error.message);
+    }
+    printf("%s: %zu instructions, clocks %" PRIu64 " to %" PRIu64 "\n",
+           arguments->output, instructions_of(timeline), timeline->from,
+           timeline->to);
+    return CMD_DONE;
+}
+
+/* Where the last of it was done, if no end was asked. */
+static void settle_end(struct timeline *timeline)
+{
+    uint64_t end = timeline->from + 1;
+    for (size_t i = 0; i < timeline->insn_count; i++) {
+        if (timeline->insns[i].done > end) {
+            end = timeline->insns[i].done;
+        }
+    }
+    if (end < timeline->to) {
+        timeline->to = end;
+    }
+}
+
+static int judge(const struct c205_arguments *arguments, c205 *machine,
+                 const c205_stop *stop, struct timeline *timeline)
+{
+    c205_error error;
+    if (!timeline_is_good(timeline)) {
+        return cmd_failed(arguments->command, "no memory");
+    }
+    if (timeline->full) {
+        return cmd_failed(arguments->command,
+                          "these are more than %d instructions: choose some "
+                          "by --from CLOCK and --to CLOCK",
+                          TIMELINE_MOST);
+    }
+    if (timeline->insn_count == 0) {
+        return cmd_failed(arguments->command,
+                          "no instruction is at work then: the program takes "
+                          "%" PRIu64 " clocks",
+                          c205_clock(machine));
+    }
+    settle_end(timeline);
+    if (stop->trap != C205_TRAP_NONE && stop->trap != C205_TRAP_CLOCK_LIMIT) {
+        c205_describe_stop(machine, stop, &error);
+        fprintf(stderr, "%s: %s\n", arguments->file, error.message);
+    }
+    return write_file(arguments, timeline);
+}
+
+/* Not farther than is asked. */
+static int run_program(const struct c205_arguments *arguments,
+                       const struct object *object, const c205_model *model)
+{
+    struct timeline timeline = { .from = arguments->from,
+                                 .to = arguments->limit };
+    c205_error error;
+    c205 *machine = c205_new(model, &error);
+    int code;
+    if (!machine || !c205_load(machine, &object->program, &error)
+        || !c205_listen(machine, timeline_listen, &timeline)) {
+        c205_free(machine);
+        return cmd_failed(arguments->command, "%s", error.message);
+    }
+    if (arguments->warm) {
+        c205_warm(machine);
+    }
+    c205_stop stop = c205_run(machine, arguments->limit < limit
+                                           ? arguments->limit
+                                           : limit);
+    code = judge(arguments, machine, &stop, &timeline);
+    timeline_free(&timeline);
+    c205_free(machine);
+    return code;
+}
+
+static int check_usage(const struct c205_arguments *arguments)
+{
+    const char *path = arguments->output;
+    if (!path) {
+        return cmd_usage(arguments->command, "where to? -o FILE");
+    }
+    if (!ends_with(path, ".svg") && !ends_with(path, ".kanata")
+        && !ends_with(path, ".json")) {
+        return cmd_usage(arguments->command,
+                         "%s: a timeline is .svg, .kanata or .json", path);
+    }
+    if (arguments->from >= arguments->limit) {
+        return cmd_usage(arguments->command, "--from is before --to");
+    }
+    return CMD_DONE;
+}
+
+static int run(void *given)
+{
+    const struct c205_arguments *arguments = given;
+    struct sink report = stream_sink(stderr);
+    int code = check_usage(arguments);
+    if (code != CMD_DONE) {
+        return code;
+    }
+    struct object *object = cmd_read_program(arguments, arguments->file,
+                                             &report);
+    c205_model *model = object
+                            ? model_open(arguments->command, arguments->model)
+                            : NULL;
+    code = model ? run_program(arguments, object, model) : CMD_FAILED;
+    c205_model_free(model);
+    object_free(object);
+    return code;
+}
+
+static const struct command_option options[] = {
+    { .name = "output",
+      .letter = 'o',
+      .value = "FILE",
+      .kind = COMMAND_OUTPUT,
+      .offset = CMD_PLACE(output),
+      .help = ".svg, a picture; .kanata, for Konata; .json, trace events for "
+              "Perfetto" },
+    { .name = "from",
+      .value = "CLOCK",
+      .kind = COMMAND_CLOCKS,
+      .offset = CMD_PLACE(from),
+      .help = "what is at work from that clock on (0)" },
+    { .name = "to",
+      .value = "CLOCK",
+      .kind = COMMAND_CLOCKS,
+      .offset = CMD_PLACE(limit),
+      .help = "before that clock (the end)" },
+    CMD_FLAG(warm, "all pages are in memory when the program begins"),
+    CMD_MODEL,
+    CMD_DEFINE,
+    CMD_INCLUDE,
+    COMMAND_END
+};
+static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
+static const struct command_example examples[] = {
+    { "c205 timeline FILE -o run.svg", "a picture of a run" },
+    { "c205 timeline FILE --from 1000 --to 2000 -o run.kanata",
+      "a stretch of it, for Konata" },
+    { NULL, NULL }
+};
+
+const struct command timeline_command = {
+    .name = "timeline",
+    .summary = "when each instruction was at work, as a picture",
+    .function = run,
+    .options = options,
+    .operands = operands,
+    .examples = examples,
+};

@@ -1,0 +1,145 @@
+/* kanata.c - a timeline as a log of Konata's format, Kanata 0004: a line a command, its words
+ * apart by tabs.
+ *
+ *   Kanata 0004      C= CLOCK         the clock at the beginning
+ *   C N              N clocks pass
+ *   I ID NUMBER 0    an instruction is there
+ *   L ID 0|1 TEXT    what is written of it, and what is shown besides
+ *   S ID 0 STAGE     it comes into a stage;  E ID 0 STAGE  leaves it
+ *   R ID NUMBER 0    it is done
+ *
+ * Stages: W waits to issue, X works (scalar); Su start-up, Tm translation misses, Pf page
+ * faults, Bc bank conflicts, St stream (vector).  Source: Shioya, Konata's own description of
+ * the format.
+ */
+#include <inttypes.h>
+#include <stdlib.h>
+
+#include "asm/timeline/timeline.h"
+
+/* What happens at a clock; at one clock in the order of the run. */
+enum { LEAVES, RETIRES, APPEARS, ENTERS };
+
+struct happening {
+    uint64_t clock;
+    size_t insn;
+    int kind;
+    size_t order; /* of those of one instruction */
+    const char *stage;
+};
+
+struct log {
+    struct happening *items;
+    size_t count, capacity;
+    struct arena *arena;
+};
+
+static const char *stage_of(c205_cause cause)
+{
+    switch (cause) {
+    case C205_VECTOR_STARTUP: return "Su";
+    case C205_TRANSLATION_MISS: return "Tm";
+    case C205_PAGE_FAULT: return "Pf";
+    case C205_BANK_CONFLICT: return "Bc";
+    default: return "St";
+    }
+}
+
+static bool add(struct log *log, uint64_t clock, size_t insn, int kind,
+                const char *stage)
+{
+    struct happening *grown = arena_grow(log->arena, log->items, log->count,
+                                         &log->capacity, sizeof *grown);
+
+    if (!grown)
+        return false;
+    log->items = grown;
+    grown[log->count] = (struct happening){ clock, insn, kind, log->count,
+                                            stage };
+    log->count++;
+    return true;
+}
+
+/* None of no length. */
+static bool add_stage(struct log *log, size_t insn, uint64_t begin,
+                      uint64_t end, const char *stage)
+{
+    return begin == end
+           || (add(log, begin, insn, ENTERS, stage)
+               && add(log, end, insn, LEAVES, stage));
+}
+
+static bool add_insn(struct log *log, const struct timeline *timeline,
+                     size_t i)
+{
+    const struct timed_insn *insn = &timeline->insns[i];
+    bool good = add(log, insn->arrived, i, APPEARS, NULL)
+                && add_stage(log, i, insn->arrived, insn->issued, "W");
+    size_t k;
+
+    for (k = 0; good && k < insn->phase_count; k++) {
+        const struct timed_piece
+            *phase = &timeline->phases[insn->first_phase + k];
+
+        good = add_stage(log, i, phase->begin, phase->end,
+                         stage_of(phase->cause));
+    }
+    if (good && insn->phase_count == 0)
+        good = add_stage(log, i, insn->issued, insn->ready, "X");
+    return good && add(log, insn->done, i, RETIRES, NULL);
+}
+
+static int compare(const void *a, const void *b)
+{
+    const struct happening *one = a, *other = b;
+
+    if (one->clock != other->clock)
+        return one->clock < other->clock ? -1 : 1;
+    return (one->order > other->order) - (one->order < other->order);
+}
+
+static void put(const struct timeline *timeline, const struct happening *item,
+                const struct sink *sink)
+{
+    const struct timed_insn *insn = &timeline->insns[item->insn];
+    size_t id = item->insn;
+
+    switch (item->kind) {
+    case APPEARS:
+        sink_print(sink, "I\t%zu\t%zu\t0\n", id, id);
+        sink_print(sink, "L\t%zu\t0\t%" PRIX64 ": %s\n", id, insn->pc,
+                   insn->text);
+        sink_print(sink,
+                   "L\t%zu\t1\tissued %" PRIu64 ", result %" PRIu64
+                   ", %zu elements\n",
+                   id, insn->issued, insn->ready, insn->elements);
+        break;
+    case ENTERS: sink_print(sink, "S\t%zu\t0\t%s\n", id, item->stage); break;
+    case LEAVES: sink_print(sink, "E\t%zu\t0\t%s\n", id, item->stage); break;
+    default: sink_print(sink, "R\t%zu\t%zu\t0\n", id, id); break;
+    }
+}
+
+bool timeline_kanata(const struct timeline *timeline, const struct sink *sink)
+{
+    struct arena arena = { NULL, false };
+    struct log log = { .arena = &arena };
+    bool good = true;
+    uint64_t clock;
+    size_t i;
+
+    for (i = 0; good && i < timeline->insn_count; i++)
+        good = !timeline->insns[i].insn || add_insn(&log, timeline, i);
+    if (good && log.count > 0)
+        qsort(log.items, log.count, sizeof *log.items, compare);
+    clock = good && log.count > 0 ? log.items[0].clock : timeline->from;
+    sink_print(sink, "Kanata\t0004\nC=\t%" PRIu64 "\n", clock);
+    for (i = 0; good && i < log.count; i++) {
+        if (log.items[i].clock > clock)
+            sink_print(sink, "C\t%" PRIu64 "\n", log.items[i].clock - clock);
+        clock = log.items[i].clock;
+        put(timeline, &log.items[i], sink);
+    }
+    arena_free(&arena);
+    return good;
+}

@@ -1,0 +1,231 @@
+/* svg.c - a timeline as a picture: a lane for what was charged, above those of the units.
+ *
+ * What stands in a box when there is room is told of all of them when they are pointed at.
+ */
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+#include "asm/timeline/lanes.h"
+
+/* Pixels. */
+enum {
+    LEFT = 130,
+    WIDTH = 1200,
+    RIGHT = 20,
+    TOP = 60,
+    ROW = 20,
+    GAP = 8, /* between lanes */
+    LETTER = 7,
+    KEY = 24 /* a row of the key */
+};
+
+static const char *const colors[C205_CAUSES] = {
+    [C205_ISSUE] = "#8c8c8c",
+    [C205_OPERAND_WAIT] = "#e0a030",
+    [C205_UNIT_BUSY] = "#c07818",
+    [C205_BRANCH] = "#b04a9a",
+    [C205_MEMORY_WAIT] = "#d8503c",
+    [C205_VECTOR_STARTUP] = "#5b9bd5",
+    [C205_VECTOR_STREAM] = "#3f9b5f",
+    [C205_BANK_CONFLICT] = "#8a6d3b",
+    [C205_TRANSLATION_MISS] = "#7a5ac8",
+    [C205_PAGE_FAULT] = "#4b3a8f",
+};
+static const char scalar_color[] = "#b9c4d0";
+
+struct picture {
+    const struct timeline *timeline;
+    const struct sink *sink;
+    struct lanes lanes;
+    double scale;        /* pixels a clock */
+    unsigned top[LANES]; /* of each lane */
+    unsigned bottom;
+};
+
+static double x_of(const struct picture *picture, uint64_t clock)
+{
+    return LEFT + picture->scale * (double)(clock - picture->timeline->from);
+}
+
+static void put_escaped(const struct sink *sink, const char *text)
+{
+    char letter[2] = "";
+
+    for (; *text; text++) {
+        letter[0] = *text;
+        sink_put(sink, *text == '<'                 ? "&lt;"
+                       : *text == '>'               ? "&gt;"
+                       : *text == '&'               ? "&amp;"
+                       : (unsigned char)*text < ' ' ? " "
+                                                    : letter);
+    }
+}
+
+static void place_lanes(struct picture *picture)
+{
+    unsigned at = TOP;
+    int lane;
+
+    for (lane = 0; lane < LANES; lane++) {
+        picture->top[lane] = at;
+        if (picture->lanes.rows[lane] > 0)
+            at += picture->lanes.rows[lane] * ROW + GAP;
+    }
+    picture->bottom = at;
+}
+
+/* ---- Axis and names -------------------------------------------------------- */
+
+/* 1, 2 or 5 times a power of ten, so that there are ten or so. */
+static uint64_t step_of(uint64_t clocks)
+{
+    static const unsigned parts[] = { 1, 2, 5 };
+    uint64_t power = 1;
+    int i;
+
+    for (;; power *= 10)
+        for (i = 0; i < 3; i++)
+            if (clocks / (power * parts[i]) <= 12)
+                return power * parts[i];
+}
+
+static void put_axis(const struct picture *picture)
+{
+    const struct timeline *timeline = picture->timeline;
+    uint64_t step = step_of(timeline->to - timeline->from);
+    uint64_t clock = (timeline->from + step - 1) / step * step;
+
+    for (; clock <= timeline->to; clock += step)
+        sink_print(picture->sink,
+                   "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%u\" "
+                   "class=\"tick\"/><text x=\"%.1f\" y=\"%d\" "
+                   "class=\"clock\">%" PRIu64 "</text>\n",
+                   x_of(picture, clock), x_of(picture, clock), TOP - 6,
+                   picture->bottom, x_of(picture, clock), TOP - 10, clock);
+}
+
+static void put_names(const struct picture *picture)
+{
+    int lane;
+
+    for (lane = 0; lane < LANES; lane++)
+        if (picture->lanes.rows[lane] > 0)
+            sink_print(picture->sink,
+                       "<text x=\"%d\" y=\"%u\" class=\"lane\">%s</text>\n",
+                       LEFT - 8, picture->top[lane] + 14,
+                       lane_name((enum lane)lane));
+}
+
+static void put_key(const struct picture *picture)
+{
+    unsigned y = picture->bottom + 6;
+    int x = LEFT, i;
+
+    for (i = 0; i < C205_CAUSES; i++) {
+        const char *name = c205_cause_name((c205_cause)i);
+        int wide = 24 + LETTER * (int)strlen(name) + 12;
+
+        if (x + wide > LEFT + WIDTH) {
+            x = LEFT;
+            y += KEY;
+        }
+        sink_print(picture->sink,
+                   "<rect x=\"%d\" y=\"%u\" width=\"16\" height=\"14\" "
+                   "fill=\"%s\"/><text x=\"%d\" y=\"%u\">%s</text>\n",
+                   x, y, colors[i], x + 22, y + 12, name);
+        x += wide;
+    }
+}
+
+/* ---- Spans ----------------------------------------------------------------- */
+
+static const char *label_of(const struct span *span)
+{
+    return span->lane == LANE_CHARGED ? c205_cause_name(span->piece->cause)
+                                      : span->insn->insn->mnemonic;
+}
+
+static void put_title(const struct picture *picture, const struct span *span)
+{
+    const struct timed_insn *insn = span->insn;
+
+    sink_put(picture->sink, "<title>");
+    if (span->piece)
+        sink_print(picture->sink, "%s, ",
+                   c205_cause_name(span->piece->cause));
+    sink_print(picture->sink,
+               "%" PRIu64 " clocks, %" PRIu64 " .. %" PRIu64 "\n%" PRIX64
+               ": ",
+               span->end - span->begin, span->begin, span->end, insn->pc);
+    put_escaped(picture->sink, insn->text);
+    sink_print(picture->sink,
+               "\narrived %" PRIu64 ", issued %" PRIu64 ", result %" PRIu64,
+               insn->arrived, insn->issued, insn->ready);
+    if (insn->elements > 0)
+        sink_print(picture->sink, ", %zu elements", insn->elements);
+    sink_put(picture->sink, "</title>");
+}
+
+static void put_span(const struct picture *picture, const struct span *span)
+{
+    double x = x_of(picture, span->begin);
+    double wide = x_of(picture, span->end) - x;
+    unsigned y = picture->top[span->lane] + span->row * ROW;
+    const char *label = label_of(span);
+
+    sink_print(picture->sink,
+               "<g><rect x=\"%.2f\" y=\"%u\" width=\"%.2f\" height=\"%d\" "
+               "fill=\"%s\"/>",
+               x, y, wide > .3 ? wide : .3, ROW - 3,
+               span->piece ? colors[span->piece->cause] : scalar_color);
+    put_title(picture, span);
+    if (wide > LETTER * (double)strlen(label) + 6)
+        sink_print(picture->sink,
+                   "<text x=\"%.1f\" y=\"%u\" class=\"%s\">%s</text>",
+                   x + wide / 2, y + 13, span->piece ? "on" : "in", label);
+    sink_put(picture->sink, "</g>\n");
+}
+
+static void put_head(const struct picture *picture, const char *title)
+{
+    int height = (int)picture->bottom + 2 * KEY + 10;
+
+    sink_print(picture->sink,
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
+               "height=\"%d\" viewBox=\"0 0 %d %d\" "
+               "font-family=\"sans-serif\" font-size=\"12\">\n",
+               LEFT + WIDTH + RIGHT, height, LEFT + WIDTH + RIGHT, height);
+    sink_put(picture->sink,
+             "<style>g rect{stroke:#fff;stroke-width:.6}"
+             ".tick{stroke:#ddd}.clock{text-anchor:middle;fill:#555}"
+             ".lane{text-anchor:end}.on{text-anchor:middle;fill:#fff}"
+             ".in{text-anchor:middle;fill:#222}"
+             "g:hover rect{stroke:#000}</style>\n"
+             "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
+    sink_print(picture->sink, "<text x=\"%d\" y=\"20\" font-size=\"15\">",
+               LEFT);
+    put_escaped(picture->sink, title);
+    sink_put(picture->sink, "</text>\n");
+}
+
+bool timeline_svg(const struct timeline *timeline, const char *title,
+                  const struct sink *sink)
+{
+    struct arena arena = { NULL, false };
+    struct picture picture = { .timeline = timeline, .sink = sink };
+    bool good = lanes_make(timeline, &arena, &picture.lanes);
+    size_t i;
+
+    picture.scale = WIDTH / (double)(timeline->to - timeline->from);
+    place_lanes(&picture);
+    put_head(&picture, title);
+    put_axis(&picture);
+    put_names(&picture);
+    for (i = 0; good && i < picture.lanes.count; i++)
+        put_span(&picture, &picture.lanes.spans[i]);
+    put_key(&picture);
+    sink_put(sink, "</svg>\n");
+    arena_free(&arena);
+    return good;
+}

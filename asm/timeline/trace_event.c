@@ -1,0 +1,100 @@
+/* trace_event.c - a timeline as trace events for Perfetto and chrome://tracing: complete events,
+ * "X", in threads that are the rows of lanes.  A microsecond there is a clock here.
+ * Source: Trace Event Format, Google.
+ */
+#include <inttypes.h>
+
+#include "asm/timeline/lanes.h"
+
+static void put_escaped(const struct sink *sink, const char *text)
+{
+    char letter[8];
+
+    for (; *text; text++) {
+        if (*text == '"' || *text == '\\')
+            sink_print(sink, "\\%c", *text);
+        else if ((unsigned char)*text < ' ')
+            sink_print(sink, "\\u%04x", (unsigned)*text);
+        else {
+            letter[0] = *text;
+            letter[1] = '\0';
+            sink_put(sink, letter);
+        }
+    }
+}
+
+/* Threads are numbered through all rows. */
+static unsigned thread_of(const struct lanes *lanes, enum lane lane,
+                          unsigned row)
+{
+    unsigned number = 1 + row;
+    int i;
+
+    for (i = 0; i < (int)lane; i++)
+        number += lanes->rows[i];
+    return number;
+}
+
+static void put_threads(const struct lanes *lanes, const struct sink *sink)
+{
+    unsigned row;
+    int lane;
+
+    for (lane = 0; lane < LANES; lane++)
+        for (row = 0; row < lanes->rows[lane]; row++) {
+            unsigned thread = thread_of(lanes, (enum lane)lane, row);
+
+            sink_print(sink,
+                       "{\"name\":\"thread_name\",\"ph\":\"M\",\"pid\":1,"
+                       "\"tid\":%u,\"args\":{\"name\":\"%s\"}},\n",
+                       thread, lane_name((enum lane)lane));
+            sink_print(
+                sink,
+                "{\"name\":\"thread_sort_index\",\"ph\":\"M\","
+                "\"pid\":1,\"tid\":%u,\"args\":{\"sort_index\":%u}},\n",
+                thread, thread);
+        }
+}
+
+static void put_span(const struct lanes *lanes, const struct span *span,
+                     const struct sink *sink)
+{
+    const char *cause = span->piece ? c205_cause_name(span->piece->cause)
+                                    : "work";
+
+    sink_put(sink, "{\"name\":\"");
+    put_escaped(sink, span->lane == LANE_CHARGED
+                          ? cause
+                          : span->insn->insn->mnemonic);
+    sink_print(sink,
+               "\",\"cat\":\"%s\",\"ph\":\"X\",\"pid\":1,\"tid\":%u,"
+               "\"ts\":%" PRIu64 ",\"dur\":%" PRIu64
+               ",\"args\":{\"pc\":\"%" PRIX64
+               "\",\"elements\":%zu,\"instruction\":\"",
+               cause, thread_of(lanes, span->lane, span->row), span->begin,
+               span->end - span->begin, span->insn->pc, span->insn->elements);
+    put_escaped(sink, span->insn->text);
+    sink_put(sink, "\"}}");
+}
+
+bool timeline_trace_events(const struct timeline *timeline,
+                           const struct sink *sink)
+{
+    struct arena arena = { NULL, false };
+    struct lanes lanes = { 0 };
+    bool good = lanes_make(timeline, &arena, &lanes);
+    size_t i;
+
+    sink_put(sink, "{\"displayTimeUnit\":\"ms\",\"traceEvents\":[\n");
+    if (good)
+        put_threads(&lanes, sink);
+    sink_put(sink, "{\"name\":\"process_name\",\"ph\":\"M\",\"pid\":1,"
+                   "\"args\":{\"name\":\"c205\"}}");
+    for (i = 0; good && i < lanes.count; i++) {
+        sink_put(sink, ",\n");
+        put_span(&lanes, &lanes.spans[i], sink);
+    }
+    sink_put(sink, "\n]}\n");
+    arena_free(&arena);
+    return good;
+}

@@ -1,0 +1,269 @@
+/* test_timeline.c - what a timeline has is what the accounts have; no two spans of a row
+ * overlap; and the log for Konata obeys its format's rules, as a reader of it would find. */
+#include <glob.h>
+
+#include "asm/timeline/lanes.h"
+#include "tests/random.h"
+#include "tests/unit/asm_helper.h"
+#include "tests/unit/prior_model.h"
+
+enum { INSNS_MOST = 3000, TEXT_LENGTH = 300 };
+
+static uint64_t random_state = RANDOM_SEED;
+
+/* ---- Runs ----------------------------------------------------------------- */
+
+/* The program as far as it goes, in so many instructions at the most; between two clocks. */
+static c205 *run(const char *path, struct timeline *timeline)
+{
+    struct diagnostics errors = { 0 };
+    struct object *object = assemble_file(path, NULL, &errors);
+    c205_error error;
+    c205 *machine = c205_new(prior_model, &error);
+    c205_stop stop;
+
+    diagnostics_free(&errors);
+    assert_non_null(object);
+    assert_true(c205_load(machine, &object->program, &error)
+                && c205_listen(machine, timeline_listen, timeline));
+    for (size_t i = 0; i < INSNS_MOST && c205_step(machine, &stop); i++)
+        continue;
+    assert_true(timeline_is_good(timeline) && !timeline->full);
+    object_free(object);
+    return machine;
+}
+
+static struct timeline whole(void)
+{
+    return (struct timeline){ .from = 0, .to = UINT64_MAX };
+}
+
+/* ---- Sums ----------------------------------------------------------------- */
+
+static void check_sums(const struct timeline *timeline, const c205 *machine,
+                       const char *path)
+{
+    uint64_t clocks[C205_CAUSES] = { 0 }, at = 0;
+
+    for (size_t i = 0; i < timeline->piece_count; i++) {
+        const struct timed_piece *piece = &timeline->pieces[i];
+
+        assert_int_equal(piece->begin, at);
+        clocks[piece->cause] += piece->end - piece->begin;
+        at = piece->end;
+    }
+    assert_int_equal(at, c205_clock(machine));
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        uint64_t all = 0;
+
+        for (size_t i = 0; i < c205_account_count(machine); i++)
+            all += c205_account_at(machine, i)->clocks[cause];
+        if (all != clocks[cause])
+            fail_msg("%s: %s", path, c205_cause_name((c205_cause)cause));
+    }
+}
+
+static void check_rows(const struct timeline *timeline)
+{
+    enum { ROWS = 64 };
+    static uint64_t ends[LANES][ROWS];
+    struct arena arena = { NULL, false };
+    struct lanes lanes = { 0 };
+
+    memset(ends, 0, sizeof ends);
+    assert_true(lanes_make(timeline, &arena, &lanes));
+    for (size_t i = 0; i < lanes.count; i++) {
+        const struct span *span = &lanes.spans[i];
+
+        assert_true(span->row < lanes.rows[span->lane] && span->row < ROWS);
+        assert_true(span->begin >= ends[span->lane][span->row]);
+        assert_true(span->end > span->begin && span->begin >= timeline->from
+                    && span->end <= timeline->to);
+        ends[span->lane][span->row] = span->end;
+    }
+    assert_true(lanes.rows[LANE_CHARGED] <= 1);
+    arena_free(&arena);
+}
+
+/* ---- Konata's format ------------------------------------------------------ */
+
+struct reader {
+    const struct timeline *timeline;
+    uint64_t clock;
+    size_t next; /* instruction that is to appear */
+    struct shown {
+        bool there, retired;
+        char stage[8]; /* in which it is; "": none */
+        uint64_t since, worked;
+        unsigned labels;
+    } shown[INSNS_MOST + 2];
+};
+
+static void take_stage(struct reader *reader, struct shown *shown, char kind,
+                       const char *stage)
+{
+    if (kind == 'S') {
+        assert_string_equal(shown->stage, "");
+        snprintf(shown->stage, sizeof shown->stage, "%s", stage);
+        shown->since = reader->clock;
+        return;
+    }
+    assert_string_equal(shown->stage, stage);
+    assert_true(reader->clock > shown->since);
+    if (strcmp(stage, "W") != 0)
+        shown->worked += reader->clock - shown->since;
+    shown->stage[0] = '\0';
+}
+
+static void take_command(struct reader *reader, const char *line)
+{
+    char kind = *line, word[16] = "", rest[TEXT_LENGTH] = "";
+    unsigned long id = 0, second = 0;
+    struct shown *shown;
+
+    assert_true(sscanf(line + 1, "\t%lu", &id) == 1);
+    if (kind == 'C') {
+        assert_true(id > 0);
+        reader->clock += id;
+        return;
+    }
+    assert_true(id < INSNS_MOST + 2);
+    shown = &reader->shown[id];
+    if (kind == 'I') {
+        assert_int_equal(sscanf(line, "I\t%lu\t%lu\t0%15s", &id, &second,
+                                word),
+                         2);
+        assert_int_equal(id, reader->next++);
+        assert_int_equal(reader->clock, reader->timeline->insns[id].arrived);
+        shown->there = true;
+        return;
+    }
+    assert_true(shown->there && !shown->retired);
+    if (kind == 'L') {
+        assert_int_equal(sscanf(line, "L\t%lu\t%lu\t%299[^\n]", &id, &second,
+                                rest),
+                         3);
+        assert_int_equal(second, shown->labels++);
+    } else if (kind == 'R') {
+        assert_string_equal(shown->stage, "");
+        assert_int_equal(shown->labels, 2);
+        assert_int_equal(reader->clock, reader->timeline->insns[id].done);
+        assert_int_equal(shown->worked,
+                         reader->timeline->insns[id].ready
+                             - reader->timeline->insns[id].issued);
+        shown->retired = true;
+    } else {
+        assert_true(kind == 'S' || kind == 'E');
+        assert_int_equal(sscanf(line + 1, "\t%lu\t%lu\t%7s", &id, &second,
+                                word),
+                         3);
+        assert_int_equal(second, 0);
+        take_stage(reader, shown, kind, word);
+    }
+}
+
+static void check_kanata(const struct timeline *timeline)
+{
+    static struct reader reader;
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    unsigned long begin;
+    char *line;
+
+    reader = (struct reader){ .timeline = timeline };
+    assert_true(timeline_kanata(timeline, &sink));
+    line = strtok(text.text, "\n");
+    assert_string_equal(line, "Kanata\t0004");
+    line = strtok(NULL, "\n");
+    assert_int_equal(sscanf(line, "C=\t%lu", &begin), 1);
+    reader.clock = begin;
+    while ((line = strtok(NULL, "\n")) != NULL)
+        take_command(&reader, line);
+    for (size_t i = 0; i < reader.next; i++)
+        assert_true(reader.shown[i].retired);
+    assert_true(reader.next + 1 >= timeline->insn_count);
+    text_buffer_free(&text);
+}
+
+/* ---- The others ----------------------------------------------------------- */
+
+static size_t count_of(const char *text, const char *part)
+{
+    size_t count = 0;
+
+    while ((text = strstr(text, part)) != NULL) {
+        count++;
+        text += strlen(part);
+    }
+    return count;
+}
+
+/* As many events and boxes as there are spans, each of them closed. */
+static void check_texts(const struct timeline *timeline)
+{
+    struct arena arena = { NULL, false };
+    struct lanes lanes = { 0 };
+    struct text_buffer svg = { 0 }, events = { 0 };
+    struct sink svg_sink = text_buffer_sink(&svg);
+    struct sink events_sink = text_buffer_sink(&events);
+
+    assert_true(lanes_make(timeline, &arena, &lanes));
+    assert_true(timeline_svg(timeline, "a < b & c", &svg_sink)
+                && timeline_trace_events(timeline, &events_sink));
+    assert_int_equal(count_of(svg.text, "<g>"), lanes.count);
+    assert_int_equal(count_of(svg.text, "</g>"), lanes.count);
+    assert_int_equal(count_of(svg.text, "<title>"), lanes.count);
+    assert_int_equal(count_of(svg.text, "a &lt; b &amp; c"), 1);
+    assert_int_equal(count_of(events.text, "\"ph\":\"X\""), lanes.count);
+    assert_int_equal(count_of(events.text, "{"), count_of(events.text, "}"));
+    text_buffer_free(&svg);
+    text_buffer_free(&events);
+    arena_free(&arena);
+}
+
+/* ---- Tests ---------------------------------------------------------------- */
+
+static void check_program(const char *path)
+{
+    struct timeline timeline = whole(), part = whole();
+    c205 *machine = run(path, &timeline);
+    uint64_t end = c205_clock(machine) + 1;
+
+    check_sums(&timeline, machine, path);
+    check_rows(&timeline);
+    check_kanata(&timeline);
+    c205_free(machine);
+    part.from = xorshift(&random_state) % end;
+    part.to = part.from + 1 + xorshift(&random_state) % 400;
+    machine = run(path, &part);
+    check_rows(&part);
+    check_kanata(&part);
+    check_texts(&part);
+    c205_free(machine);
+    timeline_free(&timeline);
+    timeline_free(&part);
+}
+
+static void test_programs(void **state)
+{
+    static const char *const patterns[] = { "asm/examples/*.s",
+                                            "tests/programs/*.s",
+                                            "tests/programs/traps/*.s" };
+
+    (void)state;
+    for (size_t i = 0; i < 3; i++) {
+        glob_t found;
+
+        assert_int_equal(glob(patterns[i], 0, NULL, &found), 0);
+        for (size_t k = 0; k < found.gl_pathc; k++)
+            check_program(found.gl_pathv[k]);
+        globfree(&found);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_programs) };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
