@@ -29,6 +29,7 @@ struct asm_line {
     const char *file;
     size_t number;
     const char *source;
+    bool is_code; /* instructions */
     /* The macro call that it comes from, the outermost; the line itself if it comes
      * from none. */
     const char *call_file;

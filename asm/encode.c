@@ -332,6 +332,7 @@ static bool add_line(struct storage *storage, const struct layout_item *item)
     line->address = item->address;
     line->halves = item->halves;
     line->number = from->number;
+    line->is_code = item->kind == ITEM_INSTRUCTION;
     line->file = keep(storage, from->file);
     line->source = line->call_source = keep_source(storage, from);
     line->call_file = keep(storage, call->file);

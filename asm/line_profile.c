@@ -267,7 +267,8 @@ static void put_source(struct table *table, const struct profile_row *row)
 static void put_causes(struct table *table, const struct profile_row *row)
 {
     char text[160] = "";
-    uint64_t all = clocks_of(row), below = UINT64_MAX;
+    uint64_t all = clocks_of(row);
+    bool told[C205_CAUSES] = { false };
     size_t used = 0;
     int i, cause;
 
@@ -275,15 +276,17 @@ static void put_causes(struct table *table, const struct profile_row *row)
         int found = -1;
 
         for (cause = 0; cause < C205_CAUSES; cause++)
-            if (row->clocks[cause] < below && row->clocks[cause] * 10 >= all
+            if (!told[cause] && row->clocks[cause] > 0
+                && row->clocks[cause] * 10 >= all
                 && (found < 0 || row->clocks[cause] > row->clocks[found]))
                 found = cause;
         if (found < 0)
             break;
-        below = row->clocks[found];
+        told[found] = true;
         used += (size_t)snprintf(text + used, sizeof text - used,
                                  "%s%s %" PRIu64, used > 0 ? ", " : "",
-                                 c205_cause_name((c205_cause)found), below);
+                                 c205_cause_name((c205_cause)found),
+                                 row->clocks[found]);
     }
     table_text(table, text);
 }

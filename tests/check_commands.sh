@@ -260,7 +260,9 @@ tells err "these are more than 50000 instructions: choose some by --from CLOCK a
 verdict $? "half a timeline is kept"
 ends 1 "$build/c205" timeline good.s --from 5000000 -o never.svg
 tells err "no instruction is at work then: the program takes [0-9]* clocks"
-ends 0 "$build/c205" timeline trap.s -o run.svg
+ends 1 "$build/c205" timeline trap.s -o run.svg
+[ -s run.svg ]
+verdict $? "a program that traps has no timeline"
 tells err "^trap.s: trap unmapped-address"
 ends 1 "$build/c205" timeline good.s -o missing/run.svg
 ends 2 "$build/c205" timeline good.s
@@ -278,6 +280,8 @@ tells out "^arrived at clock "
 ends 1 "$build/c205" debug -x bad.lines good.s
 tells out "^error: it does not hold: step == 1$"
 tells out "^error: there is no .stpe.: was it step?$"
+ends 1 "$build/c205" debug -x . good.s
+tells err ".: it cannot be read"
 ends 1 "$build/c205" debug -x missing.lines good.s
 tells err "missing.lines: it cannot be read"
 ends 1 "$build/c205" debug missing.s

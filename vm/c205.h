@@ -587,8 +587,8 @@ c205 *c205_restore(const void *bytes, size_t count, const c205_model *model,
 typedef struct c205_history c205_history;
 
 /* The machine as it stands is step 0; it is the history's from then on.  Snapshots
- * take so many bytes at the most, but two are always kept: with fewer of them it is
- * farther to go.  NULL: no memory, and the machine remains the caller's. */
+ * take so many bytes at the most, but two are always kept, and those that c205_history_changed
+ * made: with fewer of them it is farther to go.  NULL: no memory, and the machine remains the caller's. */
 c205_history *c205_history_new(c205 *machine, size_t budget,
                                c205_error *error);
 void c205_history_free(c205_history *history);

@@ -12,7 +12,7 @@
 
 /* A state is kept after so many instructions, or after so many clocks, for vector
  * instructions are long: what is run again takes some milliseconds. */
-enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
+enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20, APART_MOST = 1 << 30 };
 
 struct snapshot {
     uint64_t step, clock;
@@ -77,32 +77,39 @@ static void drop(struct c205_history *history, size_t i)
     free(history->list[i].bytes);
 }
 
-/* Every second one goes, the first stays, and those that nothing else leads to; the next
- * are twice as far apart. */
+/* Every second one goes, the first stays, and those that nothing else leads to; if any
+ * went the next are twice as far apart. */
 static void thin(struct c205_history *history)
 {
-    size_t kept = 0;
+    size_t kept = 0, before = history->count;
     for (size_t i = 0; i < history->count; i++)
         if (i % 2 == 0 || history->list[i].changed)
             history->list[kept++] = history->list[i];
         else
             drop(history, i);
     history->count = kept;
+    if (kept == before || history->steps >= APART_MOST)
+        return;
     history->steps *= 2;
     history->clocks *= 2;
 }
 
-static bool keep(struct c205_history *history, bool changed,
-                 c205_error *error)
+static bool save_state(const struct c205_history *history,
+                       struct saved *saved, c205_error *error)
 {
-    struct saved saved = { NULL, 0, 0 };
+    *saved = (struct saved){ NULL, 0, 0 };
+    if (c205_save(history->machine, add_bytes, saved, error))
+        return true;
+    free(saved->bytes);
+    snprintf(error->message, sizeof error->message, "no memory");
+    return false;
+}
+
+/* There is room in the list. */
+static void append(struct c205_history *history, struct saved saved,
+                   bool changed)
+{
     unsigned char *shrunk;
-    if (!make_room(history)
-        || !c205_save(history->machine, add_bytes, &saved, error)) {
-        free(saved.bytes);
-        snprintf(error->message, sizeof error->message, "no memory");
-        return false;
-    }
     shrunk = realloc(saved.bytes, saved.size);
     history->list[history->count++] = (struct snapshot){
         history->step, clock_now(history->machine->clock), changed,
@@ -111,6 +118,16 @@ static bool keep(struct c205_history *history, bool changed,
     history->held += saved.size;
     if (history->held > history->budget && history->count > 2)
         thin(history);
+}
+
+static bool keep(struct c205_history *history, c205_error *error)
+{
+    struct saved saved;
+    if (!make_room(history) || !save_state(history, &saved, error)) {
+        snprintf(error->message, sizeof error->message, "no memory");
+        return false;
+    }
+    append(history, saved, false);
     return true;
 }
 
@@ -161,7 +178,7 @@ c205_history *c205_history_new(c205 *machine, size_t budget,
     history->budget = budget;
     history->steps = STEPS_APART;
     history->clocks = CLOCKS_APART;
-    if (keep(history, false, error))
+    if (keep(history, error))
         return history;
     free(history->list);
     free(history);
@@ -196,8 +213,14 @@ uint64_t c205_history_known(const c205_history *history)
 
 bool c205_history_changed(c205_history *history, c205_error *error)
 {
+    struct saved saved;
+    if (!make_room(history) || !save_state(history, &saved, error)) {
+        snprintf(error->message, sizeof error->message, "no memory");
+        return false;
+    }
     forget_later(history);
-    return keep(history, true, error);
+    append(history, saved, true);
+    return true;
 }
 
 /* ---- Another machine ------------------------------------------------------ */
@@ -268,7 +291,7 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
     c205_error error;
     if (goes_on && history->step > history->list[history->count - 1].step
         && is_time(history))
-        keep(history, false,
+        keep(history,
              &error); /* without memory it is farther back to the last */
     return goes_on;
 }

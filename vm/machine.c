@@ -511,7 +511,8 @@ bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page)
 static bool host_may_copy(const c205 *machine, uint64_t address, size_t count)
 {
     uint64_t fault;
-    return address % WORD_BITS == 0 && (uint64_t)count <= ADDRESS_SPACE_WORDS
+    return address % WORD_BITS == 0 && address <= ADDRESS_MASK
+           && (uint64_t)count <= ADDRESS_SPACE_WORDS
            && memory_check(&machine->memory, address,
                            (uint64_t)count * WORD_BITS, false, &fault)
                   == C205_TRAP_NONE;

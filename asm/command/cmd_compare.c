@@ -302,7 +302,14 @@ static int show(const struct two_runs *runs, const struct results *results)
     code = show_next(results, figure_table(runs), "figures", "Figures", code);
     results_gap(results);
     tell_difference(runs, results);
-    results_model(results, runs->side[FIRST].model);
+    for (int i = 0; i < SIDES; i++) {
+        if (i == FIRST
+            || strcmp(c205_model_name(runs->side[i].model),
+                      c205_model_name(runs->side[FIRST].model))
+                   != 0) {
+            results_model(results, runs->side[i].model);
+        }
+    }
     return code;
 }
 

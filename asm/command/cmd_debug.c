@@ -9,60 +9,60 @@
 
 static const char prompt[] = "(c205) ";
 
-/* Lines of a script are shown as if somebody had typed them.  False: it was quit. */
-static bool obey_all(struct debugger *debugger, FILE *file)
+/* What a person or a script says. */
+struct dialogue {
+    struct debugger *debugger;
+    bool quit, terminal;
+};
+
+/* Lines of a script are shown as if somebody had typed them.  False: they cannot be read. */
+static bool obey_all(struct dialogue *dialogue, FILE *file)
 {
     struct typed_lines lines = lines_of(file, debugger_verb);
     const char *line;
-    bool more = true;
-    while (more && (line = lines_next(&lines, prompt)) != NULL) {
+    while (!dialogue->quit && (line = lines_next(&lines, prompt)) != NULL) {
         if (!lines.terminal) {
             printf("%s%s\n", prompt, line);
         }
         interrupt_forget();
-        more = debugger_obey(debugger, line);
+        dialogue->quit = !debugger_obey(dialogue->debugger, line);
     }
-    if (lines.terminal && more) {
+    dialogue->terminal |= lines.terminal;
+    if (lines.terminal && !dialogue->quit) {
         putchar('\n');
     }
     lines_free(&lines);
-    return more;
+    return !lines.failed;
 }
 
-/* False: it cannot be read. */
-static bool obey_script(const struct c205_arguments *arguments,
-                        struct debugger *debugger, const char *path,
-                        bool *more)
+static bool obey_script(struct dialogue *dialogue, const char *path)
 {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    if (!file) {
-        cmd_failed(arguments->command, "%s: it cannot be read", path);
-        return false;
-    }
-    *more = obey_all(debugger, file);
-    if (file != stdin) {
+    bool good = file && obey_all(dialogue, file);
+    if (file && file != stdin) {
         fclose(file);
     }
-    return true;
+    return good;
 }
 
+/* A person's mistakes are no failure. */
 static int obey(const struct c205_arguments *arguments,
                 struct debugger *debugger)
 {
     const struct command_texts *scripts = &arguments->scripts;
-    bool more = true, terminal = false;
+    struct dialogue dialogue = { .debugger = debugger };
     debugger_greet(debugger);
-    if (scripts->count == 0) {
-        struct typed_lines lines = lines_of(stdin, debugger_verb);
-        terminal = lines.terminal;
-        obey_all(debugger, stdin);
+    if (scripts->count == 0 && !obey_all(&dialogue, stdin)) {
+        return cmd_failed(arguments->command, "stdin cannot be read");
     }
-    for (size_t i = 0; i < scripts->count && more; i++) {
-        if (!obey_script(arguments, debugger, scripts->items[i], &more)) {
-            return CMD_FAILED;
+    for (size_t i = 0; i < scripts->count && !dialogue.quit; i++) {
+        if (!obey_script(&dialogue, scripts->items[i])) {
+            return cmd_failed(arguments->command, "%s: it cannot be read",
+                              scripts->items[i]);
         }
     }
-    return terminal || debugger_faults(debugger) == 0 ? CMD_DONE : CMD_FAILED;
+    return dialogue.terminal || debugger_faults(debugger) == 0 ? CMD_DONE
+                                                               : CMD_FAILED;
 }
 
 static int debug_program(const struct c205_arguments *arguments,

@@ -81,10 +81,29 @@ static void settle_end(struct timeline *timeline)
     }
 }
 
-static int judge(const struct c205_arguments *arguments, c205 *machine,
-                 const c205_stop *stop, struct timeline *timeline)
+/* How the program did. */
+struct ending {
+    bool ended; /* or it was left where it was */
+    c205_stop stop;
+};
+
+/* What is drawn of a program that traps is kept all the same. */
+static int tell_trap(const struct c205_arguments *arguments,
+                     const c205 *machine, const struct ending *ending)
 {
     c205_error error;
+    if (!ending->ended || ending->stop.trap == C205_TRAP_NONE) {
+        return CMD_DONE;
+    }
+    c205_describe_stop(machine, &ending->stop, &error);
+    fprintf(stderr, "%s: %s\n", arguments->file, error.message);
+    return CMD_FAILED;
+}
+
+static int judge(const struct c205_arguments *arguments, c205 *machine,
+                 struct ending ending, struct timeline *timeline)
+{
+    int code;
     if (!timeline_is_good(timeline)) {
         return cmd_failed(arguments->command, "no memory");
     }
@@ -96,16 +115,29 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
     }
     if (timeline->insn_count == 0) {
         return cmd_failed(arguments->command,
-                          "no instruction is at work then: the program takes "
-                          "%" PRIu64 " clocks",
+                          ending.ended
+                              ? "no instruction is at work then: the "
+                                "program takes %" PRIu64 " clocks"
+                              : "no instruction is at work then: it "
+                                "was run for %" PRIu64 " clocks",
                           c205_clock(machine));
     }
     settle_end(timeline);
-    if (stop->trap != C205_TRAP_NONE && stop->trap != C205_TRAP_CLOCK_LIMIT) {
-        c205_describe_stop(machine, stop, &error);
-        fprintf(stderr, "%s: %s\n", arguments->file, error.message);
+    code = write_file(arguments, timeline);
+    return code != CMD_DONE ? code : tell_trap(arguments, machine, &ending);
+}
+
+/* Until the next instruction arrives there, or later. */
+static struct ending run_to(c205 *machine, uint64_t clock)
+{
+    uint64_t end = clock < limit ? clock : limit;
+    struct ending ending = { .ended = false };
+    bool goes_on = true;
+    while (goes_on && c205_clock(machine) < end) {
+        goes_on = c205_step(machine, &ending.stop);
     }
-    return write_file(arguments, timeline);
+    ending.ended = !goes_on;
+    return ending;
 }
 
 /* Not farther than is asked. */
@@ -125,10 +157,8 @@ static int run_program(const struct c205_arguments *arguments,
     if (arguments->warm) {
         c205_warm(machine);
     }
-    c205_stop stop = c205_run(machine, arguments->limit < limit
-                                           ? arguments->limit
-                                           : limit);
-    code = judge(arguments, machine, &stop, &timeline);
+    code = judge(arguments, machine, run_to(machine, arguments->limit),
+                 &timeline);
     timeline_free(&timeline);
     c205_free(machine);
     return code;

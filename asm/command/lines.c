@@ -87,6 +87,7 @@ const char *lines_next(struct typed_lines *lines, const char *prompt)
         fflush(stdout);
     }
     length = getline(&lines->text, &lines->capacity, lines->file);
+    lines->failed = length < 0 && ferror(lines->file);
     if (length < 0)
         return NULL;
     if (length > 0 && lines->text[length - 1] == '\n')

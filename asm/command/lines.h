@@ -12,7 +12,8 @@
 struct typed_lines {
     FILE *file;
     bool terminal;
-    char *text; /* the last line, without its end */
+    bool failed; /* reading went wrong */
+    char *text;  /* the last line, without its end */
     size_t capacity;
     /* libedit's, or NULL */
     char *(*read)(const char *prompt);

@@ -105,9 +105,14 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct debugger *debugger = context;
 
+    if (event->kind == C205_EVENT_STOP && event->record) {
+        debugger->has_end = true;
+        debugger->end = *event->record;
+    }
     if (event->kind != C205_EVENT_INSTRUCTION
         && event->kind != C205_EVENT_REQUEST)
         return;
+    debugger->has_end = false;
     debugger->has_last = true;
     debugger->last = *event;
     debugger->record = *event->record;

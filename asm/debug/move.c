@@ -4,14 +4,30 @@
 #include "asm/debug/parts.h"
 
 /* How a movement ended. */
-enum moved { MOVED_ON, MOVED_TO_STOP, MOVED_TO_HALT, MOVED_INTERRUPTED };
+enum moved {
+    MOVED_ON,
+    MOVED_TO_STOP,
+    MOVED_TO_HALT,
+    MOVED_INTERRUPTED,
+    MOVED_TOO_FAR
+};
+
+/* 20 seconds of the machine: no movement goes on for longer, for scripts have no Ctrl-C. */
+static const uint64_t clocks_most = 1000000000;
 
 static uint64_t here(const struct debugger *debugger)
 {
     return c205_history_step(debugger->history);
 }
 
-static enum moved forward(struct debugger *debugger, struct stop_point **stop)
+static uint64_t clock_of(const struct debugger *debugger)
+{
+    return c205_clock(machine_of(debugger));
+}
+
+/* ---- Forward -------------------------------------------------------------- */
+
+static enum moved forward(struct debugger *debugger)
 {
     uint64_t before = c205_pc(machine_of(debugger));
 
@@ -19,8 +35,7 @@ static enum moved forward(struct debugger *debugger, struct stop_point **stop)
                                              &debugger->halt);
     if (debugger->halted)
         return MOVED_TO_HALT;
-    *stop = stops_met(debugger, before);
-    return *stop ? MOVED_TO_STOP : MOVED_ON;
+    return stops_meet(debugger, before) ? MOVED_TO_STOP : MOVED_ON;
 }
 
 static bool is_interrupted(const struct debugger *debugger)
@@ -28,31 +43,62 @@ static bool is_interrupted(const struct debugger *debugger)
     return debugger->setup.interrupted && debugger->setup.interrupted();
 }
 
-/* So many instructions, unless something is in the way. */
-static enum moved advance(struct debugger *debugger, uint64_t count,
-                          struct stop_point **stop)
+/* Whether a movement that began at a clock goes on. */
+static enum moved look_up(const struct debugger *debugger, uint64_t begun)
 {
     enum { SELDOM = 4096 };
+
+    if (clock_of(debugger) - begun > clocks_most)
+        return MOVED_TOO_FAR;
+    return here(debugger) % SELDOM == 0 && is_interrupted(debugger)
+               ? MOVED_INTERRUPTED
+               : MOVED_ON;
+}
+
+/* What ends a movement besides stops. */
+struct aim {
+    uint64_t count;  /* instructions */
+    bool at_address; /* or, behind one instruction at least, this: */
+    uint64_t address;
+};
+
+static enum moved advance(struct debugger *debugger, struct aim aim)
+{
+    uint64_t begun = clock_of(debugger);
     enum moved moved = MOVED_ON;
 
     stops_sample(debugger);
-    for (uint64_t i = 0; i < count && moved == MOVED_ON; i++) {
-        moved = forward(debugger, stop);
-        if (moved == MOVED_ON && i % SELDOM == SELDOM - 1
-            && is_interrupted(debugger))
-            moved = MOVED_INTERRUPTED;
+    for (uint64_t i = 0; i < aim.count && moved == MOVED_ON; i++) {
+        moved = forward(debugger);
+        if (moved == MOVED_ON)
+            moved = look_up(debugger, begun);
+        if (aim.at_address && c205_pc(machine_of(debugger)) == aim.address)
+            break;
     }
     return moved;
 }
 
-static bool arrive(struct debugger *debugger, enum moved moved,
-                   struct stop_point *stop)
+static struct aim at_most(uint64_t count)
+{
+    return (struct aim){ .count = count };
+}
+
+static struct aim to_address(uint64_t address)
+{
+    return (struct aim){ UINT64_MAX, true, address };
+}
+
+static bool arrive(struct debugger *debugger, enum moved moved)
 {
     show_end_line(debugger);
     if (moved == MOVED_TO_STOP)
-        stops_tell(debugger, stop);
+        stops_pass(debugger, true);
     else if (moved == MOVED_INTERRUPTED)
         sink_put(&debugger->out, "interrupted\n");
+    else if (moved == MOVED_TOO_FAR)
+        sink_print(&debugger->out,
+                   "%" PRIu64 " clocks have passed; continue goes on\n",
+                   clocks_most);
     show_place(debugger);
     return true;
 }
@@ -67,98 +113,77 @@ static bool read_times(struct debugger *debugger, struct rest *rest,
                && rest_finish(debugger, rest));
 }
 
-static bool move_on(struct debugger *debugger, uint64_t count)
-{
-    struct stop_point *stop = NULL;
-    enum moved moved = advance(debugger, count, &stop);
-
-    return arrive(debugger, moved, stop);
-}
-
-/* ---- Forward -------------------------------------------------------------- */
-
 bool verb_step(struct debugger *debugger, struct rest *rest)
 {
     uint64_t count;
 
-    return read_times(debugger, rest, &count) && move_on(debugger, count);
+    return read_times(debugger, rest, &count)
+           && arrive(debugger, advance(debugger, at_most(count)));
 }
 
 bool verb_continue(struct debugger *debugger, struct rest *rest)
 {
-    uint64_t count;
     enum moved moved = MOVED_ON;
-    struct stop_point *stop = NULL;
-
-    if (!read_times(debugger, rest, &count))
-        return false;
-    while (count-- > 0) {
-        moved = advance(debugger, UINT64_MAX, &stop);
-        if (moved != MOVED_TO_STOP)
-            break;
-        if (count > 0)
-            stop->hits++;
-    }
-    return arrive(debugger, moved, stop);
-}
-
-/* Stops at an address, too. */
-static bool run_to(struct debugger *debugger, uint64_t address)
-{
-    enum moved moved = MOVED_ON;
-    struct stop_point *stop = NULL;
-
-    do
-        moved = advance(debugger, 1, &stop);
-    while (moved == MOVED_ON && c205_pc(machine_of(debugger)) != address
-           && !is_interrupted(debugger));
-    return arrive(debugger, moved, stop);
-}
-
-/* A call and all that it does is one. */
-bool verb_next(struct debugger *debugger, struct rest *rest)
-{
-    c205 *machine = machine_of(debugger);
-    uint64_t pc = c205_pc(machine);
-    struct stop_point *stop = NULL;
-    enum moved moved;
     uint64_t count;
 
     if (!read_times(debugger, rest, &count))
         return false;
     for (; count > 0; count--) {
-        moved = advance(debugger, 1, &stop);
-        if (moved == MOVED_ON && debugger->has_last
-            && debugger->last.insn->format == C205_FORMAT_CALL
-            && debugger->last.taken)
-            return run_to(debugger, pc
-                                        + 32
-                                              * (uint64_t)c205_format_halves(
-                                                  C205_FORMAT_CALL));
-        if (moved != MOVED_ON)
+        moved = advance(debugger, at_most(UINT64_MAX));
+        if (moved != MOVED_TO_STOP)
             break;
-        pc = c205_pc(machine_of(debugger));
+        if (count > 1)
+            stops_pass(debugger, false);
     }
-    return arrive(debugger, count > 0 ? moved : MOVED_ON, stop);
+    return arrive(debugger, moved);
+}
+
+/* A call and all that it does is one. */
+static enum moved go_next(struct debugger *debugger)
+{
+    uint64_t pc = c205_pc(machine_of(debugger));
+    enum moved moved = advance(debugger, at_most(1));
+    uint64_t halves = c205_format_halves(C205_FORMAT_CALL);
+
+    if (moved != MOVED_ON || !debugger->has_last || !debugger->last.taken
+        || debugger->last.insn->format != C205_FORMAT_CALL)
+        return moved;
+    return advance(debugger, to_address(pc + 32 * halves));
+}
+
+bool verb_next(struct debugger *debugger, struct rest *rest)
+{
+    enum moved moved = MOVED_ON;
+    uint64_t count;
+
+    if (!read_times(debugger, rest, &count))
+        return false;
+    for (; count > 0 && moved == MOVED_ON; count--)
+        moved = go_next(debugger);
+    return arrive(debugger, moved);
 }
 
 bool verb_until(struct debugger *debugger, struct rest *rest)
 {
     uint64_t address;
 
-    return place_address(debugger, rest, &address)
-           && rest_finish(debugger, rest) && run_to(debugger, address);
+    if (!place_address(debugger, rest, &address)
+        || !rest_finish(debugger, rest))
+        return false;
+    address = place_of(debugger, address);
+    return arrive(debugger, advance(debugger, to_address(address)));
 }
 
 /* ---- Back ----------------------------------------------------------------- */
 
 static bool go_back(struct debugger *debugger, uint64_t step)
 {
-    c205_error error;
+    c205_error error = { "no memory" };
 
-    debugger->halted = false;
-    if (step < here(debugger))
+    if (step < here(debugger)) {
+        debugger->halted = debugger->has_end = false;
         debugger->has_last = step > 0;
+    }
     if (!c205_history_back(debugger->history, step, &error))
         return debug_fault(debugger, "%s", error.message);
     stops_sample(debugger);
@@ -179,66 +204,48 @@ bool verb_reverse_step(struct debugger *debugger, struct rest *rest)
     return true;
 }
 
-/* The last stop from one step on, before another; false: there was none. */
-static bool find_last(struct debugger *debugger, uint64_t from, uint64_t end,
-                      uint64_t *step, size_t *number)
+/* The last step with a stop behind one step, before another; 0: there is none. */
+static uint64_t find_last(struct debugger *debugger, uint64_t from,
+                          uint64_t end)
 {
-    struct stop_point *stop = NULL;
-    bool found = false;
+    uint64_t found = 0;
 
     if (!go_back(debugger, from))
-        return false;
+        return 0;
     while (here(debugger) + 1 < end) {
-        enum moved moved = forward(debugger, &stop);
+        enum moved moved = forward(debugger);
 
         if (moved == MOVED_TO_HALT)
             break;
         if (moved != MOVED_TO_STOP)
             continue;
-        found = true;
-        *step = here(debugger);
-        *number = stop->number;
+        found = here(debugger);
         stops_sample(debugger);
     }
     return found;
 }
 
 /* What is watched held before the change. */
-static void sample_before(struct debugger *debugger, uint64_t step)
+static bool arrive_back(struct debugger *debugger, uint64_t step)
 {
-    struct stop_point *stop;
-
-    if (go_back(debugger, step - 1))
-        forward(debugger, &stop);
-}
-
-static void arrive_at(struct debugger *debugger, uint64_t step, size_t number)
-{
-    sample_before(debugger, step);
-    for (size_t i = 0; i < debugger->stop_count; i++)
-        if (debugger->stops[i].number == number)
-            stops_tell(debugger, &debugger->stops[i]);
-    stops_sample(debugger);
-    show_place(debugger);
+    return go_back(debugger, step - 1) && arrive(debugger, forward(debugger));
 }
 
 /* To the stop before, a stretch at a time from here back. */
 bool verb_reverse_continue(struct debugger *debugger, struct rest *rest)
 {
-    uint64_t end = here(debugger), stretch = 64, step = 0;
-    size_t number = 0;
+    uint64_t end = here(debugger), stretch = 64;
 
     if (!rest_finish(debugger, rest))
         return false;
     while (end > 0) {
         uint64_t from = stretch < end ? end - stretch : 0;
+        uint64_t step = find_last(debugger, from, end);
 
-        if (find_last(debugger, from, end, &step, &number)) {
-            arrive_at(debugger, step, number);
-            return true;
-        }
+        if (step > 0)
+            return arrive_back(debugger, step);
         if (is_interrupted(debugger))
-            break;
+            return arrive(debugger, MOVED_INTERRUPTED);
         end = from > 0 ? from + 1 : 0;
         stretch *= 2;
     }
@@ -252,15 +259,20 @@ bool verb_reverse_continue(struct debugger *debugger, struct rest *rest)
 /* ---- Anywhere ------------------------------------------------------------- */
 
 /* Forward without a look at stops. */
-static void go_on_to(struct debugger *debugger, uint64_t step, uint64_t clock)
+static enum moved go_on_to(struct debugger *debugger, uint64_t step,
+                           uint64_t clock)
 {
-    debugger->halted = false;
-    while (!debugger->halted && here(debugger) < step
-           && c205_clock(machine_of(debugger)) < clock
-           && !is_interrupted(debugger))
+    uint64_t begun = clock_of(debugger);
+    enum moved moved = MOVED_ON;
+
+    while (moved == MOVED_ON && here(debugger) < step
+           && clock_of(debugger) < clock) {
         debugger->halted = !c205_history_forward(debugger->history,
                                                  &debugger->halt);
+        moved = debugger->halted ? MOVED_TO_HALT : look_up(debugger, begun);
+    }
     stops_sample(debugger);
+    return moved;
 }
 
 /* goto N, an instruction; goto clock N: the first that has that clock or more
@@ -270,25 +282,23 @@ bool verb_goto(struct debugger *debugger, struct rest *rest)
     bool by_clock = rest_take(rest, "clock");
     uint64_t number;
 
-    if (!debug_count(debugger, rest, &number) || !rest_finish(debugger, rest))
+    if (!debug_count(debugger, rest, &number) || !rest_finish(debugger, rest)
+        || !go_back(debugger, !by_clock                      ? number
+                              : clock_of(debugger) >= number ? 0
+                                                             : UINT64_MAX))
         return false;
-    if (by_clock) {
-        if (c205_clock(machine_of(debugger)) >= number
-            && !go_back(debugger, 0))
-            return false;
-        go_on_to(debugger, UINT64_MAX, number);
-    } else {
-        if (!go_back(debugger, number))
-            return false;
-        go_on_to(debugger, number, UINT64_MAX);
-    }
-    show_place(debugger);
-    return true;
+    return arrive(debugger, by_clock
+                                ? go_on_to(debugger, UINT64_MAX, number)
+                                : go_on_to(debugger, number, UINT64_MAX));
 }
 
-/* From the beginning, to the first stop. */
+/* From the beginning, to the first stop, which may be there. */
 bool verb_run(struct debugger *debugger, struct rest *rest)
 {
-    return rest_finish(debugger, rest) && go_back(debugger, 0)
-           && move_on(debugger, UINT64_MAX);
+    if (!rest_finish(debugger, rest) || !go_back(debugger, 0))
+        return false;
+    stops_sample(debugger);
+    return arrive(debugger, stops_meet(debugger, 0)
+                                ? MOVED_TO_STOP
+                                : advance(debugger, at_most(UINT64_MAX)));
 }

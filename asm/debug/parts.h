@@ -11,9 +11,10 @@
 
 /* ---- Values (value.c) ---------------------------------------------------- */
 
-/* A number; of a word of the machine its value as a number, and the word. */
+/* A number; of a word of the machine its value as a number, and the word; of a half word the
+ * same, with the half at the left of it. */
 struct value_of {
-    bool is_real, is_word;
+    bool is_real, is_word, is_half;
     int64_t integer; /* of a word: its low 48 bits, as an integer */
     double real;     /* in any case */
     c205_word word;
@@ -26,7 +27,8 @@ struct rest {
 /* ---- Stops (stops.c) ------------------------------------------------------ */
 
 enum stop_kind {
-    STOP_AT,    /* an address */
+    STOP_AT, /* an address */
+    STOP_LINE, /* where code of a source line begins, or of a macro that it calls */
     STOP_INSN,  /* each instruction of a name */
     STOP_ENTRY, /* where control comes into a region */
     STOP_WATCH  /* what memory holds changes */
@@ -40,7 +42,10 @@ struct stop_point {
     bool once;
     char text[TEXT_MOST];      /* as it was written */
     char condition[TEXT_MOST]; /* "": none */
+    bool met;                  /* where the program stands */
     uint64_t address;
+    const char *file; /* STOP_LINE */
+    size_t line;
     const c205_insn *insn;
     const char *region;
     size_t count; /* words that are watched, and what they held */
@@ -57,6 +62,8 @@ struct debugger {
     uint64_t told;  /* steps whose output was printed */
     bool has_last;  /* there is a last instruction: */
     c205_event last;
+    bool has_end;      /* .. with which the program ended: */
+    c205_times end;    /* what was in flight then */
     c205_times record; /* its time */
     bool halted;       /* the program cannot go on from here: */
     c205_stop halt;
@@ -82,9 +89,9 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
 
 void rest_skip(struct rest *rest);
 bool rest_end(struct rest *rest);
-/* A word of letters, digits and - _ . if it is this one, or when unique the beginning
- * of it. */
+/* A word of letters, digits and _ . if it is this one; or the beginning of it. */
 bool rest_take(struct rest *rest, const char *word);
+bool rest_begin(struct rest *rest, const char *word);
 /* Nothing may be left. */
 bool rest_finish(struct debugger *debugger, struct rest *rest);
 
@@ -95,6 +102,9 @@ bool debug_address(struct debugger *debugger, struct rest *rest,
                    uint64_t *address);
 bool debug_count(struct debugger *debugger, struct rest *rest,
                  uint64_t *count);
+/* As a word, or as a half word at the left of one; false after telling that there is none. */
+bool debug_word(struct debugger *debugger, const struct value_of *value,
+                bool half, c205_word *word);
 bool debug_is_true(const struct value_of *value);
 /* A register by its name or number: r10, h21, or a name of the program. */
 struct register_of {
@@ -118,18 +128,25 @@ bool place_read(struct debugger *debugger, struct rest *rest,
 /* One address. */
 bool place_address(struct debugger *debugger, struct rest *rest,
                    uint64_t *address);
+/* Where the machine stands before it executes what is at an address: behind a LINKV that is
+ * the LINKV. */
+uint64_t place_of(const struct debugger *debugger, uint64_t address);
+/* Whether code of that source line, or of a macro called there, begins at an address. */
+bool place_begins(const struct debugger *debugger, const char *file,
+                  size_t number, uint64_t address);
 /* The region of an address; "" for none. */
 const char *place_region(const struct debugger *debugger, uint64_t address);
 
 /* ---- Stops ---------------------------------------------------------------- */
 
-/* A stop point that the last instruction, or where the program stands, has come to;
- * NULL: none.  before: the address of that instruction. */
-struct stop_point *stops_met(struct debugger *debugger, uint64_t before);
+/* Whether the last instruction, or where the program stands, has come to some of them; these
+ * are marked.  before: the address of that instruction. */
+bool stops_meet(struct debugger *debugger, uint64_t before);
 /* What is watched is as it is now. */
 void stops_sample(struct debugger *debugger);
-/* That point was met where the program is left standing: tells of it. */
-void stops_tell(struct debugger *debugger, struct stop_point *stop);
+/* Those that were met have been: they are counted, and what is once is over.  With a word of
+ * each, or without. */
+void stops_pass(struct debugger *debugger, bool told);
 
 /* ---- Verbs: each false after telling a fault ------------------------------ */
 

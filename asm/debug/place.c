@@ -42,34 +42,72 @@ static bool is_file(const char *file, const char *name)
                && strcmp(file + length - ending, name) == 0);
 }
 
-/* The first code of that line, or of the next that has any. */
+/* A line of source. */
+struct line_place {
+    const char *file; /* as the object has it */
+    size_t number;
+    uint64_t address; /* of its first code */
+};
+
+static void consider(struct line_place *found, const char *file,
+                     size_t number, unsigned long least, const char *name,
+                     uint64_t address)
+{
+    if (number < least || !is_file(file, name)
+        || (found->file && number >= found->number))
+        return;
+    *found = (struct line_place){ file, number, address };
+}
+
+/* That line, or the next that has code or calls a macro that has. */
 static bool find_line(struct debugger *debugger, const char *file,
-                      unsigned long number, uint64_t *address)
+                      unsigned long number, struct line_place *found)
 {
     const struct object *object = debugger->setup.object;
-    const struct asm_line *found = NULL;
 
+    *found = (struct line_place){ .file = NULL };
     for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
 
-        if (line->number >= number && line->halves > 0
-            && is_file(line->file, file)
-            && (!found || line->number < found->number))
-            found = line;
+        if (!line->is_code)
+            continue;
+        consider(found, line->file, line->number, number, file,
+                 line->address);
+        consider(found, line->call_file, line->call_number, number, file,
+                 line->address);
     }
-    if (!found)
-        return debug_fault(debugger,
-                           object->line_count == 0
-                               ? "the source lines of %.100s are not known"
-                               : "%.100s has no code at line %lu or behind",
-                           file, number);
-    *address = found->address;
-    return true;
+    return found->file
+           || debug_fault(debugger,
+                          object->line_count == 0
+                              ? "the source lines of %.100s are not known"
+                              : "%.100s has no code at line %lu or behind",
+                          file, number);
+}
+
+static bool is_call(const struct asm_line *line, const char *file,
+                    size_t number)
+{
+    return line->call_number == number && strcmp(line->call_file, file) == 0;
+}
+
+bool place_begins(const struct debugger *debugger, const char *file,
+                  size_t number, uint64_t address)
+{
+    const struct object *object = debugger->setup.object;
+    const struct asm_line *line = object_line(object, address);
+
+    if (!line || line->address != address || !line->is_code)
+        return false;
+    if (line->number == number && strcmp(line->file, file) == 0)
+        return true;
+    return is_call(line, file, number)
+           && (line == object->lines || !line[-1].is_code
+               || !is_call(&line[-1], file, number));
 }
 
 /* NAME:LINE, or LINE of the program's own file. */
 static bool read_line(struct debugger *debugger, struct rest *rest,
-                      uint64_t *address, bool *good)
+                      struct line_place *found, bool *good)
 {
     const char *at = rest->at, *colon = at;
     char name[TEXT_MOST];
@@ -78,10 +116,11 @@ static bool read_line(struct debugger *debugger, struct rest *rest,
     while (*colon && !isspace((unsigned char)*colon) && *colon != ':')
         colon++;
     length = (size_t)(colon - at);
-    if (isdigit((unsigned char)*at) && *colon != ':') {
+    if (isdigit((unsigned char)*at) && *colon != ':'
+        && !isalpha((unsigned char)at[1])) {
         unsigned long number = strtoul(at, (char **)&rest->at, 10);
 
-        *good = find_line(debugger, debugger->setup.name, number, address);
+        *good = find_line(debugger, debugger->setup.name, number, found);
         return true;
     }
     if (*colon != ':' || !isdigit((unsigned char)colon[1])
@@ -90,7 +129,7 @@ static bool read_line(struct debugger *debugger, struct rest *rest,
     memcpy(name, at, length);
     name[length] = '\0';
     *good = find_line(debugger, name,
-                      strtoul(colon + 1, (char **)&rest->at, 10), address);
+                      strtoul(colon + 1, (char **)&rest->at, 10), found);
     return true;
 }
 
@@ -99,6 +138,7 @@ static bool read_line(struct debugger *debugger, struct rest *rest,
 bool place_address(struct debugger *debugger, struct rest *rest,
                    uint64_t *address)
 {
+    struct line_place found = { .file = NULL };
     bool good;
 
     rest_skip(rest);
@@ -106,9 +146,10 @@ bool place_address(struct debugger *debugger, struct rest *rest,
         rest->at++;
         return debug_address(debugger, rest, address);
     }
-    if (read_line(debugger, rest, address, &good))
-        return good;
-    return debug_address(debugger, rest, address);
+    if (!read_line(debugger, rest, &found, &good))
+        return debug_address(debugger, rest, address);
+    *address = found.address;
+    return good;
 }
 
 static size_t take_name(struct rest *rest, char name[TEXT_MOST])
@@ -126,8 +167,16 @@ static size_t take_name(struct rest *rest, char name[TEXT_MOST])
     return length;
 }
 
-/* The two instructions behind a LINKV are executed with it. */
-static uint64_t link_of(const struct debugger *debugger, uint64_t address)
+/* An instruction of the program's text begins there. */
+static bool begins_code(const struct debugger *debugger, uint64_t address)
+{
+    const struct asm_line *line = object_line(debugger->setup.object,
+                                              address);
+
+    return line && line->is_code && line->address == address;
+}
+
+uint64_t place_of(const struct debugger *debugger, uint64_t address)
 {
     struct instruction_view view;
 
@@ -137,7 +186,8 @@ static uint64_t link_of(const struct debugger *debugger, uint64_t address)
         if (back > address)
             break;
         view_decode(&view, machine_of(debugger), end);
-        if (!view.insn || view.insn->timing != C205_TIMING_vlink)
+        if (!view.insn || view.insn->timing != C205_TIMING_vlink
+            || !begins_code(debugger, end))
             continue;
         end += 32 * (uint64_t)view.halves;
         if (end == address)
@@ -147,6 +197,31 @@ static uint64_t link_of(const struct debugger *debugger, uint64_t address)
             return address - back;
     }
     return address;
+}
+
+/* A line whose first code is behind a LINKV is that of the LINKV. */
+static bool read_place(struct debugger *debugger, struct rest *rest,
+                       struct stop_point *stop)
+{
+    struct line_place found = { .file = NULL };
+    bool good;
+
+    rest_skip(rest);
+    stop->kind = STOP_AT;
+    if (*rest->at == '*' || !read_line(debugger, rest, &found, &good)) {
+        good = place_address(debugger, rest, &stop->address);
+        stop->address = place_of(debugger, stop->address);
+        return good;
+    }
+    if (!good)
+        return false;
+    stop->address = place_of(debugger, found.address);
+    if (stop->address == found.address) {
+        stop->kind = STOP_LINE;
+        stop->file = found.file;
+        stop->line = found.number;
+    }
+    return true;
 }
 
 bool place_read(struct debugger *debugger, struct rest *rest,
@@ -172,9 +247,5 @@ bool place_read(struct debugger *debugger, struct rest *rest,
         return is_region(debugger, name, &stop->region)
                || debug_fault(debugger, "no region is called '%.60s'", name);
     }
-    stop->kind = STOP_AT;
-    if (!place_address(debugger, rest, &stop->address))
-        return false;
-    stop->address = link_of(debugger, stop->address);
-    return true;
+    return read_place(debugger, rest, stop);
 }

@@ -120,12 +120,16 @@ static bool read_count(struct debugger *debugger, struct rest *rest,
 /* disassemble [PLACE] [, COUNT] */
 bool verb_disassemble(struct debugger *debugger, struct rest *rest)
 {
+    enum { MOST = 100000 };
     uint64_t address, count = 10;
 
     if (!read_start(debugger, rest, &address)
         || !read_count(debugger, rest, &count))
         return false;
-    for (; count > 0; count--) {
+    if (count > MOST)
+        return debug_fault(debugger, "at most %d instructions are shown",
+                           MOST);
+    for (; count > 0 && address >> 48 == 0; count--) {
         struct instruction_view view;
         bool at = address == c205_pc(machine_of(debugger));
 
@@ -205,7 +209,7 @@ bool verb_print(struct debugger *debugger, struct rest *rest)
     if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
         return false;
     if (value.is_word)
-        put_word(debugger, value.word, false);
+        put_word(debugger, value.word, value.is_half);
     else if (value.is_real)
         sink_print(&debugger->out, "%.15g\n", value.real);
     else
@@ -250,7 +254,9 @@ static void put_element(const struct debugger *debugger,
     else if (look->format == 'x')
         c205_to_hex(word, text);
     else if (look->format == 'i')
-        snprintf(text, sizeof text, "%" PRId64, c205_to_integer(word));
+        snprintf(text, sizeof text, "%" PRId64,
+                 half ? (int64_t)(int32_t)(word >> 24) / 256
+                      : c205_to_integer(word));
     else
         (half ? c205_half_to_text : c205_to_text)(word, text);
     if (half && look->format == 'x')
@@ -327,8 +333,12 @@ static bool read_format(struct debugger *debugger, struct rest *rest,
     for (; *rest->at && !isspace((unsigned char)*rest->at); rest->at++) {
         char c = *rest->at;
 
+        if (isdigit((unsigned char)c) && *count != UINT64_MAX
+            && *count > C205_MAX_LENGTH)
+            return debug_fault(debugger, "a count of at most %u",
+                               C205_MAX_LENGTH);
         if (isdigit((unsigned char)c))
-            *count = (*count == UINT64_MAX ? 0 : *count % 1000000) * 10
+            *count = (*count == UINT64_MAX ? 0 : *count) * 10
                      + (uint64_t)(c - '0');
         else if (c == 'h')
             look->of.width = 32;
@@ -482,7 +492,7 @@ bool verb_info(struct debugger *debugger, struct rest *rest)
     };
 
     for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
-        if (rest_take(rest, topics[i].name))
+        if (rest_begin(rest, topics[i].name))
             return rest_finish(debugger, rest) && topics[i].show(debugger);
     return debug_fault(debugger, "info is of registers, operands, breaks, "
                                  "regions, pages or symbols");
@@ -494,32 +504,32 @@ static bool set_register(struct debugger *debugger, struct register_of named,
                          const struct value_of *value)
 {
     c205 *machine = machine_of(debugger);
-    c205_word half = c205_half_from_double(value->real), kept;
     unsigned shift = named.number % 2 * 32;
+    c205_word word, kept;
 
+    if (named.number / (named.half ? 2 : 1) == 0)
+        return debug_fault(debugger, "register 0 stays what it is");
+    if (!debug_word(debugger, value, named.half, &word))
+        return false;
     if (!named.half) {
-        c205_set_register(machine, named.number,
-                          value->is_word ? value->word
-                          : value->is_real
-                              ? c205_from_double(value->real)
-                              : c205_from_integer(value->integer));
+        c205_set_register(machine, named.number, word);
         return true;
     }
     kept = c205_register(machine, named.number / 2u)
            & (shift ? ~(c205_word)UINT32_MAX : UINT32_MAX);
-    c205_set_register(machine, named.number / 2u, kept | half >> shift);
+    c205_set_register(machine, named.number / 2u, kept | word >> shift);
     return true;
 }
 
 static bool set_word(struct debugger *debugger, uint64_t address,
                      const struct value_of *value)
 {
-    c205_word word = value->is_word   ? value->word
-                     : value->is_real ? c205_from_double(value->real)
-                                      : c205_from_integer(value->integer);
+    c205_word word;
 
-    return c205_write(machine_of(debugger), address, &word, 1)
-           || debug_fault(debugger, "there is no word at %" PRIX64, address);
+    return debug_word(debugger, value, false, &word)
+           && (c205_write(machine_of(debugger), address, &word, 1)
+               || debug_fault(debugger, "there is no word at %" PRIX64,
+                              address));
 }
 
 static bool read_new(struct debugger *debugger, struct rest *rest,
@@ -538,6 +548,8 @@ static bool keep_change(struct debugger *debugger)
     c205_error error;
 
     debugger->halted = false;
+    if (debugger->told > c205_history_step(debugger->history))
+        debugger->told = c205_history_step(debugger->history);
     stops_sample(debugger);
     return c205_history_changed(debugger->history, &error)
            || debug_fault(debugger, "%s", error.message);

@@ -42,6 +42,9 @@ static bool is_there(const struct debugger *debugger,
 {
     switch (stop->kind) {
     case STOP_AT: return c205_pc(machine_of(debugger)) == stop->address;
+    case STOP_LINE:
+        return place_begins(debugger, stop->file, stop->line,
+                            c205_pc(machine_of(debugger)));
     case STOP_INSN: return is_insn(debugger, stop);
     case STOP_ENTRY: return is_entered(debugger, stop, before);
     default: return is_changed(debugger, stop);
@@ -71,18 +74,20 @@ void stops_sample(struct debugger *debugger)
         sample(debugger, &debugger->stops[i]);
 }
 
-struct stop_point *stops_met(struct debugger *debugger, uint64_t before)
+bool stops_meet(struct debugger *debugger, uint64_t before)
 {
+    bool any = false;
+
     for (size_t i = 0; i < debugger->stop_count; i++) {
         struct stop_point *stop = &debugger->stops[i];
+        bool there = is_there(debugger, stop, before);
 
-        if (!is_there(debugger, stop, before))
-            continue;
-        if (holds(debugger, stop))
-            return stop;
-        sample(debugger, stop);
+        stop->met = there && holds(debugger, stop);
+        any |= stop->met;
+        if (there && !stop->met)
+            sample(debugger, stop);
     }
-    return NULL;
+    return any;
 }
 
 /* ---- What is told --------------------------------------------------------- */
@@ -112,18 +117,33 @@ static void forget(struct debugger *debugger, size_t i)
     debugger->stop_count--;
 }
 
-void stops_tell(struct debugger *debugger, struct stop_point *stop)
+static void tell(struct debugger *debugger, const struct stop_point *stop)
 {
-    stop->hits++;
-    if (stop->kind == STOP_WATCH) {
+    if (stop->kind == STOP_WATCH)
         tell_change(debugger, stop);
-        sample(debugger, stop);
-    } else {
+    else
         sink_print(&debugger->out, "break %zu: %s\n", stop->number,
                    stop->text);
+}
+
+void stops_pass(struct debugger *debugger, bool told)
+{
+    size_t i = 0;
+
+    while (i < debugger->stop_count) {
+        struct stop_point *stop = &debugger->stops[i];
+
+        if (stop->met && told)
+            tell(debugger, stop);
+        if (stop->met) {
+            stop->hits++;
+            sample(debugger, stop);
+        }
+        if (stop->met && stop->once)
+            forget(debugger, i);
+        else
+            i++;
     }
-    if (stop->once)
-        forget(debugger, (size_t)(stop - debugger->stops));
 }
 
 /* ---- Made and deleted ----------------------------------------------------- */
@@ -204,7 +224,9 @@ bool verb_watch(struct debugger *debugger, struct rest *rest)
 
     rest_skip(rest);
     from = rest->at;
-    if (!place_address(debugger, rest, &stop.address))
+    if (*rest->at == '*')
+        rest->at++;
+    if (!debug_address(debugger, rest, &stop.address))
         return false;
     rest_skip(rest);
     if (*rest->at == ',') {

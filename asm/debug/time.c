@@ -33,9 +33,9 @@ static void put_wait(const struct debugger *debugger, const c205_piece *piece)
     }
 }
 
-static void put_pieces(const struct debugger *debugger)
+static void put_pieces(const struct debugger *debugger,
+                       const c205_times *record)
 {
-    const c205_times *record = &debugger->record;
     c205 *machine = machine_of(debugger);
 
     for (size_t i = 0; i < record->piece_count; i++) {
@@ -104,7 +104,11 @@ bool verb_why(struct debugger *debugger, struct rest *rest)
                record->unit_free);
     sink_print(&debugger->out, "%10" PRIu64 "  clocks, of these\n",
                debugger->last.clocks);
-    put_pieces(debugger);
+    put_pieces(debugger, record);
+    if (debugger->has_end && debugger->end.piece_count > 0) {
+        sink_put(&debugger->out, "and until all in flight was done\n");
+        put_pieces(debugger, &debugger->end);
+    }
     if (record->phase_count > 0) {
         sink_put(&debugger->out, "the vector unit works on\n");
         put_phases(debugger);

@@ -9,6 +9,7 @@
  *   - !   * / %   + -   == != < <= > >=   &&   ||
  */
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -17,7 +18,7 @@
 
 #include "asm/debug/parts.h"
 
-enum { DEPTH_MOST = 100, LENGTH_SHIFT = 48 };
+enum { DEPTH_MOST = 100, LENGTH_SHIFT = 48, HALF_DIGITS = 8 };
 
 bool debug_fault(struct debugger *debugger, const char *format, ...)
 {
@@ -73,6 +74,19 @@ bool rest_take(struct rest *rest, const char *word)
     return true;
 }
 
+bool rest_begin(struct rest *rest, const char *word)
+{
+    size_t length;
+
+    rest_skip(rest);
+    length = name_length(rest->at);
+    if (length == 0 || strncmp(rest->at, word, length) != 0)
+        return false;
+    rest->at += length;
+    rest_skip(rest);
+    return true;
+}
+
 bool rest_finish(struct debugger *debugger, struct rest *rest)
 {
     return rest_end(rest)
@@ -104,6 +118,47 @@ static struct value_of of_word(c205_word word)
                               .integer = c205_to_integer(word),
                               .real = c205_to_double(word),
                               .word = word };
+}
+
+static struct value_of of_half(c205_word half)
+{
+    return (struct value_of){ .is_real = true,
+                              .is_word = true,
+                              .is_half = true,
+                              .real = c205_half_to_double(half),
+                              .word = half };
+}
+
+/* Not more than 48 bits. */
+static bool is_integer_word(int64_t integer)
+{
+    return integer >= -(INT64_C(1) << 47) && integer < INT64_C(1) << 47;
+}
+
+static c205_word make_word(const struct value_of *value)
+{
+    if (value->is_word && !value->is_half)
+        return value->word;
+    return value->is_real ? c205_from_double(value->real)
+                          : c205_from_integer(value->integer);
+}
+
+bool debug_word(struct debugger *debugger, const struct value_of *value,
+                bool half, c205_word *word)
+{
+    if (!value->is_word && value->is_real && !isfinite(value->real))
+        return debug_fault(debugger, "%g is no number of the machine",
+                           value->real);
+    if (!value->is_real && !is_integer_word(value->integer))
+        return debug_fault(debugger,
+                           "%lld has more than the 48 bits of an integer",
+                           (long long)value->integer);
+    if (half)
+        *word = value->is_half ? value->word
+                               : c205_half_from_double(value->real);
+    else
+        *word = make_word(value);
+    return true;
 }
 
 bool debug_is_true(const struct value_of *value)
@@ -227,13 +282,8 @@ static struct value_of of_register(const struct debugger *debugger,
                                    struct register_of named)
 {
     c205_word word = debug_register_word(debugger, named);
-    struct value_of value = of_word(word);
 
-    if (named.half) {
-        value.is_real = true;
-        value.real = c205_half_to_double(word);
-    }
-    return value;
+    return named.half ? of_half(word) : of_word(word);
 }
 
 static bool read_special(const struct debugger *debugger, const char *name,
@@ -282,7 +332,7 @@ static bool read_name(struct reading *reading, struct value_of *value)
     struct debugger *debugger = reading->debugger;
     const char *name = reading->rest->at;
     size_t length = base_length(name);
-    struct register_of named;
+    struct register_of named = { 0, false };
 
     reading->rest->at += length;
     if (find_register(debugger, name, length)) {
@@ -296,7 +346,7 @@ static bool read_name(struct reading *reading, struct value_of *value)
         return debug_fault(debugger, "nothing is called '%.*s'", (int)length,
                            name);
     }
-    if (value->is_word)
+    if (value->is_word && !value->is_half)
         take_part(reading, value);
     return true;
 }
@@ -306,17 +356,23 @@ static bool read_name(struct reading *reading, struct value_of *value)
 static bool read_number(struct reading *reading, struct value_of *value)
 {
     const char *at = reading->rest->at;
+    bool is_hex = at[0] == '0' && (at[1] == 'x' || at[1] == 'X');
     char *end;
-    long long integer = strtoll(at, &end, 0);
+    long long integer;
 
+    errno = 0;
+    integer = strtoll(at, &end, is_hex ? 16 : 10);
     if (*end == '.' || *end == 'e' || *end == 'E') {
         *value = of_real(strtod(at, &end));
     } else {
         *value = of_integer(integer);
     }
     reading->rest->at = end;
-    return !is_name(*end)
-           || debug_fault(reading->debugger, "'%.40s' is no number", at);
+    return (!is_name(*end) && errno != ERANGE)
+           || debug_fault(reading->debugger,
+                          errno == ERANGE ? "'%.40s' is too large"
+                                          : "'%.40s' is no number",
+                          at);
 }
 
 /* X'FFD2 4000 0000 0000', or 8 digits of a half word. */
@@ -340,8 +396,21 @@ static bool read_hex(struct reading *reading, struct value_of *value)
         return debug_fault(reading->debugger,
                            "a word is X' and up to 16 hex digits and '");
     reading->rest->at = at + 1;
-    *value = of_word(word);
+    *value = digits == HALF_DIGITS ? of_half(word << 32) : of_word(word);
     return true;
+}
+
+/* A descriptor with a length is no number to count with: NAME.i is its address. */
+static bool read_address(struct debugger *debugger, struct reading *reading,
+                         struct value_of *value, uint64_t *address)
+{
+    if (!read_any(reading, value))
+        return false;
+    *address = (uint64_t)value->integer & ((UINT64_C(1) << LENGTH_SHIFT) - 1);
+    return (!value->is_half && (value->is_word || !value->is_real))
+           || debug_fault(debugger,
+                          "%g is no address; that of a descriptor is NAME.i",
+                          value->real);
 }
 
 static bool read_memory(struct reading *reading, struct value_of *value)
@@ -349,11 +418,10 @@ static bool read_memory(struct reading *reading, struct value_of *value)
     c205_word word;
     uint64_t address;
 
-    if (!read_any(reading, value))
+    if (!read_address(reading->debugger, reading, value, &address))
         return false;
     if (!take(reading, "]"))
         return debug_fault(reading->debugger, "a ] is missing");
-    address = (uint64_t)value->integer;
     if (!c205_read(machine_of(reading->debugger), address, &word, 1))
         return debug_fault(reading->debugger, "there is no word at %llX",
                            (unsigned long long)address);
@@ -476,11 +544,12 @@ static bool read_sum(struct reading *reading, struct value_of *value)
     return read_chain(reading, value, "+-", read_product);
 }
 
-/* Words that are the same are equal, whatever numbers they are. */
+/* Words that are the same are equal, indefinite ones, too. */
 static bool is_equal(const struct value_of *a, const struct value_of *b)
 {
-    if (a->is_word && b->is_word)
-        return a->word == b->word;
+    if (a->is_word && b->is_word && a->is_half == b->is_half
+        && a->word == b->word)
+        return true;
     return a->is_real || b->is_real ? a->real == b->real
                                     : a->integer == b->integer;
 }
@@ -550,13 +619,10 @@ bool debug_value(struct debugger *debugger, struct rest *rest,
 bool debug_address(struct debugger *debugger, struct rest *rest,
                    uint64_t *address)
 {
+    struct reading reading = { debugger, rest, 0 };
     struct value_of value;
 
-    if (!debug_value(debugger, rest, &value))
-        return false;
-    *address = (uint64_t)value.integer & ((UINT64_C(1) << LENGTH_SHIFT) - 1);
-    return (value.is_word || !value.is_real)
-           || debug_fault(debugger, "%g is no address", value.real);
+    return read_address(debugger, &reading, &value, address);
 }
 
 bool debug_count(struct debugger *debugger, struct rest *rest,

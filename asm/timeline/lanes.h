@@ -1,5 +1,6 @@
 /* lanes.h - the spans of a timeline, each in a row of its own lane: spans of one row do not
- * overlap.  Not public. */
+ * overlap, as long as no more than 64 of a lane are at work at once, and the machine has no
+ * more.  Not public. */
 #ifndef ASM_TIMELINE_LANES_H
 #define ASM_TIMELINE_LANES_H
 
@@ -26,7 +27,8 @@ struct span {
 
 struct lanes {
     size_t count, capacity;
-    struct span *spans; /* by lane, then in the order of the run */
+    struct span
+        *spans; /* instruction by instruction, in the order of the run */
     unsigned rows[LANES];
 };
 

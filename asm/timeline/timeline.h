@@ -26,7 +26,8 @@ struct timed_piece {
 struct timed_insn {
     uint64_t pc, arrived, issued, ready;
     uint64_t done; /* its results are there, and the clock has moved on */
-    const c205_insn *insn; /* NULL: what was in flight at the end of the run */
+    const c205_insn
+        *insn; /* NULL: what was in flight at the end of the run */
     const char *text;
     size_t elements;
     size_t first_piece, piece_count, first_phase, phase_count;

@@ -119,6 +119,16 @@ static bool stops_at(const struct plain *plain, const struct told *told,
            || (told->by_watch && now->watched != now[-1].watched);
 }
 
+static bool begins_with_stop(const struct plain *plain,
+                             const struct told *told)
+{
+    uint64_t pc = plain->moments[0].pc;
+
+    return (told->by_place && pc == told->place)
+           || (told->region
+               && strcmp(region_of(plain, pc), told->region) == 0);
+}
+
 static size_t on_from(const struct plain *plain, const struct told *told,
                       size_t step, uint64_t count)
 {
@@ -241,7 +251,11 @@ static size_t draw_line(struct session *session, char line[80])
         number = below(plain->moments[plain->end].clock + 1);
         snprintf(line, 80, "goto clock %llu", (unsigned long long)number);
         return to_clock(plain, step, number);
-    case 6: strcpy(line, "run"); return on_from(plain, told, 0, UINT64_MAX);
+    case 6:
+        strcpy(line, "run");
+        return begins_with_stop(plain, told)
+                   ? 0
+                   : on_from(plain, told, 0, UINT64_MAX);
     default:
         number = plain->moments[below(plain->end)].pc;
         snprintf(line, 80, "until *%llu", (unsigned long long)number);
@@ -390,7 +404,9 @@ static void test_values(void **state)
         { "p count.i % 4", "3" },
         { "p a.length == n && !(count < 7)", "1" },
         { "p r18 - 0.5", "6.5" },
-        { "p [a + 0] * 2", "error: there is no word" },
+        { "p [a + 0] * 2", "is no address; that of a descriptor is NAME.i" },
+        { "p [-64]", "error: there is no word at FFFFFFFFFFC0" },
+        { "p [X'FFFFFFFFFFFFFFC0']", "error: there is no word at" },
         { "p [a.i] * 2", "3" },
         { "p [a.i+64] < -1 || 0", "1" },
         { "p X'FFD2 4000 0000 0000'", "number 1" },
@@ -407,6 +423,18 @@ static void test_values(void **state)
         { "p count", "number 9" },
         { "set h37 = 2.5", "" },
         { "p h37", "number 2.5" },
+        { "p (h37)", "number 2.5" },
+        { "set r30 = h37", "" },
+        { "p r30", "number 2.5" },
+        { "set h50 = X'EC500000'", "" },
+        { "p h50 == X'EC500000' && h50 == 5 && h50 + 1 == 6", "1" },
+        { "set r31 = 5", "" },
+        { "set r32 = 5.0", "" },
+        { "p r31 == r32", "1" },
+        { "set [b.i] = X'0000000500000005'", "" },
+        { "x/2hi b.i", "             5               5" },
+        { "set [b.i] = 3.0", "" },
+        { "p 010 + 08", "18" },
         { "p h36", "number 0" },
         { "set [b.i + 64] = -4", "" },
         { "p [b.i + 64]", "number -4" },
@@ -430,7 +458,7 @@ static void test_values(void **state)
     begin(&session, &plain, "-");
     session.plain = &plain;
     check_lines(&session, lines, sizeof lines / sizeof *lines);
-    assert_int_equal(debugger_faults(session.debugger), 1);
+    assert_int_equal(debugger_faults(session.debugger), 3);
     end(&session);
     free_plain(&plain);
 }
@@ -468,6 +496,12 @@ static void test_faults(void **state)
         { "set count", "set REGISTER = VALUE" },
         { "set 3 = 4", "set REGISTER = VALUE" },
         { "set [1] = 4", "there is no word at 1" },
+        { "set r0 = 4", "register 0 stays what it is" },
+        { "set r9 = 140737488355328", "more than the 48 bits of an integer" },
+        { "set r9 = 1e400", "is too large" },
+        { "p 99999999999999999999", "is too large" },
+        { "x/100000000 mask", "a count of at most 65535" },
+        { "disassemble , 100001", "at most 100000 instructions are shown" },
         { "why", "no instruction has been executed" },
         { "assert 1 == 2", "it does not hold: 1 == 2" },
         { "goto nowhere", "nothing is called 'nowhere'" },
@@ -553,6 +587,129 @@ static void test_calls_and_links(void **state)
     free_plain(&plain);
 }
 
+static bool has(const struct session *session, const char *part)
+{
+    return session->said.text && strstr(session->said.text, part);
+}
+
+/* Behind its end a program does not go on, whatever is asked. */
+static void test_end(void **state)
+{
+    static const char *const lines[] = { "step",     "rs 0",
+                                         "goto 4",   "c",
+                                         "until *0", "goto clock 100000" };
+    struct plain plain = { .object = good("        ES  r10, 5\n"
+                                          "        ES  r11, 6\n"
+                                          "        DIVS r10, r11, r12\n"
+                                          "        EXIT\n") };
+    struct session session;
+
+    (void)state;
+    begin(&session, &plain, "-");
+    obey(&session, "run");
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        obey(&session, lines[i]);
+        if (!has(&session, "ended with status 0"))
+            fail_msg("%s: %s", lines[i], session.said.text);
+    }
+    obey(&session, "set r10 = 3");
+    assert_true(has(&session, "go back first"));
+    obey(&session, "why");
+    assert_true(has(&session, "and until all in flight was done"));
+    assert_true(has(&session, "operand wait"));
+    end(&session);
+    free_plain(&plain);
+}
+
+/* What a run prints that somebody has changed is printed. */
+static void test_printed_again(void **state)
+{
+    struct plain plain = { .object = good("        ES  r10, 5\n"
+                                          "        EXIT r10, r0, 2\n"
+                                          "        EXIT\n") };
+    struct session session;
+
+    (void)state;
+    begin(&session, &plain, "-");
+    obey(&session, "run");
+    assert_true(has(&session, "5\n"));
+    obey(&session, "goto 1");
+    obey(&session, "set r10 = 77");
+    obey(&session, "c");
+    assert_true(has(&session, "77\n"));
+    end(&session);
+    free_plain(&plain);
+}
+
+/* Stops at lines: of a macro's call at its first instruction, of a line in a macro at each of
+ * its calls, of data behind them; several at one step are all told. */
+static void test_lines_and_several(void **state)
+{
+    static const struct line_said lines[] = {
+        { "break 9", "break 1: 9" },
+        { "break 11", "break 2: 11" },
+        { "break test.s:4", "break 3: test.s:4" },
+        { "run", "break 1: 9" },
+        { "print $step", "1" },
+        { "c", "break 2: 11\nbreak 3: test.s:4" },
+        { "print $step", "3" },
+        { "c", "break 3: test.s:4" },
+        { "print $step", "5" },
+        { "delete", "" },
+        { "tbreak insn DIVS", "break 4" },
+        { "tbreak here", "break 5" },
+        { "run", "break 4: insn DIVS\nbreak 5: here" },
+        { "info breaks", "there are none" },
+        { "tbreak *here", "break 6" },
+        { "goto 0", "" },
+        { "c 2", "ended" },
+        { "info breaks", "there are none" },
+    };
+    struct plain plain = { .object = good("        .data\n"
+                                          "datum:  .word 1.0\n"
+                                          "        .macro twice r\n"
+                                          "        ADDX \\r, r9, \\r\n"
+                                          "        ADDX \\r, r9, \\r\n"
+                                          "        .endm\n"
+                                          "        .code\n"
+                                          "        ES   r9, 1\n"
+                                          "        ES   r10, 5\n"
+                                          "        ES   r11, 5\n"
+                                          "        twice r10\n"
+                                          "        twice r11\n"
+                                          "here:   DIVS r10, r11, r12\n"
+                                          "        EXIT\n") };
+    struct session session;
+
+    (void)state;
+    begin(&session, &plain, "test.s");
+    check_lines(&session, lines, sizeof lines / sizeof *lines);
+    assert_int_equal(debugger_faults(session.debugger), 0);
+    end(&session);
+    free_plain(&plain);
+}
+
+/* An endless program ends no script. */
+static void test_endless(void **state)
+{
+    struct plain plain = { .object = good(
+                               "        .include \"vectors.s\"\n"
+                               "        .data\n"
+                               "v:      .space 65000\n"
+                               "        .code\n"
+                               "        descriptor r10, v, 65000\n"
+                               "loop:   DIVSV [r10], [r10], [r10]\n"
+                               "        BIM loop\n") };
+    struct session session;
+
+    (void)state;
+    begin(&session, &plain, "test.s");
+    obey(&session, "c");
+    assert_true(has(&session, "1000000000 clocks have passed"));
+    end(&session);
+    free_plain(&plain);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -562,6 +719,10 @@ int main(void)
         cmocka_unit_test(test_faults),
         cmocka_unit_test(test_printed),
         cmocka_unit_test(test_calls_and_links),
+        cmocka_unit_test(test_end),
+        cmocka_unit_test(test_printed_again),
+        cmocka_unit_test(test_lines_and_several),
+        cmocka_unit_test(test_endless),
     };
 
     return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
