@@ -1,11 +1,13 @@
 #!/bin/sh
-# bench_ranks.sh BUILD - two processes to one, seconds on the wall of whole commands, the
-# least of several runs, in turn; what their units are; and what rank 0 does for a
-# unit of another rank.  docs/cluster.md reads a model from it.
+# bench_ranks.sh BUILD - two ranks to one process, seconds on the wall of whole commands, the
+# least of several runs, in turn; beside them two processes that know nothing of each other and
+# do half of the units each, which is what the machine can do with both of its processors;
+# what their units are; and what rank 0 does for a unit of another rank.  docs/cluster.md
+# reads a model from it.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
-trials=${TRIALS:-5} # the machine may be busy elsewhere
+trials=${TRIALS:-3} # the machine may be busy elsewhere
 RT205_LIBDIR=$build
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export RT205_LIBDIR OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
@@ -22,6 +24,18 @@ seconds() { # OPTION ..: of the command in $run
     echo "$before $(date +%s%N)" | awk '{ printf "%.3f\n", ($2 - $1) / 1e9 }'
 }
 
+# .. of two of them at a time, each with half of the units.
+seconds_apart() {
+    rm -f "$work/half1" "$work/half2"
+    before=$(date +%s%N)
+    for half in 1 2; do
+        "$build/rt205" $run --jobs 1 --part $half/2 --resume "$work/half$half" \
+            >/dev/null 2>&1 &
+    done
+    wait
+    echo "$before $(date +%s%N)" | awk '{ printf "%.3f\n", ($2 - $1) / 1e9 }'
+}
+
 # Their number and their bytes in a file.
 units_of() { # OPTION ..
     rm -f "$work/units"
@@ -30,22 +44,22 @@ units_of() { # OPTION ..
     wc -c <"$work/units"
 }
 
-printf '%-8s %7s %11s %9s %8s %9s %6s\n' ranks units bytes/unit ms/unit \
-    "one, s" "two, s" times
+printf '%-8s %7s %11s %9s %8s %9s %6s %9s\n' ranks units bytes/unit ms/unit \
+    "one, s" "two, s" times "apart, s"
 for kind in frame mass rays lines; do
     eval "run=\$$kind"
     units_of | paste -s -d ' ' >"$work/units.of"
     read -r units bytes <"$work/units.of"
     for _ in $(seq "$trials"); do
-        echo "$(seconds --jobs 1) $(seconds --ranks 2)"
+        echo "$(seconds --jobs 1) $(seconds --ranks 2) $(seconds_apart)"
     done | least >"$work/times"
-    read -r one two <"$work/times"
+    read -r one two apart <"$work/times"
     each=$((bytes / units)) times=$(quotient "$one" "$two")
     unit=$(awk -v s="$one" -v n="$units" 'BEGIN { printf "%.1f", 1000 * s / n }')
-    printf '%-8s %7d %11d %9s %8s %9s %6s\n' $kind "$units" "$each" "$unit" \
-        "$one" "$two" "$times"
+    printf '%-8s %7d %11d %9s %8s %9s %6s %9s\n' $kind "$units" "$each" \
+        "$unit" "$one" "$two" "$times" "$apart"
     keep ranks $kind units "$units" bytes/unit "$each" ms/unit "$unit" \
-        one "$one" two "$two" times "$times"
+        one "$one" two "$two" times "$times" apart "$apart"
 done
 
 run="render scenes/bracket.pov -W 8 -H 8" kind=frame

@@ -16,7 +16,8 @@ const char *lane_name(enum lane lane)
 /* The first row that is free at its beginning; ends has the end of each row. */
 enum { ROWS_MOST = 64 };
 
-static unsigned find_row(const struct span *span, uint64_t ends[ROWS_MOST])
+static unsigned find_row(const struct timed_span *span,
+                         uint64_t ends[ROWS_MOST])
 {
     unsigned row = 0;
 
@@ -40,10 +41,10 @@ struct making {
     uint64_t ends[LANES][ROWS_MOST];
 };
 
-static bool add(struct making *making, struct span span)
+static bool add(struct making *making, struct timed_span span)
 {
     struct lanes *lanes = making->lanes;
-    struct span *grown;
+    struct timed_span *grown;
 
     span.begin = cut(making->timeline, span.begin);
     span.end = cut(making->timeline, span.end);
@@ -69,8 +70,8 @@ static bool add_pieces(struct making *making, const struct timed_insn *insn)
         const struct timed_piece
             *piece = &making->timeline->pieces[insn->first_piece + i];
 
-        if (!add(making, (struct span){ piece->begin, piece->end,
-                                        LANE_CHARGED, 0, insn, piece }))
+        if (!add(making, (struct timed_span){ piece->begin, piece->end,
+                                              LANE_CHARGED, 0, insn, piece }))
             return false;
     }
     return true;
@@ -86,8 +87,8 @@ static bool add_phases(struct making *making, const struct timed_insn *insn)
         enum lane lane = phase->cause == C205_VECTOR_STREAM ? LANE_STREAM
                                                             : LANE_STARTUP;
 
-        if (!add(making, (struct span){ phase->begin, phase->end, lane, 0,
-                                        insn, phase }))
+        if (!add(making, (struct timed_span){ phase->begin, phase->end, lane,
+                                              0, insn, phase }))
             return false;
     }
     return true;
@@ -104,9 +105,9 @@ static bool add_insn(struct making *making, const struct timed_insn *insn)
 {
     return add_pieces(making, insn) && add_phases(making, insn)
            && (insn->phase_count > 0 || !insn->insn
-               || add(making,
-                      (struct span){ insn->issued, insn->ready,
-                                     lane_of(insn->insn), 0, insn, NULL }));
+               || add(making, (struct timed_span){ insn->issued, insn->ready,
+                                                   lane_of(insn->insn), 0,
+                                                   insn, NULL }));
 }
 
 bool lanes_make(const struct timeline *timeline, struct arena *arena,

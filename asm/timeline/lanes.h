@@ -16,7 +16,7 @@ enum lane {
     LANES
 };
 
-struct span {
+struct timed_span {
     uint64_t begin, end;
     enum lane lane;
     unsigned row; /* within the lane */
@@ -27,7 +27,7 @@ struct span {
 
 struct lanes {
     size_t count, capacity;
-    struct span
+    struct timed_span
         *spans; /* instruction by instruction, in the order of the run */
     unsigned rows[LANES];
 };

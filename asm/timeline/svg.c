@@ -34,7 +34,7 @@ static const char *const colors[C205_CAUSES] = {
 };
 static const char scalar_color[] = "#b9c4d0";
 
-struct picture {
+struct timeline_picture {
     const struct timeline *timeline;
     const struct sink *sink;
     struct lanes lanes;
@@ -43,7 +43,7 @@ struct picture {
     unsigned bottom;
 };
 
-static double x_of(const struct picture *picture, uint64_t clock)
+static double x_of(const struct timeline_picture *picture, uint64_t clock)
 {
     return LEFT + picture->scale * (double)(clock - picture->timeline->from);
 }
@@ -62,7 +62,7 @@ static void put_escaped(const struct sink *sink, const char *text)
     }
 }
 
-static void place_lanes(struct picture *picture)
+static void place_lanes(struct timeline_picture *picture)
 {
     unsigned at = TOP;
     int lane;
@@ -90,7 +90,7 @@ static uint64_t step_of(uint64_t clocks)
                 return power * parts[i];
 }
 
-static void put_axis(const struct picture *picture)
+static void put_axis(const struct timeline_picture *picture)
 {
     const struct timeline *timeline = picture->timeline;
     uint64_t step = step_of(timeline->to - timeline->from);
@@ -105,7 +105,7 @@ static void put_axis(const struct picture *picture)
                    picture->bottom, x_of(picture, clock), TOP - 10, clock);
 }
 
-static void put_names(const struct picture *picture)
+static void put_names(const struct timeline_picture *picture)
 {
     int lane;
 
@@ -117,7 +117,7 @@ static void put_names(const struct picture *picture)
                        lane_name((enum lane)lane));
 }
 
-static void put_key(const struct picture *picture)
+static void put_key(const struct timeline_picture *picture)
 {
     unsigned y = picture->bottom + 6;
     int x = LEFT, i;
@@ -140,13 +140,14 @@ static void put_key(const struct picture *picture)
 
 /* ---- Spans ----------------------------------------------------------------- */
 
-static const char *label_of(const struct span *span)
+static const char *label_of(const struct timed_span *span)
 {
     return span->lane == LANE_CHARGED ? c205_cause_name(span->piece->cause)
                                       : span->insn->insn->mnemonic;
 }
 
-static void put_title(const struct picture *picture, const struct span *span)
+static void put_title(const struct timeline_picture *picture,
+                      const struct timed_span *span)
 {
     const struct timed_insn *insn = span->insn;
 
@@ -167,7 +168,8 @@ static void put_title(const struct picture *picture, const struct span *span)
     sink_put(picture->sink, "</title>");
 }
 
-static void put_span(const struct picture *picture, const struct span *span)
+static void put_span(const struct timeline_picture *picture,
+                     const struct timed_span *span)
 {
     double x = x_of(picture, span->begin);
     double wide = x_of(picture, span->end) - x;
@@ -187,7 +189,8 @@ static void put_span(const struct picture *picture, const struct span *span)
     sink_put(picture->sink, "</g>\n");
 }
 
-static void put_head(const struct picture *picture, const char *title)
+static void put_head(const struct timeline_picture *picture,
+                     const char *title)
 {
     int height = (int)picture->bottom + 2 * KEY + 10;
 
@@ -213,7 +216,7 @@ bool timeline_svg(const struct timeline *timeline, const char *title,
                   const struct sink *sink)
 {
     struct arena arena = { NULL, false };
-    struct picture picture = { .timeline = timeline, .sink = sink };
+    struct timeline_picture picture = { .timeline = timeline, .sink = sink };
     bool good = lanes_make(timeline, &arena, &picture.lanes);
     size_t i;
 

@@ -56,7 +56,7 @@ static void put_threads(const struct lanes *lanes, const struct sink *sink)
         }
 }
 
-static void put_span(const struct lanes *lanes, const struct span *span,
+static void put_span(const struct lanes *lanes, const struct timed_span *span,
                      const struct sink *sink)
 {
     const char *cause = span->piece ? c205_cause_name(span->piece->cause)

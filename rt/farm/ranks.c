@@ -82,7 +82,7 @@ bool ranks_hear(const struct ranks *ranks, size_t *from,
 
 void ranks_wait(struct ranks_pause *pause)
 {
-    enum { LEAST = 50000, MOST = 1000000 }; /* nanoseconds */
+    enum { LEAST = 50000, MOST = 4000000 }; /* nanoseconds */
     struct timespec moment = { 0, LEAST };
 
     if (pause->nanoseconds > 0)

@@ -73,7 +73,7 @@ static void check_rows(const struct timeline *timeline)
     memset(ends, 0, sizeof ends);
     assert_true(lanes_make(timeline, &arena, &lanes));
     for (size_t i = 0; i < lanes.count; i++) {
-        const struct span *span = &lanes.spans[i];
+        const struct timed_span *span = &lanes.spans[i];
 
         assert_true(span->row < lanes.rows[span->lane] && span->row < ROWS);
         assert_true(span->begin >= ends[span->lane][span->row]);

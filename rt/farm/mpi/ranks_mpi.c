@@ -1,5 +1,7 @@
 /* ranks_mpi.c - the adapter of ranks by MPI; see ranks.h. */
 #include <mpi.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "rt/farm/ranks.h"
 
@@ -18,9 +20,31 @@ static bool mpi_begin(size_t *rank, size_t *count)
     return true;
 }
 
+/* The last message, which may still be under way: who sends goes on with its work, and does
+ * not wait until the other one looks up. */
+static struct {
+    MPI_Request request;
+    uint64_t *words;
+} sent = { MPI_REQUEST_NULL, NULL };
+
+static void mpi_await_sent(void)
+{
+    MPI_Wait(&sent.request, MPI_STATUS_IGNORE);
+    free(sent.words);
+    sent.words = NULL;
+}
+
 static void mpi_send(size_t to, const uint64_t *words, size_t count)
 {
-    MPI_Send(words, (int)count, MPI_UINT64_T, (int)to, 0, MPI_COMM_WORLD);
+    mpi_await_sent();
+    sent.words = malloc(count * sizeof *words);
+    if (!sent.words) {
+        MPI_Send(words, (int)count, MPI_UINT64_T, (int)to, 0, MPI_COMM_WORLD);
+        return;
+    }
+    memcpy(sent.words, words, count * sizeof *words);
+    MPI_Isend(sent.words, (int)count, MPI_UINT64_T, (int)to, 0,
+              MPI_COMM_WORLD, &sent.request);
 }
 
 static bool mpi_ready(size_t *from, size_t *count)
@@ -45,6 +69,7 @@ static void mpi_receive(size_t from, uint64_t *words, size_t count)
 
 static void mpi_end(void)
 {
+    mpi_await_sent();
     MPI_Finalize();
 }
 
