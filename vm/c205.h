@@ -373,10 +373,10 @@ typedef enum c205_wait {
     C205_WAIT_REGISTER, /* its number: a source that was not ready, or a result
                            on its way */
     C205_WAIT_UNIT,     /* its number, of c205_unit: it was busy */
-    C205_WAIT_LOADS,    /* all that were in flight, or the oldest of as many as
+    C205_WAIT_LOADS,   /* all that were in flight, or the oldest of as many as
                            there can be */
-    C205_WAIT_RESULTS,  /* all that were in flight */
-    C205_WAIT_VECTOR,   /* the vector unit was busy */
+    C205_WAIT_RESULTS, /* all that were in flight */
+    C205_WAIT_VECTOR,  /* the vector unit was busy */
     C205_WAITS
 } c205_wait;
 
@@ -384,7 +384,8 @@ typedef struct c205_piece {
     uint64_t clocks;
     c205_cause cause;
     size_t region; /* whose account they are in */
-    uint64_t pc;   /* the instruction whose work it is: a vector instruction goes
+    uint64_t
+        pc; /* the instruction whose work it is: a vector instruction goes
                       on while others wait */
     c205_wait wait;
     unsigned number; /* .. of what, or 0 */
@@ -397,10 +398,11 @@ typedef struct c205_piece {
 enum { C205_PIECES = 40, C205_PHASES = 5 };
 typedef struct c205_times {
     uint64_t pc;
-    uint64_t arrived;   /* the clock before it */
-    uint64_t issued;    /* at which it issued */
-    uint64_t ready;     /* at which its results are */
-    uint64_t unit_free; /* .. its unit takes the next one: of a vector instruction,
+    uint64_t arrived; /* the clock before it */
+    uint64_t issued;  /* at which it issued */
+    uint64_t ready;   /* at which its results are */
+    uint64_t
+        unit_free; /* .. its unit takes the next one: of a vector instruction,
                            one whose start-up does not overlap */
     size_t piece_count, phase_count;
     c205_piece piece[C205_PIECES];
@@ -415,13 +417,13 @@ typedef struct c205_event {
     uint64_t pc;
     const c205_insn *insn;
     c205_fields fields;
-    size_t region;    /* index into the accounts */
-    uint64_t issued;  /* the clock at which it issued */
-    uint64_t clocks;  /* by how much it moved the clock */
-    const c205_times *record;  /* all about its time; of what was in flight at
+    size_t region;            /* index into the accounts */
+    uint64_t issued;          /* the clock at which it issued */
+    uint64_t clocks;          /* by how much it moved the clock */
+    const c205_times *record; /* all about its time; of what was in flight at
                                   the end or at a trap pieces alone; NULL: there is
                                   nothing to tell */
-    size_t elements;  /* vector length, 0 for scalar instructions */
+    size_t elements;          /* vector length, 0 for scalar instructions */
     size_t recurrent; /* those that waited for an earlier one's result */
     bool taken;       /* branches */
     /* C205_EVENT_REQUEST */

@@ -289,8 +289,7 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
 {
     bool goes_on = forward(history, stop);
     c205_error error;
-    if (goes_on && history->step > history->list[history->count - 1].step
-        && is_time(history))
+    if (goes_on && is_time(history))
         keep(history,
              &error); /* without memory it is farther back to the last */
     return goes_on;

@@ -92,9 +92,19 @@ int cmd_check(const struct c205_arguments *arguments);
 struct object *cmd_read_program(const struct c205_arguments *arguments,
                                 const char *path, const struct sink *report);
 
+/* How long programs run unless they may run longer: 20 seconds of the machine; programs of more
+ * are few, endless loops many. */
+#define CMD_LIMIT UINT64_C(1000000000)
+/* A machine with the program, its pages warm if the arguments ask that.  NULL: it cannot be. */
+c205 *cmd_load(const struct c205_arguments *arguments,
+               const struct object *object, const c205_model *model,
+               c205_error *error);
+/* The program and the model that the arguments name; false after telling what is wrong.  The
+ * caller frees both in either case. */
+bool cmd_open(const struct c205_arguments *arguments, struct object **object,
+              c205_model **model);
+
 /* -W list. */
 int cmd_list_warnings(void);
-
-/* A model, the default one if the name is NULL; NULL after telling why not. */
 
 #endif

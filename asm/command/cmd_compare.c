@@ -8,9 +8,6 @@
 #include "asm/command/c205_command.h"
 #include "base/accounts.h"
 
-/* 20 seconds of the machine, as run has it. */
-static const uint64_t limit = 1000000000;
-
 enum { FIRST, SECOND, SIDES };
 
 struct side {
@@ -49,17 +46,9 @@ static bool read_side(struct two_runs *runs, int which)
     return side->model;
 }
 
-static bool run_to_end(const struct two_runs *runs, struct side *side,
-                       c205 *machine, c205_error *error)
+static bool run_to_end(struct side *side, c205 *machine, c205_error *error)
 {
-    c205_stop stop;
-    if (!c205_load(machine, &side->object->program, error)) {
-        return false;
-    }
-    if (runs->arguments->warm) {
-        c205_warm(machine);
-    }
-    stop = c205_run(machine, limit);
+    c205_stop stop = c205_run(machine, CMD_LIMIT);
     if (stop.trap != C205_TRAP_NONE) {
         c205_describe_stop(machine, &stop, error);
         return false;
@@ -73,10 +62,11 @@ static bool run_side(struct two_runs *runs, int which)
 {
     struct side *side = &runs->side[which];
     c205_error error;
-    c205 *machine = c205_new(side->model, &error);
+    c205 *machine = cmd_load(runs->arguments, side->object, side->model,
+                             &error);
     bool good;
     side->accounts.model = side->model;
-    good = machine && run_to_end(runs, side, machine, &error);
+    good = machine && run_to_end(side, machine, &error);
     c205_free(machine);
     if (good) {
         side->all = accounts_together(&side->accounts);

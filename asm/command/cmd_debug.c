@@ -72,6 +72,7 @@ static int debug_program(const struct c205_arguments *arguments,
                                           .name = arguments->file,
                                           .model = model,
                                           .out = stream_sink(stdout),
+                                          .clocks_most = CMD_LIMIT,
                                           .interrupted = interrupt_came };
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
@@ -88,13 +89,11 @@ static int debug_program(const struct c205_arguments *arguments,
 static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
-    struct sink report = stream_sink(stderr);
-    struct object *object = cmd_read_program(arguments, arguments->file,
-                                             &report);
-    c205_model *model = object
-                            ? model_open(arguments->command, arguments->model)
-                            : NULL;
-    int code = model ? debug_program(arguments, object, model) : CMD_FAILED;
+    struct object *object;
+    c205_model *model;
+    int code = cmd_open(arguments, &object, &model)
+                   ? debug_program(arguments, object, model)
+                   : CMD_FAILED;
     c205_model_free(model);
     object_free(object);
     return code;

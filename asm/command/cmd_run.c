@@ -11,9 +11,6 @@
 #include "asm/trap_report.h"
 #include "asm/watch.h"
 
-/* 20 seconds of the machine; programs of more are few, endless loops many. */
-static const uint64_t default_limit = 1000000000;
-
 /* Instructions lie on half words; a short one needs only the first. */
 static c205_word word_at(const c205 *machine, uint64_t address)
 {
@@ -125,7 +122,7 @@ static int judge_trap(const struct c205_arguments *arguments,
             "stopped after %" PRIu64 " clocks: if it is in no "
             "endless loop, --limit CLOCKS or --no-limit lets it "
             "go on",
-            default_limit);
+            CMD_LIMIT);
     }
     return CMD_FAILED;
 }
@@ -224,7 +221,7 @@ static uint64_t find_limit(const struct c205_arguments *arguments,
 {
     return arguments->limit != C205_NO_LIMIT || arguments->no_limit
                ? arguments->limit
-               : c205_clock(machine) + default_limit;
+               : c205_clock(machine) + CMD_LIMIT;
 }
 
 /* In slices, between which it is asked for Ctrl-C. */
@@ -281,17 +278,6 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
 
 /* ---- Where the machine comes from --------------------------------------- */
 
-static c205 *load(const c205_model *model, const struct object *object,
-                  c205_error *error)
-{
-    c205 *machine = c205_new(model, error);
-    if (machine && !c205_load(machine, &object->program, error)) {
-        c205_free(machine);
-        return NULL;
-    }
-    return machine;
-}
-
 /* The object may be NULL. */
 static c205 *restore(const char *path, const c205_model *model,
                      const struct object *object, c205_error *error)
@@ -314,7 +300,7 @@ static int make_and_run(const struct c205_arguments *arguments,
     c205_error error;
     c205 *machine = arguments->restore
                         ? restore(arguments->restore, model, object, &error)
-                        : load(model, object, &error);
+                        : cmd_load(arguments, object, model, &error);
     if (!machine) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
@@ -324,9 +310,6 @@ static int make_and_run(const struct c205_arguments *arguments,
                           "--profile: the source lines of %s are not known; "
                           "run its text",
                           program_name(arguments));
-    }
-    if (arguments->warm) {
-        c205_warm(machine);
     }
     int code = run(arguments, machine, object);
     c205_free(machine);

@@ -73,6 +73,31 @@ struct object *cmd_read_program(const struct c205_arguments *arguments,
     return object;
 }
 
+c205 *cmd_load(const struct c205_arguments *arguments,
+               const struct object *object, const c205_model *model,
+               c205_error *error)
+{
+    c205 *machine = c205_new(model, error);
+    if (machine && !c205_load(machine, &object->program, error)) {
+        c205_free(machine);
+        return NULL;
+    }
+    if (machine && arguments->warm) {
+        c205_warm(machine);
+    }
+    return machine;
+}
+
+bool cmd_open(const struct c205_arguments *arguments, struct object **object,
+              c205_model **model)
+{
+    struct sink report = stream_sink(stderr);
+    *object = cmd_read_program(arguments, arguments->file, &report);
+    *model = *object ? model_open(arguments->command, arguments->model)
+                     : NULL;
+    return *model;
+}
+
 /* The name is cut off in place. */
 bool cmd_take_define(char *text, void *value)
 {

@@ -7,9 +7,6 @@
 #include "asm/timeline/timeline.h"
 #include "base/whole.h"
 
-/* 20 seconds of the machine, as run has it. */
-static const uint64_t limit = 1000000000;
-
 static bool ends_with(const char *path, const char *ending)
 {
     size_t length = strlen(path), rest = strlen(ending);
@@ -130,7 +127,7 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
 /* Until the next instruction arrives there, or later. */
 static struct ending run_to(c205 *machine, uint64_t clock)
 {
-    uint64_t end = clock < limit ? clock : limit;
+    uint64_t end = clock < CMD_LIMIT ? clock : CMD_LIMIT;
     struct ending ending = { .ended = false };
     bool goes_on = true;
     while (goes_on && c205_clock(machine) < end) {
@@ -147,16 +144,12 @@ static int run_program(const struct c205_arguments *arguments,
     struct timeline timeline = { .from = arguments->from,
                                  .to = arguments->limit };
     c205_error error;
-    c205 *machine = c205_new(model, &error);
+    c205 *machine = cmd_load(arguments, object, model, &error);
     int code;
-    if (!machine || !c205_load(machine, &object->program, &error)
-        || !c205_listen(machine, timeline_listen, &timeline)) {
-        c205_free(machine);
+    if (!machine) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    if (arguments->warm) {
-        c205_warm(machine);
-    }
+    c205_listen(machine, timeline_listen, &timeline);
     code = judge(arguments, machine, run_to(machine, arguments->limit),
                  &timeline);
     timeline_free(&timeline);
@@ -184,17 +177,15 @@ static int check_usage(const struct c205_arguments *arguments)
 static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
-    struct sink report = stream_sink(stderr);
+    struct object *object;
+    c205_model *model;
     int code = check_usage(arguments);
     if (code != CMD_DONE) {
         return code;
     }
-    struct object *object = cmd_read_program(arguments, arguments->file,
-                                             &report);
-    c205_model *model = object
-                            ? model_open(arguments->command, arguments->model)
-                            : NULL;
-    code = model ? run_program(arguments, object, model) : CMD_FAILED;
+    code = cmd_open(arguments, &object, &model)
+               ? run_program(arguments, object, model)
+               : CMD_FAILED;
     c205_model_free(model);
     object_free(object);
     return code;

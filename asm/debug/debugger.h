@@ -16,6 +16,8 @@ struct debugger_setup {
     const char *name;            /* of the program's file */
     const c205_model *model;
     struct sink out;
+    uint64_t
+        clocks_most; /* that one movement takes: a script has no Ctrl-C */
     bool (*interrupted)(void); /* asked while the program runs: shall it stop?
                                   NULL: never */
 };

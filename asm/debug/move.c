@@ -12,9 +12,6 @@ enum moved {
     MOVED_TOO_FAR
 };
 
-/* 20 seconds of the machine: no movement goes on for longer, for scripts have no Ctrl-C. */
-static const uint64_t clocks_most = 1000000000;
-
 static uint64_t here(const struct debugger *debugger)
 {
     return c205_history_step(debugger->history);
@@ -48,7 +45,7 @@ static enum moved look_up(const struct debugger *debugger, uint64_t begun)
 {
     enum { SELDOM = 4096 };
 
-    if (clock_of(debugger) - begun > clocks_most)
+    if (clock_of(debugger) - begun > debugger->setup.clocks_most)
         return MOVED_TOO_FAR;
     return here(debugger) % SELDOM == 0 && is_interrupted(debugger)
                ? MOVED_INTERRUPTED
@@ -98,7 +95,7 @@ static bool arrive(struct debugger *debugger, enum moved moved)
     else if (moved == MOVED_TOO_FAR)
         sink_print(&debugger->out,
                    "%" PRIu64 " clocks have passed; continue goes on\n",
-                   clocks_most);
+                   debugger->setup.clocks_most);
     show_place(debugger);
     return true;
 }

@@ -62,9 +62,9 @@ struct debugger {
     uint64_t told;  /* steps whose output was printed */
     bool has_last;  /* there is a last instruction: */
     c205_event last;
+    c205_times record; /* its time */
     bool has_end;      /* .. with which the program ended: */
     c205_times end;    /* what was in flight then */
-    c205_times record; /* its time */
     bool halted;       /* the program cannot go on from here: */
     c205_stop halt;
     size_t stop_count, stop_number;
@@ -158,15 +158,20 @@ debug_verb verb_step, verb_next, verb_continue, verb_reverse_step,
 /* stops.c */
 debug_verb verb_break, verb_tbreak, verb_watch, verb_delete;
 /* show.c */
-debug_verb verb_where, verb_list, verb_disassemble, verb_print, verb_x,
-    verb_info, verb_set, verb_assert;
+debug_verb verb_where, verb_list, verb_disassemble;
+/* print.c */
+debug_verb verb_print, verb_assert, verb_x;
+/* info.c, set.c */
+debug_verb verb_info, verb_set;
 /* time.c */
 debug_verb verb_why, verb_account;
 
 /* What the program printed has its line to itself. */
 void show_end_line(struct debugger *debugger);
-/* One line: where the program stands, or that it has ended. */
+/* Step, clock and region, then the next instruction: where the program stands, or that it has ended. */
 void show_place(struct debugger *debugger);
+/* A word, or a half word at the left of one, in all that it may mean. */
+void show_word(const struct debugger *debugger, c205_word word, bool half);
 /* An instruction, and its source line if it is known. */
 void show_instruction(struct debugger *debugger, uint64_t address,
                       const char *before);

@@ -61,19 +61,6 @@ static size_t name_length(const char *text)
     return length;
 }
 
-bool rest_take(struct rest *rest, const char *word)
-{
-    size_t length;
-
-    rest_skip(rest);
-    length = name_length(rest->at);
-    if (length != strlen(word) || strncmp(rest->at, word, length) != 0)
-        return false;
-    rest->at += length;
-    rest_skip(rest);
-    return true;
-}
-
 bool rest_begin(struct rest *rest, const char *word)
 {
     size_t length;
@@ -85,6 +72,12 @@ bool rest_begin(struct rest *rest, const char *word)
     rest->at += length;
     rest_skip(rest);
     return true;
+}
+
+bool rest_take(struct rest *rest, const char *word)
+{
+    rest_skip(rest);
+    return name_length(rest->at) == strlen(word) && rest_begin(rest, word);
 }
 
 bool rest_finish(struct debugger *debugger, struct rest *rest)
@@ -333,10 +326,11 @@ static bool read_name(struct reading *reading, struct value_of *value)
     const char *name = reading->rest->at;
     size_t length = base_length(name);
     struct register_of named = { 0, false };
+    const struct asm_register *known = find_register(debugger, name, length);
 
     reading->rest->at += length;
-    if (find_register(debugger, name, length)) {
-        find_named(debugger, name, length, &named);
+    if (known) {
+        named = (struct register_of){ known->number, known->half };
         *value = of_register(debugger, named);
     } else if (read_symbol(debugger, name, length, value)) {
         return true;

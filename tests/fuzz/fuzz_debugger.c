@@ -77,6 +77,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct diagnostics errors = { 0 };
     struct debugger_setup setup = { .name = "fuzz.s",
                                     .out = { ignore, NULL },
+                                    .clocks_most = 1000000,
                                     .interrupted = is_enough };
     struct debugger *debugger;
     c205_error error;

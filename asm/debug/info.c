@@ -1,0 +1,97 @@
+/* info.c - what there is of a kind: registers, stops, regions, pages, symbols. */
+#include <inttypes.h>
+
+#include "asm/debug/parts.h"
+#include "asm/trap_report.h"
+
+/* Those that hold something. */
+static bool info_registers(struct debugger *debugger)
+{
+    for (unsigned i = 1; i < C205_REGISTERS; i++) {
+        c205_word word = c205_register(machine_of(debugger), i);
+
+        if (word == 0)
+            continue;
+        sink_print(&debugger->out, "r%-3u %-12s ", i,
+                   debug_register_name(debugger, i));
+        show_word(debugger, word, false);
+    }
+    return true;
+}
+
+static bool info_breaks(struct debugger *debugger)
+{
+    if (debugger->stop_count == 0)
+        sink_put(&debugger->out, "there are none\n");
+    for (size_t i = 0; i < debugger->stop_count; i++) {
+        const struct stop_point *stop = &debugger->stops[i];
+
+        sink_print(&debugger->out, "%zu %s %s%s%s%s, met %" PRIu64 " times\n",
+                   stop->number, stop->kind == STOP_WATCH ? "watch" : "break",
+                   stop->text, *stop->condition ? " if " : "",
+                   stop->condition, stop->once ? ", once" : "", stop->hits);
+    }
+    return true;
+}
+
+static bool info_regions(struct debugger *debugger)
+{
+    const c205_program *program = &debugger->setup.object->program;
+
+    for (size_t i = 0; i < program->region_count; i++)
+        sink_print(&debugger->out, "%6" PRIX64 " .. %6" PRIX64 "  %s\n",
+                   program->regions[i].begin, program->regions[i].end,
+                   program->regions[i].name);
+    return true;
+}
+
+static bool info_pages(struct debugger *debugger)
+{
+    c205_page page = { 0 };
+
+    for (uint64_t from = 0; c205_next_page(machine_of(debugger), from, &page);
+         from = page.address + UINT64_C(64) * C205_PAGE_WORDS)
+        sink_print(&debugger->out, "%12" PRIX64 "  %s%s\n", page.address,
+                   page.writable ? "read and written" : "read only",
+                   page.touched ? "" : ", not touched yet");
+    return true;
+}
+
+static bool info_symbols(struct debugger *debugger)
+{
+    const struct object *object = debugger->setup.object;
+
+    for (size_t i = 0; i < object->symbol_count; i++) {
+        const struct asm_symbol *symbol = &object->symbols[i];
+
+        if (symbol->is_label)
+            sink_print(&debugger->out, "%6" PRIX64 "  %s\n",
+                       (uint64_t)symbol->value, symbol->name);
+    }
+    return true;
+}
+
+static bool info_operands(struct debugger *debugger)
+{
+    trap_report_operands(machine_of(debugger), c205_pc(machine_of(debugger)),
+                         &debugger->out);
+    return true;
+}
+
+bool verb_info(struct debugger *debugger, struct rest *rest)
+{
+    static const struct {
+        const char *name;
+        bool (*show)(struct debugger *debugger);
+    } topics[] = {
+        { "registers", info_registers }, { "breaks", info_breaks },
+        { "regions", info_regions },     { "pages", info_pages },
+        { "symbols", info_symbols },     { "operands", info_operands },
+    };
+
+    for (size_t i = 0; i < sizeof topics / sizeof *topics; i++)
+        if (rest_begin(rest, topics[i].name))
+            return rest_finish(debugger, rest) && topics[i].show(debugger);
+    return debug_fault(debugger, "info is of registers, operands, breaks, "
+                                 "regions, pages or symbols");
+}

@@ -1,0 +1,234 @@
+/* print.c - what values, registers and vectors in memory are. */
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "asm/debug/parts.h"
+#include "asm/operand_view.h"
+
+/* ---- Values --------------------------------------------------------------- */
+
+void show_word(const struct debugger *debugger, c205_word word, bool half)
+{
+    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
+
+    c205_to_hex(word, hex);
+    (half ? c205_half_to_text : c205_to_text)(word, text);
+    if (half)
+        hex[9] = '\0';
+    sink_print(&debugger->out, "X'%s'  number %s", hex, text);
+    if (!half && word >> 48 == 0)
+        sink_print(&debugger->out, "  address %" PRIX64, word);
+    else if (!half)
+        sink_print(&debugger->out, "  length %u, address %" PRIX64,
+                   (unsigned)(word >> 48), word & UINT64_C(0xFFFFFFFFFFFF));
+    sink_put(&debugger->out, "\n");
+}
+
+bool verb_print(struct debugger *debugger, struct rest *rest)
+{
+    struct rest again = *rest;
+    struct register_of named;
+    struct value_of value;
+
+    if (debug_register(debugger, &again, &named) && rest_end(&again)) {
+        show_word(debugger, debug_register_word(debugger, named), named.half);
+        return true;
+    }
+    if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
+        return false;
+    if (value.is_word)
+        show_word(debugger, value.word, value.is_half);
+    else if (value.is_real)
+        sink_print(&debugger->out, "%.15g\n", value.real);
+    else
+        sink_print(&debugger->out, "%" PRId64 "  X'%" PRIX64 "'\n",
+                   value.integer, (uint64_t)value.integer);
+    return true;
+}
+
+bool verb_assert(struct debugger *debugger, struct rest *rest)
+{
+    struct value_of value;
+    const char *text;
+
+    rest_skip(rest);
+    text = rest->at;
+    if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
+        return false;
+    return debug_is_true(&value)
+           || debug_fault(debugger, "it does not hold: %.200s", text);
+}
+
+/* ---- Vectors -------------------------------------------------------------- */
+
+enum { ELEMENTS_USUAL = 16 };
+
+/* Elements of a vector as they are shown. */
+struct element_look {
+    struct operand_view of;
+    char format; /* f i x b */
+    bool controlled;
+    struct operand_view control;
+};
+
+static void put_element(const struct debugger *debugger,
+                        const struct element_look *look, c205_word word)
+{
+    bool half = look->of.width == 32;
+    char text[C205_TEXT_SIZE];
+
+    if (look->of.width == 1)
+        snprintf(text, sizeof text, "%u", (unsigned)word);
+    else if (look->format == 'x')
+        c205_to_hex(word, text);
+    else if (look->format == 'i')
+        snprintf(text, sizeof text, "%" PRId64,
+                 half ? (int64_t)(int32_t)(word >> 24) / 256
+                      : c205_to_integer(word));
+    else
+        (half ? c205_half_to_text : c205_to_text)(word, text);
+    if (half && look->format == 'x')
+        text[9] = '\0';
+    sink_print(&debugger->out, look->of.width == 1 ? "%s" : "  %14s", text);
+}
+
+static unsigned in_row(const struct element_look *look)
+{
+    return look->of.width == 1 ? 64 : look->format == 'x' ? 3 : 4;
+}
+
+/* False: some of it is not there. */
+static bool put_element_at(const struct debugger *debugger,
+                           const struct element_look *look, size_t i)
+{
+    c205_word word, bit;
+
+    if (!view_read(machine_of(debugger), &look->of, i, 1, &word))
+        return false;
+    if (look->controlled) {
+        if (!view_read(machine_of(debugger), &look->control, i, 1, &bit))
+            return false;
+        sink_print(&debugger->out, "  %u", (unsigned)bit);
+    }
+    put_element(debugger, look, word);
+    return true;
+}
+
+static bool put_elements(struct debugger *debugger,
+                         const struct element_look *look, size_t count)
+{
+    unsigned row = in_row(look);
+    bool good = true;
+
+    for (size_t i = 0; good && i < count; i++) {
+        if (i % row == 0)
+            sink_print(&debugger->out, "%6zu%s", i,
+                       look->of.width == 1 ? "  " : "");
+        good = put_element_at(debugger, look, i);
+        if (good && (i % row == row - 1 || i + 1 == count))
+            sink_put(&debugger->out, "\n");
+    }
+    if (!good)
+        sink_put(&debugger->out, "\n");
+    return good
+           || debug_fault(debugger, "no memory is mapped there, or not all "
+                                    "of it");
+}
+
+/* What a register describes. */
+static void look_at_register(const struct debugger *debugger,
+                             struct register_of named, unsigned width,
+                             struct operand_view *of)
+{
+    c205_word word = debug_register_word(debugger, named);
+
+    *of = (struct operand_view){ .letter = 'v',
+                                 .is_vector = true,
+                                 .width = width,
+                                 .word = word,
+                                 .address = word & UINT64_C(0xFFFFFFFFFFFF),
+                                 .length = (size_t)(word >> 48) };
+}
+
+/* "/": then a count, and letters: f numbers, i integers, x hex, h half words, b bits. */
+static bool read_format(struct debugger *debugger, struct rest *rest,
+                        struct element_look *look, uint64_t *count)
+{
+    rest_skip(rest);
+    if (*rest->at != '/')
+        return true;
+    rest->at++;
+    for (; *rest->at && !isspace((unsigned char)*rest->at); rest->at++) {
+        char c = *rest->at;
+
+        if (isdigit((unsigned char)c) && *count != UINT64_MAX
+            && *count > C205_MAX_LENGTH)
+            return debug_fault(debugger, "a count of at most %u",
+                               C205_MAX_LENGTH);
+        if (isdigit((unsigned char)c))
+            *count = (*count == UINT64_MAX ? 0 : *count) * 10
+                     + (uint64_t)(c - '0');
+        else if (c == 'h')
+            look->of.width = 32;
+        else if (c == 'b')
+            look->of.width = 1;
+        else if (c == 'f' || c == 'i' || c == 'x')
+            look->format = c;
+        else
+            return debug_fault(debugger,
+                               "after / stand a count and f, i, x, h or b, "
+                               "not '%c'",
+                               c);
+    }
+    return true;
+}
+
+static bool read_control(struct debugger *debugger, struct rest *rest,
+                         struct element_look *look)
+{
+    struct register_of named;
+
+    rest_skip(rest);
+    if (*rest->at != '?')
+        return rest_finish(debugger, rest);
+    rest->at++;
+    if (!debug_register(debugger, rest, &named))
+        return debug_fault(debugger, "behind ? stands the register of a "
+                                     "control vector");
+    look->controlled = true;
+    look_at_register(debugger, named, 1, &look->control);
+    return rest_finish(debugger, rest);
+}
+
+/* x [/COUNT LETTERS] REGISTER | ADDRESS [? REGISTER] */
+bool verb_x(struct debugger *debugger, struct rest *rest)
+{
+    struct element_look look = { .of = { .width = 64 }, .format = 'f' };
+    uint64_t count = UINT64_MAX, address;
+    struct register_of named;
+    unsigned width;
+
+    if (!read_format(debugger, rest, &look, &count))
+        return false;
+    width = look.of.width;
+    if (debug_register(debugger, rest, &named)) {
+        look_at_register(debugger, named, width, &look.of);
+        sink_print(&debugger->out, "%zu from %" PRIX64 " on\n",
+                   look.of.length, look.of.address);
+    } else if (debug_address(debugger, rest, &address)) {
+        look_at_register(debugger, (struct register_of){ 0, false }, width,
+                         &look.of);
+        look.of.address = address;
+        look.of.length = count == UINT64_MAX ? ELEMENTS_USUAL : (size_t)count;
+    } else {
+        return false;
+    }
+    if (!read_control(debugger, rest, &look))
+        return false;
+    if (count == UINT64_MAX)
+        count = look.of.width == 1 ? 64 : ELEMENTS_USUAL;
+    if (count > look.of.length)
+        count = look.of.length;
+    return put_elements(debugger, &look, (size_t)count);
+}

@@ -1,0 +1,323 @@
+/* test_debugger_lines.c - what the debugger says to lines: values, what it cannot do, what a
+ * program prints, calls, links, macros and ends. */
+#include "tests/unit/debugger_session.h"
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* ---- Values --------------------------------------------------------------- */
+
+static const char text[] = "        .include \"vectors.s\"\n"
+                           "        .regs r16, a, b, count\n"
+                           "        .equ  n, 4\n"
+                           "        words a, 1.5, -2.0, 3.0\n"
+                           "        words b\n"
+                           "        .regs r20, bits\n"
+                           "        .data\n"
+                           "mask:   .word X'A000 0000 0000 0000'\n"
+                           "        .code\n"
+                           "        descriptor bits, mask, n\n"
+                           "        ES    count, 7\n"
+                           "here:   ADDNV [a], [a], [b] ? [bits]\n"
+                           "        LODH  [r0], h99\n"
+                           "        EXIT\n";
+
+static void test_values(void **state)
+{
+    static const struct line_said lines[] = {
+        { "print n * 2 + 1", "9  X'9'" },
+        { "until here", "here:" },
+        { "print count", "number 7  address 7" },
+        { "p count.i % 4", "3" },
+        { "p a.length == n && !(count < 7)", "1" },
+        { "p r18 - 0.5", "6.5" },
+        { "p [a + 0] * 2", "is no address; that of a descriptor is NAME.i" },
+        { "p [-64]", "error: there is no word at FFFFFFFFFFC0" },
+        { "p [X'FFFFFFFFFFFFFFC0']", "error: there is no word at" },
+        { "p [a.i] * 2", "3" },
+        { "p [a.i+64] < -1 || 0", "1" },
+        { "p X'FFD2 4000 0000 0000'", "number 1" },
+        { "p -(2 - 5) / 2", "1" },
+        { "p 7 / 2.0", "3.5" },
+        { "x /2x a", "FFD2 6000 0000 0000" },
+        { "x a ? bits", "  1             1.5  0              -2  1" },
+        { "x/3b mask", "101" },
+        { "step", "LODH" },
+        { "step", "trap unmapped-address" },
+        { "why", "vector start-up" },
+        { "x b", "3" },
+        { "set r18 = 9", "" },
+        { "p count", "number 9" },
+        { "set h37 = 2.5", "" },
+        { "p h37", "number 2.5" },
+        { "p (h37)", "number 2.5" },
+        { "set r30 = h37", "" },
+        { "p r30", "number 2.5" },
+        { "set h50 = X'EC500000'", "" },
+        { "p h50 == X'EC500000' && h50 == 5 && h50 + 1 == 6", "1" },
+        { "set r31 = 5", "" },
+        { "set r32 = 5.0", "" },
+        { "p r31 == r32", "1" },
+        { "set [b.i] = X'0000000500000005'", "" },
+        { "x/2hi b.i", "             5               5" },
+        { "set [b.i] = 3.0", "" },
+        { "p 010 + 08", "18" },
+        { "p h36", "number 0" },
+        { "set [b.i + 64] = -4", "" },
+        { "p [b.i + 64]", "number -4" },
+        { "rs", "here:" },
+        { "why", "ES r18, 7" },
+        { "p count", "number 7" },
+        { "info breaks", "there are none" },
+        { "tbreak insn ADDNV if count == 8", "break 1: insn ADDNV if" },
+        { "info breaks", "1 break insn ADDNV if count == 8, once, met 0" },
+        { "info pages", "read and written" },
+        { "info symbols", "here" },
+        { "info operands", "[r20]: bits from" },
+        { "list here, 1", "here:" },
+        { "disassemble here, 2", "LODH" },
+        { "help", "reverse-continue" },
+    };
+
+    (void)state;
+    check_session(text, lines, COUNT(lines), 3);
+}
+
+/* What it cannot do it says, and stands where it stood. */
+static void test_faults(void **state)
+{
+    static const struct line_said lines[] = {
+        { "stpe", "there is no 'stpe': was it step?" },
+        { "!", "there is no '!'" },
+        { "step 1 2", "what is '2' to mean?" },
+        { "step -1", "-1 is no count" },
+        { "break", "where? a label, a line" },
+        { "break nowhere", "nothing is called 'nowhere'" },
+        { "break 1000", "has no code at line 1000" },
+        { "break other.s:3", "other.s has no code at line 3" },
+        { "break here if", "expected a value" },
+        { "break here when 3", "what is 'when 3' to mean?" },
+        { "break insn ADD", "no instruction is called 'ADD'" },
+        { "break region none", "no region is called 'none'" },
+        { "watch *8000000000", "there are no words at" },
+        { "watch mask, 65", "1 to 64 words are watched" },
+        { "delete 3", "there is no stop 3" },
+        { "print", "expected a value" },
+        { "print (1", "a ) is missing" },
+        { "print [mask", "a ] is missing" },
+        { "print 1 / 0", "a division by 0" },
+        { "print 1z", "'1z' is no number" },
+        { "print X'12G'", "a word is X' and up to 16 hex digits" },
+        { "print [1]", "there is no word at 1" },
+        { "x/3q mask", "after / stand a count and f, i, x, h or b" },
+        { "x mask ? 3", "behind ? stands the register" },
+        { "x/4 8000000000", "no memory is mapped there" },
+        { "info colours", "info is of registers, operands" },
+        { "set count", "set REGISTER = VALUE" },
+        { "set 3 = 4", "set REGISTER = VALUE" },
+        { "set [1] = 4", "there is no word at 1" },
+        { "set r0 = 4", "register 0 stays what it is" },
+        { "set r9 = 140737488355328", "more than the 48 bits of an integer" },
+        { "set r9 = 1e400", "is too large" },
+        { "p 99999999999999999999", "is too large" },
+        { "x/100000000 mask", "a count of at most 65535" },
+        { "disassemble , 100001", "at most 100000 instructions are shown" },
+        { "why", "no instruction has been executed" },
+        { "assert 1 == 2", "it does not hold: 1 == 2" },
+        { "goto nowhere", "nothing is called 'nowhere'" },
+        { "until *1.5", "1.5 is no address" },
+    };
+    enum { LINES = COUNT(lines) };
+    struct debug_session session;
+
+    (void)state;
+    session_begin(&session, good(text), "-");
+    session_check(&session, lines, LINES);
+    assert_int_equal(debugger_faults(session.debugger), LINES);
+    assert_int_equal(c205_history_step(session.debugger->history), 0);
+    assert_int_equal(session.debugger->stop_count, 0);
+    assert_false(debugger_obey(session.debugger, "quit"));
+    session_end(&session);
+}
+
+/* What a program prints is printed once, however often it is gone through. */
+static void test_printed(void **state)
+{
+    static const char program[] = "        ES  r10, 5\n"
+                                  "        EXIT r10, r0, 2\n"
+                                  "        EXIT r0, r0, 5\n"
+                                  "        ES  r10, 6\n"
+                                  "        EXIT\n";
+    struct debug_session session;
+
+    (void)state;
+    session_begin(&session, good(program), "-");
+    session_obey(&session, "step 3");
+    assert_true(session_says(&session, "5\n"));
+    session_obey(&session, "goto 0");
+    session_obey(&session, "step 4");
+    assert_false(session_says(&session, "5\n"));
+    session_obey(&session, "");
+    assert_true(session_says(&session, "ended with status 0"));
+    session_end(&session);
+}
+
+/* A call is one for next; a break at an instruction of a linked pair is one at its
+ * LINKV. */
+static void test_calls_and_links(void **state)
+{
+    static const struct line_said lines[] = {
+        { "next 2", "BSAVE" },
+        { "next", "=> 400080" },
+        { "print step", "6" },
+        { "break first", "break 1" },
+        { "break second", "break 2" },
+        { "run", "break 1: first" },
+        { "print pc == linked", "1" },
+        { "delete 1", "" },
+        { "run", "break 2: second" },
+        { "print pc == linked", "1" },
+        { "step", "EXIT" },
+    };
+    static const char program[] = "        .include \"vectors.s\"\n"
+                                  "        .regs r16, a, link\n"
+                                  "        .code\n"
+                                  "        EX   r20, routine\n"
+                                  "        ES   r22, 3\n"
+                                  "        BSAVE link, [r20]\n"
+                                  "        words a, 1.0, 2.0, 3.0, 4.0\n"
+                                  "linked: LINKV\n"
+                                  "first:  MPYSV [a], [a], [a]\n"
+                                  "second: ADDNV [a], [a], [a]\n"
+                                  "        EXIT\n"
+                                  "routine: ES  r21, 1\n"
+                                  "        ES   r21, 2\n"
+                                  "        BIM  0, link\n";
+
+    (void)state;
+    check_session(program, lines, COUNT(lines), 0);
+}
+
+/* Behind its end a program does not go on, whatever is asked. */
+static void test_end(void **state)
+{
+    static const char *const lines[] = { "step",     "rs 0",
+                                         "goto 4",   "c",
+                                         "until *0", "goto clock 100000" };
+    static const char program[] = "        ES  r10, 5\n"
+                                  "        ES  r11, 6\n"
+                                  "        DIVS r10, r11, r12\n"
+                                  "        EXIT\n";
+    struct debug_session session;
+
+    (void)state;
+    session_begin(&session, good(program), "-");
+    session_obey(&session, "run");
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        session_obey(&session, lines[i]);
+        if (!session_says(&session, "ended with status 0"))
+            fail_msg("%s: %s", lines[i], session.said.text);
+    }
+    session_obey(&session, "set r10 = 3");
+    assert_true(session_says(&session, "go back first"));
+    session_obey(&session, "why");
+    assert_true(session_says(&session, "and until all in flight was done"));
+    assert_true(session_says(&session, "operand wait"));
+    session_end(&session);
+}
+
+/* What a run prints that somebody has changed is printed. */
+static void test_printed_again(void **state)
+{
+    static const char program[] = "        ES  r10, 5\n"
+                                  "        EXIT r10, r0, 2\n"
+                                  "        EXIT\n";
+    struct debug_session session;
+
+    (void)state;
+    session_begin(&session, good(program), "-");
+    session_obey(&session, "run");
+    assert_true(session_says(&session, "5\n"));
+    session_obey(&session, "goto 1");
+    session_obey(&session, "set r10 = 77");
+    session_obey(&session, "c");
+    assert_true(session_says(&session, "77\n"));
+    session_end(&session);
+}
+
+/* Stops at lines: of a macro's call at its first instruction, of a line in a macro at each of
+ * its calls, of data behind them; several at one step are all told. */
+static void test_lines_and_several(void **state)
+{
+    static const struct line_said lines[] = {
+        { "break 9", "break 1: 9" },
+        { "break 11", "break 2: 11" },
+        { "break test.s:4", "break 3: test.s:4" },
+        { "run", "break 1: 9" },
+        { "print $step", "1" },
+        { "c", "break 2: 11\nbreak 3: test.s:4" },
+        { "print $step", "3" },
+        { "c", "break 3: test.s:4" },
+        { "print $step", "5" },
+        { "delete", "" },
+        { "tbreak insn DIVS", "break 4" },
+        { "tbreak here", "break 5" },
+        { "run", "break 4: insn DIVS\nbreak 5: here" },
+        { "info breaks", "there are none" },
+        { "tbreak *here", "break 6" },
+        { "goto 0", "" },
+        { "c 2", "ended" },
+        { "info breaks", "there are none" },
+    };
+    static const char program[] = "        .data\n"
+                                  "datum:  .word 1.0\n"
+                                  "        .macro twice r\n"
+                                  "        ADDX \\r, r9, \\r\n"
+                                  "        ADDX \\r, r9, \\r\n"
+                                  "        .endm\n"
+                                  "        .code\n"
+                                  "        ES   r9, 1\n"
+                                  "        ES   r10, 5\n"
+                                  "        ES   r11, 5\n"
+                                  "        twice r10\n"
+                                  "        twice r11\n"
+                                  "here:   DIVS r10, r11, r12\n"
+                                  "        EXIT\n";
+
+    (void)state;
+    check_session(program, lines, COUNT(lines), 0);
+}
+
+/* An endless program ends no script. */
+static void test_endless(void **state)
+{
+    static const char program[] = "        .include \"vectors.s\"\n"
+                                  "        .data\n"
+                                  "v:      .space 65000\n"
+                                  "        .code\n"
+                                  "        descriptor r10, v, 65000\n"
+                                  "loop:   DIVSV [r10], [r10], [r10]\n"
+                                  "        BIM loop\n";
+    struct debug_session session;
+
+    (void)state;
+    session_begin(&session, good(program), "test.s");
+    session_obey(&session, "c");
+    assert_true(session_says(&session, "1000000000 clocks have passed"));
+    session_end(&session);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_faults),
+        cmocka_unit_test(test_printed),
+        cmocka_unit_test(test_calls_and_links),
+        cmocka_unit_test(test_end),
+        cmocka_unit_test(test_printed_again),
+        cmocka_unit_test(test_lines_and_several),
+        cmocka_unit_test(test_endless),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
