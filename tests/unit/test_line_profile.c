@@ -91,6 +91,38 @@ static const struct profile_row *row_of(const struct line_profile *profile,
     return NULL;
 }
 
+/* Each cause has its column, by its name. */
+static void check_columns(const struct line_profile *profile)
+{
+    enum { BEFORE = 5 };
+    struct table *table = line_profile_table(profile, PROFILE_AS_WRITTEN,
+                                             false);
+    size_t shown = 0;
+
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        const char *key = table_key(table, BEFORE + (size_t)cause);
+        const char *name = c205_cause_name((c205_cause)cause);
+
+        for (; *name; name++)
+            if (*name == ' ')
+                assert_int_equal(*key++, '_');
+            else if (*name != '-')
+                assert_int_equal(*key++, *name);
+    }
+    for (size_t i = 0; i < line_profile_count(profile); i++) {
+        const struct profile_row *row = line_profile_row(profile, i);
+
+        if (row->executions == 0)
+            continue;
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            assert_true(table_value(table, shown, BEFORE + (size_t)cause)
+                        == (double)row->clocks[cause]);
+        shown++;
+    }
+    assert_int_equal(shown, table_rows(table));
+    table_free(table);
+}
+
 /* A macro is summed where it is called, a repetition where it stands; a vector instruction
  * has the clocks that others wait for it, warm pages cost nothing. */
 static void test_lines(void **state)
@@ -140,6 +172,7 @@ static void test_lines(void **state)
         assert_true(table_value(table, i - 1, 1) >= table_value(table, i, 1));
     assert_true(table_value(table, 0, 1) > 40);
     table_free(table);
+    check_columns(profile);
     line_profile_free(profile);
     c205_free(machine);
     object_free(object);
