@@ -242,6 +242,7 @@ $(BUILD)/vm/number/lanes.o $(BUILD)/vm/number/halves.o \
 # The reference of the instructions, and what the pages say is printed.
 shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
 	$(BUILD)/tests/unit/test_points $(BUILD)/tests/unit/test_emission \
+	$(BUILD)/tests/unit/test_functions \
 	$(BUILD)/tests/bench_lines $(adapter)
 docs: $(BUILD)/c205 $(shown)
 	$< isa --markdown >$(BUILD)/isa.md

@@ -1,0 +1,75 @@
+; calls.s - functions with arguments: one that calls another, one that calls itself.
+;
+; Arguments are in f_x and f_y, the result in f_r; call leaves in f_link where return goes.
+; A function keeps what its caller has in the registers below 208: those it needs itself it
+; saves on the stack, its link too if it calls others.
+
+        .include "print.s"
+        .include "stack.s"
+        .include "exp.s"
+
+        .regs   r10, a, b, c
+        .regs   r20, n, k, part, link   ; binomial saves them
+
+        begin_stack 200
+
+        load_constant a, 3.0
+        load_constant b, 4.0
+        apply_two hypotenuse, a, b, c
+        print_number c
+        newline
+        load_constant a, 0.5
+        apply   sinh, a, c
+        print_number c
+        newline
+        ES      a, 10
+        ES      b, 4
+        apply_two binomial, a, b, c
+        print_integer c
+        newline
+        EXIT
+
+; sqrt(x^2 + y^2); it calls nothing.
+hypotenuse:
+        MPYS    f_x, f_x, f_0
+        MPYS    f_y, f_y, f_1
+        ADDN    f_0, f_1, f_0
+        SQRT    f_0, f_r
+        return  f_link
+
+; (e^x - e^-x) / 2; exp leaves its result in f_r and keeps no register from 208 on.
+sinh:   push    n, 4
+        RTOR    f_link, link
+        apply   exp, f_x, part
+        load_constant f_x, 1.0
+        DIVS    f_x, part, n
+        SUBN    part, n, part
+        load_constant f_x, 0.5
+        MPYS    part, f_x, f_r
+        RTOR    link, f_link
+        pop     n, 4
+        return  f_link
+
+; C(n, k) = C(n-1, k-1) + C(n-1, k), of integers; 1 where k is 0 or n.
+binomial:
+        ES      f_r, 1
+        IBXEQ   f_y, r0, r0, binomial.edge
+        IBXEQ   f_y, r0, f_x, binomial.edge
+        push    n, 4
+        RTOR    f_x, n
+        RTOR    f_y, k
+        RTOR    f_link, link
+        IS      n, -1
+        IS      k, -1
+        apply_two binomial, n, k, part
+        IS      k, 1
+        apply_two binomial, n, k, f_r
+        ADDX    f_r, part, f_r
+        RTOR    link, f_link
+        pop     n, 4
+binomial.edge:
+        return  f_link
+
+; expect-print: 5
+; expect-print: 0.52109530549375
+; expect-print: 210

@@ -1,0 +1,54 @@
+; divide.s - divide and vdivide: f_r = the quotient of the integers f_x and f_y, cut towards
+; zero, f_s = what remains, with the sign of f_x.  For vectors f_s is a descriptor too.
+;
+;   q = the integer part of |x| / |y|,  |x| = q |y| + |s|
+;
+; Integers have exponent 0 and are below 2^47.  A quotient of floating-point numbers is cut
+; to 47 digits towards zero, so its integer part is right.  Where f_y is 0 both results are
+; indefinite.
+; Source: derived for this format.
+
+        .ifndef divide
+
+        .include "formula.s"
+
+        .share  functions
+        .regs   r232, divide_zero, divide_indefinite
+        .endshare
+        .equ    DIVIDE_CONSTANTS, 2
+
+        .data
+divide.constants:
+        .word   0, X'7000 0000 0000 0000'
+        .code
+
+        .macro  divide_formula form, x, y, r, s
+        load_constants divide, DIVIDE_CONSTANTS
+        \form\()_normal \x, f_0
+        \form\()_normal \y, f_1
+        \form\()_magnitude f_0, f_2
+        \form\()_magnitude f_1, f_3
+        \form\()_over f_2, f_3, f_4
+        \form\()_truncate f_4, f_4
+        \form\()_pack_all divide_zero, f_4, f_4         ; q, also where it is machine zero
+        \form\()_magnitude \x, f_5
+        \form\()_magnitude \y, f_6
+        \form\()_low_product f_4, f_6, f_6
+        \form\()_minus_index f_5, f_6, \s
+        \form\()_if_below_number f_0, r0, divide_rest\@
+        \form\()_then_negate_index \s, \s
+        \form\()_end_if divide_rest\@
+        \form\()_copy f_4, \r
+        \form\()_times f_0, f_1, f_7
+        \form\()_if_below_number f_7, r0, divide_signs\@
+        \form\()_then_negate_index f_4, \r
+        \form\()_end_if divide_signs\@
+        \form\()_unless_above_number f_3, r0, divide_good\@
+        \form\()_otherwise_set divide_indefinite, \r
+        \form\()_otherwise_set divide_indefinite, \s
+        \form\()_end_if divide_good\@
+        .endm
+
+        routines divide, divide_formula
+
+        .endif

@@ -1,0 +1,73 @@
+; exp.s - exp and vexp: f_r = e^f_x.
+;
+;   k = floor(x / ln 2 + 1/2),  r = x - k ln 2,  |r| <= ln 2 / 2
+;   e^r = 1 + r + r^2 Q(r),  e^x = 2^k e^r
+;
+; ln 2 stands in two parts, of which the first has 32 digits, so that k times it is
+; exact.  Q goes through (e^r - 1 - r) / r^2 at the nine Chebyshev points.  2^k is
+; added to the exponent of the coefficient.  Beyond the numbers of the machine the
+; result is machine zero, or indefinite; of indefinite it is indefinite.
+; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
+; Elementary Functions, 1980); parts and polynomial are derived for this format.
+
+        .ifndef exp
+
+        .include "formula.s"
+
+        .share  functions
+        .regs   r232, exp_least, exp_most, exp_per_ln2, exp_half, exp_ln2_high, exp_ln2_low
+        .regs   r238, exp_one, exp_0, exp_1, exp_2, exp_3, exp_4, exp_5, exp_6, exp_7, exp_8
+        .endshare
+        .equ    EXP_CONSTANTS, 16
+
+        .data
+exp.constants:
+        .word   -20000.0, 20000.0
+        .word   1.4426950408889634073599        ; 1 / ln 2
+        .word   0.5
+        .word   X'FFD1 A746 F404 8000'          ; -ln 2, 32 digits of it
+        .word   X'FFB1 9718 432A 1B0E'          ; .. and the others
+        .word   1.0
+exp.polynomial:
+        .word   5.0000000000000000000000e-01, 1.6666666666648302851375e-01
+        .word   4.1666666666651367273706e-02, 8.3333333537171569677078e-03
+        .word   1.3888888905871345596794e-03, 1.9841208756992321040719e-04
+        .word   2.4801536409064086482771e-05, 2.7625102005388106898371e-06
+        .word   2.7613795554519858706070e-07
+        .code
+
+        .macro  exp_formula form, x, y, r, s
+        load_constants exp, EXP_CONSTANTS
+        \form\()_normal \x, f_0
+        \form\()_if_below_number f_0, exp_least, exp_least\@
+        \form\()_then_set exp_least, f_0
+        \form\()_end_if exp_least\@
+        \form\()_if_above_number f_0, exp_most, exp_most\@
+        \form\()_then_set exp_most, f_0
+        \form\()_end_if exp_most\@
+        \form\()_line f_0, exp_per_ln2, exp_half, f_1
+        \form\()_floor f_1, f_1                         ; k
+        \form\()_normal f_1, f_2
+        \form\()_add_scaled f_2, exp_ln2_high, f_0
+        \form\()_add_scaled f_2, exp_ln2_low, f_0       ; r
+        \form\()_line f_0, exp_8, exp_7, f_2
+        \form\()_step f_0, exp_6, f_2
+        \form\()_step f_0, exp_5, f_2
+        \form\()_step f_0, exp_4, f_2
+        \form\()_step f_0, exp_3, f_2
+        \form\()_step f_0, exp_2, f_2
+        \form\()_step f_0, exp_1, f_2
+        \form\()_step f_0, exp_0, f_2                   ; Q
+        \form\()_times f_2, f_0, f_2
+        \form\()_times f_2, f_0, f_2
+        \form\()_plus f_2, f_0, f_2
+        \form\()_shift f_2, exp_one, f_2                ; e^r
+        \form\()_exponent f_2, f_3
+        \form\()_add_index f_3, f_1, f_3
+        \form\()_pack f_3, f_2, f_3
+        \form\()_normal f_3, \r
+        .endm
+
+        routines exp, exp_formula
+
+        .endif

@@ -1,0 +1,72 @@
+; log.s - log and vlog: f_r = ln f_x.
+;
+;   x = 2^k f,  sqrt(1/2) <= f < sqrt(2),  g = f - 1,  s = g / (1 + f)
+;   ln f = 2 artanh s = g - s (g - s^2 R(s^2)),  ln x = k ln 2 + ln f
+;
+; so that near 1 the first term, g, is exact.  R goes through
+; (2 artanh s - 2 s) / s^3 at the six Chebyshev points of s^2.  f is made by writing
+; an exponent over that of x.  ln 2 stands in two parts, of which the first has 32 digits,
+; so that k times it is exact.  Of what is not above 0, and of indefinite, the result is
+; indefinite.
+; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
+; Elementary Functions, 1980); parts and polynomial are derived for this format.
+
+        .ifndef log
+
+        .include "formula.s"
+
+        .share  functions
+        .regs   r232, log_47, log_minus_47, log_minus_1, log_root_half, log_one, log_minus_one
+        .regs   r238, log_ln2_high, log_ln2_low, log_indefinite
+        .regs   r241, log_0, log_1, log_2, log_3, log_4, log_5
+        .endshare
+        .equ    LOG_CONSTANTS, 15
+
+        .data
+log.constants:
+        .word   47, -47, -1
+        .word   0.7071067811865475244008        ; sqrt(1/2)
+        .word   1.0, -1.0
+        .word   X'FFD1 58B9 0BFB 8000'          ; ln 2, 32 digits of it
+        .word   X'FFB1 68E7 BCD5 E4F2'          ; .. and the others
+        .word   X'7000 0000 0000 0000'
+log.polynomial:
+        .word   6.6666666666662083223228e-01, 4.0000000011206506321435e-01
+        .word   2.8571424138324160584902e-01, 2.2222862280108715554131e-01
+        .word   1.8140193802865991002223e-01, 1.6621817152858929503025e-01
+        .code
+
+        .macro  log_formula form, x, y, r, s
+        load_constants log, LOG_CONSTANTS
+        \form\()_normal \x, f_0
+        \form\()_exponent f_0, f_1
+        \form\()_shift_index f_1, log_47, f_1           ; k
+        \form\()_pack_all log_minus_47, f_0, f_2        ; f, from 1/2 to 1
+        \form\()_if_below_number f_2, log_root_half, log_low\@
+        \form\()_then_plus f_2, f_2, f_2
+        \form\()_then_shift_index f_1, log_minus_1, f_1
+        \form\()_end_if log_low\@
+        \form\()_shift f_2, log_minus_one, f_3          ; g
+        \form\()_shift f_2, log_one, f_4
+        \form\()_over f_3, f_4, f_4                     ; s
+        \form\()_times f_4, f_4, f_5
+        \form\()_line f_5, log_5, log_4, f_6
+        \form\()_step f_5, log_3, f_6
+        \form\()_step f_5, log_2, f_6
+        \form\()_step f_5, log_1, f_6
+        \form\()_step f_5, log_0, f_6                   ; R
+        \form\()_times f_6, f_5, f_6
+        \form\()_minus f_3, f_6, f_6
+        \form\()_times f_6, f_4, f_6
+        \form\()_minus f_3, f_6, f_6                    ; ln f
+        \form\()_normal f_1, f_1
+        \form\()_add_scaled f_1, log_ln2_low, f_6
+        \form\()_scaled_plus f_1, log_ln2_high, f_6, \r
+        \form\()_unless_above_number f_0, r0, log_good\@
+        \form\()_otherwise_set log_indefinite, \r
+        \form\()_end_if log_good\@
+        .endm
+
+        routines log, log_formula
+
+        .endif

@@ -1,0 +1,107 @@
+; sin.s - sin, cos, vsin, vcos: f_r = the sine, the cosine of f_x, in radians.
+;
+;   k = floor(x 2/pi + 1/2),  r + d = x - k pi/2,  |r| <= pi/4
+;   sin r = r + (r^3 S(r^2) + d),  cos r = 1 - r^2 / 2 + r^4 C(r^2)
+;
+; where d is what did not fit r.  The sine of x is sin r, cos r, -sin r, -cos r as k mod 4 is
+; 0, 1, 2, 3; for the cosine k is one more.  pi/2 stands in four parts; the first three have
+; 24 digits, so that k times them is exact, and so is what the first two leave of x.  Where |x| is above 2^23 pi/2, which is where k has too many
+; digits, and of indefinite, the result is indefinite.  S and C go through
+; (sin r - r) / r^3 and (cos r - 1 + r^2 / 2) / r^4 at six and five Chebyshev points of r^2.
+; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
+; Elementary Functions, 1980); parts and polynomials are derived for this format.
+
+        .ifndef sin
+
+        .include "formula.s"
+
+        .share  functions
+        .regs   r232, sin_most, sin_indefinite, sin_two_over_pi, sin_half
+        .regs   r236, sin_part_0, sin_part_1, sin_part_2, sin_part_3, sin_1, sin_2
+        .regs   r242, sine_0, sine_1, sine_2, sine_3, sine_4, sine_5
+        .regs   r248, sin_one, sin_minus_half, cosine_0, cosine_1, cosine_2, cosine_3, cosine_4
+        .endshare
+        .equ    SIN_CONSTANTS, 23
+
+        .data
+sin.constants:
+        .word   13176794.0                      ; the greatest below 2^23 pi/2 without fraction
+        .word   X'7000 0000 0000 0000'
+        .word   0.63661977236758134307554       ; 2 / pi
+        .word   0.5
+        .word   X'FFD2 9B78 1300 0000'          ; -pi/2, 24 digits of it
+        .word   X'FFBA AEEF 4C00 0000'          ; .. 24 more
+        .word   X'FFA2 9EE5 9E00 0000'          ; .. and 24 more
+        .word   X'FF8A 9CCE BA3F 91F2'          ; .. and the others
+        .word   1, 2
+sin.polynomial:
+        .word   -1.6666666666666664623545e-01, 8.3333333333309484855453e-03
+        .word   -1.9841269836758574322968e-04, 2.7557316102552440118832e-06
+        .word   -2.5051131845003624418631e-08, 1.5918129294866608802001e-10
+        .word   1.0, -0.5
+cos.polynomial:
+        .word   4.1666666666664678603829e-02, -1.3888888887277342898921e-03
+        .word   2.4801585210990515948197e-05, -2.7556369695573006222767e-07
+        .word   2.0700600483433117897579e-09
+        .code
+
+        .macro  quarter_turns form, x
+        load_constants sin, SIN_CONSTANTS
+        \form\()_normal \x, f_0
+        \form\()_if_beyond_number f_0, sin_most, sin_most\@
+        \form\()_then_set sin_indefinite, f_0
+        \form\()_end_if sin_most\@
+        \form\()_line f_0, sin_two_over_pi, sin_half, f_1
+        \form\()_floor f_1, f_1                         ; k
+        \form\()_normal f_1, f_2
+        \form\()_add_scaled f_2, sin_part_0, f_0
+        \form\()_add_scaled f_2, sin_part_1, f_0
+        \form\()_scale f_2, sin_part_2, f_3
+        \form\()_plus f_0, f_3, f_4                     ; r
+        \form\()_minus f_0, f_4, f_0
+        \form\()_plus f_0, f_3, f_0
+        \form\()_scaled_plus f_2, sin_part_3, f_0, f_5  ; d
+        .endm
+
+        .macro  sine_of_quarter form, r
+        \form\()_times f_4, f_4, f_2
+        \form\()_if_bit f_1, sin_1, sin_even\@
+        \form\()_line f_2, cosine_4, cosine_3, f_3
+        \form\()_step f_2, cosine_2, f_3
+        \form\()_step f_2, cosine_1, f_3
+        \form\()_step f_2, cosine_0, f_3
+        \form\()_step f_2, sin_minus_half, f_3
+        \form\()_step f_2, sin_one, f_3                 ; cos r
+        \form\()_otherwise sin_end\@, sin_even\@
+        \form\()_line f_2, sine_5, sine_4, f_6
+        \form\()_step f_2, sine_3, f_6
+        \form\()_step f_2, sine_2, f_6
+        \form\()_step f_2, sine_1, f_6
+        \form\()_step f_2, sine_0, f_6
+        \form\()_times f_6, f_2, f_6
+        \form\()_times f_6, f_4, f_6
+        \form\()_plus f_6, f_5, f_6
+        \form\()_plus f_6, f_4, f_6                     ; sin r
+        \form\()_otherwise_copy f_6, f_3
+        \form\()_end_if sin_end\@
+        \form\()_copy f_3, \r
+        \form\()_if_bit f_1, sin_2, sin_upper\@
+        \form\()_then_negate f_3, \r
+        \form\()_end_if sin_upper\@
+        .endm
+
+        .macro  sin_formula form, x, y, r, s
+        quarter_turns \form, \x
+        sine_of_quarter \form, \r
+        .endm
+
+        .macro  cos_formula form, x, y, r, s
+        quarter_turns \form, \x
+        \form\()_shift_index f_1, sin_1, f_1
+        sine_of_quarter \form, \r
+        .endm
+
+        routines sin, sin_formula
+        routines cos, cos_formula
+
+        .endif
