@@ -31,42 +31,73 @@ static bool fetch(const struct printer *printer, const c205 *machine,
     return true;
 }
 
-static void print_number(const struct printer *printer, const c205 *machine,
-                         c205_word word)
+/* How numbers are to look. */
+struct columns {
+    unsigned notation; /* 0: as short as can be; 1 + c205_notation */
+    unsigned width;    /* blanks before what is shorter */
+    unsigned digits;
+    unsigned in_line; /* so many elements of a vector; 0: all */
+};
+
+static struct columns columns_of(c205_word word)
+{
+    return (struct columns){ .notation = (unsigned)(word >> 32 & 0xFF),
+                             .width = (unsigned)(word >> 8 & 0xFF),
+                             .digits = (unsigned)(word & 0xFF),
+                             .in_line = (unsigned)(word >> 16 & 0xFFFF) };
+}
+
+static void put_number(const struct printer *printer, c205_word word,
+                       const struct columns *columns)
 {
     char text[C205_TEXT_SIZE];
 
+    if (columns->notation == 0)
+        c205_to_text(word, text);
+    else
+        c205_to_decimal(word,
+                        columns->notation - 1 == C205_FIXED ? C205_FIXED
+                                                            : C205_SCIENTIFIC,
+                        columns->digits, text);
+    sink_print(&printer->sink, "%*s", (int)columns->width, text);
+}
+
+static void print_number(const struct printer *printer, const c205 *machine,
+                         const c205_event *event)
+{
+    struct columns columns = columns_of(event->s);
+
     (void)machine;
-    c205_to_text(word, text);
-    sink_put(&printer->sink, text);
+    put_number(printer, event->r, &columns);
 }
 
 static void print_integer(const struct printer *printer, const c205 *machine,
-                          c205_word word)
+                          const c205_event *event)
 {
     (void)machine;
-    sink_print(&printer->sink, "%" PRId64, c205_to_integer(word));
+    sink_print(&printer->sink, "%*" PRId64, (int)columns_of(event->s).width,
+               c205_to_integer(event->r));
 }
 
 static void print_hex(const struct printer *printer, const c205 *machine,
-                      c205_word word)
+                      const c205_event *event)
 {
     char text[C205_TEXT_SIZE];
 
     (void)machine;
-    c205_to_hex(word, text);
+    c205_to_hex(event->r, text);
     sink_put(&printer->sink, text);
 }
 
 static void print_text(const struct printer *printer, const c205 *machine,
-                       c205_word descriptor)
+                       const c205_event *event)
 {
     unsigned i;
     c205_word byte;
     char c;
 
-    for (i = 0; i < length_of(descriptor); i++) {
-        if (!fetch(printer, machine, descriptor, i, 8, &byte))
+    for (i = 0; i < length_of(event->r); i++) {
+        if (!fetch(printer, machine, event->r, i, 8, &byte))
             return;
         c = (char)byte;
         printer->sink.put(printer->sink.context, &c, 1);
@@ -74,36 +105,39 @@ static void print_text(const struct printer *printer, const c205 *machine,
 }
 
 static void print_newline(const struct printer *printer, const c205 *machine,
-                          c205_word word)
+                          const c205_event *event)
 {
     (void)machine;
-    (void)word;
+    (void)event;
     sink_put(&printer->sink, "\n");
 }
 
 static void print_vector(const struct printer *printer, const c205 *machine,
-                         c205_word descriptor)
+                         const c205_event *event)
 {
+    struct columns columns = columns_of(event->s);
     unsigned i;
     c205_word word;
 
-    for (i = 0; i < length_of(descriptor); i++) {
+    for (i = 0; i < length_of(event->r); i++) {
         if (i > 0)
-            sink_put(&printer->sink, " ");
-        if (!fetch(printer, machine, descriptor, i, 64, &word))
+            sink_put(&printer->sink,
+                     columns.in_line && i % columns.in_line == 0 ? "\n"
+                                                                 : " ");
+        if (!fetch(printer, machine, event->r, i, 64, &word))
             return;
-        print_number(printer, machine, word);
+        put_number(printer, word, &columns);
     }
 }
 
 static void print_bits(const struct printer *printer, const c205 *machine,
-                       c205_word descriptor)
+                       const c205_event *event)
 {
     unsigned i;
     c205_word bit;
 
-    for (i = 0; i < length_of(descriptor); i++) {
-        if (!fetch(printer, machine, descriptor, i, 1, &bit))
+    for (i = 0; i < length_of(event->r); i++) {
+        if (!fetch(printer, machine, event->r, i, 1, &bit))
             return;
         sink_put(&printer->sink, bit ? "1" : "0");
     }
@@ -113,7 +147,7 @@ void printer_listen(void *context, const c205 *machine,
                     const c205_event *event)
 {
     static void (*const requests[])(const struct printer *, const c205 *,
-                                    c205_word) = {
+                                    const c205_event *) = {
         NULL,       print_number,  print_integer, print_hex,
         print_text, print_newline, print_vector,  print_bits
     };
@@ -122,5 +156,5 @@ void printer_listen(void *context, const c205 *machine,
     if (event->kind != C205_EVENT_REQUEST || event->request == 0
         || event->request >= sizeof requests / sizeof *requests)
         return;
-    requests[event->request](printer, machine, event->r);
+    requests[event->request](printer, machine, event);
 }

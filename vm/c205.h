@@ -34,7 +34,7 @@ typedef struct c205_error {
     char message[256]; /* one sentence, no newline; empty: no error */
 } c205_error;
 
-/* ---- Numbers (vm/number/word.c) ------------------------------------------------
+/* ---- Numbers (vm/number/word.c, decimal.c) --------------------------------------
  *
  * A word is 64 bits; bit 0 is the leftmost.  As a number it is
  *
@@ -72,10 +72,18 @@ enum { C205_TEXT_SIZE = 40 };
 /* The shortest decimal text that c205_from_text reads back as the same
  * value; "indefinite" for those, "0" for every zero. */
 void c205_to_text(c205_word word, char text[C205_TEXT_SIZE]);
+/* To the nearest of so many digits, of two the even one: behind the point (FIXED), or in
+ * all, the first before the point, and the power of ten behind an e (SCIENTIFIC).  What
+ * has more than C205_DIGITS digits so is written in scientific notation with as many behind
+ * the point. */
+typedef enum c205_notation { C205_FIXED, C205_SCIENTIFIC } c205_notation;
+enum { C205_DIGITS = 17 };
+void c205_to_decimal(c205_word word, c205_notation notation, unsigned digits,
+                     char text[C205_TEXT_SIZE]);
 /* "FFD2 4000 0000 0000" */
 void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE]);
 
-/* ---- Half words (vm/number/word.c) ----------------------------------------------
+/* ---- Half words (vm/number/word.c, decimal.c) ----------------------------------
  *
  * A half word is 32 bits:
  *

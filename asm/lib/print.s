@@ -18,6 +18,33 @@
         EXIT    \r, r0, 3
         .endm
 
+; Numbers in columns: so wide, blanks before them, to the nearest of so many digits behind
+; the point, or in all with the power of ten behind an e; integers; and vectors, so many
+; elements a line (0: all in one).  scratch gets what the monitor is told.
+        .macro  print_as kind, width, digits, in_line, scratch
+        EX      \scratch, (\kind) << 32 | (\in_line) << 16 | (\width) << 8 | (\digits)
+        .endm
+        .macro  print_fixed r, width, digits, scratch
+        print_as 1, \width, \digits, 0, \scratch
+        EXIT    \r, \scratch, 1
+        .endm
+        .macro  print_scientific r, width, digits, scratch
+        print_as 2, \width, \digits, 0, \scratch
+        EXIT    \r, \scratch, 1
+        .endm
+        .macro  print_integer_in r, width, scratch
+        print_as 0, \width, 0, 0, \scratch
+        EXIT    \r, \scratch, 2
+        .endm
+        .macro  print_vector_fixed d, width, digits, in_line, scratch
+        print_as 1, \width, \digits, \in_line, \scratch
+        EXIT    \d, \scratch, 6
+        .endm
+        .macro  print_vector_scientific d, width, digits, in_line, scratch
+        print_as 2, \width, \digits, \in_line, \scratch
+        EXIT    \d, \scratch, 6
+        .endm
+
 ; The number in half register h, by way of a whole register.
         .macro  print_half h, scratch
         EXTH    \h, \scratch

@@ -201,6 +201,12 @@ static inline int64_t format_rank(word_format f, c205_word w)
     return c == 0 ? 0 : (exponent << f.digits | digits) ^ sign;
 }
 
+/* The magnitude (digits + a fraction, if inexact) x 2^exponent with digits
+ * in [2^(d - 1), 2^d), d the digits of the format, and a sign, floored to a
+ * normalised word (word.c). */
+c205_word word_cut(word_format f, bool negative, int64_t digits, bool inexact,
+                   int32_t exponent);
+
 /* ---- Words as bits ------------------------------------------------------ */
 
 /* The low bits of the first as exponent, the coefficient of the second. */

@@ -1,0 +1,129 @@
+/* test_decimal.c - words to so many decimal digits, against MPFR. */
+#include "tests/oracle/arithmetic_oracle.h"
+#include "tests/random.h"
+#include "tests/unit/machine_fixture.h"
+
+enum { TRIES = 40000, DIGITS = 128, LONGEST = 20000 };
+
+static uint64_t state = RANDOM_SEED;
+
+/* Words whose decimals end soon, so that ties are met. */
+static c205_word draw_short(void)
+{
+    double number = (double)xorshift_between(&state, -100000, 100000);
+
+    return c205_from_double(number
+                            / (double)(1 << xorshift_between(&state, 0, 12)));
+}
+
+static c205_word draw(void)
+{
+    switch (xorshift(&state) % 6) {
+    case 0: return xorshift(&state);
+    case 1: return xorshift_unnormalised(&state, -60, 10);
+    case 2: return xorshift_normalised(&state, -28672, 28671);
+    case 3: return draw_short();
+    case 4: { /* beside a power of ten */
+        double ten = 1;
+        for (int64_t i = xorshift_between(&state, 0, 13); i > 0; i--)
+            ten *= 10;
+        return c205_from_double(ten)
+               + (c205_word)xorshift_between(&state, -2, 2);
+    }
+    default: return xorshift_normalised(&state, -90, 0);
+    }
+}
+
+/* MPFR's exponent has a sign and two digits at least. */
+static void plain_exponent(char *text)
+{
+    char *e = strchr(text, 'e');
+    long power = strtol(e + 1, NULL, 10);
+
+    sprintf(e, "e%ld", power);
+}
+
+static void check(c205_word word, c205_notation notation, unsigned digits)
+{
+    static char exact[LONGEST];
+    char text[C205_TEXT_SIZE];
+    unsigned most = notation == C205_FIXED ? C205_DIGITS - 1 : C205_DIGITS;
+    unsigned asked = digits > most                                ? most
+                     : notation == C205_SCIENTIFIC && digits == 0 ? 1
+                                                                  : digits;
+    mpfr_t value;
+
+    mpfr_init2(value, DIGITS);
+    oracle_value(&oracle_full, value, word);
+    c205_to_decimal(word, notation, digits, text);
+    if (mpfr_nan_p(value)) {
+        strcpy(exact, "indefinite");
+    } else if (notation == C205_SCIENTIFIC || strchr(text, 'e')) {
+        unsigned behind = asked - (notation == C205_SCIENTIFIC);
+
+        mpfr_snprintf(exact, sizeof exact, "%.*RNe", (int)behind, value);
+        plain_exponent(exact);
+        /* Fixed only where it fits. */
+        if (notation == C205_FIXED)
+            assert_true(mpfr_get_exp(value)
+                        > 3.32 * ((double)C205_DIGITS - 2 - asked) - 1);
+    } else {
+        mpfr_snprintf(exact, sizeof exact, "%.*RNf", (int)asked, value);
+    }
+    mpfr_clear(value);
+    if (strcmp(text, exact) != 0)
+        fail_msg("%016llx, %u digits: %s should be %s",
+                 (unsigned long long)word, digits, text, exact);
+}
+
+static void test_digits(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < TRIES; i++)
+        check(draw(), xorshift(&state) & 1 ? C205_FIXED : C205_SCIENTIFIC,
+              (unsigned)xorshift_between(&state, 0, 20));
+}
+
+static void test_ends(void **unused)
+{
+    static const uint64_t words[] = {
+        0,
+        C205_MACHINE_ZERO,
+        C205_INDEFINITE,
+        UINT64_C(0x6FFF7FFFFFFFFFFF),
+        UINT64_C(0x6FFF800000000000),
+        UINT64_C(0x9000000000000001),
+        UINT64_C(0x9000FFFFFFFFFFFF) /* -1 of the least units */
+    };
+
+    (void)unused;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        for (unsigned digits = 0; digits < 20; digits++) {
+            check(words[i], C205_FIXED, digits);
+            check(words[i], C205_SCIENTIFIC, digits);
+        }
+}
+
+static int begin_oracle(void **unused)
+{
+    (void)unused;
+    oracle_begin();
+    return 0;
+}
+
+static int end_oracle(void **unused)
+{
+    (void)unused;
+    oracle_end();
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_digits),
+        cmocka_unit_test(test_ends),
+    };
+
+    return cmocka_run_group_tests(tests, begin_oracle, end_oracle);
+}
