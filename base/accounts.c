@@ -60,6 +60,14 @@ uint64_t accounts_clocks(const c205_account *account)
     return clocks;
 }
 
+double accounts_rate(const c205_model *model, const c205_account *account)
+{
+    double operations = account->operations > 0 ? (double)account->operations
+                                                : NAN;
+    return operations / accounts_seconds(model, accounts_clocks(account))
+           / 1e6;
+}
+
 const c205_account *accounts_find(const struct accounts *accounts,
                                   const char *region)
 {

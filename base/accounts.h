@@ -31,6 +31,8 @@ uint64_t accounts_clocks(const c205_account *account);
 enum { ACCOUNTS_TIME = 48 };
 void accounts_time(const c205_model *model, uint64_t clocks,
                    char text[ACCOUNTS_TIME]);
+/* Millions of floating-point operations a second; NaN: none was done. */
+double accounts_rate(const c205_model *model, const c205_account *account);
 /* What a region is called in print. */
 const char *accounts_region(const c205_account *account);
 /* How many regions took time. */
