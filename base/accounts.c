@@ -27,6 +27,23 @@ static const struct table_column by_region[] = {
     { "percent", "%", TABLE_NUMBER, 1 },
 };
 
+const struct table_column accounts_cause_columns[C205_CAUSES] = {
+    [C205_ISSUE] = { "issue", "issue", TABLE_COUNT, 0 },
+    [C205_OPERAND_WAIT] = { "operand_wait", "operand wait", TABLE_COUNT, 0 },
+    [C205_UNIT_BUSY] = { "unit_busy", "unit busy", TABLE_COUNT, 0 },
+    [C205_BRANCH] = { "branch", "branch", TABLE_COUNT, 0 },
+    [C205_MEMORY_WAIT] = { "memory_wait", "memory wait", TABLE_COUNT, 0 },
+    [C205_VECTOR_STARTUP] = { "vector_startup", "vector start-up",
+                              TABLE_COUNT, 0 },
+    [C205_VECTOR_STREAM] = { "vector_stream", "vector stream", TABLE_COUNT,
+                             0 },
+    [C205_BANK_CONFLICT] = { "bank_conflict", "bank conflict", TABLE_COUNT,
+                             0 },
+    [C205_TRANSLATION_MISS] = { "translation_miss", "translation miss",
+                                TABLE_COUNT, 0 },
+    [C205_PAGE_FAULT] = { "page_fault", "page fault", TABLE_COUNT, 0 },
+};
+
 double accounts_seconds(const c205_model *model, uint64_t clocks)
 {
     const c205_constant *period = c205_model_lookup(model, "clock.period");

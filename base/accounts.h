@@ -40,6 +40,9 @@ size_t accounts_regions(const struct accounts *accounts);
 /* All regions together, by the name "all". */
 c205_account accounts_together(const struct accounts *accounts);
 
+/* A column for the clocks of each cause. */
+extern const struct table_column accounts_cause_columns[C205_CAUSES];
+
 /* A unit of time for figures of which the largest is so long. */
 struct accounts_unit {
     const char *name, *heading;
