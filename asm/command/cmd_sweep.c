@@ -320,26 +320,34 @@ static bool read_text(const struct c205_arguments *arguments,
     return program->text;
 }
 
-static int run_and_show(const struct c205_arguments *arguments,
-                        struct program_sweep *sweep)
+static bool run_and_draw(const struct c205_arguments *arguments,
+                         struct program_sweep *sweep, c205_error *error)
 {
-    struct results results = arguments->results;
+    const char *output = arguments->output;
     struct progress progress;
-    c205_error error;
-    int code;
+    bool good;
     interrupt_catch();
     progress_begin(&progress);
     sweep->goes_on = goes_on;
     sweep->context = &progress;
-    if (!swept_run(sweep, &error)
-        || (arguments->output && !draw(sweep, arguments->output, &error))) {
-        progress_hide(&progress);
-        return cmd_failed(arguments->command, "%s", error.message);
-    }
+    good = (!output || whole_check(output, error)) && swept_run(sweep, error)
+           && (!output || draw(sweep, output, error));
+    progress_hide(&progress);
+    return good;
+}
+
+static int run_and_show(const struct c205_arguments *arguments,
+                        struct program_sweep *sweep)
+{
+    struct results results = arguments->results;
+    c205_error error;
+    int code;
     if (!results_open(&results, arguments->command, arguments->output)) {
         return CMD_FAILED;
     }
-    code = show(sweep, &results);
+    code = run_and_draw(arguments, sweep, &error)
+               ? show(sweep, &results)
+               : cmd_failed(arguments->command, "%s", error.message);
     return results_close(&results, code);
 }
 
