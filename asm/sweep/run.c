@@ -7,8 +7,6 @@
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
 
-enum { DEFINES_MOST = 128 };
-
 /* ---- One run --------------------------------------------------------------- */
 
 /* How far the sweep is, where each run takes as long as its value is large. */
@@ -28,14 +26,16 @@ static struct object *assemble_at(const struct program_sweep *sweep,
                                   const struct swept_program *program,
                                   uint64_t value)
 {
-    struct asm_define defines[DEFINES_MOST + 2] = { { sweep->constant,
-                                                      (int64_t)value } };
+    struct asm_define defines[SWEPT_DEFINES_MOST + 2] = {
+        { sweep->constant, (int64_t)value }
+    };
     struct asm_options options = *sweep->options;
     struct diagnostics said = { 0 };
     struct object *object;
 
     for (size_t i = 0;
-         i < DEFINES_MOST && options.defines && options.defines[i].name; i++)
+         i < SWEPT_DEFINES_MOST && options.defines && options.defines[i].name;
+         i++)
         defines[i + 1] = options.defines[i];
     options.defines = defines;
     object = assemble_bytes(program->path, program->text, program->length,

@@ -36,6 +36,7 @@ size_t swept_values(const struct swept_range *range, size_t points,
 
 /* ---- Runs ------------------------------------------------------------------ */
 
+enum { SWEPT_DEFINES_MOST = 100 };
 enum { SWEPT_FIRST, SWEPT_SECOND, SWEPT_PROGRAMS };
 
 struct swept_point {
@@ -60,10 +61,11 @@ struct program_sweep {
     } programs[SWEPT_PROGRAMS];
     size_t program_count;
     const c205_model *model;
-    const struct asm_options *options; /* without the constant */
-    bool warm;                         /* pages are in memory at the start */
-    uint64_t clocks_most;              /* of a run */
-    struct sink report;                /* what the assembler says */
+    const struct asm_options
+        *options;         /* the constant besides; so many defines */
+    bool warm;            /* pages are in memory at the start */
+    uint64_t clocks_most; /* of a run */
+    struct sink report;   /* what the assembler says */
     /* Told now and then that so much of all is done.  False: stop.  NULL: nobody asks. */
     bool (*goes_on)(void *context, size_t done, size_t all);
     void *context;
