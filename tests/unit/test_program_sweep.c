@@ -7,10 +7,10 @@
 #include "base/accounts.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
+#include "tests/unit/drawn_program.h"
 #include "tests/unit/prior_model.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
-enum { TEXT = 4096 };
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -167,69 +167,15 @@ static void test_examples(void **state)
 
 /* ---- Programs by chance ---------------------------------------------------- */
 
-static const char *draw_scalar(void)
-{
-    static const char *const lines[] = {
-        "        ADDN    r30, r31, r32\n", "        MPYS    r32, r31, r33\n",
-        "        ADDX    r40, r41, r42\n", "        LOD     [r50], r34\n",
-        "        ES      r43, 5\n",
-    };
-
-    return lines[below(COUNT(lines))];
-}
-
-static const char *draw_vector(void)
-{
-    static const char *const lines[] = {
-        "        ADDNV   [r50], [r51], [r52]\n",
-        "        MPYSV   [r50], r31, [r51]\n",
-        "        LINKV\n        MPYSV   [r50], r31, [r52]\n"
-        "        ADDNV   [r52], [r51], [r51]\n",
-        "        SUMV    [r50], r36\n",
-    };
-
-    return lines[below(COUNT(lines))];
-}
-
-/* Up to so many lines of a kind. */
-static void add_lines(char *text, size_t most, const char *draw(void))
-{
-    for (size_t count = below(most + 1); count > 0; count--)
-        strcat(text, draw());
-}
-
-/* A start, vectors of n elements, and n turns of a loop that may be empty. */
-static void draw_program(char text[TEXT])
-{
-    strcpy(text, "        .include \"core.s\"\n"
-                 "        .data\n"
-                 "a:      .space n\nb:      .space n\nc:      .space n\n"
-                 "        .code\n"
-                 "        descriptor r50, a, n\n"
-                 "        descriptor r51, b, n\n"
-                 "        descriptor r52, c, n\n");
-    add_lines(text, 40, draw_scalar);
-    add_lines(text, 3, draw_vector);
-    if (below(2)) {
-        strcat(text, "        EX r60, 0\n        EX r61, n\n"
-                     "        ES r62, 1\nloop:\n");
-        add_lines(text, 3, draw_scalar);
-        strcat(text, "        IBXLT r60, r62, r61, loop, r60\n");
-    }
-    add_lines(text, 10, draw_scalar);
-    strcat(text, "        LOD [r51], r35\n        ADDN r35, r35, r35\n"
-                 "        EXIT\n");
-}
-
 static void test_random_programs(void **state)
 {
     (void)state;
     for (int i = 0; i < 60; i++) {
         struct program_sweep sweep = sweep_of("n", 1 + below(20),
                                               30 + below(2000));
-        char text[TEXT];
+        char text[DRAWN_TEXT];
 
-        draw_program(text);
+        draw_program(&random_state, text);
         sweep.asked = 2 + below(10);
         sweep.warm = below(2);
         add_text(&sweep, "drawn.s", text);
@@ -267,9 +213,9 @@ static void check_crossings(const struct program_sweep *sweep)
 
 /* So many instructions that take a clock each, and so many for each n: a line to the last
  * clock. */
-static void draw_line(char text[TEXT])
+static void draw_line(char text[DRAWN_TEXT])
 {
-    snprintf(text, TEXT,
+    snprintf(text, DRAWN_TEXT,
              "        .rept %d + %d * n\n        ES r10, 1\n        .endr\n"
              "        EXIT\n",
              (int)below(120), (int)below(5));
@@ -283,7 +229,7 @@ static void test_crossings(void **state)
     for (int i = 0; i < 50; i++) {
         struct program_sweep sweep = sweep_of("n", 1 + below(10),
                                               30 + below(60));
-        char first[TEXT], second[TEXT];
+        char first[DRAWN_TEXT], second[DRAWN_TEXT];
 
         draw_line(first);
         draw_line(second);
@@ -646,9 +592,9 @@ static void test_pictures(void **state)
                                               102
                                                   + below(UINT64_C(1)
                                                           << below(12)));
-        char first[TEXT], second[TEXT];
+        char first[DRAWN_TEXT], second[DRAWN_TEXT];
 
-        draw_program(first);
+        draw_program(&random_state, first);
         draw_line(second);
         add_text(&sweep, "first.s", first);
         if (below(3) > 0)
