@@ -410,9 +410,11 @@ check-samples:
 	@$(MAKE) --no-print-directory all $(BUILD)/tests/oracle/check_sample
 	sh tests/check_samples.sh $(BUILD)
 
-check-commands: $(programs) $(adapter) $(BUILD)/fit205
+check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
+		$(BUILD)/tests/unit/test_debugger_scripts
 	sh tests/check_commands.sh $(BUILD)
 	sh tests/check_pages.sh $(BUILD)
+	sh tests/check_replay.sh $(BUILD)
 
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)
