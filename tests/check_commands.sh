@@ -327,6 +327,14 @@ ends 2 "$build/c205" sweep good.s --define n=1:5:5
 ends 2 "$build/c205" sweep good.s --define n=1:5 -o x.png
 tells err "x.png: a picture is .svg"
 
+"$build/c205" sweep endless.s --define n=1:9 -o never.svg >out 2>err &
+sleep 1
+kill -INT $!
+wait $!
+[ $? -eq 1 ] && [ ! -e never.svg ]
+verdict $? "Ctrl-C ends a sweep"
+tells err "^c205 sweep: endless.s with n = 1: interrupted$"
+
 # The debugger, by scripts and by a pipe.
 printf "step\n\nassert step == 2\n# and no more\nwhy\nquit\nassert 0\n" >good.lines
 printf 'assert step == 1\nstpe' >bad.lines

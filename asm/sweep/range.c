@@ -45,6 +45,8 @@ static size_t given_values(const struct swept_range *range,
         if (count == SWEPT_POINTS_MOST)
             return 0;
         values[count++] = value;
+        if (range->factor > range->to / value)
+            break;
         value = range->step > 0 ? value + range->step : value * range->factor;
     }
     return count;

@@ -2,10 +2,10 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
+#include "base/array.h"
 
 /* ---- One run --------------------------------------------------------------- */
 
@@ -64,7 +64,7 @@ static c205_stop run_slices(const struct program_sweep *sweep,
     return stop;
 }
 
-/* The name of the account is its list's own, and goes with it. */
+/* Of all regions together. */
 static bool take_account(const struct program_sweep *sweep,
                          const c205 *machine, c205_account *account,
                          c205_error *error)

@@ -9,7 +9,6 @@
 
 #include "asm/assemble.h"
 #include "asm/straight_line.h"
-#include "base/array.h"
 #include "vm/c205.h"
 
 /* ---- Values ---------------------------------------------------------------- */

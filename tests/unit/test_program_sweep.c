@@ -448,8 +448,11 @@ static size_t usual_points(const struct swept_range *range)
 static void test_values(void **state)
 {
     static uint64_t values[SWEPT_POINTS_MOST];
+    struct swept_range far = { UINT64_C(1) << 40, UINT64_C(1) << 46, 0,
+                               UINT64_C(1) << 40 };
 
     (void)state;
+    assert_int_equal(swept_values(&far, 0, values), 1);
     for (int i = 0; i < 2000; i++) {
         struct swept_range range = {
             .from = 1 + below(UINT64_C(1) << below(20))
@@ -468,7 +471,7 @@ static void test_values(void **state)
         for (size_t k = 0; k < count; k++)
             assert_int_equal(values[k], range.from + k * range.step);
         range.step = 0;
-        range.factor = 2 + below(9);
+        range.factor = 2 + below(UINT64_C(1) << below(46));
         count = swept_values(&range, 0, values);
         assert_true(values[0] == range.from
                     && values[count - 1] * range.factor > range.to);
