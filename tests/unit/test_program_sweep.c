@@ -1,6 +1,7 @@
 /* test_program_sweep.c - the points of a sweep are those of plain runs; its line is that of
  * an independent computation, and where two programs change places is found where running
  * all values finds it. */
+#include <glob.h>
 #include <math.h>
 
 #include "asm/sweep/swept.h"
@@ -163,6 +164,35 @@ static void test_examples(void **state)
         swept_free(&sweep);
         free(text);
     }
+}
+
+/* A constant that they do not use; those that trap, as some are to, are left out. */
+static void test_programs(void **state)
+{
+    size_t ended = 0;
+    glob_t found;
+
+    (void)state;
+    assert_int_equal(glob("tests/programs/*.s", 0, NULL, &found), 0);
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        struct program_sweep sweep = sweep_of("unused_n", 1, 2);
+        struct text_buffer report = { 0 };
+        char *text = file_text(found.gl_pathv[i]);
+        c205_error error;
+
+        sweep.report = text_buffer_sink(&report);
+        sweep.warm = i % 2;
+        add_text(&sweep, found.gl_pathv[i], text);
+        if (swept_run(&sweep, &error)) {
+            check_points(&sweep);
+            ended++;
+        }
+        swept_free(&sweep);
+        text_buffer_free(&report);
+        free(text);
+    }
+    assert_true(10 * ended > 9 * found.gl_pathc);
+    globfree(&found);
 }
 
 /* ---- Programs by chance ---------------------------------------------------- */
@@ -613,6 +643,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_examples),
+        cmocka_unit_test(test_programs),
         cmocka_unit_test(test_random_programs),
         cmocka_unit_test(test_crossings),
         cmocka_unit_test(test_steps),
