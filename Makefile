@@ -29,7 +29,7 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline)
+asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep)
 c205_c = $(call c_of,asm/command)
 rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
 	trace picture roots study study/sweep study/plot heat mass))
@@ -411,9 +411,11 @@ check-samples:
 	@$(MAKE) --no-print-directory all $(BUILD)/tests/oracle/check_sample
 	sh tests/check_samples.sh $(BUILD)
 
-check-commands: $(programs) $(adapter) $(BUILD)/fit205
+check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
+		$(BUILD)/tests/unit/test_debugger_scripts
 	sh tests/check_commands.sh $(BUILD)
 	sh tests/check_pages.sh $(BUILD)
+	sh tests/check_replay.sh $(BUILD)
 
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)

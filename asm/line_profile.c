@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/accounts.h"
+
 /* Behind those of the lines. */
 enum { ROW_UNKNOWN, ROW_END, ROWS_BESIDES };
 
@@ -210,24 +212,14 @@ static const struct table_column in_words[] = {
     { "source", "source", TABLE_TEXT, 0 },
     { "causes", "mostly", TABLE_TEXT, 0 },
 };
-static const struct table_column in_columns[] = {
+static const struct table_column before[] = {
     { "line", "line", TABLE_TEXT, 0 },
     { "clocks", "clocks", TABLE_COUNT, 0 },
     { "percent", "%", TABLE_NUMBER, 1 },
     { "executions", "times", TABLE_COUNT, 0 },
     { "elements", "elements", TABLE_COUNT, 0 },
-    { "issue", "issue", TABLE_COUNT, 0 },
-    { "operand_wait", "operand wait", TABLE_COUNT, 0 },
-    { "unit_busy", "unit busy", TABLE_COUNT, 0 },
-    { "branch", "branch", TABLE_COUNT, 0 },
-    { "memory_wait", "memory wait", TABLE_COUNT, 0 },
-    { "vector_startup", "vector start-up", TABLE_COUNT, 0 },
-    { "vector_stream", "vector stream", TABLE_COUNT, 0 },
-    { "bank_conflict", "bank conflict", TABLE_COUNT, 0 },
-    { "translation_miss", "translation miss", TABLE_COUNT, 0 },
-    { "page_fault", "page fault", TABLE_COUNT, 0 },
-    { "source", "source", TABLE_TEXT, 0 },
 };
+enum { BEFORE = sizeof before / sizeof *before };
 
 static uint64_t clocks_of(const struct profile_row *row)
 {
@@ -291,6 +283,19 @@ static void put_causes(struct table *table, const struct profile_row *row)
     table_text(table, text);
 }
 
+/* A column for each cause. */
+static struct table *new_columns(void)
+{
+    struct table_column columns[BEFORE + C205_CAUSES + 1];
+
+    memcpy(columns, before, sizeof before);
+    memcpy(columns + BEFORE, accounts_cause_columns,
+           sizeof accounts_cause_columns);
+    columns[BEFORE + C205_CAUSES] = (struct table_column){ "source", "source",
+                                                           TABLE_TEXT, 0 };
+    return table_new(TABLE_COLUMNS(columns));
+}
+
 static void put_row(struct table *table, const struct line_profile *profile,
                     const struct profile_row *row, uint64_t all, bool words)
 {
@@ -324,7 +329,7 @@ struct table *line_profile_table(const struct line_profile *profile,
     size_t i, count = line_profile_count(profile), shown = 0;
     const struct profile_row **rows = malloc(count * sizeof *rows);
     struct table *table = words ? table_new(TABLE_COLUMNS(in_words))
-                                : table_new(TABLE_COLUMNS(in_columns));
+                                : new_columns();
     uint64_t all = 0;
 
     for (i = 0; rows && i < count; i++)

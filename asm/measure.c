@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "asm/assemble.h"
+#include "asm/straight_line.h"
 #include "asm/syntax.h"
 
 const char measure_triad[] = "TRIAD";
@@ -315,29 +316,22 @@ static bool measure_points(const struct rig *rig, uint64_t entry,
     return true;
 }
 
-/* Least squares; the empty vector is left out, as it makes no stream. */
+/* The empty vector is left out, as it makes no stream. */
 static void fit_line(struct measurement *result)
 {
-    double count = 0, n = 0, t = 0, nn = 0, nt = 0;
+    struct weighted_point points[MEASURE_POINTS];
     for (size_t i = 0; i < MEASURE_POINTS; i++) {
-        double x = (double)result->points[i].length;
-        double y = (double)result->points[i].clocks;
-        double weight = x > 0 ? 1.0 : 0.0;
-        count += weight;
-        n += weight * x;
-        t += weight * y;
-        nn += weight * x * x;
-        nt += weight * x * y;
+        points[i].x = (double)result->points[i].length;
+        points[i].y = (double)result->points[i].clocks;
+        points[i].weight = result->points[i].length > 0 ? 1 : 0;
     }
-    result->per_element = (count * nt - n * t) / (count * nn - n * n);
-    result->startup = (t - result->per_element * n) / count;
+    struct straight_line line = straight_line_through(points, MEASURE_POINTS);
+    result->per_element = line.slope;
+    result->startup = line.at_zero;
     result->deviation = 0;
-    for (size_t i = 1; i < MEASURE_POINTS; i++) {
-        double line = result->startup
-                      + result->per_element
-                            * (double)result->points[i].length;
-        double off = fabs((double)result->points[i].clocks - line);
-        result->deviation = fmax(result->deviation, off);
+    for (size_t i = 0; i < MEASURE_POINTS; i++) {
+        double off = fabs(points[i].y - straight_line_at(&line, points[i].x));
+        result->deviation = fmax(result->deviation, points[i].weight * off);
     }
 }
 

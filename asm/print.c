@@ -32,23 +32,24 @@ static bool fetch(const struct printer *printer, const c205 *machine,
 }
 
 /* How numbers are to look. */
-struct columns {
+struct number_columns {
     unsigned notation; /* 0: as short as can be; 1 + c205_notation */
     unsigned width;    /* blanks before what is shorter */
     unsigned digits;
     unsigned in_line; /* so many elements of a vector; 0: all */
 };
 
-static struct columns columns_of(c205_word word)
+static struct number_columns columns_of(c205_word word)
 {
-    return (struct columns){ .notation = (unsigned)(word >> 32 & 0xFF),
-                             .width = (unsigned)(word >> 8 & 0xFF),
-                             .digits = (unsigned)(word & 0xFF),
-                             .in_line = (unsigned)(word >> 16 & 0xFFFF) };
+    return (
+        struct number_columns){ .notation = (unsigned)(word >> 32 & 0xFF),
+                                .width = (unsigned)(word >> 8 & 0xFF),
+                                .digits = (unsigned)(word & 0xFF),
+                                .in_line = (unsigned)(word >> 16 & 0xFFFF) };
 }
 
 static void put_number(const struct printer *printer, c205_word word,
-                       const struct columns *columns)
+                       const struct number_columns *columns)
 {
     char text[C205_TEXT_SIZE];
 
@@ -65,7 +66,7 @@ static void put_number(const struct printer *printer, c205_word word,
 static void print_number(const struct printer *printer, const c205 *machine,
                          const c205_event *event)
 {
-    struct columns columns = columns_of(event->s);
+    struct number_columns columns = columns_of(event->s);
 
     (void)machine;
     put_number(printer, event->r, &columns);
@@ -115,7 +116,7 @@ static void print_newline(const struct printer *printer, const c205 *machine,
 static void print_vector(const struct printer *printer, const c205 *machine,
                          const c205_event *event)
 {
-    struct columns columns = columns_of(event->s);
+    struct number_columns columns = columns_of(event->s);
     unsigned i;
     c205_word word;
 

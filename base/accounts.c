@@ -27,6 +27,23 @@ static const struct table_column by_region[] = {
     { "percent", "%", TABLE_NUMBER, 1 },
 };
 
+const struct table_column accounts_cause_columns[C205_CAUSES] = {
+    [C205_ISSUE] = { "issue", "issue", TABLE_COUNT, 0 },
+    [C205_OPERAND_WAIT] = { "operand_wait", "operand wait", TABLE_COUNT, 0 },
+    [C205_UNIT_BUSY] = { "unit_busy", "unit busy", TABLE_COUNT, 0 },
+    [C205_BRANCH] = { "branch", "branch", TABLE_COUNT, 0 },
+    [C205_MEMORY_WAIT] = { "memory_wait", "memory wait", TABLE_COUNT, 0 },
+    [C205_VECTOR_STARTUP] = { "vector_startup", "vector start-up",
+                              TABLE_COUNT, 0 },
+    [C205_VECTOR_STREAM] = { "vector_stream", "vector stream", TABLE_COUNT,
+                             0 },
+    [C205_BANK_CONFLICT] = { "bank_conflict", "bank conflict", TABLE_COUNT,
+                             0 },
+    [C205_TRANSLATION_MISS] = { "translation_miss", "translation miss",
+                                TABLE_COUNT, 0 },
+    [C205_PAGE_FAULT] = { "page_fault", "page fault", TABLE_COUNT, 0 },
+};
+
 double accounts_seconds(const c205_model *model, uint64_t clocks)
 {
     const c205_constant *period = c205_model_lookup(model, "clock.period");
@@ -58,6 +75,14 @@ uint64_t accounts_clocks(const c205_account *account)
         clocks += account->clocks[cause];
     }
     return clocks;
+}
+
+double accounts_rate(const c205_model *model, const c205_account *account)
+{
+    double operations = account->operations > 0 ? (double)account->operations
+                                                : NAN;
+    return operations / accounts_seconds(model, accounts_clocks(account))
+           / 1e6;
 }
 
 const c205_account *accounts_find(const struct accounts *accounts,

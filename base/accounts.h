@@ -31,12 +31,17 @@ uint64_t accounts_clocks(const c205_account *account);
 enum { ACCOUNTS_TIME = 48 };
 void accounts_time(const c205_model *model, uint64_t clocks,
                    char text[ACCOUNTS_TIME]);
+/* Millions of floating-point operations a second; NaN: none was done. */
+double accounts_rate(const c205_model *model, const c205_account *account);
 /* What a region is called in print. */
 const char *accounts_region(const c205_account *account);
 /* How many regions took time. */
 size_t accounts_regions(const struct accounts *accounts);
 /* All regions together, by the name "all". */
 c205_account accounts_together(const struct accounts *accounts);
+
+/* A column for the clocks of each cause. */
+extern const struct table_column accounts_cause_columns[C205_CAUSES];
 
 /* A unit of time for figures of which the largest is so long. */
 struct accounts_unit {

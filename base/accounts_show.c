@@ -32,12 +32,6 @@ static double mean_length(const c205_model *model,
     return (double)account->elements / vectors(model, account);
 }
 
-static double rate(const c205_model *model, const c205_account *account)
-{
-    return or_nothing(account->operations)
-           / accounts_seconds(model, accounts_clocks(account)) / 1e6;
-}
-
 static const struct figure {
     const char *name;
     int decimals;
@@ -46,7 +40,7 @@ static const struct figure {
     { "instructions", 0, instructions },
     { "of them vector", 0, vectors },
     { "mean vector length", 1, mean_length },
-    { "Mflop/s", 2, rate },
+    { "Mflop/s", 2, accounts_rate },
 };
 enum {
     FIGURES = sizeof figures / sizeof *figures,

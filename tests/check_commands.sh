@@ -270,6 +270,71 @@ ends 2 "$build/c205" timeline good.s -o run.pdf
 tells err "run.pdf: a timeline is .svg, .kanata or .json"
 ends 2 "$build/c205" timeline good.s --from 9 --to 9 -o run.svg
 
+# Against a constant.
+saxpy=$here/asm/examples/saxpy
+ends 0 "$build/c205" sweep "${saxpy}_scalar.s" "${saxpy}_vector.s" --warm \
+    --define n=1:64:x2 -o sweep.svg --json sweep.json
+tells out "^From n = 4 on the second is faster: [0-9]* clocks, and the first "
+tells out "^Cycle-accounted, not cycle-accurate, on the model cyber205-2pipe;"
+tells sweep.svg "^</svg>$"
+tells sweep.json "\"n_half\""
+tells sweep.json "\"vector_startup\""
+"$build/c205" sweep "${saxpy}_vector.s" --define n=8:65535 --points 5 --format csv |
+    awk -F, '/^# Causes/ { causes = 1 }
+             causes && $1 == "first" {
+                 sum = 0
+                 for (i = 4; i <= NF; i++) sum += $i
+                 print $2, $3, sum }' >summed
+for n in 8 76 724 6889 65535; do
+    "$build/c205" run "${saxpy}_vector.s" --define n=$n |
+        sed -n "s/^\([0-9]*\) clocks, .*/$n \1 \1/p"
+done | cmp -s - summed
+verdict $? "a sweep has other clocks than run"
+ends 0 "$build/c205" sweep "${matrix}_4.s" --define n=4:16 --format md
+tells out "^The first is no straight line in n: "
+ends 0 "$build/c205" sweep good.s --define unused=1:9
+tells out "^The clocks of the first do not grow with unused.$"
+ends 0 "$build/c205" sweep "${saxpy}_scalar.s" --define n=1:9 -o - --format csv
+tells out "^<svg "
+tells err "^# Lines$"
+ends 1 "$build/c205" sweep "${saxpy}_scalar.s" trap.s --define n=2:9 -o never.svg
+tells err "^c205 sweep: trap.s with n = 2: trap unmapped-address"
+ends 1 "$build/c205" sweep endless.s --define n=2:9
+tells err "endless.s with n = 2: trap clock-limit"
+ends 1 "$build/c205" sweep bad.s --define n=2:9 -o never.svg
+tells err "bad.s:2:9: error"
+tells err "^c205 sweep: bad.s with n = 2: it cannot be assembled"
+[ ! -e never.svg ]
+verdict $? "half a sweep is drawn"
+ends 1 "$build/c205" sweep good.o --define n=2:9
+tells err "constants of an object are fixed; name its text"
+ends 1 "$build/c205" sweep missing.s --define n=2:9
+ends 1 "$build/c205" sweep good.s --define n=2:9 -o missing/x.svg
+ends 2 "$build/c205" sweep good.s
+tells err "against what? --define NAME=FROM:TO"
+ends 2 "$build/c205" sweep --define n=2:9
+ends 2 "$build/c205" sweep good.s good.s good.s --define n=2:9
+ends 2 "$build/c205" sweep good.s --define n=2:9 --define m=2:9
+tells err "one constant runs through a range, not 2"
+ends 2 "$build/c205" sweep good.s --define n=2:9 --define n=3
+tells err "n has a range and a value as well"
+ends 2 "$build/c205" sweep good.s --define n=9:2
+tells err "NAME=FROM:TO, FROM:TO:STEP, FROM:TO:xFACTOR, from 1 on and rising"
+ends 2 "$build/c205" sweep good.s --define n=1:9:2 --points 4
+ends 2 "$build/c205" sweep good.s --define n=1:5000:1
+tells err "the range has more than 1000 values"
+ends 2 "$build/c205" sweep good.s --define n=1:5:5
+ends 2 "$build/c205" sweep good.s --define n=1:5 -o x.png
+tells err "x.png: a picture is .svg"
+
+"$build/c205" sweep endless.s --define n=1:9 -o never.svg >out 2>err &
+sleep 1
+kill -INT $!
+wait $!
+[ $? -eq 1 ] && [ ! -e never.svg ]
+verdict $? "Ctrl-C ends a sweep"
+tells err "^c205 sweep: endless.s with n = 1: interrupted$"
+
 # The debugger, by scripts and by a pipe.
 printf "step\n\nassert step == 2\n# and no more\nwhy\nquit\nassert 0\n" >good.lines
 printf 'assert step == 1\nstpe' >bad.lines

@@ -8,6 +8,7 @@
 #include <stddef.h>
 
 #include "asm/assemble.h"
+#include "asm/sweep/swept.h"
 #include "base/command_options.h"
 #include "base/model.h"
 #include "base/provenance.h"
@@ -15,12 +16,20 @@
 
 extern const struct command run_command, asm_command, dis_command,
     isa_command, model_command, time_command, debug_command, compare_command,
-    timeline_command;
+    timeline_command, sweep_command;
 
 enum { CMD_DEFINES = 64 };
 struct cmd_defines {
     size_t count;
     struct asm_define items[CMD_DEFINES + 1]; /* the last has no name */
+};
+
+/* One of them with a range. */
+struct cmd_swept {
+    struct cmd_defines fixed;
+    const char *name;
+    struct swept_range range;
+    size_t ranges; /* that were given */
 };
 
 struct cmd_warnings {
@@ -38,6 +47,8 @@ struct c205_arguments {
     bool check, trace, listing, names, points, markdown;
     bool no_limit, exit_status, profile, in_order, warm;
     struct cmd_defines defines, other_defines;
+    struct cmd_swept swept;
+    size_t point_count;
     struct cmd_warnings warnings;
     struct command_texts folders;
     const char *file;           /* what is no option: one, or .. */
@@ -103,6 +114,9 @@ c205 *cmd_load(const struct c205_arguments *arguments,
  * caller frees both in either case. */
 bool cmd_open(const struct c205_arguments *arguments, struct object **object,
               c205_model **model);
+
+/* What a file is to hold is told by the end of its name. */
+bool cmd_ends_with(const char *path, const char *ending);
 
 /* -W list. */
 int cmd_list_warnings(void);

@@ -200,9 +200,8 @@ static struct table *figure_table(const struct two_runs *runs)
                (double)second->elements);
     add_figure(table, "mean vector length", mean_length(first),
                mean_length(second));
-    add_figure(table, "Mflop/s",
-               quotient((double)first->operations, 1e6 * seconds_of(one)),
-               quotient((double)second->operations, 1e6 * seconds_of(other)));
+    add_figure(table, "Mflop/s", accounts_rate(one->model, first),
+               accounts_rate(other->model, second));
     return table;
 }
 

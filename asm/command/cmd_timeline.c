@@ -7,21 +7,15 @@
 #include "asm/timeline/timeline.h"
 #include "base/whole.h"
 
-static bool ends_with(const char *path, const char *ending)
-{
-    size_t length = strlen(path), rest = strlen(ending);
-    return length > rest && strcmp(path + length - rest, ending) == 0;
-}
-
 static bool write_timeline(const struct c205_arguments *arguments,
                            const struct timeline *timeline,
                            const struct sink *sink)
 {
     char title[400];
-    if (ends_with(arguments->output, ".kanata")) {
+    if (cmd_ends_with(arguments->output, ".kanata")) {
         return timeline_kanata(timeline, sink);
     }
-    if (ends_with(arguments->output, ".json")) {
+    if (cmd_ends_with(arguments->output, ".json")) {
         return timeline_trace_events(timeline, sink);
     }
     snprintf(title, sizeof title,
@@ -163,8 +157,8 @@ static int check_usage(const struct c205_arguments *arguments)
     if (!path) {
         return cmd_usage(arguments->command, "where to? -o FILE");
     }
-    if (!ends_with(path, ".svg") && !ends_with(path, ".kanata")
-        && !ends_with(path, ".json")) {
+    if (!cmd_ends_with(path, ".svg") && !cmd_ends_with(path, ".kanata")
+        && !cmd_ends_with(path, ".json")) {
         return cmd_usage(arguments->command,
                          "%s: a timeline is .svg, .kanata or .json", path);
     }

@@ -8,7 +8,9 @@
 
         .include "print.s"
 
+        .ifndef limit                   ; --define limit=1000
         .equ    limit, 200
+        .endif
 
         .data
 flags:  .space  limit

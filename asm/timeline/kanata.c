@@ -6,7 +6,7 @@
  *   I ID NUMBER 0    an instruction is there
  *   L ID 0|1 TEXT    what is written of it, and what is shown besides
  *   S ID 0 STAGE     it comes into a stage;  E ID 0 STAGE  leaves it
- *   R ID NUMBER 0    it is done
+ *   R ID NUMBER 0    it is done, the first, the second .. of all
  *
  * Stages: W waits to issue, X works (scalar); Su start-up, Tm translation misses, Pf page
  * faults, Bc bank conflicts, St stream (vector).  Source: Shioya, Konata's own description of
@@ -99,7 +99,7 @@ static int compare(const void *a, const void *b)
 }
 
 static void put(const struct timeline *timeline, const struct happening *item,
-                const struct sink *sink)
+                size_t *retired, const struct sink *sink)
 {
     const struct timed_insn *insn = &timeline->insns[item->insn];
     size_t id = item->insn;
@@ -116,7 +116,7 @@ static void put(const struct timeline *timeline, const struct happening *item,
         break;
     case ENTERS: sink_print(sink, "S\t%zu\t0\t%s\n", id, item->stage); break;
     case LEAVES: sink_print(sink, "E\t%zu\t0\t%s\n", id, item->stage); break;
-    default: sink_print(sink, "R\t%zu\t%zu\t0\n", id, id); break;
+    default: sink_print(sink, "R\t%zu\t%zu\t0\n", id, (*retired)++); break;
     }
 }
 
@@ -126,7 +126,7 @@ bool timeline_kanata(const struct timeline *timeline, const struct sink *sink)
     struct log log = { .arena = &arena };
     bool good = true;
     uint64_t clock;
-    size_t i;
+    size_t i, retired = 0;
 
     for (i = 0; good && i < timeline->insn_count; i++)
         good = !timeline->insns[i].insn || add_insn(&log, timeline, i);
@@ -138,7 +138,7 @@ bool timeline_kanata(const struct timeline *timeline, const struct sink *sink)
         if (log.items[i].clock > clock)
             sink_print(sink, "C\t%" PRIu64 "\n", log.items[i].clock - clock);
         clock = log.items[i].clock;
-        put(timeline, &log.items[i], sink);
+        put(timeline, &log.items[i], &retired, sink);
     }
     arena_free(&arena);
     return good;

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "asm/timeline/lanes.h"
+#include "base/svg.h"
 
 /* Pixels. */
 enum {
@@ -48,20 +49,6 @@ static double x_of(const struct timeline_picture *picture, uint64_t clock)
     return LEFT + picture->scale * (double)(clock - picture->timeline->from);
 }
 
-static void put_escaped(const struct sink *sink, const char *text)
-{
-    char letter[2] = "";
-
-    for (; *text; text++) {
-        letter[0] = *text;
-        sink_put(sink, *text == '<'                 ? "&lt;"
-                       : *text == '>'               ? "&gt;"
-                       : *text == '&'               ? "&amp;"
-                       : (unsigned char)*text < ' ' ? " "
-                                                    : letter);
-    }
-}
-
 static void place_lanes(struct timeline_picture *picture)
 {
     unsigned at = TOP;
@@ -77,23 +64,10 @@ static void place_lanes(struct timeline_picture *picture)
 
 /* ---- Axis and names -------------------------------------------------------- */
 
-/* 1, 2 or 5 times a power of ten, so that there are ten or so. */
-static uint64_t step_of(uint64_t clocks)
-{
-    static const unsigned parts[] = { 1, 2, 5 };
-    uint64_t power = 1;
-    int i;
-
-    for (;; power *= 10)
-        for (i = 0; i < 3; i++)
-            if (clocks / (power * parts[i]) <= 12)
-                return power * parts[i];
-}
-
 static void put_axis(const struct timeline_picture *picture)
 {
     const struct timeline *timeline = picture->timeline;
-    uint64_t step = step_of(timeline->to - timeline->from);
+    uint64_t step = svg_round_step(timeline->to - timeline->from, 12);
     uint64_t clock = (timeline->from + step - 1) / step * step;
 
     for (; clock <= timeline->to; clock += step)
@@ -159,7 +133,7 @@ static void put_title(const struct timeline_picture *picture,
                "%" PRIu64 " clocks, %" PRIu64 " .. %" PRIu64 "\n%" PRIX64
                ": ",
                span->end - span->begin, span->begin, span->end, insn->pc);
-    put_escaped(picture->sink, insn->text);
+    svg_put_escaped(picture->sink, insn->text);
     sink_print(picture->sink,
                "\narrived %" PRIu64 ", issued %" PRIu64 ", result %" PRIu64,
                insn->arrived, insn->issued, insn->ready);
@@ -192,24 +166,18 @@ static void put_span(const struct timeline_picture *picture,
 static void put_head(const struct timeline_picture *picture,
                      const char *title)
 {
-    int height = (int)picture->bottom + 2 * KEY + 10;
+    struct svg_sheet sheet = {
+        .width = LEFT + WIDTH + RIGHT,
+        .height = (int)picture->bottom + 2 * KEY + 10,
+        .left = LEFT,
+        .style = "g rect{stroke:#fff;stroke-width:.6}"
+                 ".tick{stroke:#ddd}.clock{text-anchor:middle;fill:#555}"
+                 ".lane{text-anchor:end}.on{text-anchor:middle;fill:#fff}"
+                 ".in{text-anchor:middle;fill:#222}"
+                 "g:hover rect{stroke:#000}"
+    };
 
-    sink_print(picture->sink,
-               "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
-               "height=\"%d\" viewBox=\"0 0 %d %d\" "
-               "font-family=\"sans-serif\" font-size=\"12\">\n",
-               LEFT + WIDTH + RIGHT, height, LEFT + WIDTH + RIGHT, height);
-    sink_put(picture->sink,
-             "<style>g rect{stroke:#fff;stroke-width:.6}"
-             ".tick{stroke:#ddd}.clock{text-anchor:middle;fill:#555}"
-             ".lane{text-anchor:end}.on{text-anchor:middle;fill:#fff}"
-             ".in{text-anchor:middle;fill:#222}"
-             "g:hover rect{stroke:#000}</style>\n"
-             "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
-    sink_print(picture->sink, "<text x=\"%d\" y=\"20\" font-size=\"15\">",
-               LEFT);
-    put_escaped(picture->sink, title);
-    sink_put(picture->sink, "</text>\n");
+    svg_begin(picture->sink, &sheet, title);
 }
 
 bool timeline_svg(const struct timeline *timeline, const char *title,
@@ -228,7 +196,7 @@ bool timeline_svg(const struct timeline *timeline, const char *title,
     for (i = 0; good && i < picture.lanes.count; i++)
         put_span(&picture, &picture.lanes.spans[i]);
     put_key(&picture);
-    sink_put(sink, "</svg>\n");
+    svg_end(sink);
     arena_free(&arena);
     return good;
 }

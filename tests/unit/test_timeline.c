@@ -5,6 +5,8 @@
 #include "asm/timeline/lanes.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
+#include "tests/unit/drawn_program.h"
+#include "tests/unit/kanata_log.h"
 #include "tests/unit/prior_model.h"
 
 enum { INSNS_MOST = 3000, TEXT_LENGTH = 300 };
@@ -14,22 +16,17 @@ static uint64_t random_state = RANDOM_SEED;
 /* ---- Runs ----------------------------------------------------------------- */
 
 /* The program as far as it goes, in so many instructions at the most; between two clocks. */
-static c205 *run(const char *path, struct timeline *timeline)
+static c205 *run(const struct object *object, struct timeline *timeline)
 {
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_file(path, NULL, &errors);
     c205_error error;
     c205 *machine = c205_new(prior_model, &error);
     c205_stop stop;
 
-    diagnostics_free(&errors);
-    assert_non_null(object);
     assert_true(c205_load(machine, &object->program, &error)
                 && c205_listen(machine, timeline_listen, timeline));
     for (size_t i = 0; i < INSNS_MOST && c205_step(machine, &stop); i++)
         continue;
     assert_true(timeline_is_good(timeline) && !timeline->full);
-    object_free(object);
     return machine;
 }
 
@@ -168,10 +165,15 @@ static void check_kanata(const struct timeline *timeline)
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
     unsigned long begin;
+    const char *fault;
+    size_t number;
     char *line;
 
     reader = (struct reader){ .timeline = timeline };
     assert_true(timeline_kanata(timeline, &sink));
+    fault = kanata_fault(text.text, &number);
+    if (fault)
+        fail_msg("line %zu: %s", number, fault);
     line = strtok(text.text, "\n");
     assert_string_equal(line, "Kanata\t0004");
     line = strtok(NULL, "\n");
@@ -223,10 +225,10 @@ static void check_texts(const struct timeline *timeline)
 
 /* ---- Tests ---------------------------------------------------------------- */
 
-static void check_program(const char *path)
+static void check_object(const struct object *object, const char *path)
 {
     struct timeline timeline = whole(), part = whole();
-    c205 *machine = run(path, &timeline);
+    c205 *machine = run(object, &timeline);
     uint64_t end = c205_clock(machine) + 1;
 
     check_sums(&timeline, machine, path);
@@ -235,13 +237,24 @@ static void check_program(const char *path)
     c205_free(machine);
     part.from = xorshift(&random_state) % end;
     part.to = part.from + 1 + xorshift(&random_state) % 400;
-    machine = run(path, &part);
+    machine = run(object, &part);
     check_rows(&part);
     check_kanata(&part);
     check_texts(&part);
     c205_free(machine);
     timeline_free(&timeline);
     timeline_free(&part);
+}
+
+static void check_program(const char *path)
+{
+    struct diagnostics errors = { 0 };
+    struct object *object = assemble_file(path, NULL, &errors);
+
+    diagnostics_free(&errors);
+    assert_non_null(object);
+    check_object(object, path);
+    object_free(object);
 }
 
 static void test_programs(void **state)
@@ -261,9 +274,81 @@ static void test_programs(void **state)
     }
 }
 
+static void test_drawn(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 200; i++) {
+        char text[DRAWN_TEXT + 40];
+        int length = sprintf(text, "        .equ n, %d\n",
+                             1 + (int)(xorshift(&random_state) % 150));
+        struct object *object;
+
+        draw_program(&random_state, text + length);
+        object = good(text);
+        check_object(object, "drawn.s");
+        object_free(object);
+    }
+}
+
+/* The reader of the format takes what its description allows, and nothing else. */
+static void test_reader(void **state)
+{
+#define BEGIN "Kanata\t0004\nC=\t7\n"
+#define THERE BEGIN "I\t0\t5\t0\n"
+#define GONE "R\t0\t0\t0\n"
+    static const char *const right[] = {
+        BEGIN,
+        THERE GONE,
+        THERE "S\t0\t0\tF\nC\t1\nS\t0\t0\tX\nS\t0\t1\tstall\nC\t2\n" GONE,
+        THERE "L\t0\t0\ta b\nL\t0\t1\tc\nL\t0\t1\td\n" GONE,
+        THERE "I\t1\t5\t3\nW\t1\t0\t0\nR\t1\t9\t1\n" GONE,
+    };
+    static const struct {
+        const char *text;
+        size_t line;
+    } wrong[] = {
+        { "", 0 },
+        { "Kanata\t0003\nC=\t7\n", 1 },
+        { "Kanata\t0004\n", 1 },
+        { "Kanata\t0004\nC\t7\n", 2 },
+        { BEGIN "C=\t9\n", 3 },
+        { BEGIN "C\t-1\n", 3 },
+        { BEGIN "C\t1\t2\n", 3 },
+        { BEGIN "X\t1\n", 3 },
+        { BEGIN "\n", 3 },
+        { BEGIN "C\t1", 3 },
+        { BEGIN "I\t1\t0\t0\n", 3 },
+        { BEGIN "S\t0\t0\tF\n", 3 },
+        { THERE "I\t0\t1\t0\n", 4 },
+        { THERE "L\t0\t2\ta\n" GONE, 4 },
+        { THERE "L\t0\t0\t\n" GONE, 4 },
+        { THERE "S\t0\t0\tF\nE\t0\t0\tX\n" GONE, 5 },
+        { THERE "S\t0\t0\tF\nE\t0\t1\tF\n" GONE, 5 },
+        { THERE GONE "L\t0\t0\ta\n", 5 },
+        { THERE GONE GONE, 5 },
+        { THERE "R\t0\t1\t0\n", 4 },
+        { THERE "R\t0\t0\t2\n", 4 },
+        { THERE "W\t0\t1\t0\n" GONE, 4 },
+        { THERE, 3 },
+    };
+    size_t line;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof right / sizeof *right; i++)
+        assert_null(kanata_fault(right[i], &line));
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_non_null(kanata_fault(wrong[i].text, &line));
+        assert_int_equal(line, wrong[i].line);
+    }
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_programs) };
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_programs),
+        cmocka_unit_test(test_drawn),
+        cmocka_unit_test(test_reader),
+    };
 
     return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
 }

@@ -322,7 +322,7 @@ static void write_scientific(char *text, bool negative, uint64_t c,
 void c205_to_decimal(c205_word word, c205_notation notation, unsigned count,
                      char text[C205_TEXT_SIZE])
 {
-    const word_format f = whole_words;
+    word_format f = whole_words;
     int64_t c = format_value_coefficient(f, word);
     int32_t places = f.digits - word_significant_bits(c);
     int32_t exponent = c == 0 ? 0 : format_exponent(f, word) - places;

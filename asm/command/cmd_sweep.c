@@ -1,0 +1,504 @@
+/* cmd_sweep.c - c205 sweep: a program, or two, against a constant. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/command/c205_command.h"
+#include "asm/object.h"
+#include "base/accounts.h"
+#include "base/file.h"
+#include "base/interrupt.h"
+#include "base/progress.h"
+#include "base/whole.h"
+
+/* ---- Tables ---------------------------------------------------------------- */
+
+enum { HEADING = 64 };
+static const char *const names[SWEPT_PROGRAMS] = { "first", "second" };
+
+static double clocks_of(const struct swept_point *point, size_t which)
+{
+    return (double)accounts_clocks(&point->runs[which]);
+}
+
+static struct table *point_table(const struct program_sweep *sweep,
+                                 const char *per_element)
+{
+    struct table_column columns[] = {
+        { "value", sweep->constant, TABLE_COUNT, 0 },
+        { "clocks", "clocks", TABLE_COUNT, 0 },
+        { "per_element", per_element, TABLE_NUMBER, 2 },
+        { "mflops", "Mflop/s", TABLE_NUMBER, 2 },
+        { "second_clocks", "second clocks", TABLE_COUNT, 0 },
+        { "second_per_element", per_element, TABLE_NUMBER, 2 },
+        { "second_mflops", "Mflop/s", TABLE_NUMBER, 2 },
+        { "ratio", "first / second", TABLE_NUMBER, 3 },
+    };
+    bool two = sweep->program_count == SWEPT_PROGRAMS;
+    struct table *table;
+    if (two) {
+        columns[1] = (struct table_column){ "first_clocks", "first clocks",
+                                            TABLE_COUNT, 0 };
+        columns[2].key = "first_per_element";
+        columns[3].key = "first_mflops";
+    }
+    table = table_new(columns, two ? 8 : 4);
+    for (size_t i = 0; table && i < sweep->count; i++) {
+        const struct swept_point *point = &sweep->points[i];
+        table_count(table, point->value);
+        for (size_t k = 0; k < sweep->program_count; k++) {
+            const c205_account *run = &point->runs[k];
+            table_count(table, accounts_clocks(run));
+            table_number(table, clocks_of(point, k) / (double)point->value);
+            table_number(table, accounts_rate(sweep->model, run));
+        }
+        if (two) {
+            table_number(table, clocks_of(point, SWEPT_FIRST)
+                                    / clocks_of(point, SWEPT_SECOND));
+        }
+    }
+    return table;
+}
+
+static struct table *cause_table(const struct program_sweep *sweep)
+{
+    struct table_column columns[3 + C205_CAUSES] = {
+        { "program", "program", TABLE_TEXT, 0 },
+        { "value", sweep->constant, TABLE_COUNT, 0 },
+        { "clocks", "clocks", TABLE_COUNT, 0 },
+    };
+    struct table *table;
+    memcpy(columns + 3, accounts_cause_columns,
+           sizeof accounts_cause_columns);
+    table = table_new(TABLE_COLUMNS(columns));
+    for (size_t i = 0; table && i < sweep->count; i++) {
+        for (size_t k = 0; k < sweep->program_count; k++) {
+            const c205_account *run = &sweep->points[i].runs[k];
+            table_text(table, names[k]);
+            table_count(table, sweep->points[i].value);
+            table_count(table, accounts_clocks(run));
+            for (int cause = 0; cause < C205_CAUSES; cause++) {
+                table_count(table, run->clocks[cause]);
+            }
+        }
+    }
+    return table;
+}
+
+/* Of what is no line only how far it is from one. */
+static void add_line(struct table *table, const struct program_sweep *sweep,
+                     int which)
+{
+    struct swept_line line = swept_line_of(sweep, which);
+    double per_second = 1 / accounts_seconds(sweep->model, 1);
+    double rate = per_second / line.clocks.slope / 1e6;
+    double figures[] = { line.clocks.at_zero, line.clocks.slope, rate,
+                         line.flops > 0 ? line.flops * rate : NAN,
+                         swept_half_length(&line) };
+    table_text(table, names[which]);
+    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++) {
+        table_number(table, line.good ? figures[i] : NAN);
+    }
+    table_number(table, 100 * line.off);
+    table_count(table, line.off_at);
+}
+
+static struct table *line_table(const struct program_sweep *sweep,
+                                const char *per_element)
+{
+    struct table_column columns[] = {
+        { "program", "line", TABLE_TEXT, 0 },
+        { "startup", "start-up clk", TABLE_NUMBER, 1 },
+        { "per_element", per_element, TABLE_NUMBER, 4 },
+        { "r_infinity", "r-infinity M/s", TABLE_NUMBER, 2 },
+        { "mflops", "Mflop/s", TABLE_NUMBER, 2 },
+        { "n_half", "n-half", TABLE_NUMBER, 1 },
+        { "off_percent", "off %", TABLE_NUMBER, 2 },
+        { "off_at", "at", TABLE_COUNT, 0 },
+    };
+    struct table *table = table_new(TABLE_COLUMNS(columns));
+    for (size_t i = 0; table && i < sweep->program_count; i++) {
+        add_line(table, sweep, (int)i);
+    }
+    return table;
+}
+
+static const struct table_column crossing_columns[] = {
+    { "value", "from", TABLE_COUNT, 0 },
+    { "faster", "faster", TABLE_TEXT, 0 },
+    { "first_clocks", "first clocks", TABLE_COUNT, 0 },
+    { "second_clocks", "second clocks", TABLE_COUNT, 0 },
+};
+
+static struct table *crossing_table(const struct program_sweep *sweep)
+{
+    struct table *table = table_new(TABLE_COLUMNS(crossing_columns));
+    for (size_t i = 0; table && i < sweep->crossing_count; i++) {
+        const struct swept_crossing *crossing = &sweep->crossings[i];
+        table_count(table, crossing->at.value);
+        table_text(table, names[crossing->faster]);
+        for (size_t k = 0; k < SWEPT_PROGRAMS; k++) {
+            table_count(table, accounts_clocks(&crossing->at.runs[k]));
+        }
+    }
+    return table;
+}
+
+/* ---- In words -------------------------------------------------------------- */
+
+static void tell_line(const struct program_sweep *sweep, int which,
+                      const struct results *results)
+{
+    struct swept_line line = swept_line_of(sweep, which);
+    if (!line.grows) {
+        results_say(results, "The clocks of the %s do not grow with %s.\n",
+                    names[which], sweep->constant);
+    } else if (!line.good) {
+        results_say(results,
+                    "The %s is no straight line in %s: one would be %.1f %% "
+                    "off at %" PRIu64 ". At the end its clocks go with the "
+                    "power %.2f.\n",
+                    names[which], sweep->constant, 100 * line.off,
+                    line.off_at, swept_power(sweep, which));
+    }
+}
+
+static void tell_crossings(const struct program_sweep *sweep,
+                           const struct results *results)
+{
+    const struct swept_point *begin = sweep->points;
+    bool faster = clocks_of(begin, SWEPT_SECOND)
+                  < clocks_of(begin, SWEPT_FIRST);
+    if (sweep->crossing_count == 0) {
+        results_say(results,
+                    "The second is %s, from %" PRIu64 " to %" PRIu64 ".\n",
+                    faster ? "faster everywhere" : "nowhere faster",
+                    sweep->range.from, sweep->range.to);
+    }
+    for (size_t i = 0; i < sweep->crossing_count; i++) {
+        const struct swept_crossing *crossing = &sweep->crossings[i];
+        results_say(results,
+                    "From %s = %" PRIu64 " on the second is %s: %.0f clocks, "
+                    "and the first %.0f.\n",
+                    sweep->constant, crossing->at.value,
+                    crossing->faster ? "faster" : "not faster any more",
+                    clocks_of(&crossing->at, SWEPT_SECOND),
+                    clocks_of(&crossing->at, SWEPT_FIRST));
+    }
+}
+
+/* ---- Results --------------------------------------------------------------- */
+
+/* Tables of which the reader is told in words; in print they are for other programs. */
+static int show_rest(const struct program_sweep *sweep,
+                     const struct results *results)
+{
+    struct results rest = *results;
+    int code;
+    if (results->format != RESULTS_CSV) {
+        rest.file = NULL;
+    }
+    code = results_show(&rest, cause_table(sweep), "causes", "Causes");
+    if (code == CMD_DONE && sweep->program_count == SWEPT_PROGRAMS) {
+        code = results_show(&rest, crossing_table(sweep), "crossings",
+                            "Crossings");
+    }
+    return code;
+}
+
+static void show_head(const struct program_sweep *sweep,
+                      const struct results *results)
+{
+    if (results->json) {
+        json_text(results->json, "constant", sweep->constant);
+        json_array(results->json, "programs");
+        for (size_t i = 0; i < sweep->program_count; i++) {
+            json_text(results->json, NULL, sweep->programs[i].path);
+        }
+        json_end(results->json);
+        provenance_json(sweep->model, results->json);
+    }
+    for (size_t i = 0; i < sweep->program_count; i++) {
+        results_say(results, "%s: %s on %s\n", names[i],
+                    sweep->programs[i].path, c205_model_name(sweep->model));
+    }
+}
+
+static int show(const struct program_sweep *sweep,
+                const struct results *results)
+{
+    char per_element[HEADING];
+    int code;
+    snprintf(per_element, sizeof per_element, "clk/%s", sweep->constant);
+    show_head(sweep, results);
+    results_gap(results);
+    code = results_show(results, point_table(sweep, per_element), "points",
+                        "Points");
+    if (code == CMD_DONE) {
+        results_gap(results);
+        code = results_show(results, line_table(sweep, per_element), "lines",
+                            "Lines");
+    }
+    if (code == CMD_DONE) {
+        code = show_rest(sweep, results);
+    }
+    results_gap(results);
+    for (size_t i = 0; i < sweep->program_count; i++) {
+        tell_line(sweep, (int)i, results);
+    }
+    if (sweep->program_count == SWEPT_PROGRAMS) {
+        tell_crossings(sweep, results);
+    }
+    results_model(results, sweep->model);
+    return code;
+}
+
+static bool draw(const struct program_sweep *sweep, const char *path,
+                 c205_error *error)
+{
+    struct whole *whole = whole_open(path, error);
+    char title[160];
+    struct sink sink;
+    if (!whole) {
+        return false;
+    }
+    snprintf(title, sizeof title, "Clocks against %.40s on %.80s",
+             sweep->constant, c205_model_name(sweep->model));
+    sink = stream_sink(whole->file);
+    swept_svg(sweep, title, &sink);
+    return whole_commit(whole, error);
+}
+
+/* ---- The command ----------------------------------------------------------- */
+
+/* A range is the swept constant's. */
+static bool take_swept(char *text, void *value)
+{
+    struct cmd_swept *swept = value;
+    char *equals = strchr(text, '=');
+    if (!equals || !strchr(equals, ':')) {
+        return cmd_take_define(text, &swept->fixed);
+    }
+    if (equals == text || !swept_take_range(equals + 1, &swept->range)) {
+        return false;
+    }
+    *equals = '\0';
+    swept->name = text;
+    swept->ranges++;
+    return true;
+}
+
+static bool goes_on(void *context, size_t done, size_t all)
+{
+    struct progress *progress = context;
+    if (interrupt_came()) {
+        progress_hide(progress);
+    } else {
+        progress_tell(progress, done, all);
+    }
+    return !interrupt_came();
+}
+
+static bool read_text(const struct c205_arguments *arguments,
+                      struct swept_program *program, const char *path)
+{
+    c205_error error;
+    char *text = file_read(path, FILE_LARGEST, &program->length, &error);
+    program->path = path;
+    program->text = text;
+    if (text && object_recognise(text, program->length)) {
+        snprintf(error.message, sizeof error.message,
+                 "constants of an object are fixed; name its text");
+        program->text = NULL;
+        free(text);
+    }
+    if (!program->text) {
+        cmd_failed(arguments->command, "%s: %s", path, error.message);
+    }
+    return program->text;
+}
+
+static bool run_and_draw(const struct c205_arguments *arguments,
+                         struct program_sweep *sweep, c205_error *error)
+{
+    const char *output = arguments->output;
+    struct progress progress;
+    bool good;
+    interrupt_catch();
+    progress_begin(&progress);
+    sweep->goes_on = goes_on;
+    sweep->context = &progress;
+    good = (!output || whole_check(output, error)) && swept_run(sweep, error)
+           && (!output || draw(sweep, output, error));
+    progress_hide(&progress);
+    return good;
+}
+
+static int run_and_show(const struct c205_arguments *arguments,
+                        struct program_sweep *sweep)
+{
+    struct results results = arguments->results;
+    c205_error error;
+    int code;
+    if (!results_open(&results, arguments->command, arguments->output)) {
+        return CMD_FAILED;
+    }
+    code = run_and_draw(arguments, sweep, &error)
+               ? show(sweep, &results)
+               : cmd_failed(arguments->command, "%s", error.message);
+    return results_close(&results, code);
+}
+
+static int sweep_programs(const struct c205_arguments *arguments)
+{
+    const struct cmd_swept *swept = &arguments->swept;
+    struct asm_options options = { .defines = swept->fixed.items,
+                                   .search = arguments->folders.items };
+    c205_model *model = model_open(arguments->command, arguments->model);
+    struct program_sweep sweep = { .constant = swept->name,
+                                   .range = swept->range,
+                                   .asked = arguments->point_count,
+                                   .program_count = arguments->files.count,
+                                   .model = model,
+                                   .options = &options,
+                                   .warm = arguments->warm,
+                                   .clocks_most = CMD_LIMIT,
+                                   .report = stream_sink(stderr) };
+    bool good = model;
+    int code;
+    for (size_t i = 0; good && i < sweep.program_count; i++) {
+        good = read_text(arguments, &sweep.programs[i],
+                         arguments->files.items[i]);
+    }
+    code = good ? run_and_show(arguments, &sweep) : CMD_FAILED;
+    for (size_t i = 0; i < sweep.program_count; i++) {
+        free((char *)sweep.programs[i].text);
+    }
+    swept_free(&sweep);
+    c205_model_free(model);
+    return code;
+}
+
+static bool is_fixed_too(const struct cmd_swept *swept)
+{
+    for (size_t i = 0; i < swept->fixed.count; i++) {
+        if (strcmp(swept->fixed.items[i].name, swept->name) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static int check_values(const struct c205_arguments *arguments)
+{
+    const struct cmd_swept *swept = &arguments->swept;
+    uint64_t values[SWEPT_POINTS_MOST];
+    size_t count;
+    if (swept->ranges != 1) {
+        return cmd_usage(arguments->command,
+                         swept->ranges == 0
+                             ? "against what? --define NAME=FROM:TO"
+                             : "one constant runs through a range, not %zu",
+                         swept->ranges);
+    }
+    if (is_fixed_too(swept)) {
+        return cmd_usage(arguments->command,
+                         "%s has a range and a value as well", swept->name);
+    }
+    if (arguments->point_count > 0
+        && (swept->range.step > 0 || swept->range.factor > 0)) {
+        return cmd_usage(arguments->command,
+                         "the range says which points there are, not "
+                         "--points");
+    }
+    count = swept_values(&swept->range, arguments->point_count, values);
+    if (count == 0) {
+        return cmd_usage(arguments->command,
+                         "the range has more than %d values",
+                         SWEPT_POINTS_MOST);
+    }
+    return count > 1 ? CMD_DONE
+                     : cmd_usage(arguments->command,
+                                 "the range has no value but its first");
+}
+
+static int run(void *given)
+{
+    const struct c205_arguments *arguments = given;
+    const char *output = arguments->output;
+    int code;
+    if (arguments->files.count == 0
+        || arguments->files.count > SWEPT_PROGRAMS) {
+        return cmd_usage(arguments->command, "name one program or two");
+    }
+    code = check_values(arguments);
+    if (code != CMD_DONE) {
+        return code;
+    }
+    if (output && !file_is_stream(output) && !cmd_ends_with(output, ".svg")) {
+        return cmd_usage(arguments->command, "%s: a picture is .svg", output);
+    }
+    return sweep_programs(arguments);
+}
+
+static const struct command_option options[] = {
+    { .name = "define",
+      .value = "NAME=RANGE|VALUE",
+      .kind = COMMAND_OWN,
+      .offset = CMD_PLACE(swept),
+      .take = take_swept,
+      .wants = "NAME=FROM:TO, FROM:TO:STEP, FROM:TO:xFACTOR, from 1 on and "
+               "rising; or NAME=VALUE, an integer",
+      .help = "the constant and its range, FROM:TO[:STEP|:xFACTOR]; or an "
+              "integer that stays" },
+    { .name = "points",
+      .value = "NUMBER",
+      .kind = COMMAND_COUNT,
+      .offset = CMD_PLACE(point_count),
+      .least = 2,
+      .most = SWEPT_POINTS_MOST,
+      .preset_text = "8 an octave, 25 at most",
+      .help = "values of FROM:TO, each as many times the one before" },
+    { .name = "output",
+      .letter = 'o',
+      .value = "FILE",
+      .kind = COMMAND_OUTPUT,
+      .offset = CMD_PLACE(output),
+      .help = "draw a picture, .svg" },
+    CMD_MODEL,
+    CMD_FLAG(warm, "all pages are in memory when the programs begin"),
+    CMD_INCLUDE,
+    CMD_FIGURES,
+    COMMAND_END
+};
+static const struct command_option operands[] = {
+    { .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .many = true,
+      .offset = CMD_PLACE(files),
+      .help = "a program text, or two" },
+    COMMAND_END
+};
+static const struct command_example examples[] = {
+    { "c205 sweep FILE --define n=8:65535 -o x.svg",
+      "start-up, r-infinity and n-half" },
+    { "c205 sweep --warm FILE FILE --define n=1:1000",
+      "from which length on the second is faster" },
+    { NULL, NULL }
+};
+
+const struct command sweep_command = {
+    .name = "sweep",
+    .summary = "a program, or two, against a constant",
+    .function = run,
+    .options = options,
+    .operands = operands,
+    .examples = examples,
+    .details =
+        "A program that is to have a value of its own as well gives it in "
+        ".ifndef NAME .. .endif. With STEP or xFACTOR there are no values but "
+        "those; else every integer in the range may be tried to find where "
+        "the programs change places.",
+};

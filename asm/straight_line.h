@@ -1,0 +1,21 @@
+/* straight_line.h - the straight line through points, by least squares: of all lines that
+ * for which the sum of weight (y - line)^2 is least. */
+#ifndef ASM_STRAIGHT_LINE_H
+#define ASM_STRAIGHT_LINE_H
+
+#include <stddef.h>
+
+struct weighted_point {
+    double x, y, weight;
+};
+
+struct straight_line {
+    double at_zero, slope;
+};
+
+/* Of points with two different x and weights above 0 at least. */
+struct straight_line
+straight_line_through(const struct weighted_point *points, size_t count);
+double straight_line_at(const struct straight_line *line, double x);
+
+#endif

@@ -1,0 +1,49 @@
+#!/bin/sh
+# check_replay.sh BUILD [--write] - scripts for the debugger say the same whenever and however
+# they are played, to the byte: from a file, from a pipe, and once more.
+#
+# tests/debugger/forty.lines, 40 commands, over five programs says what is recorded beside it;
+# --write records it anew.  Then scripts of 40 lines that test_debugger_scripts draws.
+set -u
+. "$(dirname "$0")/count.sh"
+build=$1 write=${2:-}
+here=tests/debugger
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+said=$work/said
+
+# Models with round constants stay as they are.
+debug() { # PROGRAM [OPTION ..]
+    program=$1
+    shift
+    "$build/c205" debug --model cyber205-2pipe-prior "$@" \
+        "asm/examples/$program.s" 2>&1
+    echo "ends with $?"
+}
+
+same() { # FILE FILE TEXT
+    diff "$1" "$2" >"$said"
+    verdict $? "$3"
+}
+
+replay() { # PROGRAM SCRIPT: what it says in $work/file
+    debug "$1" -x "$2" >"$work/file"
+    debug "$1" -x "$2" >"$work/again"
+    cat "$2" | debug "$1" >"$work/pipe"
+    same "$work/file" "$work/again" "$2 says something else again, over $1"
+    same "$work/file" "$work/pipe" "$2 says something else from a pipe, over $1"
+}
+
+number=0
+for program in dot horner lookup saxpy_scalar sieve; do
+    replay "$program" $here/forty.lines
+    [ "$write" ] && cp "$work/file" "$here/forty.$program"
+    same "$here/forty.$program" "$work/file" "$here/forty.$program"
+    while [ $((number += 1)) -le 8 ]; do
+        "$build/tests/unit/test_debugger_scripts" draw "$number" \
+            "asm/examples/$program.s" >"$work/drawn"
+        replay "$program" "$work/drawn"
+    done
+    number=0
+done
+counted

@@ -1,0 +1,416 @@
+/* test_debugger_scripts.c - scripts by chance for the debugger, 40 lines of all verbs over
+ * five programs: they say the same whenever they are played, to the byte; and so do movements that
+ * begin anew.
+ *
+ * "test_debugger_scripts draw N PROGRAM" prints the N-th script for a program, for who would
+ * play it in another way (tests/check_replay.sh).
+ */
+#include "tests/random.h"
+#include "tests/unit/debugger_session.h"
+#include "tests/unit/drawn_program.h"
+
+enum { PROGRAMS = 5, LINES = 40, LINE = 80, ROUNDS = 16 };
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+static uint64_t random_state = RANDOM_SEED;
+
+static uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+/* ---- Programs -------------------------------------------------------------- */
+
+static const char *const examples[] = {
+    "asm/examples/dot.s",          "asm/examples/horner.s",
+    "asm/examples/lookup.s",       "asm/examples/saxpy_scalar.s",
+    "asm/examples/saxpy_linked.s", "asm/examples/sieve.s",
+};
+static const char drawn[] = "drawn.s";
+
+static struct object *open_example(const char *path)
+{
+    struct diagnostics errors = { 0 };
+    struct object *object = assemble_file(path, NULL, &errors);
+
+    diagnostics_free(&errors);
+    assert_non_null(object);
+    return object;
+}
+
+static struct object *open_drawn(void)
+{
+    char text[DRAWN_TEXT + LINE];
+    int length = sprintf(text, "        .equ    n, %d\n",
+                         1 + (int)below(200));
+
+    draw_program(&random_state, text + length);
+    return good(text);
+}
+
+/* Of five, two or so are drawn. */
+static struct object *open_program(const char **name)
+{
+    *name = below(5) < 2 ? drawn : examples[below(COUNT(examples))];
+    return *name == drawn ? open_drawn() : open_example(*name);
+}
+
+/* ---- Lines by chance ------------------------------------------------------- */
+
+typedef char script_line[LINE];
+
+static const char *pick(const char *const *texts, size_t count)
+{
+    return texts[below(count)];
+}
+
+/* An address that has code, or data. */
+static uint64_t draw_address(const struct object *object, bool code)
+{
+    size_t count = object->line_count;
+    const struct asm_line *line = &object->lines[below(count)];
+
+    while (line->is_code != code)
+        line = &object->lines[below(count)];
+    return line->address;
+}
+
+static void draw_place(const struct object *object, script_line place)
+{
+    const c205_program *program = &object->program;
+    const struct asm_symbol
+        *symbol = &object->symbols[below(object->symbol_count)];
+    static const char *const insns[] = { "EXIT", "ADDN",  "LOD", "STO",
+                                         "EX",   "MPYSV", "ES",  "LINKV" };
+
+    switch (below(5)) {
+    case 0:
+        snprintf(place, LINE, "insn %s", pick(insns, COUNT(insns)));
+        break;
+    case 1:
+        if (program->region_count > 0) {
+            snprintf(place, LINE, "region %s", program->regions[0].name);
+            break;
+        }
+        /* fall through */
+    case 2:
+        if (symbol->is_label) {
+            snprintf(place, LINE, "%s", symbol->name);
+            break;
+        }
+        /* fall through */
+    default:
+        snprintf(place, LINE, "*%llu",
+                 (unsigned long long)draw_address(object, true));
+    }
+}
+
+static void draw_value(const struct object *object, script_line value)
+{
+    static const char *const values[] = {
+        "step",           "clock",      "pc",
+        "$step % 7 == 0", "r10",        "h21",
+        "r50.i",          "r14 + 1",    "clock / 3",
+        "r12 < 4 || r13", "!(r15 - 2)", "r50.length * 2",
+    };
+
+    if (below(3) == 0)
+        snprintf(value, LINE, "[%llu]",
+                 (unsigned long long)draw_address(object, false));
+    else
+        snprintf(value, LINE, "%s", pick(values, COUNT(values)));
+}
+
+/* Where it goes next. */
+static void draw_motion(const struct object *object, script_line line)
+{
+    static const char *const plain[] = {
+        "",     "continue", "c 2", "reverse-continue", "rc", "run",
+        "next", "step",     "rs",  "goto 0",
+    };
+    static const char *const counted[] = { "step",         "next",
+                                           "reverse-step", "goto",
+                                           "goto clock",   "continue" };
+
+    switch (below(5)) {
+    case 0:
+    case 1: snprintf(line, LINE, "%s", pick(plain, COUNT(plain))); break;
+    case 2:
+        snprintf(line, LINE, "until *%llu",
+                 (unsigned long long)draw_address(object, true));
+        break;
+    default:
+        snprintf(line, LINE, "%s %d", pick(counted, COUNT(counted)),
+                 (int)below(below(2) ? 20 : 1500));
+    }
+}
+
+/* What is looked at. */
+static void draw_view(const struct object *object, script_line line)
+{
+    static const char *const plain[] = {
+        "where",          "list",         "disassemble",   "why",
+        "account",        "info pages",   "info operands", "info regions",
+        "info registers", "info symbols", "help",
+    };
+    static const char formats[] = "fixhb";
+    script_line value;
+
+    switch (below(6)) {
+    case 0:
+        draw_value(object, value);
+        snprintf(line, LINE, "print %.60s", value);
+        break;
+    case 1:
+        snprintf(line, LINE, "x/%d%c %llu", 1 + (int)below(8),
+                 formats[below(5)],
+                 (unsigned long long)draw_address(object, below(2)));
+        break;
+    case 2:
+        snprintf(line, LINE, "%s *%llu, %d",
+                 below(2) ? "list" : "disassemble",
+                 (unsigned long long)draw_address(object, true),
+                 1 + (int)below(6));
+        break;
+    default: snprintf(line, LINE, "%s", pick(plain, COUNT(plain)));
+    }
+}
+
+/* Where it is to stop. */
+static void draw_stop(const struct object *object, script_line line)
+{
+    script_line place, value;
+
+    draw_place(object, place);
+    draw_value(object, value);
+    if (below(3) == 0)
+        snprintf(line, LINE, "watch %llu, %d",
+                 (unsigned long long)draw_address(object, false),
+                 1 + (int)below(3));
+    else if (below(3) == 0)
+        snprintf(line, LINE, "break %.30s if %.30s", place, value);
+    else
+        snprintf(line, LINE, "break %.60s", place);
+}
+
+/* What changes the rest of the session. */
+static void draw_change(const struct object *object, script_line line)
+{
+    script_line place;
+
+    draw_place(object, place);
+    switch (below(5)) {
+    case 0: snprintf(line, LINE, "tbreak %.60s", place); break;
+    case 1: snprintf(line, LINE, "delete %d", 1 + (int)below(4)); break;
+    case 2:
+        snprintf(line, LINE, "set r%d = %d", 10 + (int)below(50),
+                 (int)below(1000));
+        break;
+    case 3:
+        snprintf(line, LINE, "set [%llu] = %d.5",
+                 (unsigned long long)draw_address(object, false),
+                 (int)below(100));
+        break;
+    default: strcpy(line, below(4) ? "info breaks" : "delete");
+    }
+}
+
+static void draw_line(const struct object *object, script_line line)
+{
+    script_line value;
+
+    switch (below(10)) {
+    case 0: draw_change(object, line); break;
+    case 1:
+    case 2: draw_stop(object, line); break;
+    case 3:
+        draw_value(object, value);
+        snprintf(line, LINE, "assert %.60s", value);
+        break;
+    case 4:
+    case 5:
+    case 6: draw_view(object, line); break;
+    default: draw_motion(object, line);
+    }
+}
+
+/* ---- Sessions -------------------------------------------------------------- */
+
+static struct debugger *begin(const struct object *object, const char *name,
+                              struct text_buffer *said)
+{
+    struct debugger_setup setup = { .object = object,
+                                    .name = name,
+                                    .model = prior_model,
+                                    .out = text_buffer_sink(said),
+                                    .clocks_most = 10000000 };
+    c205_error error;
+    struct debugger *debugger = debugger_new(&setup, &error);
+
+    assert_non_null(debugger);
+    debugger_greet(debugger);
+    return debugger;
+}
+
+static void obey(struct debugger *debugger, struct text_buffer *said,
+                 const char *line)
+{
+    struct sink sink = text_buffer_sink(said);
+
+    sink_print(&sink, "(c205) %s\n", line);
+    assert_true(debugger_obey(debugger, line));
+}
+
+/* All that was said; the caller frees it. */
+static struct text_buffer play(const struct object *object, const char *name,
+                               script_line *lines, size_t count)
+{
+    struct text_buffer said = { 0 };
+    struct debugger *debugger = begin(object, name, &said);
+
+    for (size_t i = 0; i < count; i++)
+        obey(debugger, &said, lines[i]);
+    debugger_free(debugger);
+    assert_false(said.failed);
+    return said;
+}
+
+static void check_same(const struct text_buffer *one,
+                       const struct text_buffer *other, const char *name)
+{
+    if (one->length != other->length
+        || memcmp(one->text, other->text, one->length) != 0)
+        fail_msg("%s:\n%s\nand again:\n%s", name, one->text, other->text);
+}
+
+/* Two in turn, line by line, know nothing of each other. */
+static void check_in_turn(const struct object *object, const char *name,
+                          script_line *lines,
+                          const struct text_buffer *expected)
+{
+    struct text_buffer said[2] = { { 0 }, { 0 } };
+    struct debugger *debugger[2];
+
+    for (int k = 0; k < 2; k++)
+        debugger[k] = begin(object, name, &said[k]);
+    for (size_t i = 0; i < LINES; i++)
+        for (int k = 0; k < 2; k++)
+            obey(debugger[k], &said[k], lines[i]);
+    for (int k = 0; k < 2; k++) {
+        check_same(expected, &said[k], name);
+        text_buffer_free(&said[k]);
+        debugger_free(debugger[k]);
+    }
+}
+
+static size_t count_of(const char *text, const char *part)
+{
+    size_t count = 0;
+
+    while ((text = strstr(text, part)) != NULL) {
+        count++;
+        text += strlen(part);
+    }
+    return count;
+}
+
+/* Most lines can be done. */
+static void test_scripts(void **state)
+{
+    size_t all = 0, faults = 0;
+
+    (void)state;
+    for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
+        static script_line lines[LINES];
+        const char *name;
+        struct object *object = open_program(&name);
+        struct text_buffer said, again;
+
+        for (size_t k = 0; k < LINES; k++)
+            draw_line(object, lines[k]);
+        said = play(object, name, lines, LINES);
+        again = play(object, name, lines, LINES);
+        check_same(&said, &again, name);
+        check_in_turn(object, name, lines, &said);
+        all += LINES;
+        faults += count_of(said.text, "\nerror: ");
+        text_buffer_free(&said);
+        text_buffer_free(&again);
+        object_free(object);
+    }
+    assert_true(faults > 0 && faults * 3 < all);
+}
+
+/* Stops, and what the program prints is printed; then movements and views from the beginning, twice. */
+static void check_anew(const struct object *object, const char *name)
+{
+    enum { STOPS = 3 };
+    struct text_buffer before = { 0 }, said[2] = { { 0 }, { 0 } };
+    struct sink sink[2] = { text_buffer_sink(&said[0]),
+                            text_buffer_sink(&said[1]) };
+    static script_line lines[LINES];
+    struct debugger *debugger = begin(object, name, &before);
+
+    obey(debugger, &before, "run");
+    for (int i = 0; i < STOPS; i++) {
+        draw_stop(object, lines[i]);
+        obey(debugger, &before, lines[i]);
+    }
+    for (size_t i = 0; i < LINES; i++)
+        if (below(2) || i == 0)
+            draw_view(object, lines[i]);
+        else
+            draw_motion(object, lines[i]);
+    strcpy(lines[0], below(2) ? "goto 0" : "run");
+    strcpy(lines[1], "step"); /* what an empty line does again */
+    for (int k = 0; k < 2; k++) {
+        debugger->out = sink[k];
+        for (size_t i = 0; i < LINES; i++)
+            obey(debugger, &said[k], lines[i]);
+    }
+    check_same(&said[0], &said[1], name);
+    debugger_free(debugger);
+    text_buffer_free(&before);
+    text_buffer_free(&said[0]);
+    text_buffer_free(&said[1]);
+}
+
+static void test_anew(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
+        const char *name;
+        struct object *object = open_program(&name);
+
+        check_anew(object, name);
+        object_free(object);
+    }
+}
+
+/* ---- Scripts for others ---------------------------------------------------- */
+
+static int print_script(const char *number, const char *path)
+{
+    struct object *object = open_example(path);
+    script_line line;
+
+    random_state ^= strtoull(number, NULL, 10) << 20;
+    for (int i = 0; i < LINES; i++) {
+        draw_line(object, line);
+        puts(line);
+    }
+    object_free(object);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_scripts),
+        cmocka_unit_test(test_anew),
+    };
+
+    if (argc == 4 && strcmp(argv[1], "draw") == 0)
+        return print_script(argv[2], argv[3]);
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
