@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asm/calculator.h"
 #include "asm/expand.h"
 #include "base/file.h"
 
@@ -70,6 +71,7 @@ static struct object *assemble(const struct asm_source *source,
         assembler->diagnostics = diagnostics;
         assembler->first_error = diagnostics->errors;
         object = run_passes(assembler, source);
+        calculator_free(assembler->calculator);
     }
     if (arena.failed) {
         report_file(diagnostics, source->name, "the host has no memory left");

@@ -43,7 +43,7 @@ struct line {
 enum value_kind {
     VALUE_INTEGER,
     VALUE_WORD,    /* X'..': as an integer its bits */
-    VALUE_FLOATING /* takes part in no arithmetic of the assembler */
+    VALUE_FLOATING /* computed as the machine does */
 };
 
 struct value {
@@ -191,6 +191,7 @@ struct assembler {
     struct symbols symbols;
     struct registers registers;
     struct expander *expander;
+    struct calculator *calculator; /* NULL: nothing was to be computed yet */
 
     struct section sections[2];
     struct section *section;

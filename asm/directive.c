@@ -289,20 +289,6 @@ static bool parse_halfvector(struct cursor *cursor)
            && add_half_space(cursor, rest);
 }
 
-static bool add_words(struct cursor *cursor, const c205_word *words,
-                      uint64_t count)
-{
-    struct layout_item *item;
-
-    if (count == 0)
-        return true;
-    item = layout_add(cursor, ITEM_WORDS, WORD_HALVES * count);
-    if (!item)
-        return false;
-    item->of.words = words;
-    return true;
-}
-
 /* One more string of 0s and 1s, blanks between them. */
 static bool set_bits(struct cursor *cursor, c205_word *words, uint64_t size,
                      uint64_t *count)
@@ -347,7 +333,7 @@ static bool parse_bitvector(struct cursor *cursor)
         if (!set_bits(cursor, words, (uint64_t)size, &count))
             return false;
     given = (count + WORD_BITS - 1) / WORD_BITS;
-    return add_words(cursor, words, given)
+    return layout_known(cursor, words, given)
            && add_space(cursor, WORD_HALVES * (length - given));
 }
 
@@ -371,7 +357,7 @@ static bool parse_text(struct cursor *cursor)
     for (i = 0; i < length; i++)
         words[i / 8] |= (c205_word)(unsigned char)text[i]
                         << (WORD_BITS - 8 - i % 8 * 8);
-    return add_words(cursor, words, count);
+    return layout_known(cursor, words, count);
 }
 
 static bool parse_error(struct cursor *cursor)
@@ -410,6 +396,7 @@ static const struct directive directives[] = {
     { ".halfvector", parse_halfvector, true },
     { ".bitvector", parse_bitvector, true },
     { ".text", parse_text, true },
+    { ".incfile", parse_incfile, true },
     { ".error", parse_error, false }
 };
 

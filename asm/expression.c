@@ -1,10 +1,12 @@
 #include "asm/expression.h"
+#include "asm/calculator.h"
 #include "asm/suggest.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
-enum operation { VALUE, SYMBOL, UNARY, BINARY, BITS, WORD };
+enum operation { VALUE, SYMBOL, UNARY, BINARY, BITS, WORD, FUNCTION };
 
 enum { HALF_BITS = 32, HALF_INTEGERS = 1 << 24 };
 
@@ -15,6 +17,7 @@ struct expression {
     const char *at;
     struct value value;
     const struct symbol *symbol;
+    const struct calculator_function *function;
     const struct expression *left, *right;
 };
 
@@ -105,6 +108,11 @@ static const char *calculate(int code, int64_t a, int64_t b, uint64_t *result)
     return NULL;
 }
 
+static bool is_logical(int code)
+{
+    return code == OPERATOR('&', '&') || code == OPERATOR('|', '|');
+}
+
 static uint64_t negate(int code, uint64_t a)
 {
     return code == '-' ? 0 - a : code == '~' ? ~a : !a;
@@ -145,6 +153,24 @@ static bool value_of_symbol(struct assembler *assembler,
     }
 }
 
+/* As a word of memory. */
+static bool word_of(struct assembler *assembler, const struct line *line,
+                    const struct expression *expression,
+                    const struct value *value, c205_word *word)
+{
+    int64_t integer = (int64_t)value->bits;
+
+    *word = value->bits;
+    if (value->kind != VALUE_INTEGER)
+        return true;
+    if (integer < -((int64_t)1 << 47) || integer >= (int64_t)1 << 48)
+        return report(assembler, line, expression->at,
+                      "expected a value of"
+                      " 48 bits; all 64 are written X'..' or word(..)");
+    *word = c205_from_integer(integer);
+    return true;
+}
+
 static bool operand(struct assembler *assembler, const struct line *line,
                     const struct expression *expression, int64_t *integer)
 {
@@ -154,36 +180,181 @@ static bool operand(struct assembler *assembler, const struct line *line,
         return false;
     if (value.kind == VALUE_FLOATING)
         return report(assembler, line, expression->at,
-                      "expected an integer;"
-                      " a floating-point number stands alone");
+                      "expected an integer, not a floating-point number");
     *integer = (int64_t)value.bits;
     return true;
 }
 
-static bool short_circuits(int code, int64_t left)
+/* ---- Floating-point numbers ---- */
+
+/* A value as what an operation of the machine is given: integers normalised. */
+static bool number_of(struct assembler *assembler, const struct line *line,
+                      const struct expression *expression,
+                      const struct value *value, c205_word *word)
 {
-    return (code == OPERATOR('&', '&') && !left)
-           || (code == OPERATOR('|', '|') && left);
+    if (!word_of(assembler, line, expression, value, word))
+        return false;
+    if (value->kind == VALUE_INTEGER)
+        *word = c205_from_double((double)(int64_t)value->bits);
+    return true;
+}
+
+static bool compute(struct assembler *assembler, const struct line *line,
+                    const struct expression *expression,
+                    const struct calculator_function *function, c205_word x,
+                    c205_word y, struct value *value)
+{
+    if (!assembler->calculator)
+        assembler->calculator = calculator_new();
+    if (!assembler->calculator) {
+        assembler->arena->failed = true;
+        return false;
+    }
+    value->kind = VALUE_FLOATING;
+    value->bits = calculator_compute(assembler->calculator, function, x, y);
+    if (value->bits == C205_INDEFINITE)
+        return report(assembler, line, expression->at,
+                      "the machine has no number for this");
+    if (!function->is_integer)
+        return true;
+    if (fabs(c205_to_double(value->bits)) >= 0x1p47)
+        return report(assembler, line, expression->at,
+                      "expected less than 2^47");
+    value->kind = VALUE_INTEGER;
+    value->bits = (uint64_t)c205_to_integer(value->bits);
+    return true;
+}
+
+static bool evaluate_function(struct assembler *assembler,
+                              const struct line *line,
+                              const struct expression *expression,
+                              struct value *result)
+{
+    const struct expression *argument[] = { expression->left,
+                                            expression->right };
+    c205_word word[] = { 0, 0 };
+    bool good = true;
+
+    for (size_t i = 0; i < 2 && argument[i]; i++) {
+        struct value value;
+
+        good = evaluate(assembler, line, argument[i], &value)
+               && number_of(assembler, line, argument[i], &value, &word[i])
+               && good;
+    }
+    return good
+           && compute(assembler, line, expression, expression->function,
+                      word[0], word[1], result);
+}
+
+/* a > b is b < a, and a >= b is not a < b: of numbers that are none is indefinite. */
+static const struct number_operator {
+    int code;
+    const char *name;
+    bool turned, negated;
+} number_operators[] = {
+    { '+', "+", false, false },
+    { '-', "-", false, false },
+    { '*', "*", false, false },
+    { '/', "/", false, false },
+    { '<', "<", false, false },
+    { '>', "<", true, false },
+    { OPERATOR('<', '='), "<", true, true },
+    { OPERATOR('>', '='), "<", false, true },
+    { OPERATOR('=', '='), "==", false, false },
+    { OPERATOR('!', '='), "==", false, true },
+};
+
+static const struct number_operator *number_operator(int code)
+{
+    size_t i;
+
+    for (i = 0; i < sizeof number_operators / sizeof *number_operators; i++)
+        if (number_operators[i].code == code)
+            return &number_operators[i];
+    return NULL;
+}
+
+static bool calculate_numbers(struct assembler *assembler,
+                              const struct line *line,
+                              const struct expression *expression,
+                              const struct value *left,
+                              const struct value *right, struct value *result)
+{
+    const struct number_operator *rule = number_operator(expression->code);
+    c205_word x, y;
+
+    if (!rule)
+        return report(assembler, line, expression->at,
+                      "this operator is for integers,"
+                      " not for floating-point numbers");
+    if (!number_of(assembler, line, expression->left, left, &x)
+        || !number_of(assembler, line, expression->right, right, &y)
+        || !compute(assembler, line, expression,
+                    calculator_find(rule->name, strlen(rule->name)),
+                    rule->turned ? y : x, rule->turned ? x : y, result))
+        return false;
+    if (rule->negated)
+        result->bits = !result->bits;
+    return true;
+}
+
+/* ---- Operators ---- */
+
+/* && and ||: the right side counts where the left one does not tell. */
+static bool evaluate_logical(struct assembler *assembler,
+                             const struct line *line,
+                             const struct expression *expression,
+                             uint64_t *result)
+{
+    bool is_and = expression->code == OPERATOR('&', '&');
+    int64_t left = 0, right = 0;
+
+    if (!operand(assembler, line, expression->left, &left))
+        return false;
+    if (is_and == (left != 0)
+        && !operand(assembler, line, expression->right, &right))
+        return false;
+    *result = is_and ? left && right : left || right;
+    return true;
 }
 
 static bool evaluate_binary(struct assembler *assembler,
                             const struct line *line,
                             const struct expression *expression,
-                            uint64_t *result)
+                            struct value *result)
 {
-    int64_t left = 0, right = 0;
+    struct value left, right;
     const char *problem;
-    bool good = operand(assembler, line, expression->left, &left);
+    bool good = evaluate(assembler, line, expression->left, &left);
 
-    if (good && short_circuits(expression->code, left))
-        right = 0;
-    else
-        good = operand(assembler, line, expression->right, &right) && good;
-    if (!good)
+    if (!evaluate(assembler, line, expression->right, &right) || !good)
         return false;
-    problem = calculate(expression->code, left, right, result);
-    if (problem)
-        return report(assembler, line, expression->at, "%s", problem);
+    if (left.kind == VALUE_FLOATING || right.kind == VALUE_FLOATING)
+        return calculate_numbers(assembler, line, expression, &left, &right,
+                                 result);
+    problem = calculate(expression->code, (int64_t)left.bits,
+                        (int64_t)right.bits, &result->bits);
+    return !problem || report(assembler, line, expression->at, "%s", problem);
+}
+
+static bool evaluate_unary(struct assembler *assembler,
+                           const struct line *line,
+                           const struct expression *expression,
+                           struct value *result)
+{
+    struct value value;
+
+    if (!evaluate(assembler, line, expression->left, &value))
+        return false;
+    if (value.kind == VALUE_FLOATING && expression->code == '-')
+        return compute(assembler, line, expression, calculator_find("-", 1),
+                       C205_MACHINE_ZERO, value.bits, result);
+    if (value.kind == VALUE_FLOATING)
+        return report(assembler, line, expression->at,
+                      "this operator is for integers,"
+                      " not for floating-point numbers");
+    result->bits = negate(expression->code, value.bits);
     return true;
 }
 
@@ -204,13 +375,14 @@ bool evaluate(struct assembler *assembler, const struct line *line,
             return false;
         value->bits = (uint64_t)integer;
         return true;
-    case UNARY:
-        if (!operand(assembler, line, expression->left, &integer))
-            return false;
-        value->bits = negate(expression->code, (uint64_t)integer);
-        return true;
+    case FUNCTION:
+        return evaluate_function(assembler, line, expression, value);
+    case UNARY: return evaluate_unary(assembler, line, expression, value);
     default:
-        return evaluate_binary(assembler, line, expression, &value->bits);
+        return is_logical(expression->code)
+                   ? evaluate_logical(assembler, line, expression,
+                                      &value->bits)
+                   : evaluate_binary(assembler, line, expression, value);
     }
 }
 
@@ -234,24 +406,14 @@ bool evaluate_range(struct assembler *assembler, const struct line *line,
     return true;
 }
 
+
 bool evaluate_word(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *word)
 {
     struct value value;
-    int64_t integer = 0;
 
-    if (!evaluate(assembler, line, expression, &value))
-        return false;
-    *word = value.bits;
-    if (value.kind != VALUE_INTEGER)
-        return true;
-    integer = (int64_t)value.bits;
-    if (integer < -((int64_t)1 << 47) || integer >= (int64_t)1 << 48)
-        return report(assembler, line, expression->at,
-                      "expected a value of"
-                      " 48 bits; all 64 are written X'..' or word(..)");
-    *word = c205_from_integer(integer);
-    return true;
+    return evaluate(assembler, line, expression, &value)
+           && word_of(assembler, line, expression, &value, word);
 }
 
 bool evaluate_half(struct assembler *assembler, const struct line *line,
@@ -394,6 +556,29 @@ static const struct expression *parse_function(struct cursor *cursor,
     return node;
 }
 
+/* sin(x), atan2(y, x) .. */
+static const struct expression *
+parse_computed(struct cursor *cursor,
+               const struct calculator_function *function)
+{
+    struct expression *node = new_node(cursor, cursor->token.begin, FUNCTION);
+
+    cursor_next(cursor);
+    if (!node || !expect_operator(cursor, '(', "'('")
+        || !(node->left = parse_binary(cursor, 1)))
+        return NULL;
+    node->function = function;
+    node->depth = 1 + node->left->depth;
+    if (function->arguments == 2) {
+        if (!expect_operator(cursor, ',', "','")
+            || !(node->right = parse_binary(cursor, 1)))
+            return NULL;
+        if (node->right->depth >= node->depth)
+            node->depth = 1 + node->right->depth;
+    }
+    return expect_operator(cursor, ')', "')'") ? node : NULL;
+}
+
 /* length("text"): in bytes. */
 static const struct expression *parse_length(struct cursor *cursor)
 {
@@ -437,6 +622,14 @@ static bool is_function(const struct token *token, const char *name)
            && *token->end == '(';
 }
 
+static const struct calculator_function *computed(const struct token *token)
+{
+    return token->kind == TOKEN_NAME && *token->end == '('
+               ? calculator_find(token->begin,
+                                 (size_t)(token->end - token->begin))
+               : NULL;
+}
+
 static const struct expression *parse_primary(struct cursor *cursor)
 {
     const struct token *token = &cursor->token;
@@ -449,6 +642,8 @@ static const struct expression *parse_primary(struct cursor *cursor)
         return parse_function(cursor, WORD);
     if (is_function(token, "length"))
         return parse_length(cursor);
+    if (computed(token))
+        return parse_computed(cursor, computed(token));
     if (token->kind == TOKEN_NAME)
         return parse_symbol(cursor);
     if (cursor_at(cursor, '.'))

@@ -1,8 +1,9 @@
 /* expression.h - values that may depend on labels still to come.
  *
  * Integers of 64 bits with C's operators and precedence; sums, differences
- * and products wrap.  Floating-point numbers and X'..' words stand alone,
- * but the bits of a word take part as an integer.
+ * and products wrap.  With floating-point numbers the result is one, as the machine
+ * computes it; the bits of an X'..' word take part as an integer, in a sum with
+ * floating-point numbers as the word.
  */
 #ifndef ASM_EXPRESSION_H
 #define ASM_EXPRESSION_H

@@ -89,3 +89,17 @@ void layout_settle(struct assembler *assembler)
 {
     assembler->waiting_count = 0;
 }
+
+bool layout_known(struct cursor *cursor, const c205_word *words,
+                  uint64_t count)
+{
+    struct layout_item *item;
+
+    if (count == 0)
+        return true;
+    item = layout_add(cursor, ITEM_WORDS, 2 * count);
+    if (!item)
+        return false;
+    item->of.words = words;
+    return true;
+}

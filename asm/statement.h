@@ -7,6 +7,9 @@
 /* layout.c: where things go. */
 struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
                                uint64_t halves);
+/* Words that are known already. */
+bool layout_known(struct cursor *cursor, const c205_word *words,
+                  uint64_t count);
 /* Data begin on words; labels that wait for them go along. */
 void layout_align(struct assembler *assembler, uint64_t bits);
 bool layout_label(struct cursor *cursor, const char *name, size_t length,
@@ -36,6 +39,9 @@ bool mention_register(struct assembler *assembler,
 
 /* record.c */
 directive_parser parse_record, parse_field, parse_at, parse_endrecord;
+
+/* incfile.c */
+directive_parser parse_incfile;
 
 /* wish.c: the expectation in the comment at the end of a line, if any. */
 bool parse_wish(struct cursor *cursor);

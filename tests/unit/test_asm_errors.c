@@ -48,7 +48,7 @@ static void test_expressions(void **state)
         { " .word 1/0\n", 1, 9, "division by zero" },
         { " .word 1 % 0\n", 1, 10, "division by zero" },
         { " .word 1 << 64\n", 1, 10, "0 to 63" },
-        { " .word 1.5 + 1\n", 1, 8, "expected an integer" },
+        { " .word 1.5 % 1\n", 1, 12, "for integers" },
         { " .word 1 + later\n", 1, 12, "'later' is not defined" },
         { " .word later + 1\n", 1, 8, "'later' is not defined" },
         { " .word bits(5\n", 1, 14, "expected ')'" },

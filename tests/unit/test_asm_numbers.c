@@ -1,0 +1,282 @@
+/* test_asm_numbers.c - floating-point expressions: what the assembler computes is what the machine's
+ * rules make of them, operation by operation, and what its routines make of functions.
+ */
+#include <inttypes.h>
+
+#include "tests/oracle/arithmetic_oracle.h"
+#include "tests/oracle/chance.h"
+#include "tests/unit/asm_helper.h"
+#include "tests/unit/prior_model.h"
+
+enum { TRIES = 400, TEXT = 4000, DEPTH = 5 };
+
+static uint64_t state = RANDOM_SEED;
+
+/* ---- Trees of operations ------------------------------------------------- */
+
+/* A value that is being drawn: its text, and what must come of it. */
+struct drawn {
+    char text[TEXT];
+    bool is_integer;
+    int64_t integer;
+    c205_word word;
+    bool good; /* it has a value */
+};
+
+static c205_word number_of(const struct drawn *drawn)
+{
+    return drawn->is_integer ? c205_from_double((double)drawn->integer)
+                             : drawn->word;
+}
+
+static void draw_leaf(struct drawn *drawn)
+{
+    const char *end;
+
+    drawn->good = true;
+    drawn->is_integer = one_in(&state, 3);
+    if (drawn->is_integer) {
+        drawn->integer = xorshift_between(&state, 0, 1000);
+        snprintf(drawn->text, TEXT, "%" PRId64, drawn->integer);
+    } else {
+        snprintf(drawn->text, TEXT, "%.*g", (int)below(&state, 16) + 1,
+                 of_any_size(&state, 1e-3, 1e6));
+        if (!strpbrk(drawn->text, ".e")) {
+            strcat(drawn->text, ".0");
+        }
+        drawn->word = c205_from_text(drawn->text, &end);
+    }
+}
+
+static void draw_value(struct drawn *drawn, int depth);
+
+static void draw_sum(struct drawn *drawn, int depth)
+{
+    static const struct {
+        const char *text;
+        oracle_rule *rule;
+    } operations[] = { { "+", oracle_add_normalised },
+                       { "-", oracle_subtract_normalised },
+                       { "*", oracle_multiply_significant },
+                       { "/", oracle_divide_significant } };
+    const char *made = "";
+    size_t i = below(&state, 4);
+    struct drawn *sides = calloc(2, sizeof *sides);
+    uint64_t flags = 0;
+
+    draw_value(&sides[0], depth);
+    draw_value(&sides[1], depth);
+    /* Of two integers the operators are those of integers. */
+    if (sides[0].is_integer && sides[1].is_integer) {
+        sides[0].word = number_of(&sides[0]);
+        sides[0].is_integer = false;
+        made = "float";
+    }
+    snprintf(drawn->text, TEXT, "%s(%.1900s) %s (%.1900s)", made,
+             sides[0].text, operations[i].text, sides[1].text);
+    drawn->is_integer = false;
+    drawn->word = operations[i].rule(&oracle_full, number_of(&sides[0]),
+                                     number_of(&sides[1]), &flags);
+    drawn->good = sides[0].good && sides[1].good
+                  && drawn->word != C205_INDEFINITE;
+    free(sides);
+}
+
+static void draw_comparison(struct drawn *drawn, int depth)
+{
+    static const char *const operators[] = {
+        "<", ">=", ">", "<=", "==", "!="
+    };
+    size_t i = below(&state, 6);
+    struct drawn *sides = calloc(2, sizeof *sides);
+    uint64_t flags = 0;
+    c205_word left, right;
+
+    draw_value(&sides[0], depth);
+    draw_value(&sides[1], depth);
+    if (one_in(&state, 4)) {
+        sides[1] = sides[0];
+    }
+    left = number_of(&sides[0]);
+    right = number_of(&sides[1]);
+    snprintf(drawn->text, TEXT, "(%.1900s) %s (%.1900s)", sides[0].text,
+             operators[i], sides[1].text);
+    drawn->is_integer = true;
+    drawn->integer =
+        (int64_t)(i == 0   ? oracle_less(&oracle_full, left, right, &flags)
+                  : i == 1 ? !oracle_less(&oracle_full, left, right, &flags)
+                  : i == 2 ? oracle_less(&oracle_full, right, left, &flags)
+                  : i == 3 ? !oracle_less(&oracle_full, right, left, &flags)
+                  : i == 4
+                      ? oracle_equal(&oracle_full, left, right, &flags)
+                      : !oracle_equal(&oracle_full, left, right, &flags));
+    drawn->good = sides[0].good && sides[1].good;
+    free(sides);
+}
+
+static void draw_unary(struct drawn *drawn, int depth)
+{
+    struct drawn *inside = calloc(1, sizeof *inside);
+    uint64_t flags = 0;
+    c205_word word;
+
+    draw_value(inside, depth);
+    word = number_of(inside);
+    drawn->is_integer = false;
+    drawn->good = inside->good;
+    switch (below(&state, 4)) {
+    case 0:
+        snprintf(drawn->text, TEXT, "-float(%.3900s)", inside->text);
+        drawn->word = oracle_subtract_normalised(&oracle_full,
+                                                 C205_MACHINE_ZERO, word,
+                                                 &flags);
+        break;
+    case 1:
+        snprintf(drawn->text, TEXT, "sqrt(%.3900s)", inside->text);
+        drawn->word = oracle_square_root(&oracle_full, word, 0, &flags);
+        break;
+    case 2:
+        snprintf(drawn->text, TEXT, "floor(%.3900s)", inside->text);
+        drawn->is_integer = true;
+        drawn->integer = c205_to_integer(
+            oracle_floor(&oracle_full, word, 0, &flags));
+        drawn->good = drawn->good && fabs(c205_to_double(word)) < 0x1p47;
+        break;
+    default:
+        snprintf(drawn->text, TEXT, "float(%.3900s)", inside->text);
+        drawn->word = word;
+    }
+    drawn->good = drawn->good
+                  && (drawn->is_integer || drawn->word != C205_INDEFINITE);
+    free(inside);
+}
+
+static void draw_value(struct drawn *drawn, int depth)
+{
+    switch (depth == 0 ? 0 : below(&state, 8)) {
+    case 0: draw_leaf(drawn); break;
+    case 1: draw_comparison(drawn, depth - 1); break;
+    case 2:
+    case 3: draw_unary(drawn, depth - 1); break;
+    default: draw_sum(drawn, depth - 1);
+    }
+}
+
+static struct object *assemble_value(const char *text)
+{
+    static char program[TEXT + 100];
+    struct diagnostics errors = { 0 };
+    struct object *object;
+
+    snprintf(
+        program, sizeof program,
+        "        .data\n        .word   %s\n        .code\n        EXIT\n",
+        text);
+    object = assemble_text("test.s", program, NULL, &errors);
+    diagnostics_free(&errors);
+    return object;
+}
+
+static void test_operations(void **unused)
+{
+    static struct drawn drawn;
+    int values = 0;
+
+    (void)unused;
+    for (int i = 0; i < TRIES; i++) {
+        struct object *object;
+        c205_word expected, word;
+
+        draw_value(&drawn, DEPTH);
+        object = assemble_value(drawn.text);
+        if (drawn.good != (bool)object) {
+            fail_msg("%s: it has %s value", drawn.text,
+                     drawn.good ? "a" : "no");
+        }
+        if (!object) {
+            continue;
+        }
+        word = word_of(&object->program, 0x800000);
+        expected = drawn.is_integer ? c205_from_integer(drawn.integer)
+                                    : drawn.word;
+        if (word != expected) {
+            fail_msg("%s: %016" PRIX64 " should be %016" PRIX64, drawn.text,
+                     word, expected);
+        }
+        object_free(object);
+        values++;
+    }
+    assert_true(values > TRIES / 2);
+}
+
+/* ---- Functions ----------------------------------------------------------- */
+
+/* What the assembler computes, what the program does. */
+static void check_function(const char *name, bool two)
+{
+    double x = of_any_size(&state, 1e-3, 100);
+    double y = of_any_size(&state, 1e-3, 10) * (one_in(&state, 2) ? -1 : 1);
+    char second[40] = "", program[1000];
+    struct object *object;
+    c205_error error;
+    c205 *machine = c205_new(prior_model, &error);
+    c205_word computed;
+
+    if (two) {
+        snprintf(second, sizeof second, ", %.9f", y);
+    }
+    snprintf(program, sizeof program,
+             "        .include \"%s.s\"\n        .regs   r10, x, y, r, s\n"
+             "        load_constant x, %.9f\n"
+             "        load_constant y, %.9f\n"
+             "        apply_two %s, x, y, r\n"
+             "        load_constant s, %s(%.9f%s)\n        EXIT\n",
+             strcmp(name, "cos") == 0 ? "sin" : name, x, y, name, name, x,
+             second);
+    object = good(program);
+    assert_true(c205_load(machine, &object->program, &error));
+    assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
+    computed = c205_register(machine, 13);
+    if (c205_register(machine, 12) != computed) {
+        fail_msg("%s(%.9f%s) is %016" PRIX64 " at assembly, %016" PRIX64
+                 " in a run",
+                 name, x, second, computed, c205_register(machine, 12));
+    }
+    c205_free(machine);
+    object_free(object);
+}
+
+static void test_functions(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 4; i++) {
+        check_function("exp", false);
+        check_function("log", false);
+        check_function("sin", false);
+        check_function("cos", false);
+        check_function("atan2", true);
+        check_function("power", true);
+    }
+}
+
+static int begin_all(void **unused)
+{
+    oracle_begin();
+    return set_up_model(unused);
+}
+
+static int end_all(void **unused)
+{
+    oracle_end();
+    return tear_down_model(unused);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_operations),
+        cmocka_unit_test(test_functions),
+    };
+
+    return cmocka_run_group_tests(tests, begin_all, end_all);
+}

@@ -1,0 +1,221 @@
+/* test_incfile.c - numbers of files among the data: tables by chance, written in all ways that are
+ * allowed, and what is wrong with others.
+ */
+#include <inttypes.h>
+
+#include "tests/oracle/chance.h"
+#include "tests/unit/asm_helper.h"
+
+enum { TRIES = 300, ROWS = 12, COLUMNS = 5, TEXT = 8000 };
+
+static uint64_t state = RANDOM_SEED;
+static const char path[] = "test_incfile.tmp";
+
+struct drawn_table {
+    size_t rows, columns;
+    bool integers;
+    c205_word words[ROWS][COLUMNS];
+    char text[TEXT];
+};
+
+static void add(struct drawn_table *table, const char *text)
+{
+    strcat(table->text, text);
+}
+
+static void add_blanks(struct drawn_table *table)
+{
+    static const char *const blanks[] = { "", "", " ", "\t", "  " };
+
+    add(table, blanks[below(&state, 5)]);
+}
+
+static void add_separator(struct drawn_table *table)
+{
+    add_blanks(table);
+    add(table, one_in(&state, 3) ? " " : ",");
+    add_blanks(table);
+}
+
+static void draw_number(struct drawn_table *table, c205_word *word)
+{
+    char text[60];
+    const char *end;
+
+    if (table->integers) {
+        int64_t integer = xorshift_between(&state, -1000000, 1000000);
+
+        snprintf(text, sizeof text,
+                 one_in(&state, 4) ? "%" PRId64 ".0" : "%" PRId64, integer);
+        *word = c205_from_integer(integer);
+    } else {
+        snprintf(text, sizeof text, "%.*g", (int)below(&state, 17) + 1,
+                 between(&state, -1, 1) * of_any_size(&state, 1e-30, 1e30));
+        *word = c205_from_text(text, &end);
+    }
+    add(table, text);
+}
+
+static void end_line(struct drawn_table *table)
+{
+    static const char *const ends[] = { "\n",        "\n",   "\r\n",
+                                        " # 1, 2\n", "\n\n", "\n  \n",
+                                        "\n# a, b\n" };
+
+    add_blanks(table);
+    add(table, ends[below(&state, 7)]);
+}
+
+static void draw_table(struct drawn_table *table, bool headed)
+{
+    table->rows = below(&state, ROWS + 1);
+    table->columns = below(&state, COLUMNS) + 1;
+    table->integers = one_in(&state, 2);
+    *table->text = '\0';
+    if (one_in(&state, 3)) {
+        add(table, "# a table\n");
+    }
+    for (size_t i = 0; headed && i < table->columns; i++) {
+        char name[40];
+
+        snprintf(name, sizeof name, "\"c %zu\"", i + 1);
+        add(table, name);
+        if (i + 1 < table->columns) {
+            add_separator(table);
+        } else {
+            end_line(table);
+        }
+    }
+    for (size_t row = 0; row < table->rows; row++) {
+        for (size_t i = 0; i < table->columns; i++) {
+            draw_number(table, &table->words[row][i]);
+            if (i + 1 < table->columns) {
+                add_separator(table);
+            }
+        }
+        end_line(table);
+    }
+}
+
+static void write_file(const char *text)
+{
+    FILE *file = fopen(path, "wb");
+
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
+static struct object *include_file(const char *wishes,
+                                   struct diagnostics *errors)
+{
+    char program[300];
+
+    snprintf(program, sizeof program,
+             "        .data\nhere:   .incfile \"%s\"%s\nend:\n"
+             "        .equ count, (end - here) / 64\n        .code\n"
+             "        EXIT\n",
+             path, wishes);
+    return assemble_text("test.s", program, NULL, errors);
+}
+
+static void check_words(const struct drawn_table *table, const char *wishes,
+                        size_t column)
+{
+    struct diagnostics errors = { 0 };
+    struct object *object = include_file(wishes, &errors);
+    uint64_t at = 0x800000;
+
+    if (!object) {
+        fail_msg("%s, of\n%s", errors.items[0].message, table->text);
+    }
+    diagnostics_free(&errors);
+    for (size_t row = 0; row < table->rows; row++) {
+        for (size_t i = 0; i < table->columns; i++) {
+            if (column && column != i + 1) {
+                continue;
+            }
+            if (word_of(&object->program, at) != table->words[row][i]) {
+                fail_msg("row %zu, column %zu%s of\n%s", row, i + 1, wishes,
+                         table->text);
+            }
+            at += 64;
+        }
+    }
+    assert_int_equal(object_symbol(object, "count")->value,
+                     (at - 0x800000) / 64);
+    object_free(object);
+}
+
+static void test_tables(void **unused)
+{
+    static struct drawn_table table;
+
+    (void)unused;
+    for (int i = 0; i < TRIES; i++) {
+        bool headed = one_in(&state, 2);
+        char wishes[60];
+        size_t column;
+
+        draw_table(&table, headed);
+        write_file(table.text);
+        check_words(&table, table.integers ? ", integers" : "", 0);
+        column = below(&state, table.columns) + 1;
+        snprintf(wishes, sizeof wishes, ", %zu%s", column,
+                 table.integers ? ", integers" : "");
+        check_words(&table, wishes, column);
+        if (headed) {
+            snprintf(wishes, sizeof wishes, "%s, \"c %zu\"",
+                     table.integers ? ", integers" : "", column);
+            check_words(&table, wishes, column);
+        }
+    }
+    remove(path);
+}
+
+static void test_faults(void **unused)
+{
+    static const struct {
+        const char *text, *wishes;
+        size_t line, column;
+        const char *message;
+    } cases[] = {
+        { "1, 2\n3, x\n", "", 2, 4, "not a number" },
+        { "1, 2\n3\n", ", 2", 2, 1, "not so many columns" },
+        { "1\n2,,3\n", "", 2, 3, "expected a number before this" },
+        { "a b\n1 2\n", ", \"c\"", 1, 1, "no column of that name" },
+        { "1 2\n", ", \"c\"", 1, 1, "expected a heading" },
+        { "1 2.5\n", ", integers", 1, 3, "expected an integer" },
+        { "1 200000000000000\n", ", integers", 1, 3, "expected an integer" },
+        { "1e9000\n", "", 1, 1, "no such number" },
+        { "1\n1.5.2\n", "", 2, 1, "not a number" },
+        { "1\n", ", 0", 2, 38, "expected a column" },
+    };
+
+    (void)unused;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct diagnostics errors = { 0 };
+
+        write_file(cases[i].text);
+        assert_null(include_file(cases[i].wishes, &errors));
+        if (errors.count != 1 || errors.items[0].line != cases[i].line
+            || errors.items[0].column != cases[i].column
+            || !strstr(errors.items[0].message, cases[i].message)) {
+            fail_msg("case %zu: %zu errors, %zu:%zu: %s", i, errors.count,
+                     errors.items[0].line, errors.items[0].column,
+                     errors.items[0].message);
+        }
+        diagnostics_free(&errors);
+    }
+    remove(path);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_tables),
+        cmocka_unit_test(test_faults),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
