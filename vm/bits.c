@@ -72,7 +72,7 @@ static bool strings_directly(struct c205 *machine,
     }
     machine_touch(machine, LOW(a), n);
     machine_touch(machine, LOW(b), n);
-    machine_touch(machine, LOW(c), n);
+    machine_touch_result(machine, LOW(c), n);
     machine->effect.elements = n;
     return true;
 }
@@ -296,7 +296,7 @@ c205_trap execute_bits_compress(struct c205 *machine,
     if (trap != C205_TRAP_NONE)
         return trap;
     if (sieve.kept > 0)
-        machine_touch(machine, sieve.c.address, sieve.kept);
+        machine_touch_result(machine, sieve.c.address, sieve.kept);
     machine->effect.elements = sieve.n;
     machine->slot[decoded->result[0]] = with_length(machine->slot[decoded->c],
                                                     sieve.kept);

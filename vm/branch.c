@@ -160,7 +160,7 @@ c205_trap execute_alter_memory_bit(struct c205 *machine,
     if (trap == C205_TRAP_NONE && alters)
         memory_write_words(memory, place, &word, 1);
     if (trap == C205_TRAP_NONE)
-        machine_touch(machine, address, 1);
+        machine_touch_as(machine, address, 1, alters);
     return trap;
 }
 

@@ -342,6 +342,9 @@ typedef enum c205_trap {
     C205_TRAP_BAD_REQUEST,        /* the monitor knows no such request */
     C205_TRAP_CLOCK_LIMIT,
     C205_TRAP_NO_MEMORY, /* the host has none left */
+    C205_TRAP_PAUSED,    /* by c205_pause, or after so many instructions */
+    C205_TRAP_BREAKPOINT,
+    C205_TRAP_WATCHPOINT, /* address: of what is watched */
     C205_TRAPS
 } c205_trap;
 const char *c205_trap_name(c205_trap trap); /* "undefined-instruction" .. */
@@ -366,6 +369,12 @@ typedef struct c205_account {
                             elements */
     uint64_t entries;    /* times control came in from elsewhere */
 } c205_account;
+
+/* Of memory. */
+typedef struct c205_range {
+    uint64_t address, bits;
+} c205_range;
+enum { C205_STORES = 3 };
 
 /* What a listener is told: one event after each instruction. */
 typedef enum c205_event_kind {
@@ -434,6 +443,13 @@ typedef struct c205_event {
     size_t elements;          /* vector length, 0 for scalar instructions */
     size_t recurrent; /* those that waited for an earlier one's result */
     bool taken;       /* branches */
+    /* What it changed: registers that it wrote, register r as bit r % 64 of word
+     * r / 64; and ranges of memory that it stored into: with a control vector into
+     * parts of them, by a list of indices into parts of the least range that has
+     * all of these places. */
+    uint64_t written[C205_REGISTERS / 64];
+    size_t store_count;
+    c205_range store[C205_STORES];
     /* C205_EVENT_REQUEST */
     unsigned request;
     c205_word r, s; /* its operands */
@@ -492,6 +508,8 @@ c205_stop c205_run(c205 *machine, uint64_t limit);
  * left of the one that was interrupted; true: go on, false: *stop tells why
  * not. */
 bool c205_step(c205 *machine, c205_stop *stop);
+/* At most so many instructions, then the stop PAUSED; else as c205_run. */
+c205_stop c205_run_steps(c205 *machine, uint64_t count, uint64_t limit);
 /* "trap unmapped-address at 1000: ADDNV: address 2040: no memory is mapped
  * there" */
 void c205_describe_stop(const c205 *machine, const c205_stop *stop,
@@ -528,6 +546,22 @@ void c205_reset_clock(c205 *machine);
 /* At most C205_LISTENERS; false when there are more. */
 enum { C205_LISTENERS = 8 };
 bool c205_listen(c205 *machine, c205_listener *listener, void *context);
+
+/* ---- Stops (vm/stops.c) ---------------------------------------------------
+ *
+ * They end a run behind an instruction, with a trap of their own, and the next
+ * run goes on there as if nothing had been.
+ */
+
+/* For a listener: behind the instruction that it is being told of, the stop PAUSED. */
+void c205_pause(c205 *machine);
+/* The stop BREAKPOINT before the instruction at an address, unless the run begins there.
+ * False: no memory. */
+bool c205_break(c205 *machine, uint64_t address, bool set);
+/* The stop WATCHPOINT behind an instruction that has changed one of so many words; what
+ * the host writes between two runs is no change.  False: no memory, or nothing is mapped
+ * there. */
+bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set);
 
 /* ---- The time of other machines (vm/time/projection.c) --------------------
  *

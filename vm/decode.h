@@ -46,6 +46,7 @@ struct decoded {
 /* A range of memory that an instruction used. */
 struct touch {
     uint64_t address, bits;
+    bool stored; /* into it, or into parts of it */
 };
 /* A vector instruction uses six at the most, those of a block one each, but for
  * a SWAP, which is its last and uses two. */

@@ -148,7 +148,7 @@ static inline void touch_result(const struct direct_result *result,
     size_t width = result->words ? WORD_BITS : 1;
     if (result->controlled)
         machine_touch(machine, LOW(machine->slot[decoded->z]), result->n);
-    machine_touch(machine, LOW(machine->slot[decoded->fields.c]),
+    machine_touch_result(machine, LOW(machine->slot[decoded->fields.c]),
                   (uint64_t)result->n * width);
     machine->effect.elements = result->n;
 }

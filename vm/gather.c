@@ -394,7 +394,7 @@ static bool gather_directly(struct c205 *machine,
         return false;
     gather_words(c, &table, indices, n);
     machine_touch(machine, LOW(list), bits);
-    machine_touch(machine, LOW(to), bits);
+    machine_touch_result(machine, LOW(to), bits);
     tell_indices(machine, indices, n, machine->slot[decoded->b]);
     return true;
 }

@@ -227,10 +227,12 @@ bool c205_history_changed(c205_history *history, c205_error *error)
 
 static void replace(struct c205_history *history, c205 *machine)
 {
-    const c205 *old = history->machine;
+    c205 *old = history->machine;
     memcpy(machine->listener, old->listener, sizeof machine->listener);
     machine->listener_count = old->listener_count;
-    machine->eventful = machine->listener_count > 0;
+    machine->stops = old->stops;
+    old->stops = NULL;
+    machine->eventful = machine->listener_count > 0 || machine->stops;
     if (machine->eventful)
         clock_listen(machine->clock, &machine->record);
     c205_free(history->machine);

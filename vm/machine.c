@@ -1,4 +1,5 @@
 #include "vm/machine.h"
+#include "vm/stops.h"
 #include "vm/time/schedule.h"
 
 #include <stdio.h>
@@ -68,6 +69,7 @@ void c205_free(c205 *machine)
     memory_free(&machine->memory);
     for (size_t i = 0; i < SCRATCHES; i++)
         free(machine->scratch[i]);
+    machine_free_stops(machine->stops);
     free(machine->ranges);
     free(machine->cache);
     free(machine->blocks);
@@ -135,6 +137,43 @@ static c205_event make_event(const struct c205 *machine, c205_event_kind kind,
     return event;
 }
 
+static void tell_written(c205_event *event, unsigned slot)
+{
+    if (slot < C205_REGISTERS)
+        event->written[slot / 64] |= UINT64_C(1) << slot % 64;
+}
+
+/* Of a list of indices the range from the least to the greatest. */
+static c205_range indexed_range(const struct effect *effect)
+{
+    uint64_t least = UINT64_MAX, greatest = 0;
+    for (size_t i = 0; i < effect->index_count; i++) {
+        uint64_t at = LOW(effect->table
+                          + effect->indices[i] * effect->table_step);
+        least = at < least ? at : least;
+        greatest = at > greatest ? at : greatest;
+    }
+    return (c205_range){ least, greatest - least + effect->table_step };
+}
+
+static void tell_changes(const struct c205 *machine,
+                         const struct decoded *decoded, c205_event *event)
+{
+    const struct effect *effect = &machine->effect;
+    for (unsigned i = 0; i < decoded->result_count; i++)
+        tell_written(event, decoded->result[i]);
+    for (size_t i = 0; i < effect->swapped - effect->saved; i++)
+        tell_written(event, decoded->b + (unsigned)i);
+    for (unsigned i = 0; i < effect->touch_count; i++)
+        if (effect->touch[i].stored && event->store_count < C205_STORES)
+            event->store[event->store_count++] = (c205_range){
+                effect->touch[i].address, effect->touch[i].bits
+            };
+    if (decoded->insn->timing == C205_TIMING_vscatter
+        && effect->index_count > 0 && event->store_count < C205_STORES)
+        event->store[event->store_count++] = indexed_range(effect);
+}
+
 static void tell_instruction(struct c205 *machine,
                              const struct decoded *decoded, uint64_t before)
 {
@@ -154,6 +193,7 @@ static void tell_instruction(struct c205 *machine,
     event.elements = machine->effect.elements;
     event.recurrent = machine->effect.recurrent;
     event.taken = machine->effect.taken;
+    tell_changes(machine, decoded, &event);
     if (request) {
         event.request = machine->request;
         event.r = machine->slot[decoded->a];
@@ -212,14 +252,20 @@ static void set_trap(struct c205 *machine, c205_trap trap,
 }
 
 /* Between two instructions, whatever the next one is. */
-static bool stop_at_limit(struct c205 *machine, c205_stop *stop)
+static bool stop_between(struct c205 *machine, c205_trap why,
+                         uint64_t address, c205_stop *stop)
 {
     const struct decoded *decoded;
     c205_trap trap = decode_at(machine, machine->pc, &decoded);
-    machine->fault = 0;
-    set_trap(machine, C205_TRAP_CLOCK_LIMIT,
-             trap == C205_TRAP_NONE ? decoded->insn : NULL, stop);
+    machine->fault = address;
+    set_trap(machine, why, trap == C205_TRAP_NONE ? decoded->insn : NULL,
+             stop);
     return stop_run(machine, stop, clock_now(machine->clock), false);
+}
+
+static bool stop_at_limit(struct c205 *machine, c205_stop *stop)
+{
+    return stop_between(machine, C205_TRAP_CLOCK_LIMIT, 0, stop);
 }
 
 /* At an instruction that cannot begin.  The clock shows the time when all in
@@ -251,6 +297,19 @@ static bool stop_within(struct c205 *machine, c205_trap trap,
     return stop_run(machine, stop, before, false);
 }
 
+/* False: a stop was met, or a listener asked for one. */
+static bool go_past_stops(struct c205 *machine, c205_stop *stop)
+{
+    uint64_t address = 0;
+    c205_trap trap = machine->stops ? machine_meets_stop(machine, &address)
+                                    : C205_TRAP_NONE;
+    if (trap == C205_TRAP_NONE && machine->pausing)
+        trap = C205_TRAP_PAUSED;
+    machine->pausing = false;
+    return trap == C205_TRAP_NONE
+           || stop_between(machine, trap, address, stop);
+}
+
 /* After an instruction that listeners hear of, or a request; false: it was
  * the request that ends the program. */
 static bool attend(struct c205 *machine, const struct decoded *decoded,
@@ -260,9 +319,10 @@ static bool attend(struct c205 *machine, const struct decoded *decoded,
     unsigned request = machine->request;
     tell_instruction(machine, decoded, before);
     machine->request = NO_REQUEST;
-    machine->eventful = machine->listener_count > 0;
+    machine->eventful = machine->listener_count > 0 || machine->stops;
     if (request != REQUEST_EXIT)
-        return true;
+        return go_past_stops(machine, stop);
+    machine->pausing = false;
     stop->trap = C205_TRAP_NONE;
     stop->pc = decoded->pc;
     stop->address = 0;
@@ -398,14 +458,36 @@ static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 c205_stop c205_run(c205 *machine, uint64_t limit)
 {
     c205_stop stop;
+    machine_sample_stops(machine);
     if (first_step(machine, limit, &stop))
         while (go_on(machine, limit, &stop))
             continue;
     return stop;
 }
 
+c205_stop c205_run_steps(c205 *machine, uint64_t count, uint64_t limit)
+{
+    c205_stop stop;
+    machine_sample_stops(machine);
+    if (count == 0)
+        stop_between(machine, C205_TRAP_PAUSED, 0, &stop);
+    else if (first_step(machine, limit, &stop)) {
+        while (--count > 0 && step(machine, limit, &stop))
+            continue;
+        if (count == 0)
+            stop_between(machine, C205_TRAP_PAUSED, 0, &stop);
+    }
+    return stop;
+}
+
+void c205_pause(c205 *machine)
+{
+    machine->pausing = true;
+}
+
 bool c205_step(c205 *machine, c205_stop *stop)
 {
+    machine_sample_stops(machine);
     return first_step(machine, C205_NO_LIMIT, stop);
 }
 
@@ -421,7 +503,10 @@ static const char *const trap_names[C205_TRAPS] = {
     [C205_TRAP_BAD_LINK] = "bad-link",
     [C205_TRAP_BAD_REQUEST] = "bad-request",
     [C205_TRAP_CLOCK_LIMIT] = "clock-limit",
-    [C205_TRAP_NO_MEMORY] = "no-memory"
+    [C205_TRAP_NO_MEMORY] = "no-memory",
+    [C205_TRAP_PAUSED] = "paused",
+    [C205_TRAP_BREAKPOINT] = "breakpoint",
+    [C205_TRAP_WATCHPOINT] = "watchpoint"
 };
 
 const char *c205_trap_name(c205_trap trap)

@@ -59,7 +59,10 @@ struct c205 {
     uint64_t fault;      /* operand address of a trap .. */
     enum rule rule;      /* .. and the rule that was broken, if known */
     unsigned request;    /* that EXIT just made, or NO_REQUEST */
-    bool eventful;       /* EXIT was executed, or somebody listens */
+    bool
+        eventful; /* EXIT was executed, somebody listens, or there are stops */
+    bool pausing;        /* a listener has asked for an end of the run */
+    struct machine_stops *stops; /* NULL: none were ever set */
     unsigned listener_count;
     struct {
         c205_listener *call;
@@ -85,13 +88,27 @@ static inline c205_word with_length(c205_word descriptor, size_t length)
 /* C205_MAX_LENGTH words and one, or NULL: the host has no memory left. */
 c205_word *machine_scratch(struct c205 *machine, enum scratch which);
 
-/* The instruction used this range of memory. */
+/* The instruction read this range of memory, or stored into it. */
+static inline void machine_touch_as(struct c205 *machine, uint64_t address,
+                                    uint64_t bits, bool stored)
+{
+    struct effect *effect = &machine->effect;
+    struct touch *touch = &effect->touch[effect->touch_count++];
+    touch->address = address;
+    touch->bits = bits;
+    touch->stored = stored;
+}
+
 static inline void machine_touch(struct c205 *machine, uint64_t address,
                                  uint64_t bits)
 {
-    struct effect *effect = &machine->effect;
-    effect->touch[effect->touch_count].address = address;
-    effect->touch[effect->touch_count++].bits = bits;
+    machine_touch_as(machine, address, bits, false);
+}
+
+static inline void machine_touch_result(struct c205 *machine,
+                                        uint64_t address, uint64_t bits)
+{
+    machine_touch_as(machine, address, bits, true);
 }
 
 /* A half register, in the left half of a word. */

@@ -135,7 +135,7 @@ static bool mask_directly(struct c205 *machine, const struct decoded *decoded)
     if (!fill_b)
         machine_touch(machine, LOW(b), (uint64_t)n * WORD_BITS);
     machine_touch(machine, LOW(z), n);
-    machine_touch(machine, LOW(c), (uint64_t)n * WORD_BITS);
+    machine_touch_result(machine, LOW(c), (uint64_t)n * WORD_BITS);
     machine->effect.elements = n;
     return true;
 }
@@ -267,7 +267,7 @@ static c205_trap finish_sieve(struct sieve *sieve,
         return trap;
     }
     if (sieve->kept > 0)
-        machine_touch(machine, sieve->stream.result.address,
+        machine_touch_result(machine, sieve->stream.result.address,
                       (uint64_t)sieve->kept * sieve->stream.result.width);
     machine->slot[decoded->result[0]] = with_length(machine->slot[decoded->c],
                                                     sieve->kept);
@@ -303,7 +303,7 @@ static bool compress_directly(struct c205 *machine,
     machine_touch(machine, LOW(a), (uint64_t)n * WORD_BITS);
     machine_touch(machine, LOW(z), n);
     if (kept > 0)
-        machine_touch(machine, LOW(c), (uint64_t)kept * WORD_BITS);
+        machine_touch_result(machine, LOW(c), (uint64_t)kept * WORD_BITS);
     machine->effect.elements = n;
     machine->slot[decoded->result[0]] = with_length(c, kept);
     return true;

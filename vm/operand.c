@@ -149,7 +149,7 @@ c205_trap claim_vector(struct c205 *machine, struct vector *vector,
     if (vector->address % vector->width)
         return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND,
                              vector->address);
-    machine_touch(machine, vector->address, bits);
+    machine_touch_as(machine, vector->address, bits, write);
     return memory_check(&machine->memory, vector->address, bits, write,
                         &machine->fault);
 }

@@ -256,7 +256,7 @@ c205_trap execute_store_word(struct c205 *machine,
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
     tell_changes(machine, changes);
-    machine_touch(machine, address, WORD_BITS);
+    machine_touch_result(machine, address, WORD_BITS);
     return C205_TRAP_NONE;
 }
 
@@ -292,7 +292,7 @@ c205_trap execute_store_half(struct c205 *machine,
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
     tell_changes(machine, changes);
-    machine_touch(machine, address, HALF_BITS);
+    machine_touch_result(machine, address, HALF_BITS);
     return C205_TRAP_NONE;
 }
 
@@ -339,6 +339,6 @@ c205_trap execute_swap_registers(struct c205 *machine,
     if (loaded > 0)
         machine_touch(machine, LOW(from), loaded * WORD_BITS);
     if (saved > 0)
-        machine_touch(machine, LOW(to), saved * WORD_BITS);
+        machine_touch_result(machine, LOW(to), saved * WORD_BITS);
     return C205_TRAP_NONE;
 }

@@ -16,13 +16,27 @@ static c205_word draw_short(void)
                             / (double)(1 << xorshift_between(&state, 0, 12)));
 }
 
+/* 9.99 .., of any size. */
+static c205_word draw_below_power(void)
+{
+    static const char nines[] = "9.999999999999999999";
+    char text[60];
+    const char *end;
+
+    snprintf(text, sizeof text, "%.*se%d",
+             (int)xorshift_between(&state, 3, 16), nines,
+             (int)xorshift_between(&state, -8000, 8000));
+    return c205_from_text(text, &end);
+}
+
 static c205_word draw(void)
 {
-    switch (xorshift(&state) % 6) {
+    switch (xorshift(&state) % 7) {
     case 0: return xorshift(&state);
     case 1: return xorshift_unnormalised(&state, -60, 10);
     case 2: return xorshift_normalised(&state, -28672, 28671);
     case 3: return draw_short();
+    case 5: return draw_below_power();
     case 4: { /* beside a power of ten */
         double ten = 1;
         for (int64_t i = xorshift_between(&state, 0, 13); i > 0; i--)

@@ -307,12 +307,8 @@ static void write_scientific(char *text, bool negative, uint64_t c,
     int32_t power = power_below(whole_words, exponent) + 1 - (int32_t)count;
     uint64_t units = nearest_units((int64_t)c, exponent, power);
 
-    if (units >= power_of_10(count))
+    while (units >= power_of_10(count)) /* 9.99 has become 10.0 */
         units = nearest_units((int64_t)c, exponent, ++power);
-    if (units >= power_of_10(count)) { /* 9.99 has become 10.0 */
-        units /= 10;
-        power++;
-    }
     write_fixed(text, negative, units, count - 1);
     size_t length = strlen(text);
     snprintf(text + length, C205_TEXT_SIZE - length, "e%d",

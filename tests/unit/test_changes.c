@@ -1,0 +1,299 @@
+/* test_changes.c - what an event says that its instruction changed, and stops: against the
+ * machine as it was before, by programs drawn at random.
+ */
+#include "tests/oracle/random_program.h"
+#include "tests/random.h"
+#include "tests/unit/saved_machine.h"
+
+enum { PROGRAMS = 120, STEPS_MOST = 300, STOPPED = 60, PLACES = 3 };
+
+static uint64_t random_state = RANDOM_SEED;
+
+static uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+static c205 *begin(const struct random_program *program, c205_model *model)
+{
+    c205_error error;
+    c205 *machine = c205_new(model, &error);
+
+    assert_non_null(machine);
+    assert_true(random_load(machine, program, &error));
+    return machine;
+}
+
+static c205_model *model_of(const struct random_program *program)
+{
+    c205_error error;
+    c205_model *model = c205_model_parse("random",
+                                         random_models[program->model],
+                                         &error);
+
+    assert_non_null(model);
+    return model;
+}
+
+/* ---- Changes ------------------------------------------------------------- */
+
+/* All that a program may change. */
+struct contents {
+    c205_word registers[C205_REGISTERS];
+    c205_word *words[16];
+};
+
+static void take(struct contents *contents, const c205 *machine)
+{
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        contents->registers[i] = c205_register(machine, i);
+    for (size_t i = 0; i < random_area_count; i++) {
+        const struct random_area *area = &random_areas[i];
+
+        if (!contents->words[i])
+            contents->words[i] = calloc(area->words, sizeof(c205_word));
+        assert_true(c205_read(machine, area->address, contents->words[i],
+                              area->words));
+    }
+}
+
+static void drop(struct contents *contents)
+{
+    for (size_t i = 0; i < random_area_count; i++)
+        free(contents->words[i]);
+}
+
+static bool is_told(const c205_event *event, uint64_t address)
+{
+    for (size_t i = 0; i < event->store_count; i++)
+        if (event->store[i].address < address + 64
+            && address < event->store[i].address + event->store[i].bits)
+            return true;
+    return false;
+}
+
+static void compare(const struct contents *before,
+                    const struct contents *after, const c205_event *event)
+{
+    for (unsigned i = 1; i < C205_REGISTERS; i++)
+        if (before->registers[i] != after->registers[i]
+            && !(event->written[i / 64] >> i % 64 & 1))
+            fail_msg("%s at %llx changed r%u", event->insn->mnemonic,
+                     (unsigned long long)event->pc, i);
+    for (size_t i = 0; i < random_area_count; i++)
+        for (size_t k = 0; k < random_areas[i].words; k++)
+            if (before->words[i][k] != after->words[i][k]
+                && !is_told(event, random_areas[i].address + 64 * k))
+                fail_msg("%s at %llx changed %llx", event->insn->mnemonic,
+                         (unsigned long long)event->pc,
+                         (unsigned long long)(random_areas[i].address
+                                              + 64 * k));
+}
+
+/* Of what stores elements one behind another the range has as many. */
+static bool is_dense(const c205_event *event)
+{
+    return c205_unit_is_vector(event->insn->unit)
+           && strchr(event->insn->operands, 'd');
+}
+
+static void take_event(void *context, const c205 *machine,
+                       const c205_event *event)
+{
+    (void)machine;
+    *(c205_event *)context = *event;
+}
+
+static void check_changes(const struct random_program *program, size_t *dense)
+{
+    struct contents before = { { 0 }, { NULL } }, after = { { 0 }, { NULL } };
+    c205_model *model = model_of(program);
+    c205 *machine = begin(program, model);
+    c205_event event;
+    c205_stop stop;
+    bool goes_on = true;
+
+    assert_true(random_area_count <= 16);
+    assert_true(c205_listen(machine, take_event, &event));
+    take(&before, machine);
+    for (int i = 0; i < STEPS_MOST && goes_on; i++) {
+        struct contents other = before;
+
+        event.kind = C205_EVENT_STOP;
+        goes_on = c205_step(machine, &stop);
+        if (event.kind == C205_EVENT_TRAP || event.kind == C205_EVENT_STOP)
+            break;
+        take(&after, machine);
+        compare(&before, &after, &event);
+        if (is_dense(&event) && event.elements > 0) {
+            uint64_t width = event.fields.g & C205_G_HALF ? 32 : 64;
+
+            if (strcmp(event.insn->mnemonic, "POLYV") != 0
+                && strncmp(event.insn->mnemonic, "EXTV", 4) != 0
+                && !strstr(event.insn->mnemonic, "CONV")) {
+                assert_int_equal(event.store_count, 1);
+                assert_int_equal(event.store[0].bits, event.elements * width);
+                ++*dense;
+            }
+        }
+        before = after;
+        after = other;
+    }
+    drop(&before);
+    drop(&after);
+    c205_free(machine);
+    c205_model_free(model);
+}
+
+static void test_changes(void **unused)
+{
+    size_t dense = 0;
+
+    (void)unused;
+    for (uint64_t i = 0; i < PROGRAMS; i++) {
+        struct random_program program = random_program(RANDOM_SEED + 977 * i);
+
+        check_changes(&program, &dense);
+    }
+    assert_true(dense > 100);
+}
+
+/* ---- Stops --------------------------------------------------------------- */
+
+/* Where stops are set, by what is met without any. */
+struct places {
+    uint64_t at[PLACES];
+    uint64_t watched;
+    size_t words;
+};
+
+static struct places draw_places(const struct random_program *program,
+                                 c205_model *model)
+{
+    c205 *machine = begin(program, model);
+    struct places places = { { 0 }, 0, 0 };
+    const struct random_area *area;
+    c205_stop stop;
+
+    for (size_t i = 0; i < PLACES; i++) {
+        for (uint64_t k = below(20); k > 0 && c205_step(machine, &stop); k--)
+            continue;
+        places.at[i] = c205_pc(machine);
+    }
+    area = &random_areas[below(random_area_count)];
+    places.words = 1 + (size_t)below(area->words);
+    places.watched = area->address
+                     + 64 * below(area->words - places.words + 1);
+    c205_free(machine);
+    return places;
+}
+
+static bool is_place(const struct places *places, uint64_t pc)
+{
+    for (size_t i = 0; i < PLACES; i++)
+        if (places->at[i] == pc)
+            return true;
+    return false;
+}
+
+/* The next stop by looking behind each instruction. */
+static c205_trap step_to_stop(c205 *machine, const struct places *places,
+                              uint64_t most, c205_stop *stop)
+{
+    size_t size = places->words * sizeof(c205_word);
+    c205_word *before = malloc(size), *after = malloc(size);
+    c205_trap met = C205_TRAP_NONE;
+
+    assert_true(c205_read(machine, places->watched, before, places->words));
+    while (met == C205_TRAP_NONE) {
+        if (!c205_step(machine, stop)) {
+            met = stop->trap;
+            break;
+        }
+        c205_read(machine, places->watched, after, places->words);
+        if (memcmp(before, after, size) != 0)
+            met = C205_TRAP_WATCHPOINT;
+        else if (is_place(places, c205_pc(machine)))
+            met = C205_TRAP_BREAKPOINT;
+        else if (--most == 0)
+            met = C205_TRAP_PAUSED;
+    }
+    free(before);
+    free(after);
+    return met;
+}
+
+static void pause_now(void *context, const c205 *machine,
+                      const c205_event *event)
+{
+    uint64_t *left = context;
+
+    (void)machine;
+    if (event->kind <= C205_EVENT_REQUEST && *left > 0 && --*left == 0)
+        c205_pause((c205 *)(uintptr_t)machine);
+}
+
+/* So many instructions at the most, counted by the machine or by a listener. */
+static c205_stop run_some(c205 *machine, uint64_t most, uint64_t *left)
+{
+    if (!left)
+        return c205_run_steps(machine, most, C205_NO_LIMIT);
+    *left = most;
+    return c205_run(machine, C205_NO_LIMIT);
+}
+
+static void check_stops(const struct random_program *program, bool listens)
+{
+    c205_model *model = model_of(program);
+    struct places places = draw_places(program, model);
+    c205 *machine = begin(program, model), *plain = begin(program, model);
+    uint64_t left = 0;
+
+    for (size_t i = 0; i < PLACES; i++)
+        assert_true(c205_break(machine, places.at[i], true));
+    assert_true(c205_break(machine, places.at[0] + 0x100000000, true));
+    assert_true(c205_break(machine, places.at[0] + 0x100000000, false));
+    assert_true(c205_watch(machine, places.watched, places.words, true));
+    assert_false(c205_watch(machine, UINT64_C(0xF00000000000), 1, true));
+    if (listens)
+        assert_true(c205_listen(machine, pause_now, &left));
+    for (int i = 0; i < STOPPED; i++) {
+        uint64_t most = 1 + below(30);
+        c205_stop expected,
+            stop = run_some(machine, most, listens ? &left : NULL);
+        c205_trap trap = step_to_stop(plain, &places, most, &expected);
+
+        assert_string_equal(c205_trap_name(stop.trap), c205_trap_name(trap));
+        assert_int_equal(c205_pc(machine), c205_pc(plain));
+        assert_int_equal(c205_clock(machine), c205_clock(plain));
+        if (trap == C205_TRAP_WATCHPOINT)
+            assert_int_equal(stop.address, places.watched);
+        if (trap != C205_TRAP_WATCHPOINT && trap != C205_TRAP_BREAKPOINT
+            && trap != C205_TRAP_PAUSED)
+            break;
+    }
+    assert_same(machine, plain);
+    c205_free(machine);
+    c205_free(plain);
+    c205_model_free(model);
+}
+
+static void test_stops(void **unused)
+{
+    (void)unused;
+    for (uint64_t i = 0; i < PROGRAMS; i++) {
+        struct random_program program = random_program(RANDOM_SEED + 31 * i);
+
+        check_stops(&program, i % 2 == 0);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_stops),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

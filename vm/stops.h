@@ -1,0 +1,13 @@
+/* stops.h - break and watch points of a machine; see c205.h. */
+#ifndef C205_STOPS_H
+#define C205_STOPS_H
+
+#include "vm/machine.h"
+
+/* What is watched is from now on as it is. */
+void machine_sample_stops(struct c205 *machine);
+/* Behind an instruction: NONE, or the trap of the stop that was met, and its address. */
+c205_trap machine_meets_stop(struct c205 *machine, uint64_t *address);
+void machine_free_stops(struct machine_stops *stops);
+
+#endif
