@@ -15,11 +15,24 @@
 
 struct text;
 
+/* What lies at a label. */
+enum asm_contents {
+    ASM_NOTHING, /* or it is not known: an object file does not tell */
+    ASM_CODE,    /* counted in half words */
+    ASM_WORDS,
+    ASM_HALF_WORDS,
+    ASM_BITS,
+    ASM_BYTES
+};
+
 struct asm_symbol {
     const char *name;
     int64_t value; /* labels: bit address */
     bool is_label;
     bool is_word; /* value holds the bits of a 205 word, not an integer */
+    enum asm_contents contents; /* of a label, up to the next one .. */
+    uint64_t count;             /* .. and how many; what .vector and its kin make has the
+                                   length given there */
 };
 
 /* Where a statement's words lie, for listings, debuggers and profiles. */

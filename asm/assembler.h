@@ -68,6 +68,7 @@ struct symbol {
     size_t naming;      /* register: the last one of this name, from 1 */
     const struct macro *macro; /* of this name; macros have their own space */
     const struct line *defined; /* NULL: given by the caller */
+    uint64_t count; /* label: the length that it was given, or 0 */
 };
 
 enum { SYMBOL_BUCKETS = 4096 };
@@ -133,6 +134,7 @@ enum item_kind {
 
 struct layout_item {
     enum item_kind kind;
+    enum asm_contents contents;
     const struct line *line;
     uint64_t address;
     uint64_t halves;
@@ -196,6 +198,7 @@ struct assembler {
     struct section sections[2];
     struct section *section;
     uint64_t words; /* put so far */
+    enum asm_contents contents; /* of the data that are being put */
 
     struct layout_item *items;
     size_t item_count, item_capacity;

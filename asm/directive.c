@@ -247,9 +247,12 @@ static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
     const char *name;
     size_t length;
 
-    return expect_name(cursor, "a name", &name, &length) && comma(cursor)
-           && parse_integer(cursor, 0, (int64_t)most, "a length", count)
-           && layout_label(cursor, name, length, name);
+    if (!expect_name(cursor, "a name", &name, &length) || !comma(cursor)
+        || !parse_integer(cursor, 0, (int64_t)most, "a length", count)
+        || !layout_label(cursor, name, length, name))
+        return false;
+    symbol_intern(cursor->assembler, name, length)->count = (uint64_t)*count;
+    return true;
 }
 
 /* NAME, n, values: how many elements are without a value. */
@@ -371,33 +374,33 @@ static bool parse_error(struct cursor *cursor)
 }
 
 static const struct directive directives[] = {
-    { ".equ", parse_equ, false },
-    { ".reg", parse_reg, false },
-    { ".regs", parse_regs, false },
-    { ".share", parse_share, false },
-    { ".endshare", parse_endshare, false },
-    { ".code", parse_code, false },
-    { ".data", parse_data, false },
-    { ".org", parse_org, false },
-    { ".align", parse_align, true },
-    { ".entry", parse_entry, false },
-    { ".record", parse_record, false },
-    { ".field", parse_field, false },
-    { ".at", parse_at, false },
-    { ".endrecord", parse_endrecord, false },
-    { ".kernel", parse_kernel, false },
-    { ".endkernel", parse_endkernel, false },
-    { ".word", parse_word, true },
-    { ".half", parse_half, true },
-    { ".halfword", parse_halfword, true },
-    { ".descriptor", parse_descriptor, true },
-    { ".space", parse_space, true },
-    { ".vector", parse_vector, true },
-    { ".halfvector", parse_halfvector, true },
-    { ".bitvector", parse_bitvector, true },
-    { ".text", parse_text, true },
-    { ".incfile", parse_incfile, true },
-    { ".error", parse_error, false }
+    { ".equ", parse_equ, ASM_NOTHING },
+    { ".reg", parse_reg, ASM_NOTHING },
+    { ".regs", parse_regs, ASM_NOTHING },
+    { ".share", parse_share, ASM_NOTHING },
+    { ".endshare", parse_endshare, ASM_NOTHING },
+    { ".code", parse_code, ASM_NOTHING },
+    { ".data", parse_data, ASM_NOTHING },
+    { ".org", parse_org, ASM_NOTHING },
+    { ".align", parse_align, ASM_WORDS },
+    { ".entry", parse_entry, ASM_NOTHING },
+    { ".record", parse_record, ASM_NOTHING },
+    { ".field", parse_field, ASM_NOTHING },
+    { ".at", parse_at, ASM_NOTHING },
+    { ".endrecord", parse_endrecord, ASM_NOTHING },
+    { ".kernel", parse_kernel, ASM_NOTHING },
+    { ".endkernel", parse_endkernel, ASM_NOTHING },
+    { ".word", parse_word, ASM_WORDS },
+    { ".half", parse_half, ASM_HALF_WORDS },
+    { ".halfword", parse_halfword, ASM_HALF_WORDS },
+    { ".descriptor", parse_descriptor, ASM_WORDS },
+    { ".space", parse_space, ASM_WORDS },
+    { ".vector", parse_vector, ASM_WORDS },
+    { ".halfvector", parse_halfvector, ASM_HALF_WORDS },
+    { ".bitvector", parse_bitvector, ASM_BITS },
+    { ".text", parse_text, ASM_BYTES },
+    { ".incfile", parse_incfile, ASM_WORDS },
+    { ".error", parse_error, ASM_NOTHING }
 };
 
 void directive_suggest(struct nearest *nearest)

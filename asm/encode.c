@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asm/contents.h"
 #include "asm/expression.h"
 #include "asm/storage.h"
 #include "asm/syntax.h"
@@ -277,12 +278,15 @@ static bool add_symbol(struct storage *storage, const struct symbol *symbol)
     kept->value = (int64_t)symbol->value.bits;
     kept->is_label = symbol->kind == SYMBOL_LABEL;
     kept->is_word = symbol->value.kind != VALUE_INTEGER;
+    kept->contents = ASM_NOTHING;
+    kept->count = symbol->kind == SYMBOL_LABEL ? symbol->count : 0;
     return kept->name != NULL;
 }
 
 static bool add_symbols(struct assembler *assembler, struct storage *storage)
 {
     const struct symbol *symbol;
+    struct asm_symbol *symbols;
     size_t i;
 
     for (i = 0; i < SYMBOL_BUCKETS; i++)
@@ -291,7 +295,10 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
             if (!add_symbol(storage, symbol))
                 return false;
     storage_sort_symbols(storage);
-    return true;
+    symbols = (struct asm_symbol *)(uintptr_t)storage->object.symbols;
+    if (!contents_tell(assembler, symbols, storage->object.symbol_count))
+        storage->arena.failed = true;
+    return !storage->arena.failed;
 }
 
 /* A repetition is where its lines stand. */

@@ -43,6 +43,8 @@ struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
     assembler->items = item;
     item += assembler->item_count;
     item->kind = kind;
+    item->contents = kind == ITEM_INSTRUCTION ? ASM_CODE
+                                              : assembler->contents;
     item->line = cursor->line;
     item->address = assembler->section->at;
     item->halves = halves;

@@ -171,7 +171,7 @@ struct position asm_line_position(const struct asm_line *line)
 const struct asm_symbol *object_symbol(const struct object *object,
                                        const char *name)
 {
-    struct asm_symbol key = { NULL, 0, false, false };
+    struct asm_symbol key = { .name = NULL };
 
     key.name = name;
     if (object->symbol_count == 0)

@@ -1,0 +1,96 @@
+#include "asm/contents.h"
+
+#include <stdlib.h>
+
+/* Of a half word of 32 bits, so many, or so many bits to one. */
+static uint64_t count_of(enum asm_contents contents, uint64_t halves)
+{
+    switch (contents) {
+    case ASM_BITS: return 32 * halves;
+    case ASM_BYTES: return 4 * halves;
+    case ASM_WORDS: return halves / 2;
+    default: return halves;
+    }
+}
+
+static int compare_addresses(const void *a, const void *b)
+{
+    const uint64_t *one = a, *other = b;
+
+    return *one < *other ? -1 : *one > *other;
+}
+
+/* The first of some rising addresses that is not below one, or above it. */
+static size_t find_address(const uint64_t *addresses, size_t count,
+                           uint64_t address, bool above)
+{
+    size_t low = 0, high = count;
+
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+
+        if (addresses[middle] < address
+            || (above && addresses[middle] == address))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* All that lies from there on up to an end, of one kind and without a gap. */
+static void tell(const struct assembler *assembler, struct asm_symbol *symbol,
+                 size_t first, uint64_t end)
+{
+    uint64_t at = (uint64_t)symbol->value, halves = 0;
+
+    for (size_t i = first; i < assembler->item_count; i++) {
+        const struct layout_item *item = &assembler->items[i];
+
+        if (item->address != at || item->address >= end
+            || (halves > 0 && item->contents != symbol->contents))
+            break;
+        symbol->contents = item->contents;
+        halves += item->halves;
+        at += 32 * item->halves;
+    }
+    if (symbol->count == 0)
+        symbol->count = count_of(symbol->contents, halves);
+}
+
+static void tell_all(const struct assembler *assembler,
+                     struct asm_symbol *symbols, size_t count,
+                     uint64_t *labels, uint64_t *items)
+{
+    size_t label_count = 0;
+
+    for (size_t i = 0; i < count; i++)
+        if (symbols[i].is_label)
+            labels[label_count++] = (uint64_t)symbols[i].value;
+    qsort(labels, label_count, sizeof *labels, compare_addresses);
+    for (size_t i = 0; i < assembler->item_count; i++)
+        items[i] = assembler->items[i].address;
+    for (size_t i = 0; i < count; i++) {
+        uint64_t address = (uint64_t)symbols[i].value;
+        size_t next = find_address(labels, label_count, address, true);
+
+        if (symbols[i].is_label)
+            tell(assembler, &symbols[i],
+                 find_address(items, assembler->item_count, address, false),
+                 next < label_count ? labels[next] : UINT64_MAX);
+    }
+}
+
+bool contents_tell(const struct assembler *assembler,
+                   struct asm_symbol *symbols, size_t count)
+{
+    uint64_t *labels = malloc((count + 1) * sizeof *labels);
+    uint64_t *items = malloc((assembler->item_count + 1) * sizeof *items);
+    bool good = labels && items;
+
+    if (good)
+        tell_all(assembler, symbols, count, labels, items);
+    free(labels);
+    free(items);
+    return good;
+}

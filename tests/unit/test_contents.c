@@ -1,0 +1,166 @@
+/* test_contents.c - what the assembler says lies at a label: texts drawn at random, of which that
+ * is known.
+ */
+#include <inttypes.h>
+
+#include "tests/oracle/chance.h"
+#include "tests/unit/asm_helper.h"
+
+enum { TRIES = 200, LABELS = 40, TEXT = 20000 };
+
+static uint64_t state = RANDOM_SEED;
+
+struct labelled {
+    enum asm_contents contents;
+    uint64_t count;
+};
+
+struct drawn_text {
+    struct labelled label[LABELS];
+    size_t length;
+    char text[TEXT];
+};
+
+static void put(struct drawn_text *drawn, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    drawn->length += (size_t)vsnprintf(drawn->text + drawn->length,
+                                       TEXT - drawn->length, format,
+                                       arguments);
+    va_end(arguments);
+    assert_true(drawn->length < TEXT);
+}
+
+/* A line that puts so much, counted as its kind is. */
+static uint64_t put_data(struct drawn_text *drawn, enum asm_contents contents)
+{
+    uint64_t n = below(&state, 4) + 1;
+
+    switch (contents) {
+    case ASM_WORDS:
+        if (one_in(&state, 3)) {
+            put(drawn, "        .space  %" PRIu64 "\n", n);
+            return n;
+        }
+        put(drawn, one_in(&state, 2) ? "        .word   1, 2.5\n"
+                                     : "        .descriptor 1, 0\n"
+                                       "        .word   .\n");
+        return 2;
+    case ASM_HALF_WORDS: /* whole words: what comes next is aligned */
+        put(drawn, "        .halfword 1, 2\n        .half   3, 4\n");
+        return 4;
+    case ASM_BYTES: put(drawn, "        .text   \"eight of\"\n"); return 8;
+    case ASM_CODE:
+        put(drawn, "        ADDN    r1, r2, r3\n        EX      r1, 5\n");
+        return 3;
+    default: return 0;
+    }
+}
+
+/* Vectors have a label of their own. */
+static void put_vector(struct drawn_text *drawn, size_t i)
+{
+    static const struct {
+        const char *name;
+        enum asm_contents contents;
+    } kinds[] = { { "vector", ASM_WORDS },
+                  { "halfvector", ASM_HALF_WORDS },
+                  { "bitvector", ASM_BITS } };
+    size_t kind = below(&state, 3);
+
+    drawn->label[i].contents = kinds[kind].contents;
+    drawn->label[i].count = below(&state, 100) + 1;
+    put(drawn, "        .%s l%zu, %" PRIu64 "%s\n", kinds[kind].name, i,
+        drawn->label[i].count,
+        !one_in(&state, 2) ? ""
+        : kind == 2        ? ", \"1\""
+                           : ", 7");
+}
+
+static void put_labelled(struct drawn_text *drawn, size_t i)
+{
+    static const enum asm_contents kinds[] = { ASM_WORDS, ASM_HALF_WORDS,
+                                               ASM_BYTES, ASM_CODE };
+    enum asm_contents contents = kinds[below(&state, 4)];
+
+    drawn->label[i] = (struct labelled){ contents, 0 };
+    put(drawn, contents == ASM_CODE ? "        .code\n" : "        .data\n");
+    put(drawn, "l%zu:\n", i);
+    for (size_t k = below(&state, 3) + 1; k > 0; k--) {
+        drawn->label[i].count += put_data(drawn, contents);
+    }
+    /* Something else ends it, with a label or without. */
+    if (contents == ASM_WORDS && one_in(&state, 2)) {
+        put(drawn, "        .text   \"abc\"\n");
+    }
+}
+
+static void check(const struct drawn_text *drawn)
+{
+    struct object *object = good(drawn->text);
+
+    for (size_t i = 0; i < LABELS; i++) {
+        char name[24];
+        const struct asm_symbol *symbol;
+
+        snprintf(name, sizeof name, "l%zu", i);
+        symbol = object_symbol(object, name);
+        if (symbol->contents != drawn->label[i].contents
+            || symbol->count != drawn->label[i].count) {
+            fail_msg("%s: %d, %" PRIu64 " of them; should be %d, %" PRIu64
+                     ", in\n%s",
+                     name, (int)symbol->contents, symbol->count,
+                     (int)drawn->label[i].contents, drawn->label[i].count,
+                     drawn->text);
+        }
+    }
+    object_free(object);
+}
+
+static void test_labels(void **unused)
+{
+    static struct drawn_text drawn;
+
+    (void)unused;
+    for (int try = 0; try < TRIES; try++) {
+        drawn.length = 0;
+        for (size_t i = 0; i < LABELS; i++) {
+            if (one_in(&state, 3)) {
+                put(&drawn, "        .data\n");
+                put_vector(&drawn, i);
+            } else {
+                put_labelled(&drawn, i);
+            }
+        }
+        put(&drawn, "        .code\nlast:   EXIT\n");
+        put(&drawn, "        .equ    five, 5\n");
+        check(&drawn);
+    }
+}
+
+/* The last line's code goes on after the last label of code; nothing lies at the end. */
+static void test_ends(void **unused)
+{
+    struct object *object = good("        .data\nx:      .word 1\nend:\n"
+                                 "        .equ five, 5\n        .code\n"
+                                 "        EXIT\n");
+
+    (void)unused;
+    assert_int_equal(object_symbol(object, "end")->contents, ASM_NOTHING);
+    assert_int_equal(object_symbol(object, "end")->count, 0);
+    assert_int_equal(object_symbol(object, "five")->contents, ASM_NOTHING);
+    assert_int_equal(object_symbol(object, "x")->count, 1);
+    object_free(object);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_labels),
+        cmocka_unit_test(test_ends),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
