@@ -50,6 +50,11 @@ exp.polynomial:
         \form\()_normal f_1, f_2
         \form\()_add_scaled f_2, exp_ln2_high, f_0
         \form\()_add_scaled f_2, exp_ln2_low, f_0       ; r
+        exp_of_rest \form, \r
+        .endm
+
+; \r = 2^k e^r, of r in f_0 and k in f_1.
+        .macro  exp_of_rest form, r
         \form\()_line f_0, exp_8, exp_7, f_2
         \form\()_step f_0, exp_6, f_2
         \form\()_step f_0, exp_5, f_2

@@ -23,7 +23,9 @@
 ;       exponent a, c           c = the exponent of a, an integer
 ;       add_index a, b, c       c = a + b of integers        shift_index a, k, c     c = a + k
 ;       minus_index a, b, c     c = a - b of integers
-;       low_product a, b, c     c = a b of integers, below 2^47
+;       upper_product a, b, c   c = the first 47 digits of a b      low_product a, b, c: the others,
+;                               which of integers below 2^47 are all
+;       pick i, at, c           c = word number i from the address in register at on
 ;       pack e, a, c            c = the exponent e with the coefficient of a
 ;       pack_all k, a, c        the same, of one exponent for all
 ;       truncate a, c           c = the integer part of a, exponent 0
@@ -213,8 +215,14 @@ v\name\().fits:
         .macro  number_minus_index a, b, c
         SUBX    \a, \b, \c
         .endm
+        .macro  number_upper_product a, b, c
+        MPYU    \a, \b, \c
+        .endm
         .macro  number_low_product a, b, c
         MPYL    \a, \b, \c
+        .endm
+        .macro  number_pick i, at, c
+        LOD     [\at, \i], \c
         .endm
         .macro  number_pack e, a, c
         PACK    \e, \a, \c
@@ -360,8 +368,14 @@ v\name\().fits:
         .macro  vector_minus_index a, b, c
         SUBXV   [\a], [\b], [\c]
         .endm
+        .macro  vector_upper_product a, b, c
+        MPYUV   [\a], [\b], [\c]
+        .endm
         .macro  vector_low_product a, b, c
         MPYLV   [\a], [\b], [\c]
+        .endm
+        .macro  vector_pick i, at, c
+        VXTOV   [\i], [\at], [\c]
         .endm
         .macro  vector_pack e, a, c
         PACKV   [\e], [\a], [\c]

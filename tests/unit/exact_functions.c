@@ -55,6 +55,13 @@ static void half_of_ln2(mpfr_t low, mpfr_t high)
     mpfr_neg(low, high, MPFR_RNDN);
 }
 
+/* -1/32 to 1/32 */
+static void thirty_seconds(mpfr_t low, mpfr_t high)
+{
+    mpfr_set_d(low, -0.03125, MPFR_RNDN);
+    mpfr_set_d(high, 0.03125, MPFR_RNDN);
+}
+
 /* 0 to 3 - 2 sqrt 2, the square of tan(pi/8) */
 static void squares_of_eighth(mpfr_t low, mpfr_t high)
 {
@@ -140,12 +147,32 @@ static void rest_of_cos(mpfr_t value, const mpfr_t square)
     mpfr_clear(half);
 }
 
+/* (log2(1 + q) - q / ln 2) / q^2 */
+static void rest_of_log2(mpfr_t value, const mpfr_t q)
+{
+    mpfr_t ln2;
+
+    mpfr_init2(ln2, DIGITS);
+    mpfr_const_log2(ln2, MPFR_RNDN);
+    if (mpfr_zero_p(q) || mpfr_get_exp(q) < -DIGITS / 2) {
+        mpfr_set_d(value, -0.5, MPFR_RNDN);
+    } else {
+        mpfr_log1p(value, q, MPFR_RNDN);
+        mpfr_sub(value, value, q, MPFR_RNDN);
+        mpfr_div(value, value, q, MPFR_RNDN);
+        mpfr_div(value, value, q, MPFR_RNDN);
+    }
+    mpfr_div(value, value, ln2, MPFR_RNDN);
+    mpfr_clear(ln2);
+}
+
 static const struct exact_polynomial polynomials[] = {
     { "exp.polynomial", 9, half_of_ln2, rest_of_exp },
     { "log.polynomial", 6, squares_of_artanh, rest_of_log },
     { "sin.polynomial", 6, squares_of_quarter, rest_of_sin },
     { "cos.polynomial", 5, squares_of_quarter, rest_of_cos },
     { "atan2.polynomial", 10, squares_of_eighth, rest_of_atan },
+    { "power.polynomial", 7, thirty_seconds, rest_of_log2 },
 };
 
 const struct exact_polynomial *exact_polynomial_at(size_t i)
