@@ -65,6 +65,12 @@ static int obey(const struct c205_arguments *arguments,
                                                                : CMD_FAILED;
 }
 
+static bool is_interrupted(void *asked)
+{
+    (void)asked;
+    return interrupt_came();
+}
+
 static int debug_program(const struct c205_arguments *arguments,
                          const struct object *object, const c205_model *model)
 {
@@ -73,7 +79,8 @@ static int debug_program(const struct c205_arguments *arguments,
                                           .model = model,
                                           .out = stream_sink(stdout),
                                           .clocks_most = CMD_LIMIT,
-                                          .interrupted = interrupt_came };
+                                          .interrupted = is_interrupted,
+                                          .warm = arguments->warm };
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
@@ -111,6 +118,7 @@ static const struct command_option options[] = {
           "as an assert does" },
     CMD_MODEL,
     CMD_WARN,
+    CMD_FLAG(warm, "all pages are in memory when the program begins"),
     CMD_DEFINE,
     CMD_INCLUDE,
     COMMAND_END
