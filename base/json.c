@@ -81,7 +81,7 @@ static void put_string(const struct sink *sink, const char *text)
 static void introduce(struct json *json, const char *key)
 {
     if (json->level[json->depth - 1].filled) {
-        sink_put(&json->sink, ",");
+        sink_put(&json->sink, json->line ? ", " : ",");
     }
     json->level[json->depth - 1].filled = true;
     new_line(json);

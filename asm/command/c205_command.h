@@ -36,7 +36,7 @@ struct c205_arguments {
     const char *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit, from;
     bool check, trace, listing, names, points, markdown;
-    bool no_limit, exit_status, profile, in_order, warm;
+    bool no_limit, exit_status, profile, in_order, warm, dap;
     struct cmd_defines defines, other_defines;
     struct cmd_warnings warnings;
     struct command_texts folders;

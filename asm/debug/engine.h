@@ -153,6 +153,9 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
 /* So many bits, 64 at the most and in one word, at the left of what is given. */
 bool debug_set_bits(struct debugger *debugger, uint64_t address,
                     unsigned width, c205_word bits);
+/* From a byte on; all of them must be there. */
+bool debug_set_bytes(struct debugger *debugger, uint64_t address,
+                     const unsigned char *bytes, size_t count);
 /* An instruction of the program's text, which is the next one then. */
 bool debug_jump(struct debugger *debugger, uint64_t address);
 
@@ -227,7 +230,9 @@ enum moved motion_next(struct debugger *debugger);
 enum moved motion_line(struct debugger *debugger);
 /* On to an address, behind one instruction at least. */
 enum moved motion_to(struct debugger *debugger, uint64_t address);
-/* Out of the macro call in which the program stands, or else out of its region. */
+/* Out of the macro call in which the program stands, or else out of its region; it must
+ * be in one. */
+bool motion_can_go_out(struct debugger *debugger);
 enum moved motion_out(struct debugger *debugger);
 enum moved motion_run(struct debugger *debugger); /* from the beginning */
 enum moved motion_back(struct debugger *debugger, uint64_t count);

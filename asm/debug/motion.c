@@ -126,17 +126,20 @@ enum moved motion_line(struct debugger *debugger)
     return moved;
 }
 
+bool motion_can_go_out(struct debugger *debugger)
+{
+    return call_of(debugger) || *place_region(debugger, pc_of(debugger))
+           || debug_fault(debugger,
+                          "this is neither in a macro call nor in a "
+                          "region that could be left");
+}
+
 enum moved motion_out(struct debugger *debugger)
 {
     const struct asm_line *call = call_of(debugger);
     const char *region = place_region(debugger, pc_of(debugger));
     enum moved moved;
 
-    if (!call && !*region) {
-        debug_fault(debugger, "this is neither in a macro call nor in a "
-                              "region that could be left");
-        return MOVED_NOT;
-    }
     do
         moved = motion_steps(debugger, 1);
     while (moved == MOVED_ON

@@ -49,20 +49,36 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
     return keep_change(debugger);
 }
 
-bool debug_set_bits(struct debugger *debugger, uint64_t address,
-                    unsigned width, c205_word bits)
+/* False after telling that there is no word. */
+static bool write_bits(struct debugger *debugger, uint64_t address,
+                       unsigned width, c205_word bits)
 {
     c205 *machine = machine_of(debugger);
     unsigned at = (unsigned)(address % 64);
     c205_word word;
 
-    if (!can_change(debugger))
-        return false;
     if (!c205_read(machine, address - at, &word, 1))
         return debug_fault(debugger, "there is no word at %" PRIX64, address);
     word = with_bits(word, at, width, bits);
-    c205_write(machine, address - at, &word, 1);
-    return keep_change(debugger);
+    return c205_write(machine, address - at, &word, 1);
+}
+
+bool debug_set_bits(struct debugger *debugger, uint64_t address,
+                    unsigned width, c205_word bits)
+{
+    return can_change(debugger) && write_bits(debugger, address, width, bits)
+           && keep_change(debugger);
+}
+
+bool debug_set_bytes(struct debugger *debugger, uint64_t address,
+                     const unsigned char *bytes, size_t count)
+{
+    bool good = can_change(debugger);
+
+    for (size_t i = 0; good && i < count; i++)
+        good = write_bits(debugger, address + 8 * (uint64_t)i, 8,
+                          (c205_word)bytes[i] << 56);
+    return good && keep_change(debugger);
 }
 
 bool debug_jump(struct debugger *debugger, uint64_t address)
