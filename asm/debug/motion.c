@@ -82,8 +82,8 @@ enum moved motion_next(struct debugger *debugger)
     enum moved moved = motion_steps(debugger, 1);
     uint64_t halves = c205_format_halves(C205_FORMAT_CALL);
 
-    if (moved != MOVED_ON || !debugger->has_last || !debugger->last.taken
-        || debugger->last.insn->format != C205_FORMAT_CALL)
+    if (moved != MOVED_ON || !debugger->has_last
+        || debugger->last.insn != c205_insn_named("BSAVE", 5))
         return moved;
     return motion_to(debugger, pc + 32 * halves);
 }
