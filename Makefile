@@ -246,6 +246,8 @@ shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
 docs: $(BUILD)/c205 $(shown)
 	$< isa --markdown >$(BUILD)/isa.md
 	@mv $(BUILD)/isa.md docs/isa.md
+	$< isa --grammar >$(BUILD)/grammar.json
+	@mv $(BUILD)/grammar.json docs/editors/vscode/c205.tmLanguage.json
 	sh tests/check_docs.sh $(BUILD) full --write $(PAGES)
 
 # --- tests ------------------------------------------------------------------
@@ -547,7 +549,8 @@ install: all $(installed) $(installed_pc) $(pages)
 	for header in $(vm_api) $(asm_api) $(rt_api); do \
 		install -D -m 644 $$header \
 			$(DESTDIR)$(PREFIX)/include/c205/$$header; done
-	for file in README.md docs/*.md docs/*.sbatch docs/pictures/*; do \
+	for file in README.md docs/*.md docs/*.sbatch docs/pictures/* docs/editors/*.* \
+		docs/editors/vscode/*; do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done
 	for file in asm/examples/* scenes/*; do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done

@@ -50,13 +50,14 @@ enum message_state message_find(const struct text_buffer *bytes,
                                 struct message_content *content,
                                 c205_error *error)
 {
-    const char *line = bytes->text, *end = line + bytes->length;
+    const char *line = bytes->text, *end;
     bool found = false;
 
+    if (bytes->length == 0)
+        return MESSAGE_PART;
+    end = line + bytes->length;
     for (;;) {
-        const char *newline = line < end
-                                  ? memchr(line, '\n', (size_t)(end - line))
-                                  : NULL;
+        const char *newline = memchr(line, '\n', (size_t)(end - line));
 
         if ((size_t)((newline ? newline : end) - bytes->text)
             > MESSAGE_HEADER_MOST)

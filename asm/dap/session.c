@@ -24,7 +24,7 @@ static const struct {
     { "launch", request_launch, DAP_GREETED },
     { "configurationDone", request_configuration_done, DAP_LAUNCHED },
     { "restart", request_restart, DAP_STANDING | DAP_RUNNING | DAP_ENDED },
-    { "terminate", request_terminate, ALWAYS },
+    { "terminate", request_terminate, WITH_PROGRAM },
     { "disconnect", request_disconnect, ALWAYS },
     { "setBreakpoints", request_breakpoints, WITH_PROGRAM },
     { "setFunctionBreakpoints", request_function_breakpoints, WITH_PROGRAM },

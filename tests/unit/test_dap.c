@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include "asm/dap/message.h"
+#include "base/file.h"
+#include "base/json.h"
 #include "tests/random.h"
 #include "tests/unit/dap_client.h"
 #include "tests/unit/plain_run.h"
@@ -1039,6 +1041,7 @@ static void test_wrong_order(void **state)
     client_ask(&client, "initialize",
                "{\"linesStartAt1\": false, \"columnsStartAt1\": false}");
     client_refused(&client, "launch comes first", "threads", NULL);
+    client_refused(&client, "launch comes first", "terminate", NULL);
     client_refused(&client, "'program' is missing", "launch", NULL);
     client_refused(&client, "from stdin", "launch", "{\"program\": \"-\"}");
     client_refused(&client, "names with integers", "launch",
@@ -1197,6 +1200,86 @@ static void test_command_line(void **state)
     leave(&client);
 }
 
+/* ---- The extension ----------------------------------------------------------------------------------- */
+
+static const struct json_value *read_file(struct arena *arena,
+                                          const char *name)
+{
+    char whole[100];
+    c205_error error = { "" };
+    const struct json_value *tree;
+    size_t length;
+    char *text;
+
+    snprintf(whole, sizeof whole, "docs/editors/vscode/%s", name);
+    text = file_read(whole, FILE_LARGEST, &length, &error);
+    if (!text)
+        fail_msg("%s: %s", whole, error.message);
+    tree = json_read(arena, text, length, &error);
+    if (!tree)
+        fail_msg("%s: %s", whole, error.message);
+    free(text);
+    return tree;
+}
+
+/* Members with their defaults, as the editor proposes them, but for the program. */
+static void put_defaults(struct json *json,
+                         const struct json_value *properties)
+{
+    for (const struct json_value *item = properties->first; item;
+         item = item->next) {
+        const char *type = the_text(item, "type");
+        const struct json_value *value = the(item, "default");
+
+        if (strcmp(item->key, "program") == 0)
+            json_text(json, "program", path);
+        else if (strcmp(type, "string") == 0)
+            json_text(json, item->key, value->text);
+        else if (strcmp(type, "boolean") == 0)
+            json_truth(json, item->key, value->truth);
+        else {
+            (strcmp(type, "array") == 0 ? json_array
+                                        : json_object)(json, item->key);
+            json_end(json);
+        }
+    }
+}
+
+/* What its entry starts is the adapter, which takes what the entry proposes. */
+static void test_extension(void **state)
+{
+    struct dap_client client;
+    struct text_buffer launch_text = { 0 };
+    struct arena arena = { 0 };
+    c205_error error;
+    const struct json_value *package = read_file(&arena, "package.json");
+    const struct json_value
+        *entry = the(the(package, "contributes"), "debuggers")->first;
+    struct json *json = json_open_line(&launch_text, &error);
+
+    (void)state;
+    read_file(&arena, "language-configuration.json");
+    read_file(&arena, "c205.tmLanguage.json");
+    assert_string_equal(the_text(package, "version"), C205_VERSION);
+    assert_string_equal(the_text(entry, "runtime"), "c205");
+    assert_string_equal(the(entry, "args")->first->text, "debug");
+    assert_string_equal(the(entry, "args")->first->next->text, "--dap");
+    write_program(session_text);
+    put_defaults(json,
+                 the(the(the(entry, "configurationAttributes"), "launch"),
+                     "properties"));
+    assert_true(json_close(json, &error));
+    client_begin(&client, NULL);
+    client_ask(&client, "initialize", NULL);
+    client_ask(&client, "launch", "%s", launch_text.text);
+    client_event(&client, "initialized");
+    client_ask(&client, "configurationDone", NULL);
+    client_stopped(&client, "entry");
+    leave(&client);
+    text_buffer_free(&launch_text);
+    arena_free(&arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -1209,6 +1292,7 @@ int main(void)
         cmocka_unit_test(test_wrong_stops),
         cmocka_unit_test(test_broken),
         cmocka_unit_test(test_command_line),
+        cmocka_unit_test(test_extension),
     };
 
     return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
