@@ -28,9 +28,8 @@ enum dap_wish { WISH_NONE, WISH_PAUSE, WISH_TERMINATE, WISH_RESTART };
 
 struct dap {
     struct dap_setup setup;
-    struct text_buffer
-        input;     /* what was read of messages that are not whole */
-    uint64_t sent; /* messages */
+    struct text_buffer input; /* read, and not done with */
+    uint64_t sent;            /* messages */
     enum dap_state state;
     bool over; /* the client has said goodbye, or can say nothing more */
     bool failed;
@@ -39,7 +38,7 @@ struct dap {
     struct text_buffer said;    /* by the engine, and of faults */
     struct text_buffer printed; /* by the program, not sent yet */
     struct arena launched;      /* the texts of what follows */
-    const char *path, *folder;
+    const char *path;
     struct object *object;
     c205_model *model;
     struct debugger *debugger;

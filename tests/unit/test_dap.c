@@ -310,6 +310,17 @@ static void try_hit_conditions(struct dap_client *client)
         client_ask(client, "restart", NULL);
         client_stopped(client, "entry");
     }
+    ask_line_stop(client, "{\"line\": 9}");
+    go(client, "continue", "breakpoint");
+    go(client, "continue", "breakpoint");
+    go(client, "reverseContinue", "breakpoint");
+    assert_non_null(strstr(
+        the_text(client_ask(client, "evaluate",
+                            "{\"expression\": \"info breaks\", \"context\": "
+                            "\"repl\"}"),
+                 "result"),
+        "met 2 times"));
+    client_event(client, "invalidated");
     ask_line_stop(client, "");
 }
 
@@ -759,6 +770,169 @@ static void test_promises(void **state)
         promises[i].attempt(&client);
         leave(&client);
     }
+}
+
+/* ---- What is shown ------------------------------------------------------------------------ */
+
+/* A file is the same, whatever the way to it is called. */
+static void test_paths(void **state)
+{
+    static const char *const ways[] = { "asm/examples/", "./asm/examples/",
+                                        "asm/../asm/examples/" };
+    struct dap_client client;
+    const struct json_value *stop = NULL;
+    char folder[1200];
+
+    (void)state;
+    assert_non_null(getcwd(folder, 1000));
+    client_begin(&client, NULL);
+    client_ask(&client, "initialize", NULL);
+    client_ask(&client, "launch",
+               "{\"program\": \"asm/examples/saxpy_linked.s\"}");
+    client_event(&client, "initialized");
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        stop = the(client_ask(&client, "setBreakpoints",
+                              "{\"source\": {\"path\": "
+                              "\"%s/%ssaxpy_linked.s\"}, \"breakpoints\": "
+                              "[{\"line\": 18}]}",
+                              folder, ways[i]),
+                   "breakpoints")
+                   ->first;
+        assert_true(json_member_truth(stop, "verified", false));
+    }
+    client_ask(&client, "configurationDone", NULL);
+    stop = client_stopped(&client, "breakpoint");
+    assert_int_equal(length_of(the(stop, "hitBreakpointIds")), 1);
+    strcat(folder, "/asm/examples/saxpy_linked.s");
+    assert_string_equal(the_text(the(frames(&client)->first, "source"),
+                                 "path"),
+                        folder);
+    client_ask(&client, "disconnect", NULL);
+    assert_int_equal(client_end(&client), 0);
+}
+
+/* A stop in a macro of the library is one in each call. */
+static void test_library_lines(void **state)
+{
+    struct dap_client client;
+    const struct json_value *core;
+
+    (void)state;
+    enter(&client, session_text);
+    core = element_with(the(client_ask(&client, "loadedSources", NULL),
+                            "sources"),
+                        "name", "core.s");
+    client_ask(&client, "setBreakpoints",
+               "{\"source\": {\"name\": \"core.s\", \"sourceReference\": "
+               "%d}, \"breakpoints\": [{\"line\": 11}]}",
+               (int)the_whole(core, "sourceReference"));
+    go(&client, "continue", "breakpoint");
+    assert_int_equal(step_now(&client), 1);
+    go(&client, "continue", "breakpoint");
+    assert_int_equal(step_now(&client), 3);
+    leave(&client);
+}
+
+static const char masked_text[] = "        .include \"vectors.s\"\n"
+                                  "        .regs   r16, a, b, mask\n"
+                                  "        words   a, 1.5, -2.0, 3.0, 4.0\n"
+                                  "        words   b\n"
+                                  "        bits    mask, \"1010\"\n"
+                                  "        ADDNV   [a], [a], [b] ? [mask]\n"
+                                  "        EXIT\n";
+
+static void test_elements(void **state)
+{
+    static const char *const values[] = { "1.5  X'FFD2 6000 0000 0000'  ? 1",
+                                          "-2  X'FFD2 8000 0000 0000'  ? 0",
+                                          "3  X'FFD3 6000 0000 0000'  ? 1",
+                                          "4  X'FFD4 4000 0000 0000'  ? 0" };
+    struct dap_client client;
+    const struct json_value *list, *item;
+    int reference;
+
+    (void)state;
+    enter(&client, masked_text);
+    ask_line_stop(&client, "{\"line\": 6}");
+    go(&client, "continue", "breakpoint");
+    list = variables(&client, "Operands");
+    item = element_with(list, "name", "ADDNV [a]");
+    assert_string_equal(the_text(item, "value"), "4 words from 800000 on");
+    assert_int_equal(the_whole(item, "indexedVariables"), 4);
+    reference = (int)the_whole(item, "variablesReference");
+    for (int start = 0; start < 4; start++)
+        for (int count = 0; count < 6; count++) {
+            char range[80];
+            int i = start;
+
+            snprintf(range, sizeof range,
+                     ", \"filter\": \"indexed\", \"start\": %d, \"count\": "
+                     "%d",
+                     start, count);
+            item = inside(&client, reference, range)->first;
+            for (; item; item = item->next, i++)
+                assert_string_equal(the_text(item, "value"), values[i]);
+            assert_int_equal(i, count == 0 || start + count > 4
+                                    ? 4
+                                    : start + count);
+        }
+    assert_string_equal(value_of(list, "ADDNV [mask]"),
+                        "bits from 800200 on");
+    item = element_with(variables(&client, "Registers"), "name", "mask");
+    item = inside(&client, (int)the_whole(item, "variablesReference"), "");
+    assert_int_equal(length_of(item), 2 + 4); /* it could be words, too */
+    leave(&client);
+}
+
+/* The time is the machine's own accounts, after every step. */
+static void check_accounts(struct dap_client *client, const c205 *machine)
+{
+    const struct json_value *time = variables(client, "Time");
+    uint64_t sum = 0;
+
+    for (size_t i = 0; i < c205_account_count(machine); i++) {
+        const c205_account *account = c205_account_at(machine, i);
+        const char *name = *account->name ? account->name : "outside regions";
+        const struct json_value *list = inside(client,
+                                               reference_of(time, name), "");
+
+        for (int cause = 0; cause < C205_CAUSES; cause++) {
+            uint64_t clocks = strtoull(value_of(list, c205_cause_name(
+                                                          (c205_cause)cause)),
+                                       NULL, 10);
+
+            assert_int_equal(clocks, account->clocks[cause]);
+            sum += clocks;
+        }
+        assert_int_equal(strtoull(value_of(list, "elements"), NULL, 10),
+                         account->elements);
+    }
+    assert_int_equal(strtoull(value_of(time, "clock"), NULL, 10), sum);
+}
+
+static void test_time(void **state)
+{
+    struct dap_client client;
+    struct object *object = good(session_text);
+    c205_error error;
+    c205 *machine = c205_new(prior_model, &error);
+    c205_stop stop;
+
+    (void)state;
+    assert_true(c205_load(machine, &object->program, &error));
+    launch(&client, session_text,
+           ", \"stopOnEntry\": true, \"stopOnEnd\": "
+           "true, \"model\": \"cyber205-2pipe-prior\"");
+    client_ask(&client, "configurationDone", NULL);
+    client_stopped(&client, "entry");
+    check_accounts(&client, machine);
+    while (c205_step(machine, &stop)) {
+        go_finely(&client, "stepIn");
+        check_accounts(&client, machine);
+    }
+    leave(&client);
+    c205_free(machine);
+    object_free(object);
 }
 
 /* ---- Motions by chance --------------------------------------------------------------------- */
@@ -1285,6 +1459,10 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_session),
         cmocka_unit_test(test_promises),
+        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_library_lines),
+        cmocka_unit_test(test_elements),
+        cmocka_unit_test(test_time),
         cmocka_unit_test(test_motions),
         cmocka_unit_test(test_running),
         cmocka_unit_test(test_running_line),
