@@ -15,7 +15,7 @@
 
 /* ---- The process --------------------------------------------------------------- */
 
-enum { ARGUMENTS_MOST = 20, SECONDS_MOST = 120 };
+enum { ARGUMENTS_MOST = 20, SECONDS_MOST = 60 };
 
 static void become_adapter(int in, int out, const char *const *arguments)
 {

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "asm/dap/message.h"
+#include "asm/object.h"
 #include "base/file.h"
 #include "base/json.h"
 #include "tests/random.h"
@@ -73,12 +74,11 @@ static const char *base_name(void)
 }
 
 /* To where breakpoints are set. */
-static const struct json_value *launch(struct dap_client *client,
-                                       const char *text, const char *more)
+static const struct json_value *launch_file(struct dap_client *client,
+                                            const char *more)
 {
     const struct json_value *capabilities;
 
-    write_program(text);
     client_begin(client, NULL);
     capabilities = client_ask(client, "initialize",
                               "{\"adapterID\": \"c205\", "
@@ -86,6 +86,13 @@ static const struct json_value *launch(struct dap_client *client,
     client_ask(client, "launch", "{\"program\": \"%s\"%s}", path, more);
     client_event(client, "initialized");
     return capabilities;
+}
+
+static const struct json_value *launch(struct dap_client *client,
+                                       const char *text, const char *more)
+{
+    write_program(text);
+    return launch_file(client, more);
 }
 
 /* To its first instruction. */
@@ -1134,6 +1141,34 @@ static void test_motions(void **state)
     }
 }
 
+/* Of an object the lines are not known: its instructions are read from the beginning. */
+static void test_objects(void **state)
+{
+    enum { ROUNDS = 6 };
+
+    (void)state;
+    write_program("");
+    for (size_t i = 0; i < ROUNDS; i++) {
+        struct walk walk = { .step = 0 };
+        struct text_buffer text;
+        struct object *object;
+        c205_error error;
+
+        draw_program(&text);
+        object = good(text.text);
+        assert_true(object_save(object, path, &error));
+        launch_file(&walk.client, ", \"stopOnEntry\": true");
+        client_ask(&walk.client, "configurationDone", NULL);
+        client_stopped(&walk.client, "entry");
+        assert_null(json_member(frames(&walk.client)->first, "source"));
+        for (size_t k = 0; k < 20; k++)
+            check_disassembly(&walk);
+        leave(&walk.client);
+        object_free(object);
+        text_buffer_free(&text);
+    }
+}
+
 /* ---- While it runs ----------------------------------------------------------------------------- */
 
 static const char endless[] = "        EX r10, again\n"
@@ -1241,15 +1276,15 @@ static void test_wrong_order(void **state)
     assert_int_equal(
         the_whole(the(client_ask(&client, "setBreakpoints",
                                  "{\"source\": {\"path\": \"%s\"}, "
-                                 "\"breakpoints\": [{\"line\": 8}]}",
+                                 "\"breakpoints\": [{\"line\": 5}]}",
                                  path),
                       "breakpoints")
                       ->first,
                   "line"),
-        8); /* the ninth, counted from 0 */
+        5); /* the sixth, counted from 0 */
     client_ask(&client, "configurationDone", NULL);
     client_stopped(&client, "breakpoint");
-    assert_int_equal(the_whole(frames(&client)->first, "line"), 8);
+    assert_int_equal(the_whole(frames(&client)->first, "line"), 5);
     assert_int_equal(the_whole(frames(&client)->first, "column"), 0);
     leave(&client);
 }
@@ -1464,6 +1499,7 @@ int main(void)
         cmocka_unit_test(test_elements),
         cmocka_unit_test(test_time),
         cmocka_unit_test(test_motions),
+        cmocka_unit_test(test_objects),
         cmocka_unit_test(test_running),
         cmocka_unit_test(test_running_line),
         cmocka_unit_test(test_wrong_order),

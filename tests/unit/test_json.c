@@ -236,6 +236,9 @@ static void test_right_and_wrong(void **state)
         if (!strstr(error.message, wrong[i].error))
             fail_msg("%s: %s", wrong[i].text, error.message);
     }
+    assert_string_equal(read_in(&arena, "\"\\ud83d\\ude00\\u00e4\"", &error)
+                            ->text,
+                        "\xf0\x9f\x98\x80\xc3\xa4");
     arena_free(&arena);
 }
 
