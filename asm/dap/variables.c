@@ -1,36 +1,10 @@
-/* variables.c - scopes and variables: registers, operands, vectors, time.
- *
- * A reference says all about what it stands for: its kind, and a number.  So there is
- * no table of them, and one of an earlier stop means the same of this one.
- */
+/* variables.c - scopes and variables: registers, operands, vectors, time. */
 #include <inttypes.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/dap/parts.h"
-#include "asm/operand_view.h"
-
-enum reference_kind {
-    OF_NAMED = 1, /* registers that the program has named */
-    OF_OPERANDS,  /* of the next instruction */
-    OF_VECTORS,   /* what registers describe */
-    OF_REGISTERS, /* all */
-    OF_TIME,
-    OF_WORDS, /* elements of what a register describes, in three ways .. */
-    OF_HALVES,
-    OF_BITS,
-    OF_OPERAND, /* .. and of an operand of the next instruction */
-    OF_LAST,    /* the time of the last instruction */
-    OF_REGION,  /* an account */
-    KINDS = 16
-};
-
-static int64_t reference_of(enum reference_kind kind, size_t number)
-{
-    return (int64_t)kind + (int64_t)number * KINDS;
-}
+#include "asm/dap/variables.h"
 
 static enum reference_kind kind_of(int64_t reference)
 {
@@ -44,34 +18,13 @@ static size_t number_of(int64_t reference)
 
 /* ---- One variable ------------------------------------------------------------------ */
 
-/* Behind it stand members of its own, and put_end. */
-static void put_variable(struct json *json, const char *name,
-                         const char *value, int64_t reference)
+void put_variable(struct json *json, const char *name, const char *value,
+                  int64_t reference)
 {
     json_object(json, NULL);
     json_text(json, "name", name);
     json_text(json, "value", value);
     json_number(json, "variablesReference", (double)reference);
-}
-
-static void put_plain(struct json *json, const char *name, const char *format,
-                      ...)
-#if defined(__GNUC__)
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
-
-static void put_plain(struct json *json, const char *name, const char *format,
-                      ...)
-{
-    char text[200];
-    va_list arguments;
-
-    va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    put_variable(json, name, text, 0);
-    json_end(json);
 }
 
 /* ---- Vectors of registers -------------------------------------------------------------- */
@@ -98,13 +51,12 @@ static bool is_vector(const struct dap *dap, size_t number,
     return vector_is_mapped(dap, vector);
 }
 
-static const char *elements_of(unsigned width)
+const char *elements_of(unsigned width)
 {
     return width == 64 ? "words" : width == 32 ? "half words" : "bits";
 }
 
-static void put_extent(const struct dap_vector *vector,
-                       const struct sink *sink)
+void put_extent(const struct dap_vector *vector, const struct sink *sink)
 {
     sink_print(sink, "%zu %s from %" PRIX64 " on", vector->length,
                elements_of(vector->width), vector->address);
@@ -151,8 +103,6 @@ static void put_register(struct dap *dap, struct json *json, const char *name,
     json_end(json);
 }
 
-enum { REGISTER_NAME = 8 };
-
 /* A name is that of the last that was given it. */
 static bool is_last(const struct object *object, size_t i)
 {
@@ -184,9 +134,8 @@ static void put_registers(struct dap *dap, struct json *json)
     }
 }
 
-/* The name that the program has for it, if that means no other; or its number. */
-static const char *name_of(const struct dap *dap, unsigned number,
-                           char text[REGISTER_NAME])
+const char *name_of(const struct dap *dap, unsigned number,
+                    char text[REGISTER_NAME])
 {
     const char *name = debug_register_name(dap->debugger, number);
     struct rest rest = { name };
@@ -233,214 +182,18 @@ static void put_other_ways(struct json *json, const struct dap_vector *vector,
     json_end(json);
 }
 
-/* ---- Operands ---------------------------------------------------------------------------- */
-
-/* Of the next instruction, or the two that a LINKV links. */
-struct operands {
-    size_t count;
-    struct instruction_view views[2];
-};
-
-static void find_operands(const struct dap *dap, struct operands *operands)
-{
-    c205 *machine = machine_of(dap->debugger);
-    uint64_t pc = c205_pc(machine);
-    struct instruction_view *views = operands->views;
-
-    operands->count = 1;
-    view_decode(&views[0], machine, pc);
-    if (views[0].insn && views[0].insn->timing == C205_TIMING_vlink) {
-        pc += 32 * (uint64_t)views[0].halves;
-        view_decode(&views[0], machine, pc);
-        pc += 32 * (uint64_t)views[0].halves;
-        view_decode(&views[1], machine, pc);
-        operands->count = 2;
-    }
-    for (size_t i = 0; i < operands->count; i++)
-        if (views[i].insn)
-            view_fill(&views[i], machine);
-}
-
-/* Its elements can be counted. */
-static bool has_elements(const struct operand_view *operand)
-{
-    return operand->is_vector && !operand->is_bad && operand->length > 0
-           && !strchr("xXzZ", operand->letter);
-}
-
-static struct dap_vector
-vector_of_operand(const struct instruction_view *view,
-                  const struct operand_view *operand)
-{
-    const struct operand_view *control = view_find(view, "z");
-    struct dap_vector vector = { .address = operand->address,
-                                 .length = operand->length,
-                                 .width = operand->width };
-
-    vector.controlled = control && control->number != 0;
-    if (vector.controlled)
-        vector.control = control->address;
-    return vector;
-}
-
-static void put_operand(struct dap *dap, struct json *json,
-                        const struct instruction_view *view,
-                        const struct operand_view *operand, size_t number)
-{
-    struct dap_vector vector = vector_of_operand(view, operand);
-    struct text_line text = { .length = 0 }, name = { .length = 0 };
-    struct sink sink = text_line_sink(&text), naming = text_line_sink(&name);
-    bool listed = has_elements(operand);
-    char register_name[REGISTER_NAME];
-
-    if (operand->is_half)
-        snprintf(register_name, sizeof register_name, "h%u", operand->number);
-    sink_print(&naming, operand->is_vector ? "%s [%s]" : "%s %s",
-               view->insn->mnemonic,
-               operand->is_half
-                   ? register_name
-                   : name_of(dap, operand->number, register_name));
-    if (listed)
-        put_extent(&vector, &sink);
-    else if (operand->is_vector)
-        sink_print(&sink, "%s from %" PRIX64 " on",
-                   elements_of(operand->width), operand->address);
-    else
-        put_bits(operand->word, operand->is_half ? 32 : 64, &sink);
-    put_variable(json, name.text, text.text,
-                 listed ? reference_of(OF_OPERAND, number) : 0);
-    if (listed)
-        json_count(json, "indexedVariables", vector.length);
-    json_end(json);
-}
-
-/* Not where it goes on, nor that there is no control vector. */
-static bool is_shown(const struct operand_view *operand)
-{
-    return operand->field && !strchr("wWpP", operand->letter)
-           && !(operand->letter == 'z' && operand->number == 0);
-}
-
-static void put_operands(struct dap *dap, struct json *json)
-{
-    struct operands operands;
-
-    find_operands(dap, &operands);
-    for (size_t i = 0; i < operands.count; i++) {
-        const struct instruction_view *view = &operands.views[i];
-
-        for (size_t k = 0; view->insn && k < view->count; k++)
-            if (is_shown(&view->operands[k]))
-                put_operand(dap, json, view, &view->operands[k],
-                            i * VIEW_OPERANDS + k);
-    }
-}
-
 bool vector_of(struct dap *dap, int64_t reference, struct dap_vector *vector)
 {
     size_t number = number_of(reference);
-    struct operands operands;
-    const struct operand_view *operand;
 
     switch (kind_of(reference)) {
     case OF_WORDS: *vector = described(dap, number, 64); break;
     case OF_HALVES: *vector = described(dap, number, 32); break;
     case OF_BITS: *vector = described(dap, number, 1); break;
-    case OF_OPERAND:
-        find_operands(dap, &operands);
-        if (number >= operands.count * VIEW_OPERANDS)
-            return false;
-        operand = &operands.views[number / VIEW_OPERANDS]
-                       .operands[number % VIEW_OPERANDS];
-        if (!has_elements(operand))
-            return false;
-        *vector = vector_of_operand(&operands.views[number / VIEW_OPERANDS],
-                                    operand);
-        return true;
+    case OF_OPERAND: return operand_vector(dap, number, vector);
     default: return false;
     }
     return number < C205_REGISTERS;
-}
-
-/* ---- Time ---------------------------------------------------------------------------------- */
-
-static void put_time(struct dap *dap, struct json *json)
-{
-    c205 *machine = machine_of(dap->debugger);
-
-    put_plain(json, "step", "%" PRIu64, step_of(dap->debugger));
-    put_plain(json, "clock", "%" PRIu64, c205_clock(machine));
-    if (dap->debugger->has_last) {
-        char text[40];
-
-        snprintf(text, sizeof text, "%" PRIu64 " clocks",
-                 dap->debugger->last.clocks);
-        put_variable(json, "last instruction", text,
-                     reference_of(OF_LAST, 0));
-        json_end(json);
-    }
-    for (size_t i = 0; i < c205_account_count(machine); i++) {
-        const c205_account *account = c205_account_at(machine, i);
-        char text[60];
-
-        snprintf(text, sizeof text, "%" PRIu64 " instructions",
-                 account->instructions);
-        put_variable(json, *account->name ? account->name : "outside regions",
-                     text, reference_of(OF_REGION, i));
-        json_end(json);
-    }
-}
-
-static void put_region(struct dap *dap, struct json *json, size_t number)
-{
-    c205 *machine = machine_of(dap->debugger);
-    const c205_account *account;
-
-    if (number >= c205_account_count(machine))
-        return;
-    account = c205_account_at(machine, number);
-    for (int i = 0; i < C205_CAUSES; i++)
-        put_plain(json, c205_cause_name((c205_cause)i), "%" PRIu64,
-                  account->clocks[i]);
-    put_plain(json, "instructions", "%" PRIu64, account->instructions);
-    put_plain(json, "of them vector", "%" PRIu64,
-              account->vector_instructions);
-    put_plain(json, "elements", "%" PRIu64, account->elements);
-    put_plain(json, "operations", "%" PRIu64, account->operations);
-    put_plain(json, "entries", "%" PRIu64, account->entries);
-}
-
-static void put_piece(struct dap *dap, struct json *json,
-                      const c205_piece *piece)
-{
-    struct text_line text = { .length = 0 };
-    struct sink sink = text_line_sink(&text);
-
-    sink_print(&sink, "%" PRIu64 " clocks", piece->clocks);
-    if (piece->wait != C205_WAIT_NONE)
-        sink_put(&sink, ", ");
-    show_wait(dap->debugger, piece, &sink);
-    put_plain(json, c205_cause_name(piece->cause), "%s", text.text);
-}
-
-/* When it came and went, what it waited for, and what the vector unit still does for
- * it. */
-static void put_last(struct dap *dap, struct json *json)
-{
-    const c205_times *record = &dap->debugger->record;
-
-    if (!dap->debugger->has_last)
-        return;
-    put_plain(json, "arrived", "%" PRIu64, record->arrived);
-    put_plain(json, "issued", "%" PRIu64, record->issued);
-    put_plain(json, "its result", "%" PRIu64, record->ready);
-    put_plain(json, "its unit free", "%" PRIu64, record->unit_free);
-    for (size_t i = 0; i < record->piece_count; i++)
-        put_piece(dap, json, &record->piece[i]);
-    for (size_t i = 0; i < record->phase_count; i++)
-        put_plain(json, c205_cause_name(record->phase[i].cause),
-                  "from clock %" PRIu64 " to %" PRIu64,
-                  record->phase[i].begin, record->phase[i].end);
 }
 
 /* ---- Requests -------------------------------------------------------------------------------- */
