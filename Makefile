@@ -270,7 +270,7 @@ $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
 		$(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # Its client starts the command.
-$(BUILD)/tests/unit/test_dap: | $(BUILD)/c205
+$(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)): | $(BUILD)/c205
 # goal.c alone: what it asks of the fit, the test answers.
 $(BUILD)/tests/unit/test_goal: $(BUILD)/tests/unit/test_goal.o \
 		$(BUILD)/rt/study/fit/goal.o $(BUILD)/libbase.a \
