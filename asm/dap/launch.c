@@ -201,6 +201,17 @@ static void ask_configuration(struct dap *dap)
     event_bare(dap, "initialized");
 }
 
+/* A program that is only to be run stops nowhere. */
+static void read_stops(struct dap *dap, const struct json_value *launch)
+{
+    bool stops = !json_member_truth(launch, "noDebug", false);
+
+    dap->stop_at_traps = stops;
+    dap->stop_on_entry = stops
+                         && json_member_truth(launch, "stopOnEntry", false);
+    dap->stop_on_end = stops && json_member_truth(launch, "stopOnEnd", false);
+}
+
 bool request_launch(struct dap *dap, const struct json_value *arguments,
                     struct json *body)
 {
@@ -210,8 +221,7 @@ bool request_launch(struct dap *dap, const struct json_value *arguments,
         close_program(dap);
         return false;
     }
-    dap->stop_on_entry = json_member_truth(arguments, "stopOnEntry", false);
-    dap->stop_on_end = json_member_truth(arguments, "stopOnEnd", false);
+    read_stops(dap, arguments);
     dap->state = DAP_LAUNCHED;
     dap->then = ask_configuration;
     return true;

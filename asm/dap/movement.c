@@ -106,6 +106,7 @@ static void tell_trap(struct dap *dap)
     }
     say_printed(dap);
     say_output(dap, "stderr", dap->said.text);
+    text_buffer_free(&dap->said);
     tell_exit(dap, 1);
 }
 
@@ -149,24 +150,6 @@ static void arrive(struct dap *dap, enum moved moved)
     }
 }
 
-static void go(struct dap *dap)
-{
-    enum moved moved;
-
-    dap->state = DAP_RUNNING;
-    dap->wish = WISH_NONE;
-    moved = dap->move(dap->debugger);
-    dap->state = DAP_STANDING;
-    if (dap->over)
-        return;
-    if (dap->wish == WISH_TERMINATE)
-        dap_finish(dap);
-    else if (dap->wish == WISH_RESTART)
-        dap_begin(dap);
-    else
-        arrive(dap, moved);
-}
-
 static enum moved to_the_beginning(struct debugger *debugger)
 {
     motion_back(debugger, UINT64_MAX);
@@ -174,7 +157,7 @@ static enum moved to_the_beginning(struct debugger *debugger)
 }
 
 /* Hits are counted from here on, and what is printed is printed again. */
-void dap_begin(struct dap *dap)
+static void prepare_beginning(struct dap *dap)
 {
     struct debugger *debugger = dap->debugger;
 
@@ -183,6 +166,29 @@ void dap_begin(struct dap *dap)
     debugger->told = 0;
     dap->reason = "entry";
     dap->move = dap->stop_on_entry ? to_the_beginning : motion_run;
+}
+
+static void go(struct dap *dap)
+{
+    enum moved moved;
+
+    do {
+        if (dap->wish == WISH_RESTART)
+            prepare_beginning(dap);
+        dap->wish = WISH_NONE;
+        dap->state = DAP_RUNNING;
+        moved = dap->move(dap->debugger);
+        dap->state = DAP_STANDING;
+    } while (!dap->over && dap->wish == WISH_RESTART);
+    if (dap->wish == WISH_TERMINATE)
+        dap_finish(dap);
+    else if (!dap->over)
+        arrive(dap, moved);
+}
+
+void dap_begin(struct dap *dap)
+{
+    dap->wish = WISH_RESTART;
     go(dap);
 }
 

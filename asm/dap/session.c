@@ -232,10 +232,7 @@ static void end(struct dap *dap)
 
 bool dap_serve(const struct dap_setup *setup, c205_error *error)
 {
-    struct dap dap = { .setup = *setup,
-                       .state = DAP_NEW,
-                       .error = error,
-                       .stop_at_traps = true };
+    struct dap dap = { .setup = *setup, .state = DAP_NEW, .error = error };
 
     while (!dap.over)
         if (!handle_next(&dap) && !dap.over)

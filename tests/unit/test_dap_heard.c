@@ -72,6 +72,22 @@ static void test_running_line(void **state)
     client_leave(&client);
 }
 
+/* Without debugging there is no stop. */
+static void test_no_debug(void **state)
+{
+    struct dap_client client;
+
+    (void)state;
+    client_launch(&client, "        STO [r0], r1\n",
+                  ", \"noDebug\": true, \"stopOnEntry\": true");
+    client_ask(&client, "configurationDone", NULL);
+    assert_int_equal(the_whole(client_event(&client, "exited"), "exitCode"),
+                     1);
+    client_event(&client, "terminated");
+    assert_non_null(strstr(client.output.text, "trap unmapped-address"));
+    client_leave(&client);
+}
+
 /* ---- What is wrong -------------------------------------------------------------------------------- */
 
 static void test_wrong_order(void **state)
@@ -252,6 +268,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_running),
         cmocka_unit_test(test_running_line),
+        cmocka_unit_test(test_no_debug),
         cmocka_unit_test(test_wrong_order),
         cmocka_unit_test(test_wrong_stops),
         cmocka_unit_test(test_broken),
