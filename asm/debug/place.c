@@ -312,10 +312,11 @@ bool place_read(struct debugger *debugger, struct rest *rest,
 
 /* ---- The instruction before ------------------------------------------------- */
 
-/* Where there is code without lines, its segment is read from the beginning; what lies
- * outside of all is taken for half words. */
+/* Where there is code without lines, its segment is read from the beginning, or from not
+ * too far back; what lies outside of all is taken for half words. */
 static uint64_t read_from(const struct debugger *debugger, uint64_t address)
 {
+    enum { FAR_BACK = 32 * 1024 };
     const struct object *object = debugger->setup.object;
     const struct asm_line *line = object_line(object, address);
 
@@ -327,7 +328,8 @@ static uint64_t read_from(const struct debugger *debugger, uint64_t address)
 
         if (address >= segment->address
             && address - segment->address < 64 * (uint64_t)segment->length)
-            return segment->address;
+            return address - segment->address < FAR_BACK ? segment->address
+                                                         : address - FAR_BACK;
     }
     return address;
 }
