@@ -29,7 +29,7 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep)
+asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap)
 c205_c = $(call c_of,asm/command)
 rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
 	trace picture roots study study/sweep study/plot heat mass))
@@ -247,6 +247,8 @@ shown = $(programs) $(BUILD)/fit205 $(BUILD)/tests/oracle/check_quartic \
 docs: $(BUILD)/c205 $(shown)
 	$< isa --markdown >$(BUILD)/isa.md
 	@mv $(BUILD)/isa.md docs/isa.md
+	$< isa --grammar >$(BUILD)/grammar.json
+	@mv $(BUILD)/grammar.json docs/editors/vscode/c205.tmLanguage.json
 	sh tests/check_docs.sh $(BUILD) full --write $(PAGES)
 
 # --- tests ------------------------------------------------------------------
@@ -268,6 +270,8 @@ $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
 		$(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
+# Its client starts the command.
+$(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)): | $(BUILD)/c205
 # goal.c alone: what it asks of the fit, the test answers.
 $(BUILD)/tests/unit/test_goal: $(BUILD)/tests/unit/test_goal.o \
 		$(BUILD)/rt/study/fit/goal.o $(BUILD)/libbase.a \
@@ -548,7 +552,8 @@ install: all $(installed) $(installed_pc) $(pages)
 	for header in $(vm_api) $(asm_api) $(rt_api); do \
 		install -D -m 644 $$header \
 			$(DESTDIR)$(PREFIX)/include/c205/$$header; done
-	for file in README.md docs/*.md docs/*.sbatch docs/pictures/*; do \
+	for file in README.md docs/*.md docs/*.sbatch docs/pictures/* docs/editors/*.* \
+		docs/editors/vscode/*; do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done
 	for file in asm/examples/* scenes/*; do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done

@@ -8,13 +8,15 @@
 #include <stdlib.h>
 
 #include "base/sink.h"
+#include "base/utf8.h"
 #include "base/whole.h"
 
 enum { DEEPEST = 16, INDENT = 2 };
 
 struct json {
-    struct whole *whole; /* they get the text at the close; NULL: not */
-    FILE *stream;        /* wanted */
+    struct whole *whole;      /* they get the text at the close; NULL: not */
+    FILE *stream;             /* wanted */
+    struct text_buffer *line; /* likewise, and the text is in one line then */
     struct text_buffer text;
     struct sink sink; /* to the text */
     unsigned depth;
@@ -35,21 +37,41 @@ static void open_level(struct json *json, char opening, char closing)
 
 static void new_line(struct json *json)
 {
+    if (json->line) {
+        return;
+    }
     sink_print(&json->sink, "\n%*s", (int)json->depth * INDENT, "");
 }
 
-/* Bytes from 80 hex on are taken for UTF-8 and pass. */
+/* So many bytes may stand as they are; a NUL is none of a longer character. */
+static size_t plain_length(const char *text)
+{
+    size_t length = 0, step;
+    while ((unsigned char)text[length] >= ' ' && text[length] != '"'
+           && text[length] != '\\'
+           && (step = utf8_length(text + length, UTF8_MOST)) > 0) {
+        length += step;
+    }
+    return length;
+}
+
 static void put_string(const struct sink *sink, const char *text)
 {
     sink_put(sink, "\"");
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
+    for (;;) {
+        size_t length = plain_length(text);
+        sink->put(sink->context, text, length);
+        text += length;
+        unsigned char c = (unsigned char)*text++;
+        if (!c) {
+            break;
+        }
         if (c == '"' || c == '\\') {
             sink_print(sink, "\\%c", c);
         } else if (c < ' ') {
             sink_print(sink, "\\u%04x", c);
         } else {
-            sink_print(sink, "%c", c);
+            sink_put(sink, "\\ufffd");
         }
     }
     sink_put(sink, "\"");
@@ -59,7 +81,7 @@ static void put_string(const struct sink *sink, const char *text)
 static void introduce(struct json *json, const char *key)
 {
     if (json->level[json->depth - 1].filled) {
-        sink_put(&json->sink, ",");
+        sink_put(&json->sink, json->line ? ", " : ",");
     }
     json->level[json->depth - 1].filled = true;
     new_line(json);
@@ -99,6 +121,15 @@ struct json *json_open_stream(FILE *stream, const char *path,
     return json;
 }
 
+struct json *json_open_line(struct text_buffer *line, c205_error *error)
+{
+    struct json *json = json_new(NULL, error);
+    if (json) {
+        json->line = line;
+    }
+    return json;
+}
+
 struct json *json_open(const char *path, c205_error *error)
 {
     return json_open_stream(NULL, path, error);
@@ -108,12 +139,19 @@ bool json_close(struct json *json, c205_error *error)
 {
     assert(json->depth == 1);
     json_end(json);
-    sink_put(&json->sink, "\n");
+    if (!json->line) {
+        sink_put(&json->sink, "\n");
+    }
     if (json->text.failed) {
         json_discard(json);
         return no_memory(error);
     }
     bool good = true;
+    if (json->line) {
+        struct sink line = text_buffer_sink(json->line);
+        line.put(line.context, json->text.text, json->text.length);
+        good = !json->line->failed || no_memory(error);
+    }
     if (json->whole) {
         fwrite(json->text.text, 1, json->text.length, json->whole->file);
         good = whole_commit(json->whole, error);
@@ -198,4 +236,10 @@ void json_null(struct json *json, const char *key)
 {
     introduce(json, key);
     sink_put(&json->sink, "null");
+}
+
+void json_written(struct json *json, const char *key, const char *text)
+{
+    introduce(json, key);
+    sink_put(&json->sink, text);
 }

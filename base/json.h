@@ -2,7 +2,7 @@
  *
  * A document is one object.  Members of an object need a key, elements of an
  * array have none (NULL).  Nothing is checked until the end: json_close says
- * whether all of it was written.
+ * whether all of it was written.  Bytes that are no UTF-8 become U+FFFD.
  *
  *   struct json *json = json_open("out.json", &error);
  *   json_text(json, "model", "cyber205-2pipe");
@@ -21,6 +21,7 @@
 enum { JSON_NUMBER_SIZE = 32 };
 
 struct json;
+struct text_buffer;
 
 /* NULL: it cannot be written there.  The file appears, whole, at the close. */
 struct json *json_open(const char *path, c205_error *error);
@@ -28,6 +29,8 @@ struct json *json_open(const char *path, c205_error *error);
  * Write errors of the stream are left to its owner. */
 struct json *json_open_stream(FILE *stream, const char *path,
                               c205_error *error);
+/* The same in one line, behind what a buffer holds. */
+struct json *json_open_line(struct text_buffer *line, c205_error *error);
 bool json_close(struct json *json, c205_error *error);
 void json_discard(struct json *json);
 
@@ -41,6 +44,8 @@ void json_number(struct json *json, const char *key, double value);
 void json_count(struct json *json, const char *key, uint64_t value);
 void json_truth(struct json *json, const char *key, bool value);
 void json_null(struct json *json, const char *key);
+/* A value that is JSON already. */
+void json_written(struct json *json, const char *key, const char *text);
 
 /* The digits of a finite double, as many as bring it back: 0.1. */
 void json_digits(char text[JSON_NUMBER_SIZE], double value);

@@ -1,6 +1,6 @@
 #!/bin/sh
-# check_isa.sh C205 - docs/isa.md is what the command prints now, and every
-# instruction has an example that uses it, expects something, and runs.
+# check_isa.sh C205 - docs/isa.md and the grammar for editors are what the command
+# prints now, and every instruction has an example that uses it, expects something, and runs.
 set -u
 . "$(dirname "$0")/count.sh"
 c205=$1
@@ -13,6 +13,10 @@ trap 'rm -rf "$work"' EXIT
 verdict $? "c205 isa --markdown"
 diff docs/isa.md "$work/isa.md" >"$work/diff"
 verdict $? "docs/isa.md is not what the table says: make docs"
+head -n 20 "$work/diff"
+grammar=docs/editors/vscode/c205.tmLanguage.json
+"$c205" isa --grammar | diff "$grammar" - >"$work/diff"
+verdict $? "$grammar is not what the table says: make docs"
 head -n 20 "$work/diff"
 
 "$c205" isa --names | tr '[:upper:]' '[:lower:]' | sort >"$work/rows"

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asm/command/c205_command.h"
+#include "asm/command/cmd_debug.h"
 #include "asm/command/lines.h"
 #include "asm/debug/debugger.h"
 #include "base/interrupt.h"
@@ -65,6 +65,12 @@ static int obey(const struct c205_arguments *arguments,
                                                                : CMD_FAILED;
 }
 
+static bool is_interrupted(void *asked)
+{
+    (void)asked;
+    return interrupt_came();
+}
+
 static int debug_program(const struct c205_arguments *arguments,
                          const struct object *object, const c205_model *model)
 {
@@ -73,7 +79,8 @@ static int debug_program(const struct c205_arguments *arguments,
                                           .model = model,
                                           .out = stream_sink(stdout),
                                           .clocks_most = CMD_LIMIT,
-                                          .interrupted = interrupt_came };
+                                          .interrupted = is_interrupted,
+                                          .warm = arguments->warm };
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
@@ -89,6 +96,16 @@ static int debug_program(const struct c205_arguments *arguments,
 static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
+    if (arguments->dap && arguments->scripts.count > 0) {
+        return cmd_usage(arguments->command, "--dap takes no script");
+    }
+    if (arguments->dap) {
+        return cmd_debug_dap(arguments);
+    }
+    if (!arguments->file) {
+        return cmd_usage(arguments->command,
+                         "FILE is missing: only of --dap an editor names it");
+    }
     struct object *object;
     c205_model *model;
     int code = cmd_open(arguments, &object, &model)
@@ -111,14 +128,26 @@ static const struct command_option options[] = {
           "as an assert does" },
     CMD_MODEL,
     CMD_WARN,
+    CMD_FLAG(dap, "speak the Debug Adapter Protocol on stdin and stdout, for "
+                  "editors"),
+    CMD_FLAG(warm, "all pages are in memory when the program begins"),
     CMD_DEFINE,
     CMD_INCLUDE,
     COMMAND_END
 };
-static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
+static const struct command_option operands[] = {
+    { .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .optional = true,
+      .offset = CMD_PLACE(file),
+      .help = "a program text, or an object of c205 asm; with --dap the "
+              "editor may name it" },
+    COMMAND_END
+};
 static const struct command_example examples[] = {
     { "c205 debug FILE", "go through a program, forward and back" },
     { "c205 debug -x SCRIPT FILE", "the same by a script" },
+    { "c205 debug --dap", "the same for an editor" },
     { NULL, NULL }
 };
 

@@ -219,22 +219,30 @@ static int markdown(const struct c205_arguments *arguments)
 {
     c205_model *model;
     int code;
-    if (arguments->files.count > 0 || arguments->names
-        || arguments->results.path || arguments->results.format) {
-        return cmd_usage(arguments->command, "--markdown stands alone");
-    }
     model = model_open(arguments->command, arguments->model);
     code = model ? isa_page(arguments->command, model) : CMD_FAILED;
     c205_model_free(model);
     return code;
 }
 
+/* What is no table. */
+static bool stands_alone(const struct c205_arguments *arguments)
+{
+    return arguments->files.count == 0 && !arguments->names
+           && !arguments->results.path && !arguments->results.format
+           && !(arguments->markdown && arguments->grammar);
+}
+
 static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
     struct results results = arguments->results;
-    if (arguments->markdown) {
-        return markdown(arguments);
+    if (arguments->markdown || arguments->grammar) {
+        return !stands_alone(arguments)
+                   ? cmd_usage(arguments->command, "--%s stands alone",
+                               arguments->markdown ? "markdown" : "grammar")
+               : arguments->markdown ? markdown(arguments)
+                                     : isa_grammar(arguments->command);
     }
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];
@@ -256,8 +264,11 @@ static const char *mnemonic_choice(size_t number)
 
 static const struct command_option options[] = {
     CMD_FLAG(names, "the mnemonics alone"),
-    CMD_FLAG(markdown, "the whole reference, docs/isa.md"), CMD_MODEL,
-    CMD_RESULTS, COMMAND_END
+    CMD_FLAG(markdown, "the whole reference, docs/isa.md"),
+    CMD_FLAG(grammar, "a TextMate grammar, for editors"),
+    CMD_MODEL,
+    CMD_RESULTS,
+    COMMAND_END
 };
 static const struct command_option operands[] = {
     { .value = "MNEMONIC",

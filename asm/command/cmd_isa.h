@@ -57,4 +57,7 @@ const char *const *isa_example(const c205_insn *insn);
  * CMD_FAILED where a row lacks an example or something unexplained. */
 int isa_page(const char *command, const c205_model *model);
 
+/* A TextMate grammar on stdout. */
+int isa_grammar(const char *command);
+
 #endif

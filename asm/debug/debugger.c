@@ -97,7 +97,8 @@ static void print(void *context, const char *text, size_t length)
 
     if (length > 0)
         debugger->line_open = text[length - 1] != '\n';
-    debugger->out.put(debugger->out.context, text, length);
+    debugger->setup.printed.put(debugger->setup.printed.context, text,
+                                length);
 }
 
 /* What the program prints is printed once, however often it is run again. */
@@ -117,9 +118,9 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     debugger->last = *event;
     debugger->record = *event->record;
     debugger->last.record = &debugger->record;
-    if (c205_history_step(debugger->history) < debugger->told)
+    if (step_of(debugger) < debugger->told)
         return;
-    debugger->told = c205_history_step(debugger->history) + 1;
+    debugger->told = step_of(debugger) + 1;
     printer_listen(&debugger->printer, machine, event);
 }
 
@@ -130,8 +131,11 @@ static c205 *load(struct debugger *debugger, c205_error *error)
     c205 *machine = c205_new(debugger->setup.model, error);
 
     if (machine && c205_load(machine, &debugger->setup.object->program, error)
-        && c205_listen(machine, hear, debugger))
+        && c205_listen(machine, hear, debugger)) {
+        if (debugger->setup.warm)
+            c205_warm(machine);
         return machine;
+    }
     c205_free(machine);
     return NULL;
 }
@@ -148,6 +152,8 @@ struct debugger *debugger_new(const struct debugger_setup *setup,
     }
     debugger->setup = *setup;
     debugger->out = setup->out;
+    if (!setup->printed.put)
+        debugger->setup.printed = setup->out;
     debugger->printer.sink = (struct sink){ print, debugger };
     machine = load(debugger, error);
     if (machine)

@@ -16,10 +16,13 @@ struct debugger_setup {
     const char *name;            /* of the program's file */
     const c205_model *model;
     struct sink out;
+    struct sink printed; /* by the program; the same if it has no put */
+    bool warm;           /* all pages are in memory when the program begins */
     uint64_t
         clocks_most; /* that one movement takes: a script has no Ctrl-C */
-    bool (*interrupted)(void); /* asked while the program runs: shall it stop?
-                                  NULL: never */
+    bool (*interrupted)(void *asked); /* asked while the program runs: shall
+                                         it stop?  NULL: never */
+    void *asked;
 };
 
 /* The program stands before its first instruction.  NULL: it cannot be loaded, no

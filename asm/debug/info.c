@@ -14,7 +14,7 @@ static bool info_registers(struct debugger *debugger)
             continue;
         sink_print(&debugger->out, "r%-3u %-12s ", i,
                    debug_register_name(debugger, i));
-        show_word(debugger, word, false);
+        show_word(word, false, &debugger->out);
     }
     return true;
 }

@@ -1,5 +1,6 @@
 /* place.c - where in a program: by label, source line, address, name. */
 #include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,13 +34,31 @@ static bool is_region(const struct debugger *debugger, const char *name,
 /* ---- Source lines --------------------------------------------------------- */
 
 /* "dir/name.s" is called name.s as well. */
-static bool is_file(const char *file, const char *name)
+static bool ends_with(const char *file, const char *name)
 {
     size_t length = strlen(file), ending = strlen(name);
 
-    return strcmp(file, name) == 0
-           || (ending < length && file[length - ending - 1] == '/'
-               && strcmp(file + length - ending, name) == 0);
+    return ending < length && file[length - ending - 1] == '/'
+           && strcmp(file + length - ending, name) == 0;
+}
+
+static bool is_whole(const char *file, const char *name)
+{
+    return strcmp(file, name) == 0;
+}
+
+static const char *find_file(const struct object *object, const char *name,
+                             bool (*is_file)(const char *, const char *))
+{
+    for (size_t i = 0; i < object->line_count; i++) {
+        const struct asm_line *line = &object->lines[i];
+
+        if (is_file(line->file, name))
+            return line->file;
+        if (is_file(line->call_file, name))
+            return line->call_file;
+    }
+    return NULL;
 }
 
 /* A line of source. */
@@ -50,23 +69,26 @@ struct line_place {
 };
 
 static void consider(struct line_place *found, const char *file,
-                     size_t number, unsigned long least, const char *name,
+                     size_t number, size_t least, const char *name,
                      uint64_t address)
 {
-    if (number < least || !is_file(file, name)
+    if (number < least || strcmp(file, name) != 0
         || (found->file && number >= found->number))
         return;
     *found = (struct line_place){ file, number, address };
 }
 
 /* That line, or the next that has code or calls a macro that has. */
-static bool find_line(struct debugger *debugger, const char *file,
-                      unsigned long number, struct line_place *found)
+static bool find_line(struct debugger *debugger, const char *name,
+                      size_t number, struct line_place *found)
 {
     const struct object *object = debugger->setup.object;
+    const char *file = find_file(object, name, is_whole);
 
     *found = (struct line_place){ .file = NULL };
-    for (size_t i = 0; i < object->line_count; i++) {
+    if (!file)
+        file = find_file(object, name, ends_with);
+    for (size_t i = 0; file && i < object->line_count; i++) {
         const struct asm_line *line = &object->lines[i];
 
         if (!line->is_code)
@@ -80,8 +102,14 @@ static bool find_line(struct debugger *debugger, const char *file,
            || debug_fault(debugger,
                           object->line_count == 0
                               ? "the source lines of %.100s are not known"
-                              : "%.100s has no code at line %lu or behind",
-                          file, number);
+                              : "%.100s has no code at line %zu or behind",
+                          name, number);
+}
+
+bool place_is_called(const struct asm_line *line)
+{
+    return line->number != line->call_number
+           || strcmp(line->file, line->call_file) != 0;
 }
 
 static bool is_call(const struct asm_line *line, const char *file,
@@ -200,38 +228,55 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address)
 }
 
 /* A line whose first code is behind a LINKV is that of the LINKV. */
-static bool read_place(struct debugger *debugger, struct rest *rest,
+static void be_at_line(const struct debugger *debugger,
+                       const struct line_place *found,
                        struct stop_point *stop)
+{
+    stop->kind = STOP_AT;
+    stop->address = place_of(debugger, found->address);
+    if (stop->address == found->address) {
+        stop->kind = STOP_LINE;
+        stop->file = found->file;
+        stop->line = found->number;
+    }
+}
+
+bool place_line(struct debugger *debugger, const char *file, size_t number,
+                struct stop_point *stop)
+{
+    struct line_place found;
+
+    if (!find_line(debugger, file, number, &found))
+        return false;
+    snprintf(stop->text, sizeof stop->text, "%s:%zu", found.file,
+             found.number);
+    be_at_line(debugger, &found, stop);
+    return true;
+}
+
+static bool read_address(struct debugger *debugger, struct rest *rest,
+                         struct stop_point *stop)
 {
     struct line_place found = { .file = NULL };
     bool good;
 
     rest_skip(rest);
-    stop->kind = STOP_AT;
-    if (*rest->at == '*' || !read_line(debugger, rest, &found, &good)) {
-        good = place_address(debugger, rest, &stop->address);
-        stop->address = place_of(debugger, stop->address);
+    if (*rest->at != '*' && read_line(debugger, rest, &found, &good)) {
+        if (good)
+            be_at_line(debugger, &found, stop);
         return good;
     }
-    if (!good)
-        return false;
-    stop->address = place_of(debugger, found.address);
-    if (stop->address == found.address) {
-        stop->kind = STOP_LINE;
-        stop->file = found.file;
-        stop->line = found.number;
-    }
-    return true;
+    stop->kind = STOP_AT;
+    good = place_address(debugger, rest, &stop->address);
+    stop->address = place_of(debugger, stop->address);
+    return good;
 }
 
-bool place_read(struct debugger *debugger, struct rest *rest,
-                struct stop_point *stop)
+static bool read_place(struct debugger *debugger, struct rest *rest,
+                       struct stop_point *stop)
 {
     char name[TEXT_MOST];
 
-    if (rest_end(rest))
-        return debug_fault(debugger, "where? a label, a line, FILE:LINE, "
-                                     "*ADDRESS, insn NAME or region NAME");
     if (rest_take(rest, "insn")) {
         size_t length = take_name(rest, name);
 
@@ -247,5 +292,58 @@ bool place_read(struct debugger *debugger, struct rest *rest,
         return is_region(debugger, name, &stop->region)
                || debug_fault(debugger, "no region is called '%.60s'", name);
     }
-    return read_place(debugger, rest, stop);
+    return read_address(debugger, rest, stop);
+}
+
+bool place_read(struct debugger *debugger, struct rest *rest,
+                struct stop_point *stop)
+{
+    const char *from;
+
+    if (rest_end(rest))
+        return debug_fault(debugger, "where? a label, a line, FILE:LINE, "
+                                     "*ADDRESS, insn NAME or region NAME");
+    from = rest->at;
+    if (!read_place(debugger, rest, stop))
+        return false;
+    rest_text(from, rest, stop->text);
+    return true;
+}
+
+/* ---- The instruction before ------------------------------------------------- */
+
+/* Where there is code without lines, its segment is read from the beginning, or from not
+ * too far back; what lies outside of all is taken for half words. */
+static uint64_t read_from(const struct debugger *debugger, uint64_t address)
+{
+    enum { FAR_BACK = 32 * 1024 };
+    const struct object *object = debugger->setup.object;
+    const struct asm_line *line = object_line(object, address);
+
+    if (line)
+        return line->is_code ? line->address : address;
+    for (size_t i = 0;
+         object->line_count == 0 && i < object->program.segment_count; i++) {
+        const c205_segment *segment = &object->program.segments[i];
+
+        if (address >= segment->address
+            && address - segment->address < 64 * (uint64_t)segment->length)
+            return address - segment->address < FAR_BACK ? segment->address
+                                                         : address - FAR_BACK;
+    }
+    return address;
+}
+
+uint64_t place_before(const struct debugger *debugger, uint64_t address)
+{
+    uint64_t at, next = address < 32 ? 0 : read_from(debugger, address - 32);
+
+    do {
+        struct instruction_view view;
+
+        at = next;
+        view_decode(&view, machine_of(debugger), at);
+        next = at + 32 * (uint64_t)view.halves;
+    } while (next < address);
+    return at;
 }

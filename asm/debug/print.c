@@ -8,7 +8,7 @@
 
 /* ---- Values --------------------------------------------------------------- */
 
-void show_word(const struct debugger *debugger, c205_word word, bool half)
+void show_word(c205_word word, bool half, const struct sink *sink)
 {
     char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
 
@@ -16,13 +16,13 @@ void show_word(const struct debugger *debugger, c205_word word, bool half)
     (half ? c205_half_to_text : c205_to_text)(word, text);
     if (half)
         hex[9] = '\0';
-    sink_print(&debugger->out, "X'%s'  number %s", hex, text);
+    sink_print(sink, "X'%s'  number %s", hex, text);
     if (!half && word >> 48 == 0)
-        sink_print(&debugger->out, "  address %" PRIX64, word);
+        sink_print(sink, "  address %" PRIX64, word);
     else if (!half)
-        sink_print(&debugger->out, "  length %u, address %" PRIX64,
+        sink_print(sink, "  length %u, address %" PRIX64,
                    (unsigned)(word >> 48), word & UINT64_C(0xFFFFFFFFFFFF));
-    sink_put(&debugger->out, "\n");
+    sink_put(sink, "\n");
 }
 
 bool verb_print(struct debugger *debugger, struct rest *rest)
@@ -32,13 +32,14 @@ bool verb_print(struct debugger *debugger, struct rest *rest)
     struct value_of value;
 
     if (debug_register(debugger, &again, &named) && rest_end(&again)) {
-        show_word(debugger, debug_register_word(debugger, named), named.half);
+        show_word(debug_register_word(debugger, named), named.half,
+                  &debugger->out);
         return true;
     }
     if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
         return false;
     if (value.is_word)
-        show_word(debugger, value.word, value.is_half);
+        show_word(value.word, value.is_half, &debugger->out);
     else if (value.is_real)
         sink_print(&debugger->out, "%.15g\n", value.real);
     else

@@ -1,39 +1,101 @@
-/* set.c - registers and memory, changed by hand. */
+/* set.c - registers, memory and the next instruction, changed by hand. */
 #include <inttypes.h>
 
 #include "asm/debug/parts.h"
 
-static bool set_register(struct debugger *debugger, struct register_of named,
-                         const struct value_of *value)
+static bool can_change(struct debugger *debugger)
+{
+    return !debugger->halted || debugger->halt.trap != C205_TRAP_NONE
+           || debug_fault(debugger, "the program has ended: go back first");
+}
+
+static bool keep_change(struct debugger *debugger)
+{
+    c205_error error;
+
+    debugger->halted = false;
+    if (debugger->told > step_of(debugger))
+        debugger->told = step_of(debugger);
+    stops_sample(debugger);
+    return c205_history_changed(debugger->history, &error)
+           || debug_fault(debugger, "%s", error.message);
+}
+
+/* A word with these bits from the left at a bit of it. */
+static c205_word with_bits(c205_word word, unsigned at, unsigned width,
+                           c205_word bits)
+{
+    c205_word mask = (~(c205_word)0 << (64 - width)) >> at;
+
+    return (word & ~mask) | (bits >> at & mask);
+}
+
+bool debug_set_register(struct debugger *debugger, struct register_of named,
+                        const struct value_of *value)
 {
     c205 *machine = machine_of(debugger);
-    unsigned shift = named.number % 2 * 32;
-    c205_word word, kept;
-
-    if (named.number / (named.half ? 2 : 1) == 0)
-        return debug_fault(debugger, "register 0 stays what it is");
-    if (!debug_word(debugger, value, named.half, &word))
-        return false;
-    if (!named.half) {
-        c205_set_register(machine, named.number, word);
-        return true;
-    }
-    kept = c205_register(machine, named.number / 2u)
-           & (shift ? ~(c205_word)UINT32_MAX : UINT32_MAX);
-    c205_set_register(machine, named.number / 2u, kept | word >> shift);
-    return true;
-}
-
-static bool set_word(struct debugger *debugger, uint64_t address,
-                     const struct value_of *value)
-{
+    unsigned number = named.half ? named.number / 2u : named.number;
+    unsigned at = named.half ? named.number % 2 * 32 : 0;
     c205_word word;
 
-    return debug_word(debugger, value, false, &word)
-           && (c205_write(machine_of(debugger), address, &word, 1)
-               || debug_fault(debugger, "there is no word at %" PRIX64,
-                              address));
+    if (number == 0)
+        return debug_fault(debugger, "register 0 stays what it is");
+    if (!can_change(debugger)
+        || !debug_word(debugger, value, named.half, &word))
+        return false;
+    c205_set_register(machine, number,
+                      with_bits(c205_register(machine, number), at,
+                                named.half ? 32 : 64, word));
+    return keep_change(debugger);
 }
+
+/* False after telling that there is no word. */
+static bool write_bits(struct debugger *debugger, uint64_t address,
+                       unsigned width, c205_word bits)
+{
+    c205 *machine = machine_of(debugger);
+    unsigned at = (unsigned)(address % 64);
+    c205_word word;
+
+    if (!c205_read(machine, address - at, &word, 1))
+        return debug_fault(debugger, "there is no word at %" PRIX64, address);
+    word = with_bits(word, at, width, bits);
+    return c205_write(machine, address - at, &word, 1);
+}
+
+bool debug_set_bits(struct debugger *debugger, uint64_t address,
+                    unsigned width, c205_word bits)
+{
+    return can_change(debugger) && write_bits(debugger, address, width, bits)
+           && keep_change(debugger);
+}
+
+bool debug_set_bytes(struct debugger *debugger, uint64_t address,
+                     const unsigned char *bytes, size_t count)
+{
+    bool good = can_change(debugger);
+
+    for (size_t i = 0; good && i < count; i++)
+        good = write_bits(debugger, address + 8 * (uint64_t)i, 8,
+                          (c205_word)bytes[i] << 56);
+    return good && keep_change(debugger);
+}
+
+bool debug_jump(struct debugger *debugger, uint64_t address)
+{
+    const struct asm_line *line = object_line(debugger->setup.object,
+                                              address);
+
+    if (!can_change(debugger))
+        return false;
+    if (!line || !line->is_code || line->address != address)
+        return debug_fault(debugger, "no line of code begins at %" PRIX64,
+                           address);
+    c205_set_pc(machine_of(debugger), address);
+    return keep_change(debugger);
+}
+
+/* ---- The verb -------------------------------------------------------------- */
 
 static bool read_new(struct debugger *debugger, struct rest *rest,
                      struct value_of *value)
@@ -46,43 +108,40 @@ static bool read_new(struct debugger *debugger, struct rest *rest,
     return debug_value(debugger, rest, value) && rest_finish(debugger, rest);
 }
 
-static bool keep_change(struct debugger *debugger)
+static bool set_memory(struct debugger *debugger, struct rest *rest)
 {
-    c205_error error;
+    struct value_of value;
+    uint64_t address;
+    c205_word word;
 
-    debugger->halted = false;
-    if (debugger->told > c205_history_step(debugger->history))
-        debugger->told = c205_history_step(debugger->history);
-    stops_sample(debugger);
-    return c205_history_changed(debugger->history, &error)
-           || debug_fault(debugger, "%s", error.message);
+    if (!debug_address(debugger, rest, &address))
+        return false;
+    rest_skip(rest);
+    if (*rest->at != ']')
+        return debug_fault(debugger, "a ] is missing");
+    rest->at++;
+    if (!read_new(debugger, rest, &value)
+        || !debug_word(debugger, &value, false, &word))
+        return false;
+    return address % 64 == 0
+               ? debug_set_bits(debugger, address, 64, word)
+               : debug_fault(debugger, "there is no word at %" PRIX64,
+                             address);
 }
 
-/* From here on the run is another one. */
 bool verb_set(struct debugger *debugger, struct rest *rest)
 {
     struct register_of named;
     struct value_of value;
-    uint64_t address;
 
-    if (debugger->halted && debugger->halt.trap == C205_TRAP_NONE)
-        return debug_fault(debugger, "the program has ended: go back first");
     rest_skip(rest);
     if (*rest->at == '[') {
         rest->at++;
-        if (!debug_address(debugger, rest, &address))
-            return false;
-        rest_skip(rest);
-        if (*rest->at != ']')
-            return debug_fault(debugger, "a ] is missing");
-        rest->at++;
-        return read_new(debugger, rest, &value)
-               && set_word(debugger, address, &value)
-               && keep_change(debugger);
+        return set_memory(debugger, rest);
     }
     if (!debug_register(debugger, rest, &named))
         return debug_fault(debugger, "set REGISTER = VALUE, or "
                                      "[ADDRESS] = VALUE");
     return read_new(debugger, rest, &value)
-           && set_register(debugger, named, &value) && keep_change(debugger);
+           && debug_set_register(debugger, named, &value);
 }

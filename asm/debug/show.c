@@ -27,8 +27,7 @@ static void put_source(const struct debugger *debugger,
 {
     sink_put(&debugger->out, "  ; ");
     put_text(debugger, line->call_file, line->call_number, line->call_source);
-    if (line->number == line->call_number
-        && strcmp(line->file, line->call_file) == 0)
+    if (!place_is_called(line))
         return;
     sink_put(&debugger->out, "  <- ");
     put_text(debugger, line->file, line->number, line->source);
@@ -51,7 +50,7 @@ void show_instruction(struct debugger *debugger, uint64_t address,
     sink_put(&debugger->out, "\n");
 }
 
-static void show_halt(struct debugger *debugger)
+void show_halt(struct debugger *debugger)
 {
     const c205_stop *stop = &debugger->halt;
 
@@ -78,7 +77,7 @@ void show_place(struct debugger *debugger)
 
     show_end_line(debugger);
     sink_print(&debugger->out, "step %" PRIu64 ", clock %" PRIu64 "%s%s\n",
-               c205_history_step(debugger->history), c205_clock(machine),
+               step_of(debugger), c205_clock(machine),
                *region ? ", region " : "", region);
     if (debugger->halted)
         show_halt(debugger);

@@ -1,10 +1,11 @@
-/* stops.c - break and watch points. */
+/* stops.c - break and watch points: whether they are met; made and forgotten. */
+#include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "asm/debug/parts.h"
+#include "asm/debug/engine.h"
 #include "asm/operand_view.h"
 #include "base/array.h"
 
@@ -61,6 +62,29 @@ static bool holds(struct debugger *debugger, const struct stop_point *stop)
            || debug_is_true(&value);
 }
 
+enum { WANTED_TEXT = TEXT_MOST + 40 };
+
+/* What must hold, for so many hits. */
+static void wanted_text(char text[WANTED_TEXT], const char *wanted,
+                        uint64_t hits)
+{
+    snprintf(text, WANTED_TEXT, "%" PRIu64 " %s%s%s", hits,
+             isdigit((unsigned char)*wanted) ? ">= " : "", wanted,
+             *wanted == '%' ? " == 0" : "");
+}
+
+static bool has_hits(struct debugger *debugger, const struct stop_point *stop)
+{
+    char text[WANTED_TEXT];
+    struct rest rest = { text };
+    struct value_of value;
+
+    if (!*stop->wanted || debugger->searching)
+        return true;
+    wanted_text(text, stop->wanted, stop->hits);
+    return !debug_value(debugger, &rest, &value) || debug_is_true(&value);
+}
+
 static void sample(const struct debugger *debugger, struct stop_point *stop)
 {
     if (stop->kind == STOP_WATCH)
@@ -83,6 +107,9 @@ bool stops_meet(struct debugger *debugger, uint64_t before)
         bool there = is_there(debugger, stop, before);
 
         stop->met = there && holds(debugger, stop);
+        if (stop->met && !debugger->searching)
+            stop->hits++;
+        stop->met = stop->met && has_hits(debugger, stop);
         any |= stop->met;
         if (there && !stop->met)
             sample(debugger, stop);
@@ -135,10 +162,8 @@ void stops_pass(struct debugger *debugger, bool told)
 
         if (stop->met && told)
             tell(debugger, stop);
-        if (stop->met) {
-            stop->hits++;
+        if (stop->met)
             sample(debugger, stop);
-        }
         if (stop->met && stop->once)
             forget(debugger, i);
         else
@@ -148,32 +173,76 @@ void stops_pass(struct debugger *debugger, bool told)
 
 /* ---- Made and deleted ----------------------------------------------------- */
 
-static void keep_text(char *text, const char *from, size_t length)
+static bool read_text(struct debugger *debugger, char kept[TEXT_MOST],
+                      const char *text)
 {
-    while (length > 0 && from[length - 1] == ' ')
-        length--;
-    snprintf(text, TEXT_MOST, "%.*s", (int)length, from);
-}
+    struct rest rest = { text };
 
-/* "if CONDITION", which must be one now. */
-static bool read_condition(struct debugger *debugger, struct rest *rest,
-                           struct stop_point *stop)
-{
-    struct value_of value;
-    const char *from;
-
-    if (!rest_take(rest, "if"))
-        return rest_finish(debugger, rest);
-    from = rest->at;
-    if (strlen(from) >= TEXT_MOST)
+    rest_skip(&rest);
+    if (strlen(rest.at) >= TEXT_MOST)
         return debug_fault(debugger, "a condition of so many letters");
-    if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
-        return false;
-    keep_text(stop->condition, from, strlen(from));
+    text = rest.at;
+    rest.at += strlen(text);
+    rest_text(text, &rest, kept);
     return true;
 }
 
-static bool add(struct debugger *debugger, struct stop_point *stop)
+static bool is_condition(struct debugger *debugger, const char *text)
+{
+    struct rest rest = { text };
+
+    return debug_grammar(debugger, &rest) && rest_finish(debugger, &rest);
+}
+
+bool stops_condition(struct debugger *debugger, struct stop_point *stop,
+                     const char *text)
+{
+    return read_text(debugger, stop->condition, text ? text : "")
+           && (!*stop->condition || is_condition(debugger, stop->condition));
+}
+
+bool stops_wanted(struct debugger *debugger, struct stop_point *stop,
+                  const char *text)
+{
+    char whole[WANTED_TEXT];
+
+    if (!read_text(debugger, stop->wanted, text ? text : ""))
+        return false;
+    wanted_text(whole, stop->wanted, 1);
+    return !*stop->wanted || is_condition(debugger, whole);
+}
+
+bool stops_watch(struct debugger *debugger, struct rest *rest,
+                 struct stop_point *stop)
+{
+    uint64_t count = 1;
+    const char *from;
+
+    stop->kind = STOP_WATCH;
+    rest_skip(rest);
+    from = rest->at;
+    if (*rest->at == '*')
+        rest->at++;
+    if (!debug_address(debugger, rest, &stop->address))
+        return false;
+    rest_skip(rest);
+    if (*rest->at == ',') {
+        rest->at++;
+        if (!debug_count(debugger, rest, &count))
+            return false;
+    }
+    if (count < 1 || count > WATCHED_WORDS)
+        return debug_fault(debugger, "1 to %d words are watched",
+                           WATCHED_WORDS);
+    stop->count = (size_t)count;
+    rest_text(from, rest, stop->text);
+    return c205_read(machine_of(debugger), stop->address, stop->held,
+                     stop->count)
+           || debug_fault(debugger, "there are no words at %" PRIX64,
+                          stop->address);
+}
+
+bool stops_add(struct debugger *debugger, struct stop_point *stop)
 {
     struct stop_point *grown = array_grow(debugger->stops,
                                           debugger->stop_count,
@@ -185,82 +254,24 @@ static bool add(struct debugger *debugger, struct stop_point *stop)
     sample(debugger, stop);
     debugger->stops = grown;
     grown[debugger->stop_count++] = *stop;
-    sink_print(&debugger->out, "%s %zu: %s%s%s\n",
-               stop->kind == STOP_WATCH ? "watch" : "break", stop->number,
-               stop->text, *stop->condition ? " if " : "", stop->condition);
     return true;
 }
 
-static bool make_break(struct debugger *debugger, struct rest *rest,
-                       bool once)
+bool stops_delete(struct debugger *debugger, uint64_t number)
 {
-    struct stop_point stop = { .once = once };
-    const char *from;
-
-    rest_skip(rest);
-    from = rest->at;
-    if (!place_read(debugger, rest, &stop))
-        return false;
-    keep_text(stop.text, from, (size_t)(rest->at - from));
-    return read_condition(debugger, rest, &stop) && add(debugger, &stop);
-}
-
-bool verb_break(struct debugger *debugger, struct rest *rest)
-{
-    return make_break(debugger, rest, false);
-}
-
-bool verb_tbreak(struct debugger *debugger, struct rest *rest)
-{
-    return make_break(debugger, rest, true);
-}
-
-/* watch ADDRESS [, WORDS] [if CONDITION] */
-bool verb_watch(struct debugger *debugger, struct rest *rest)
-{
-    struct stop_point stop = { .kind = STOP_WATCH };
-    uint64_t count = 1;
-    const char *from;
-
-    rest_skip(rest);
-    from = rest->at;
-    if (*rest->at == '*')
-        rest->at++;
-    if (!debug_address(debugger, rest, &stop.address))
-        return false;
-    rest_skip(rest);
-    if (*rest->at == ',') {
-        rest->at++;
-        if (!debug_count(debugger, rest, &count))
-            return false;
-    }
-    if (count < 1 || count > WATCHED_WORDS)
-        return debug_fault(debugger, "1 to %d words are watched",
-                           WATCHED_WORDS);
-    stop.count = (size_t)count;
-    keep_text(stop.text, from, (size_t)(rest->at - from));
-    if (!c205_read(machine_of(debugger), stop.address, stop.held, stop.count))
-        return debug_fault(debugger, "there are no words at %" PRIX64,
-                           stop.address);
-    return read_condition(debugger, rest, &stop) && add(debugger, &stop);
-}
-
-/* One, or all. */
-bool verb_delete(struct debugger *debugger, struct rest *rest)
-{
-    uint64_t number;
     size_t i = 0;
 
-    if (rest_end(rest)) {
-        debugger->stop_count = 0;
-        return true;
-    }
-    if (!debug_count(debugger, rest, &number) || !rest_finish(debugger, rest))
-        return false;
     while (i < debugger->stop_count && debugger->stops[i].number != number)
         i++;
     if (i == debugger->stop_count)
-        return debug_fault(debugger, "there is no stop %" PRIu64, number);
+        return false;
     forget(debugger, i);
     return true;
+}
+
+void stops_forget(struct debugger *debugger, size_t group)
+{
+    for (size_t i = debugger->stop_count; i-- > 0;)
+        if (debugger->stops[i].group == group)
+            forget(debugger, i);
 }

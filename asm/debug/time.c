@@ -6,29 +6,24 @@
 
 /* ---- The last instruction ------------------------------------------------- */
 
-static void put_wait(const struct debugger *debugger, const c205_piece *piece)
+void show_wait(const struct debugger *debugger, const c205_piece *piece,
+               const struct sink *sink)
 {
     const char *name;
 
     switch (piece->wait) {
     case C205_WAIT_REGISTER:
         name = debug_register_name(debugger, piece->number);
-        sink_print(&debugger->out, "  waits for r%u%s%s", piece->number,
+        sink_print(sink, "waits for r%u%s%s", piece->number,
                    *name ? ", " : "", name);
         break;
     case C205_WAIT_UNIT:
-        sink_print(&debugger->out, "  the %s unit is busy",
+        sink_print(sink, "the %s unit is busy",
                    c205_unit_name((c205_unit)piece->number));
         break;
-    case C205_WAIT_LOADS:
-        sink_put(&debugger->out, "  waits for loads");
-        break;
-    case C205_WAIT_RESULTS:
-        sink_put(&debugger->out, "  waits for all results");
-        break;
-    case C205_WAIT_VECTOR:
-        sink_put(&debugger->out, "  the vector unit is busy");
-        break;
+    case C205_WAIT_LOADS: sink_put(sink, "waits for loads"); break;
+    case C205_WAIT_RESULTS: sink_put(sink, "waits for all results"); break;
+    case C205_WAIT_VECTOR: sink_put(sink, "the vector unit is busy"); break;
     default: break;
     }
 }
@@ -44,7 +39,9 @@ static void put_pieces(const struct debugger *debugger,
 
         sink_print(&debugger->out, "%10" PRIu64 "  %-16s", piece->clocks,
                    c205_cause_name(piece->cause));
-        put_wait(debugger, piece);
+        if (piece->wait != C205_WAIT_NONE)
+            sink_put(&debugger->out, "  ");
+        show_wait(debugger, piece, &debugger->out);
         if (piece->pc != record->pc)
             sink_print(&debugger->out, "  with the work of %" PRIX64 "%s%s",
                        piece->pc, *region ? ", region " : "", region);

@@ -80,6 +80,16 @@ bool rest_take(struct rest *rest, const char *word)
     return name_length(rest->at) == strlen(word) && rest_begin(rest, word);
 }
 
+void rest_text(const char *from, const struct rest *rest,
+               char text[TEXT_MOST])
+{
+    size_t length = (size_t)(rest->at - from);
+
+    while (length > 0 && isspace((unsigned char)from[length - 1]))
+        length--;
+    snprintf(text, TEXT_MOST, "%.*s", (int)length, from);
+}
+
 bool rest_finish(struct debugger *debugger, struct rest *rest)
 {
     return rest_end(rest)
@@ -91,6 +101,7 @@ bool rest_finish(struct debugger *debugger, struct rest *rest)
 struct reading {
     struct debugger *debugger;
     struct rest *rest;
+    bool grammar; /* what registers and memory hold does not count */
     unsigned depth;
 };
 
@@ -226,7 +237,7 @@ static size_t base_length(const char *text)
     return length;
 }
 
-bool debug_register(struct debugger *debugger, struct rest *rest,
+bool debug_register(const struct debugger *debugger, struct rest *rest,
                     struct register_of *named)
 {
     size_t length;
@@ -293,7 +304,7 @@ static bool read_special(const struct debugger *debugger, const char *name,
     else if (length == 5 && strncmp(name, "clock", 5) == 0)
         *value = of_integer((int64_t)c205_clock(machine));
     else if (length == 4 && strncmp(name, "step", 4) == 0)
-        *value = of_integer((int64_t)c205_history_step(debugger->history));
+        *value = of_integer((int64_t)step_of(debugger));
     else if (length == 5 && strncmp(name, "flags", 5) == 0)
         *value = of_word(c205_data_flags(machine));
     else
@@ -401,7 +412,8 @@ static bool read_address(struct debugger *debugger, struct reading *reading,
     if (!read_any(reading, value))
         return false;
     *address = (uint64_t)value->integer & ((UINT64_C(1) << LENGTH_SHIFT) - 1);
-    return (!value->is_half && (value->is_word || !value->is_real))
+    return reading->grammar
+           || (!value->is_half && (value->is_word || !value->is_real))
            || debug_fault(debugger,
                           "%g is no address; that of a descriptor is NAME.i",
                           value->real);
@@ -409,14 +421,15 @@ static bool read_address(struct debugger *debugger, struct reading *reading,
 
 static bool read_memory(struct reading *reading, struct value_of *value)
 {
-    c205_word word;
+    c205_word word = 0;
     uint64_t address;
 
     if (!read_address(reading->debugger, reading, value, &address))
         return false;
     if (!take(reading, "]"))
         return debug_fault(reading->debugger, "a ] is missing");
-    if (!c205_read(machine_of(reading->debugger), address, &word, 1))
+    if (!c205_read(machine_of(reading->debugger), address, &word, 1)
+        && !reading->grammar)
         return debug_fault(reading->debugger, "there is no word at %llX",
                            (unsigned long long)address);
     *value = of_word(word);
@@ -494,6 +507,8 @@ static bool combine(struct reading *reading, char sign,
 {
     double a = value->real, b = other->real;
 
+    if (reading->grammar)
+        return true;
     if (!value->is_real && !other->is_real) {
         if ((sign == '/' || sign == '%') && other->integer == 0)
             return debug_fault(reading->debugger, "a division by 0");
@@ -605,15 +620,23 @@ static bool read_any(struct reading *reading, struct value_of *value)
 bool debug_value(struct debugger *debugger, struct rest *rest,
                  struct value_of *value)
 {
-    struct reading reading = { debugger, rest, 0 };
+    struct reading reading = { debugger, rest, false, 0 };
 
     return read_any(&reading, value);
+}
+
+bool debug_grammar(struct debugger *debugger, struct rest *rest)
+{
+    struct reading reading = { debugger, rest, true, 0 };
+    struct value_of value;
+
+    return read_any(&reading, &value);
 }
 
 bool debug_address(struct debugger *debugger, struct rest *rest,
                    uint64_t *address)
 {
-    struct reading reading = { debugger, rest, 0 };
+    struct reading reading = { debugger, rest, false, 0 };
     struct value_of value;
 
     return read_address(debugger, &reading, &value, address);

@@ -35,8 +35,9 @@ static void ignore(void *context, const char *said, size_t length)
 /* A program that somebody has changed may run for ever. */
 static unsigned asked;
 
-static bool is_enough(void)
+static bool is_enough(void *unused)
 {
+    (void)unused;
     return ++asked > ASKED_MOST;
 }
 

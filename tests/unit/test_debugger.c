@@ -2,8 +2,9 @@
  * beginning says that it must. */
 #include "tests/random.h"
 #include "tests/unit/debugger_session.h"
+#include "tests/unit/plain_run.h"
 
-enum { STEPS_MOST = 3000, LINES = 300, ROUNDS = 4 };
+enum { LINES = 300, ROUNDS = 4 };
 
 static const char *const programs[] = {
     "asm/examples/dot.s", "asm/examples/horner.s", "asm/examples/lookup.s",
@@ -18,57 +19,13 @@ static uint64_t below(uint64_t end)
     return xorshift(&random_state) % end;
 }
 
-/* ---- A plain run ---------------------------------------------------------- */
-
-/* Before each step. */
-struct moment {
-    uint64_t pc, clock;
-    c205_word registers[C205_REGISTERS];
-    c205_word watched;
-};
-
-struct plain {
-    struct object *object;
-    uint64_t watched;       /* a word of memory */
-    size_t end;             /* steps until the program ends */
-    struct moment *moments; /* [end + 1] */
-};
-
-static struct moment moment_of(const c205 *machine, uint64_t watched)
-{
-    struct moment moment = { .pc = c205_pc(machine),
-                             .clock = c205_clock(machine) };
-
-    for (unsigned i = 0; i < C205_REGISTERS; i++)
-        moment.registers[i] = c205_register(machine, i);
-    c205_read(machine, watched, &moment.watched, 1);
-    return moment;
-}
-
-static struct plain run_plainly(const char *path)
+static struct plain run_file(const char *path)
 {
     struct diagnostics errors = { 0 };
-    struct plain plain = { .object = assemble_file(path, NULL, &errors) };
-    const c205_segment *last;
-    c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
-    c205_stop stop;
+    struct object *object = assemble_file(path, NULL, &errors);
 
-    assert_non_null(plain.object);
     diagnostics_free(&errors);
-    last = &plain.object->program
-                .segments[plain.object->program.segment_count - 1];
-    plain.watched = last->address + 64 * below(last->length);
-    plain.moments = malloc((STEPS_MOST + 1) * sizeof *plain.moments);
-    assert_true(c205_load(machine, &plain.object->program, &error));
-    plain.moments[0] = moment_of(machine, plain.watched);
-    for (bool goes_on = true; goes_on && plain.end < STEPS_MOST;) {
-        goes_on = c205_step(machine, &stop);
-        plain.moments[++plain.end] = moment_of(machine, plain.watched);
-    }
-    assert_true(plain.end < STEPS_MOST);
-    c205_free(machine);
-    return plain;
+    return run_plainly(object, &random_state);
 }
 
 /* ---- What must become of a line ------------------------------------------- */
@@ -81,20 +38,10 @@ struct told {
     const char *region; /* that is entered; NULL: none */
 };
 
-static const char *region_of(const struct plain *plain, uint64_t pc)
-{
-    const c205_program *program = &plain->object->program;
-
-    for (size_t i = 0; i < program->region_count; i++)
-        if (pc >= program->regions[i].begin && pc < program->regions[i].end)
-            return program->regions[i].name;
-    return "";
-}
-
 static bool enters(const struct plain *plain, const char *region, size_t step)
 {
-    return strcmp(region_of(plain, plain->moments[step].pc), region) == 0
-           && strcmp(region_of(plain, plain->moments[step - 1].pc), region)
+    return strcmp(plain_region(plain, plain->moments[step].pc), region) == 0
+           && strcmp(plain_region(plain, plain->moments[step - 1].pc), region)
                   != 0;
 }
 
@@ -118,7 +65,7 @@ static bool begins_with_stop(const struct plain *plain,
 
     return (told->by_place && pc == told->place)
            || (told->region
-               && strcmp(region_of(plain, pc), told->region) == 0);
+               && strcmp(plain_region(plain, pc), told->region) == 0);
 }
 
 static size_t on_from(const struct plain *plain, const struct told *told,
@@ -296,7 +243,7 @@ static void test_movements(void **state)
 {
     (void)state;
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
-        struct plain plain = run_plainly(programs[i % PROGRAMS]);
+        struct plain plain = run_file(programs[i % PROGRAMS]);
         struct session session;
 
         begin(&session, &plain, programs[i % PROGRAMS]);
@@ -318,7 +265,7 @@ static void test_movements(void **state)
 static void test_far_back(void **state)
 {
     enum { STOP = 150, FAR = 400 };
-    struct plain plain = run_plainly("asm/examples/saxpy_scalar.s");
+    struct plain plain = run_file("asm/examples/saxpy_scalar.s");
     struct session session;
     char line[80];
 

@@ -197,6 +197,27 @@ static void test_calls_and_links(void **state)
     check_session(program, lines, COUNT(lines), 0);
 }
 
+/* A loop is no call: next goes round it with the program. */
+static void test_loops_and_conditions(void **state)
+{
+    static const struct line_said lines[] = {
+        { "next 2", "DBNZ" },
+        { "next", "=> 400060" },
+        { "print step", "3" },
+        { "break again if [turns * 0] == 1 / (turns - turns)", "break 1" },
+        { "delete", "" },
+        { "break again if turns ==", "expected a value" },
+    };
+    static const char program[] = "        .regs r16, turns, to, count\n"
+                                  "        ES   turns, 3\n"
+                                  "        EX   to, again\n"
+                                  "again:  DBNZ turns, [to]\n"
+                                  "        EXIT\n";
+
+    (void)state;
+    check_session(program, lines, COUNT(lines), 1);
+}
+
 /* Behind its end a program does not go on, whatever is asked. */
 static void test_end(void **state)
 {
@@ -313,6 +334,7 @@ int main(void)
         cmocka_unit_test(test_faults),
         cmocka_unit_test(test_printed),
         cmocka_unit_test(test_calls_and_links),
+        cmocka_unit_test(test_loops_and_conditions),
         cmocka_unit_test(test_end),
         cmocka_unit_test(test_printed_again),
         cmocka_unit_test(test_lines_and_several),

@@ -1,0 +1,321 @@
+/* breakpoints.c - stops, as the client asks for them: each request has all of a kind,
+ * and its answer what became of each.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/dap/parts.h"
+
+/* ---- One stop ------------------------------------------------------------------- */
+
+/* What it is called in the arguments and how its place is found there; both tell what
+ * is wrong. */
+typedef bool stop_reader(struct dap *dap, const struct json_value *wanted,
+                         const char *file, struct stop_point *stop);
+
+static bool make_stop(struct dap *dap, const struct json_value *wanted,
+                      const char *file, stop_reader *read,
+                      struct stop_point *stop)
+{
+    struct debugger *debugger = dap->debugger;
+
+    if (json_member(wanted, "logMessage"))
+        return dap_fault(dap, "there are no log points");
+    return read(dap, wanted, file, stop)
+           && stops_condition(debugger, stop,
+                              json_member_text(wanted, "condition"))
+           && stops_wanted(debugger, stop,
+                           json_member_text(wanted, "hitCondition"))
+           && stops_add(debugger, stop);
+}
+
+static void put_place(struct dap *dap, struct json *body,
+                      const struct stop_point *stop)
+{
+    const struct asm_line *line = object_line(dap->object, stop->address);
+
+    json_count(body, "id", stop->number);
+    json_text(body, "message", stop->text);
+    if (stop->kind == STOP_LINE || (stop->kind == STOP_AT && line)) {
+        bool own = stop->kind == STOP_LINE;
+
+        put_source(dap, body, own ? stop->file : line->file);
+        put_line(dap, body, "line", own ? stop->line : line->number);
+    }
+    if (stop->kind == STOP_LINE || stop->kind == STOP_AT)
+        dap_put_address(body, "instructionReference", stop->address);
+}
+
+static void put_stop(struct dap *dap, struct json *body,
+                     const struct json_value *wanted, const char *file,
+                     size_t group, stop_reader *read)
+{
+    struct stop_point stop = { .group = group };
+    bool good = make_stop(dap, wanted, file, read, &stop);
+    char *why = good ? NULL : dap_take_said(dap);
+
+    json_object(body, NULL);
+    json_truth(body, "verified", good);
+    if (good)
+        put_place(dap, body, &stop);
+    else
+        json_text(body, "message", why ? why : "");
+    free(why);
+    json_end(body);
+}
+
+static bool replace(struct dap *dap, const struct json_value *arguments,
+                    struct json *body, const char *file, size_t group,
+                    stop_reader *read)
+{
+    const struct json_value *wanted = json_member_first(arguments,
+                                                        "breakpoints");
+
+    stops_forget(dap->debugger, group);
+    json_array(body, "breakpoints");
+    for (; wanted; wanted = wanted->next)
+        put_stop(dap, body, wanted, file, group, read);
+    json_end(body);
+    return true;
+}
+
+/* ---- Lines ------------------------------------------------------------------------ */
+
+static bool read_line_stop(struct dap *dap, const struct json_value *wanted,
+                           const char *file, struct stop_point *stop)
+{
+    int64_t line = 0;
+
+    if (!file)
+        return dap_fault(dap, "the program has no such source");
+    return dap_whole(dap, wanted, "line", &line)
+           && place_line(dap->debugger, file, line_of(dap, line), stop);
+}
+
+/* Of files that the program does not have none is kept. */
+static size_t group_of(const struct dap *dap, const char *file)
+{
+    size_t i = 0;
+
+    while (i < dap->file_count && dap->files[i] != file)
+        i++;
+    return GROUP_FILES + i;
+}
+
+bool request_breakpoints(struct dap *dap, const struct json_value *arguments,
+                         struct json *body)
+{
+    const char *file = source_file(dap, json_member(arguments, "source"));
+
+    return replace(dap, arguments, body, file, group_of(dap, file),
+                   read_line_stop);
+}
+
+static bool has_code(const struct dap *dap, const char *file, size_t number)
+{
+    for (size_t i = 0; i < dap->object->line_count; i++) {
+        const struct asm_line *line = &dap->object->lines[i];
+
+        if (line->is_code
+            && ((line->number == number && strcmp(line->file, file) == 0)
+                || (line->call_number == number
+                    && strcmp(line->call_file, file) == 0)))
+            return true;
+    }
+    return false;
+}
+
+bool request_breakpoint_locations(struct dap *dap,
+                                  const struct json_value *arguments,
+                                  struct json *body)
+{
+    enum { LINES_MOST = 1000 };
+    const char *file = source_file(dap, json_member(arguments, "source"));
+    int64_t line = 0, end;
+
+    if (!dap_whole(dap, arguments, "line", &line))
+        return false;
+    end = line;
+    if (!dap_whole(dap, arguments, "endLine", &end))
+        return false;
+    if (end - line >= LINES_MOST)
+        return dap_fault(dap, "more than %d lines", LINES_MOST);
+    json_array(body, "breakpoints");
+    for (; file && line <= end; line++)
+        if (has_code(dap, file, line_of(dap, line))) {
+            json_object(body, NULL);
+            json_number(body, "line", (double)line);
+            json_end(body);
+        }
+    json_end(body);
+    return true;
+}
+
+/* ---- Names -------------------------------------------------------------------------- */
+
+/* Instruction names that are no labels of the program are meant as such; so are names of
+ * regions. */
+static const char *kind_of(const struct dap *dap, const char *name)
+{
+    const c205_program *program = &dap->object->program;
+
+    if (object_symbol(dap->object, name))
+        return "";
+    for (size_t i = 0; i < program->region_count; i++)
+        if (strcmp(program->regions[i].name, name) == 0)
+            return "region ";
+    return c205_insn_named(name, strlen(name)) ? "insn " : "";
+}
+
+static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
+                            const char *file, struct stop_point *stop)
+{
+    const char *name = json_member_text(wanted, "name");
+    char text[TEXT_MOST];
+    struct rest rest = { text };
+
+    (void)file;
+    if (!name || strlen(name) + sizeof "region " > sizeof text)
+        return dap_fault(dap, "a name is missing, or too long");
+    snprintf(text, sizeof text, "%s%s", kind_of(dap, name), name);
+    return place_read(dap->debugger, &rest, stop)
+           && rest_finish(dap->debugger, &rest);
+}
+
+bool request_function_breakpoints(struct dap *dap,
+                                  const struct json_value *arguments,
+                                  struct json *body)
+{
+    return replace(dap, arguments, body, NULL, GROUP_FUNCTIONS,
+                   read_named_stop);
+}
+
+/* ---- Instructions --------------------------------------------------------------------- */
+
+static bool read_instruction_stop(struct dap *dap,
+                                  const struct json_value *wanted,
+                                  const char *file, struct stop_point *stop)
+{
+    char text[DAP_ADDRESS_SIZE];
+    struct rest rest = { text };
+    uint64_t address;
+
+    (void)file;
+    if (!dap_address(dap, wanted, "instructionReference", &address))
+        return false;
+    snprintf(text, sizeof text, "*0x%llX", (unsigned long long)address);
+    return place_read(dap->debugger, &rest, stop);
+}
+
+bool request_instruction_breakpoints(struct dap *dap,
+                                     const struct json_value *arguments,
+                                     struct json *body)
+{
+    return replace(dap, arguments, body, NULL, GROUP_INSTRUCTIONS,
+                   read_instruction_stop);
+}
+
+/* ---- Data ------------------------------------------------------------------------------ */
+
+/* ADDRESS, WORDS: what the debugger's watch takes. */
+static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
+                           const char *file, struct stop_point *stop)
+{
+    const char *id = json_member_text(wanted, "dataId");
+    const char *access = json_member_text(wanted, "accessType");
+    struct rest rest = { id ? id : "" };
+
+    (void)file;
+    if (access && strcmp(access, "write") != 0)
+        return dap_fault(dap, "only what is written is watched");
+    return stops_watch(dap->debugger, &rest, stop)
+           && rest_finish(dap->debugger, &rest);
+}
+
+bool request_data_breakpoints(struct dap *dap,
+                              const struct json_value *arguments,
+                              struct json *body)
+{
+    return replace(dap, arguments, body, NULL, GROUP_DATA, read_data_stop);
+}
+
+/* The address of a variable, or of what its name says: a label, an expression. */
+static bool find_address(struct dap *dap, const struct json_value *arguments,
+                         const char *name, uint64_t *address)
+{
+    struct rest rest = { name };
+    struct dap_vector vector;
+    int64_t reference = 0;
+    size_t number;
+
+    if (!dap_whole(dap, arguments, "variablesReference", &reference))
+        return false;
+    if (reference == 0)
+        return debug_address(dap->debugger, &rest, address)
+               && rest_finish(dap->debugger, &rest);
+    if (!vector_of(dap, reference, &vector)
+        || !element_number(&vector, name, &number))
+        return dap_fault(dap, "words of memory are watched, not registers");
+    *address = vector.address + (uint64_t)number * vector.width;
+    return true;
+}
+
+static void put_data(struct json *body, uint64_t address, int64_t bytes)
+{
+    uint64_t words = ((uint64_t)bytes + address % 64 / 8 + 7) / 8;
+    char text[2 * DAP_ADDRESS_SIZE];
+
+    snprintf(text, sizeof text, "0x%llX, %llu",
+             (unsigned long long)(address - address % 64),
+             (unsigned long long)words);
+    json_text(body, "dataId", text);
+    json_text(body, "description", text);
+    json_array(body, "accessTypes");
+    json_text(body, NULL, "write");
+    json_end(body);
+    json_truth(body, "canPersist", true);
+}
+
+/* It is an answer that something cannot be watched. */
+bool request_data_breakpoint_info(struct dap *dap,
+                                  const struct json_value *arguments,
+                                  struct json *body)
+{
+    const char *name = json_member_text(arguments, "name");
+    int64_t bytes = 8;
+    uint64_t address;
+    char *why;
+
+    if (!dap_whole(dap, arguments, "bytes", &bytes))
+        return false;
+    if (name && bytes > 0 && bytes <= 8 * WATCHED_WORDS
+        && find_address(dap, arguments, name, &address)) {
+        put_data(body, address, bytes);
+        return true;
+    }
+    why = dap_take_said(dap);
+    json_null(body, "dataId");
+    json_text(body, "description",
+              why ? why : "1 to 64 words of memory are watched");
+    free(why);
+    return true;
+}
+
+/* ---- Traps -------------------------------------------------------------------------------- */
+
+bool request_exception_breakpoints(struct dap *dap,
+                                   const struct json_value *arguments,
+                                   struct json *body)
+{
+    const struct json_value *filter = json_member_first(arguments, "filters");
+
+    (void)body;
+    dap->stop_at_traps = false;
+    for (; filter; filter = filter->next) {
+        if (!filter->text || strcmp(filter->text, "trap") != 0)
+            return dap_fault(dap, "there is no filter but 'trap'");
+        dap->stop_at_traps = true;
+    }
+    return true;
+}

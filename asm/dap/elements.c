@@ -1,0 +1,113 @@
+/* elements.c - vectors in memory, element by element. */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "asm/dap/parts.h"
+#include "asm/operand_view.h"
+
+void put_bits(c205_word word, unsigned width, const struct sink *sink)
+{
+    char number[C205_TEXT_SIZE], hex[C205_TEXT_SIZE];
+
+    if (width == 1) {
+        sink_print(sink, "%u", (unsigned)word & 1);
+        return;
+    }
+    (width == 32 ? c205_half_to_text : c205_to_text)(word, number);
+    c205_to_hex(word, hex);
+    if (width == 32)
+        hex[9] = '\0';
+    sink_print(sink, "%s  X'%s'", number, hex);
+}
+
+/* As operands are read. */
+static struct operand_view view_of(uint64_t address, size_t length,
+                                   unsigned width)
+{
+    return (struct operand_view){ .letter = 'v',
+                                  .is_vector = true,
+                                  .width = width,
+                                  .address = address,
+                                  .length = length };
+}
+
+bool element_word(const struct dap *dap, const struct dap_vector *vector,
+                  size_t i, c205_word *word)
+{
+    struct operand_view view = view_of(vector->address, vector->length,
+                                       vector->width);
+
+    return vector->address % vector->width == 0
+           && view_read(machine_of(dap->debugger), &view, i, 1, word);
+}
+
+/* Pages are larger than what two of them lie apart by in a vector of words. */
+bool vector_is_mapped(const struct dap *dap, const struct dap_vector *vector)
+{
+    c205_word word;
+
+    return vector->length > 0 && element_word(dap, vector, 0, &word)
+           && element_word(dap, vector, vector->length - 1, &word);
+}
+
+/* Behind an element the bit that lets its result be stored, or not. */
+static void put_control(const struct dap *dap,
+                        const struct dap_vector *vector, size_t i,
+                        const struct sink *sink)
+{
+    struct operand_view view = view_of(vector->control, vector->length, 1);
+    c205_word bit;
+
+    if (vector->controlled
+        && view_read(machine_of(dap->debugger), &view, i, 1, &bit))
+        sink_print(sink, "  ? %u", (unsigned)bit);
+}
+
+static void put_element(struct dap *dap, struct json *json,
+                        const struct dap_vector *vector, size_t i)
+{
+    uint64_t address = vector->address + (uint64_t)i * vector->width;
+    struct text_line text = { .length = 0 };
+    struct sink sink = text_line_sink(&text);
+    char name[DAP_ADDRESS_SIZE];
+    c205_word word;
+
+    json_object(json, NULL);
+    snprintf(name, sizeof name, "[%zu]", i);
+    json_text(json, "name", name);
+    if (element_word(dap, vector, i, &word)) {
+        put_bits(word, vector->width, &sink);
+        put_control(dap, vector, i, &sink);
+    } else {
+        sink_put(&sink, "no memory is mapped there");
+    }
+    json_text(json, "value", text.text);
+    json_number(json, "variablesReference", 0);
+    if (vector->width == 64) {
+        snprintf(name, sizeof name, "[0x%llX]", (unsigned long long)address);
+        json_text(json, "evaluateName", name);
+    }
+    if (vector->width >= 8)
+        dap_put_address(json, "memoryReference", address);
+    json_end(json);
+}
+
+void put_elements(struct dap *dap, struct json *json,
+                  const struct dap_vector *vector, size_t first, size_t count)
+{
+    for (size_t i = first; i < vector->length && i - first < count; i++)
+        put_element(dap, json, vector, i);
+}
+
+bool element_number(const struct dap_vector *vector, const char *name,
+                    size_t *number)
+{
+    char *end;
+    unsigned long value;
+
+    if (name[0] != '[' || name[1] < '0' || name[1] > '9')
+        return false;
+    value = strtoul(name + 1, &end, 10);
+    *number = (size_t)value;
+    return end[0] == ']' && end[1] == '\0' && value < vector->length;
+}

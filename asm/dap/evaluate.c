@@ -1,0 +1,134 @@
+/* evaluate.c - expressions, and lines for the debugger. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/dap/parts.h"
+
+/* ---- Expressions ------------------------------------------------------------------ */
+
+static void put_result(struct dap *dap, struct json *body, const char *key)
+{
+    char *said = dap_take_said(dap);
+
+    json_text(body, key, said ? said : "");
+    free(said);
+}
+
+/* A register is shown with its vector. */
+static bool put_value(struct dap *dap, struct json *body, const char *text,
+                      const char *key)
+{
+    struct rest rest = { text }, again = { text };
+    struct register_of named;
+
+    if (!verb_print(dap->debugger, &rest))
+        return false;
+    put_result(dap, body, key);
+    if (debug_register(dap->debugger, &again, &named) && rest_end(&again))
+        put_word_members(dap, body, named);
+    else
+        json_number(body, "variablesReference", 0);
+    return true;
+}
+
+/* ---- Lines -------------------------------------------------------------------------- */
+
+/* What a line can change. */
+struct stand {
+    uint64_t step, pc;
+    bool halted;
+};
+
+static struct stand stand_of(const struct dap *dap)
+{
+    return (struct stand){ .step = step_of(dap->debugger),
+                           .pc = c205_pc(machine_of(dap->debugger)),
+                           .halted = dap->debugger->halted };
+}
+
+static bool has_moved(struct stand a, struct stand b)
+{
+    return a.step != b.step || a.pc != b.pc || a.halted != b.halted;
+}
+
+static void tell_moved(struct dap *dap)
+{
+    dap->end_told = dap->debugger->halted;
+    dap_stopped(dap, "goto");
+}
+
+/* Registers or memory may be others than the client shows. */
+static void tell_changed(struct dap *dap)
+{
+    struct text_buffer body;
+    struct json *json = event_begin(dap, &body);
+
+    if (!json)
+        return;
+    json_array(json, "areas");
+    json_text(json, NULL, "variables");
+    json_end(json);
+    event_end(dap, "invalidated", json, &body);
+}
+
+/* The program may run for that, and the client may want it to stop. */
+static void obey_line(struct dap *dap, const char *text)
+{
+    struct stand before = stand_of(dap);
+    bool goes_on;
+
+    dap->state = DAP_RUNNING;
+    dap->wish = WISH_NONE;
+    goes_on = debugger_obey(dap->debugger, text);
+    dap->state = DAP_STANDING;
+    if (!goes_on || dap->wish == WISH_TERMINATE)
+        dap->then = dap_finish;
+    else if (dap->wish == WISH_RESTART)
+        dap->then = dap_begin;
+    else if (has_moved(before, stand_of(dap)))
+        dap->then = tell_moved;
+    else if (dap->client_redraws)
+        dap->then = tell_changed;
+}
+
+bool request_evaluate(struct dap *dap, const struct json_value *arguments,
+                      struct json *body)
+{
+    const char *text = json_member_text(arguments, "expression");
+    const char *context = json_member_text(arguments, "context");
+
+    if (!text)
+        return dap_fault(dap, "'expression' is missing");
+    if (!context || strcmp(context, "repl") != 0)
+        return put_value(dap, body, text, "result");
+    if (dap->state != DAP_STANDING)
+        return dap_fault(dap, "a line is obeyed where the program stands");
+    obey_line(dap, text);
+    put_result(dap, body, "result");
+    json_number(body, "variablesReference", 0);
+    return true;
+}
+
+/* EXPRESSION = VALUE, as the debugger's set has it. */
+bool request_set_expression(struct dap *dap,
+                            const struct json_value *arguments,
+                            struct json *body)
+{
+    const char *name = json_member_text(arguments, "expression");
+    const char *value = json_member_text(arguments, "value");
+    struct text_buffer line = { 0 };
+    struct sink sink = text_buffer_sink(&line);
+    struct rest rest;
+    bool good;
+
+    if (!name || !value)
+        return dap_fault(dap, "'expression' or 'value' is missing");
+    sink_put(&sink, name);
+    sink_put(&sink, " = ");
+    sink_put(&sink, value);
+    rest.at = line.text;
+    good = !line.failed && verb_set(dap->debugger, &rest)
+           && put_value(dap, body, name, "value");
+    text_buffer_free(&line);
+    return good;
+}

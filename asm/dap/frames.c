@@ -1,0 +1,358 @@
+/* frames.c - where the program stands, and the texts that it is from. */
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/dap/parts.h"
+#include "base/file.h"
+#include "vm/text.h"
+
+/* ---- Files ------------------------------------------------------------------------ */
+
+static bool is_known(const struct dap *dap, const char *file)
+{
+    for (size_t i = dap->file_count; i-- > 0;)
+        if (strcmp(dap->files[i], file) == 0)
+            return true;
+    return false;
+}
+
+static bool add_file(struct dap *dap, const char *file, size_t *capacity)
+{
+    const char **grown;
+
+    if (is_known(dap, file))
+        return true;
+    grown = arena_grow(&dap->launched, dap->files, dap->file_count, capacity,
+                       sizeof *grown);
+    if (!grown)
+        return false;
+    dap->files = grown;
+    grown[dap->file_count++] = file;
+    return true;
+}
+
+bool sources_find(struct dap *dap)
+{
+    size_t capacity = 0;
+
+    dap->file_count = 0;
+    for (size_t i = 0; i < dap->object->line_count; i++)
+        if (!add_file(dap, dap->object->lines[i].file, &capacity)
+            || !add_file(dap, dap->object->lines[i].call_file, &capacity))
+            return false;
+    return true;
+}
+
+/* Files that c205 carries with it lie in no folder. */
+static const struct text *carried(const char *file)
+{
+    const struct text *text = library_texts;
+
+    while (text->name && strcmp(text->name, file) != 0)
+        text++;
+    return text->name ? text : NULL;
+}
+
+static bool has_folder(const struct dap *dap, const char *file)
+{
+    return *file != '/' && *dap->setup.folder;
+}
+
+/* The whole path; NULL: no memory. */
+static char *path_of(const struct dap *dap, const char *file)
+{
+    struct text_buffer path = { 0 };
+    struct sink sink = text_buffer_sink(&path);
+
+    if (has_folder(dap, file)) {
+        sink_put(&sink, dap->setup.folder);
+        sink_put(&sink, "/");
+    }
+    sink_put(&sink, file);
+    return path.text;
+}
+
+static bool is_path(const struct dap *dap, const char *file, const char *path)
+{
+    char *whole = carried(file) ? NULL : path_of(dap, file);
+    bool same = whole
+                && (strcmp(whole, path) == 0 || file_is_one(whole, path));
+
+    free(whole);
+    return same;
+}
+
+const char *source_file(const struct dap *dap,
+                        const struct json_value *source)
+{
+    const char *path = json_member_text(source, "path");
+    const char *name = json_member_text(source, "name");
+    int64_t number = 0;
+
+    json_member_whole(source, "sourceReference", &number);
+    if (number > 0)
+        return (uint64_t)number <= dap->file_count ? dap->files[number - 1]
+                                                   : NULL;
+    for (size_t i = 0; i < dap->file_count; i++)
+        if (path ? is_path(dap, dap->files[i], path)
+                 : name && strcmp(dap->files[i], name) == 0)
+            return dap->files[i];
+    return NULL;
+}
+
+static size_t number_of(const struct dap *dap, const char *file)
+{
+    size_t i = 0;
+
+    while (i < dap->file_count && strcmp(dap->files[i], file) != 0)
+        i++;
+    return i + 1;
+}
+
+void put_source_members(struct dap *dap, struct json *json, const char *file)
+{
+    const char *slash = strrchr(file, '/');
+    char *path = carried(file) ? NULL : path_of(dap, file);
+
+    json_text(json, "name", slash ? slash + 1 : file);
+    if (path) {
+        json_text(json, "path", path);
+    } else {
+        json_count(json, "sourceReference", number_of(dap, file));
+        json_text(json, "origin", "the library of c205");
+    }
+    free(path);
+}
+
+void put_source(struct dap *dap, struct json *json, const char *file)
+{
+    json_object(json, "source");
+    put_source_members(dap, json, file);
+    json_end(json);
+}
+
+bool request_loaded_sources(struct dap *dap,
+                            const struct json_value *arguments,
+                            struct json *body)
+{
+    (void)arguments;
+    json_array(body, "sources");
+    for (size_t i = 0; i < dap->file_count; i++) {
+        json_object(body, NULL);
+        put_source_members(dap, body, dap->files[i]);
+        json_end(body);
+    }
+    json_end(body);
+    return true;
+}
+
+/* ---- Their texts -------------------------------------------------------------------- */
+
+static char *text_of(struct dap *dap, const char *file)
+{
+    const struct text *text = carried(file);
+    struct text_buffer whole = { 0 };
+    struct sink sink = text_buffer_sink(&whole);
+    c205_error error;
+    size_t length;
+
+    if (!text) {
+        char *path = path_of(dap, file);
+        char *read = path ? file_read(path, FILE_LARGEST, &length, &error)
+                          : NULL;
+
+        if (!read)
+            dap_fault(dap, "%s: %s", file,
+                      path ? error.message : "no memory");
+        free(path);
+        return read;
+    }
+    for (const char *const *line = text->lines; *line; line++)
+        sink_put(&sink, *line);
+    return whole.text;
+}
+
+bool request_source(struct dap *dap, const struct json_value *arguments,
+                    struct json *body)
+{
+    const struct json_value *source = json_member(arguments, "source");
+    const char *file = source_file(dap, source ? source : arguments);
+    char *text;
+
+    if (!file)
+        return dap_fault(dap, "the program has no such source");
+    text = text_of(dap, file);
+    if (!text)
+        return false;
+    json_text(body, "content", text);
+    json_text(body, "mimeType", "text/x-c205");
+    free(text);
+    return true;
+}
+
+/* ---- Lines ---------------------------------------------------------------------------- */
+
+size_t line_of(const struct dap *dap, int64_t line)
+{
+    line += 1 - dap->first_line;
+    return line > 0 ? (size_t)line : 0;
+}
+
+void put_line(const struct dap *dap, struct json *json, const char *key,
+              size_t line)
+{
+    json_number(json, key, (double)line - 1 + (double)dap->first_line);
+}
+
+/* ---- Frames --------------------------------------------------------------------------- */
+
+bool request_threads(struct dap *dap, const struct json_value *arguments,
+                     struct json *body)
+{
+    (void)dap;
+    (void)arguments;
+    json_array(body, "threads");
+    json_object(body, NULL);
+    json_number(body, "id", 1);
+    json_text(body, "name", "the machine");
+    json_end(body);
+    json_end(body);
+    return true;
+}
+
+/* The frames from the innermost on: the instruction, the macro call that it comes from,
+ * the region. */
+enum frame_of { FRAME_PLACE, FRAME_CALL, FRAME_REGION, FRAMES };
+
+struct frames {
+    uint64_t pc;
+    const struct asm_line *line; /* NULL: not known */
+    const char *region;
+    size_t count;
+    enum frame_of kinds[FRAMES];
+};
+
+static struct frames find_frames(const struct dap *dap)
+{
+    uint64_t pc = c205_pc(machine_of(dap->debugger));
+    struct frames frames = { .pc = pc,
+                             .line = object_line(dap->object, pc),
+                             .region = place_region(dap->debugger, pc) };
+
+    frames.kinds[frames.count++] = FRAME_PLACE;
+    if (frames.line && place_is_called(frames.line))
+        frames.kinds[frames.count++] = FRAME_CALL;
+    if (*frames.region)
+        frames.kinds[frames.count++] = FRAME_REGION;
+    return frames;
+}
+
+/* The label at or before an address, in its segment; NULL: there is none. */
+static const struct asm_symbol *label_before(const struct dap *dap,
+                                             uint64_t address)
+{
+    const struct asm_symbol *found = NULL;
+
+    for (size_t i = 0; i < dap->object->symbol_count; i++) {
+        const struct asm_symbol *symbol = &dap->object->symbols[i];
+
+        if (symbol->is_label && (uint64_t)symbol->value <= address
+            && (!found || symbol->value > found->value))
+            found = symbol;
+    }
+    return found;
+}
+
+/* "again", "again + 64", or the address. */
+static void put_name(const struct dap *dap, struct json *body,
+                     uint64_t address)
+{
+    const struct asm_symbol *label = label_before(dap, address);
+    struct text_line text = { .length = 0 };
+    struct sink sink = text_line_sink(&text);
+
+    if (!label)
+        sink_print(&sink, "%llX", (unsigned long long)address);
+    else if ((uint64_t)label->value == address)
+        sink_print(&sink, "%s", label->name);
+    else
+        sink_print(&sink, "%s + %llu", label->name,
+                   (unsigned long long)(address - (uint64_t)label->value));
+    json_text(body, "name", text.text);
+}
+
+static void put_frame_place(struct dap *dap, struct json *body,
+                            const char *file, size_t line)
+{
+    put_source(dap, body, file);
+    put_line(dap, body, "line", line);
+    json_number(body, "column", (double)dap->first_column);
+}
+
+/* Where there is nothing to see. */
+static void put_no_place(struct json *body)
+{
+    json_number(body, "line", 0);
+    json_number(body, "column", 0);
+}
+
+static void put_call(struct dap *dap, struct json *body,
+                     const struct asm_line *line)
+{
+    const char *from = line->call_source;
+    struct text_line text = { .length = 0 };
+    struct sink sink = text_line_sink(&text);
+
+    while (isspace((unsigned char)*from))
+        from++;
+    sink_print(&sink, "%.*s", (int)strcspn(from, "\r\n;"), from);
+    json_text(body, "name", text.text);
+    put_frame_place(dap, body, line->call_file, line->call_number);
+}
+
+static void put_frame(struct dap *dap, struct json *body,
+                      const struct frames *frames, size_t i)
+{
+    json_object(body, NULL);
+    json_count(body, "id", i + 1);
+    switch (frames->kinds[i]) {
+    case FRAME_PLACE:
+        put_name(dap, body, frames->pc);
+        dap_put_address(body, "instructionPointerReference", frames->pc);
+        if (frames->line)
+            put_frame_place(dap, body, frames->line->file,
+                            frames->line->number);
+        else
+            put_no_place(body);
+        break;
+    case FRAME_CALL: put_call(dap, body, frames->line); break;
+    default:
+        json_text(body, "name", frames->region);
+        json_text(body, "presentationHint", "label");
+        put_no_place(body);
+    }
+    json_end(body);
+}
+
+bool request_stack_trace(struct dap *dap, const struct json_value *arguments,
+                         struct json *body)
+{
+    struct frames frames = find_frames(dap);
+    int64_t from = 0, levels = 0;
+
+    if (!dap_whole(dap, arguments, "startFrame", &from)
+        || !dap_whole(dap, arguments, "levels", &levels))
+        return false;
+    if (from < 0 || levels < 0)
+        return dap_fault(dap, "frames are counted from 0 on");
+    json_array(body, "stackFrames");
+    for (size_t i = 0; i < frames.count; i++)
+        if (i >= (size_t)from
+            && (levels == 0 || i - (size_t)from < (size_t)levels))
+            put_frame(dap, body, &frames, i);
+    json_end(body);
+    json_count(body, "totalFrames", frames.count);
+    return true;
+}

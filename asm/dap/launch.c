@@ -1,0 +1,274 @@
+/* launch.c - the beginning and the end. */
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/dap/parts.h"
+
+/* ---- initialize --------------------------------------------------------------- */
+
+static const char *const capabilities[] = {
+    "supportsConfigurationDoneRequest",
+    "supportsFunctionBreakpoints",
+    "supportsConditionalBreakpoints",
+    "supportsHitConditionalBreakpoints",
+    "supportsEvaluateForHovers",
+    "supportsStepBack",
+    "supportsSetVariable",
+    "supportsSetExpression",
+    "supportsGotoTargetsRequest",
+    "supportsRestartRequest",
+    "supportsExceptionInfoRequest",
+    "supportsDelayedStackTraceLoading",
+    "supportsLoadedSourcesRequest",
+    "supportsTerminateRequest",
+    "supportsDataBreakpoints",
+    "supportsDataBreakpointBytes",
+    "supportsReadMemoryRequest",
+    "supportsWriteMemoryRequest",
+    "supportsDisassembleRequest",
+    "supportsBreakpointLocationsRequest",
+    "supportsClipboardContext",
+    "supportsSteppingGranularity",
+    "supportsInstructionBreakpoints",
+};
+
+static void put_trap_filter(struct json *body)
+{
+    json_array(body, "exceptionBreakpointFilters");
+    json_object(body, NULL);
+    json_text(body, "filter", "trap");
+    json_text(body, "label", "Traps");
+    json_text(body, "description",
+              "Stop where the machine refuses to go on; otherwise the "
+              "program ends there");
+    json_truth(body, "default", true);
+    json_end(body);
+    json_end(body);
+}
+
+bool request_initialize(struct dap *dap, const struct json_value *arguments,
+                        struct json *body)
+{
+    const char *paths = json_member_text(arguments, "pathFormat");
+
+    if (paths && strcmp(paths, "path") != 0)
+        return dap_fault(dap,
+                         "paths are paths here, not of the format "
+                         "'%.40s'",
+                         paths);
+    for (size_t i = 0; i < sizeof capabilities / sizeof *capabilities; i++)
+        json_truth(body, capabilities[i], true);
+    put_trap_filter(body);
+    dap->first_line = json_member_truth(arguments, "linesStartAt1", true);
+    dap->first_column = json_member_truth(arguments, "columnsStartAt1", true);
+    dap->client_redraws = json_member_truth(arguments,
+                                            "supportsInvalidatedEvent",
+                                            false);
+    dap->state = DAP_GREETED;
+    return true;
+}
+
+/* ---- launch --------------------------------------------------------------------- */
+
+/* A text that lasts as long as the program; NULL: there is none to keep. */
+static const char *keep(struct dap *dap, const char *text)
+{
+    return text ? arena_text(&dap->launched, text, strlen(text)) : NULL;
+}
+
+static size_t count_of(const struct json_value *item)
+{
+    size_t count = 0;
+
+    for (; item; item = item->next)
+        count++;
+    return count;
+}
+
+/* { "N": 8 }: NULL after telling what is wrong. */
+static const struct asm_define *read_defines(struct dap *dap,
+                                             const struct json_value *launch)
+{
+    const struct json_value *item = json_member_first(launch, "defines");
+    struct asm_define *defines = arena_take(&dap->launched,
+                                            (count_of(item) + 1)
+                                                * sizeof *defines);
+
+    for (size_t i = 0; defines && item; i++, item = item->next) {
+        int64_t value = 0;
+
+        if (!item->key || item->kind != JSON_NUMBER
+            || !json_member_whole(json_member(launch, "defines"), item->key,
+                                  &value)) {
+            dap_fault(dap, "'defines' has names with integers");
+            return NULL;
+        }
+        defines[i] = (struct asm_define){ keep(dap, item->key), value };
+    }
+    return defines;
+}
+
+/* [ "DIR", .. ] */
+static const char *const *read_search(struct dap *dap,
+                                      const struct json_value *launch)
+{
+    const struct json_value *item = json_member_first(launch, "include");
+    const char **search = arena_take(&dap->launched,
+                                     (count_of(item) + 1) * sizeof *search);
+
+    for (size_t i = 0; search && item; i++, item = item->next) {
+        if (!item->text) {
+            dap_fault(dap, "'include' is a list of folders");
+            return NULL;
+        }
+        search[i] = keep(dap, item->text);
+    }
+    return search;
+}
+
+static bool read_program(struct dap *dap, const struct json_value *launch,
+                         struct dap_program *program)
+{
+    const char *path = json_member_text(launch, "program");
+
+    path = path ? path : dap->setup.program;
+    if (!path)
+        return dap_fault(dap, "'program' is missing");
+    if (strcmp(path, "-") == 0)
+        return dap_fault(dap, "the program cannot come from stdin, where "
+                              "the requests come from");
+    program->path = dap->path = keep(dap, path);
+    program->model = json_member_text(launch, "model");
+    program->defines = read_defines(dap, launch);
+    program->search = program->defines ? read_search(dap, launch) : NULL;
+    return program->search;
+}
+
+static void print(void *context, const char *text, size_t length)
+{
+    struct dap *dap = context;
+    struct sink sink = text_buffer_sink(&dap->printed);
+
+    sink.put(sink.context, text, length);
+}
+
+static bool make_debugger(struct dap *dap, bool warm)
+{
+    struct debugger_setup setup = { .object = dap->object,
+                                    .name = dap->path,
+                                    .model = dap->model,
+                                    .out = dap_saying(dap),
+                                    .printed = { print, dap },
+                                    .warm = warm,
+                                    .clocks_most = dap->setup.clocks_most,
+                                    .interrupted = dap_listen,
+                                    .asked = dap };
+    c205_error error;
+
+    dap->debugger = debugger_new(&setup, &error);
+    return dap->debugger || dap_fault(dap, "%s", error.message);
+}
+
+static bool open_program(struct dap *dap, const struct json_value *launch)
+{
+    struct dap_program program;
+    struct sink report = dap_saying(dap);
+
+    return read_program(dap, launch, &program)
+           && dap->setup.open(dap->setup.context, &program, &report,
+                              &dap->object, &dap->model)
+           && make_debugger(dap, json_member_truth(launch, "warm",
+                                                   dap->setup.warm))
+           && (sources_find(dap) || dap_fault(dap, "no memory"));
+}
+
+/* What did not become a program. */
+static void close_program(struct dap *dap)
+{
+    debugger_free(dap->debugger);
+    object_free(dap->object);
+    c205_model_free(dap->model);
+    arena_free(&dap->launched);
+    dap->debugger = NULL;
+    dap->object = NULL;
+    dap->model = NULL;
+    dap->path = NULL;
+}
+
+/* Breakpoints want the program: so they are asked for now. */
+static void ask_configuration(struct dap *dap)
+{
+    event_bare(dap, "initialized");
+}
+
+/* A program that is only to be run stops nowhere. */
+static void read_stops(struct dap *dap, const struct json_value *launch)
+{
+    bool stops = !json_member_truth(launch, "noDebug", false);
+
+    dap->stop_at_traps = stops;
+    dap->stop_on_entry = stops
+                         && json_member_truth(launch, "stopOnEntry", false);
+    dap->stop_on_end = stops && json_member_truth(launch, "stopOnEnd", false);
+}
+
+bool request_launch(struct dap *dap, const struct json_value *arguments,
+                    struct json *body)
+{
+    (void)body;
+    if (!open_program(dap, arguments)) {
+        say_output(dap, "stderr", dap->said.text);
+        close_program(dap);
+        return false;
+    }
+    read_stops(dap, arguments);
+    dap->state = DAP_LAUNCHED;
+    dap->then = ask_configuration;
+    return true;
+}
+
+bool request_configuration_done(struct dap *dap,
+                                const struct json_value *arguments,
+                                struct json *body)
+{
+    (void)arguments;
+    (void)body;
+    dap->state = DAP_STANDING;
+    dap->then = dap_begin;
+    return true;
+}
+
+/* ---- Once more, and no more --------------------------------------------------------- */
+
+bool request_restart(struct dap *dap, const struct json_value *arguments,
+                     struct json *body)
+{
+    (void)arguments;
+    (void)body;
+    if (dap->state == DAP_RUNNING)
+        dap->wish = WISH_RESTART;
+    else
+        dap->then = dap_begin;
+    return true;
+}
+
+bool request_terminate(struct dap *dap, const struct json_value *arguments,
+                       struct json *body)
+{
+    (void)arguments;
+    (void)body;
+    if (dap->state == DAP_RUNNING)
+        dap->wish = WISH_TERMINATE;
+    else
+        dap->then = dap_finish;
+    return true;
+}
+
+bool request_disconnect(struct dap *dap, const struct json_value *arguments,
+                        struct json *body)
+{
+    (void)arguments;
+    (void)body;
+    dap->over = true;
+    return true;
+}

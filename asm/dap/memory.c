@@ -1,0 +1,272 @@
+/* memory.c - memory as bytes, in base64, and as instructions.
+ *
+ * An address is the machine's own, of a bit; offsets and counts are bytes, as the
+ * protocol has them.  Byte 0 of a word is its leftmost.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/dap/parts.h"
+#include "asm/disassemble.h"
+#include "asm/operand_view.h"
+
+/* ---- Base64 ------------------------------------------------------------------------- */
+
+static const char digits[] =
+    "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+/* Three bytes are four digits; = stands for those that are none. */
+static void put_base64(const struct sink *sink, const unsigned char *bytes,
+                       size_t count)
+{
+    for (size_t i = 0; i < count; i += 3) {
+        unsigned long three = (unsigned long)bytes[i] << 16;
+        char text[5];
+
+        if (i + 1 < count)
+            three |= (unsigned long)bytes[i + 1] << 8;
+        if (i + 2 < count)
+            three |= bytes[i + 2];
+        for (unsigned k = 0; k < 4; k++)
+            text[k] = i + k > count ? '='
+                                    : digits[three >> (18 - 6 * k) & 63];
+        text[4] = '\0';
+        sink_put(sink, text);
+    }
+}
+
+/* Into the same place.  False: it is none. */
+static bool read_base64(const char *text, unsigned char *bytes, size_t *count)
+{
+    unsigned long bits = 0;
+    size_t length = strlen(text), n = 0;
+
+    *count = 0;
+    while (length > 0 && text[length - 1] == '=' && n < 2) {
+        length--;
+        n++;
+    }
+    if ((length + n) % 4 != 0 || length % 4 == 1)
+        return false;
+    for (size_t i = 0; i < length; i++) {
+        const char *digit = strchr(digits, text[i]);
+
+        if (!digit)
+            return false;
+        bits = (bits << 6 | (unsigned long)(digit - digits)) & 0xFFFFFF;
+        if (i % 4 > 0)
+            bytes[(*count)++] = (unsigned char)(bits >> (6 - 2 * (i % 4)));
+    }
+    return true;
+}
+
+/* ---- Bytes --------------------------------------------------------------------------- */
+
+enum { BYTES_MOST = 1 << 20 };
+
+static bool read_place(struct dap *dap, const struct json_value *arguments,
+                       uint64_t *address)
+{
+    return dap_address(dap, arguments, "memoryReference", address)
+           && (*address % 8 == 0 || dap_fault(dap, "no byte begins there"));
+}
+
+/* False: there is no memory. */
+static bool read_byte(const struct dap *dap, uint64_t address,
+                      unsigned char *byte)
+{
+    c205_word word;
+
+    if (address >> 48
+        || !c205_read(machine_of(dap->debugger), address - address % 64,
+                      &word, 1))
+        return false;
+    *byte = (unsigned char)(word >> (56 - address % 64));
+    return true;
+}
+
+bool request_read_memory(struct dap *dap, const struct json_value *arguments,
+                         struct json *body)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    unsigned char *bytes;
+    uint64_t address;
+    int64_t count = -1;
+    size_t there = 0;
+
+    if (!read_place(dap, arguments, &address)
+        || !dap_whole(dap, arguments, "count", &count))
+        return false;
+    if (count < 0 || count > BYTES_MOST)
+        return dap_fault(dap, "'count' is 0 to %d bytes", BYTES_MOST);
+    bytes = malloc((size_t)count + 1);
+    if (!bytes)
+        return dap_fault(dap, "no memory");
+    while (there < (size_t)count
+           && read_byte(dap, address + 8 * (uint64_t)there, &bytes[there]))
+        there++;
+    dap_put_address(body, "address", address);
+    if (there < (size_t)count)
+        json_count(body, "unreadableBytes", (size_t)count - there);
+    put_base64(&sink, bytes, there);
+    json_text(body, "data", text.text ? text.text : "");
+    text_buffer_free(&text);
+    free(bytes);
+    return true;
+}
+
+static size_t mapped_bytes(const struct dap *dap, uint64_t address,
+                           size_t count)
+{
+    unsigned char byte;
+    size_t there = 0;
+
+    while (there < count
+           && read_byte(dap, address + 8 * (uint64_t)there, &byte))
+        there++;
+    return there;
+}
+
+/* All of them, or with allowPartial those before the first that is not there. */
+static bool write_bytes(struct dap *dap, const struct json_value *arguments,
+                        struct json *body, const unsigned char *bytes,
+                        size_t count)
+{
+    uint64_t address;
+    size_t there;
+
+    if (!read_place(dap, arguments, &address))
+        return false;
+    there = mapped_bytes(dap, address, count);
+    if (there < count && !json_member_truth(arguments, "allowPartial", false))
+        return dap_fault(dap, "of %zu bytes %zu are in memory", count, there);
+    if (!debug_set_bytes(dap->debugger, address, bytes, there))
+        return false;
+    json_number(body, "offset", 0);
+    json_count(body, "bytesWritten", there);
+    return true;
+}
+
+bool request_write_memory(struct dap *dap, const struct json_value *arguments,
+                          struct json *body)
+{
+    const char *text = json_member_text(arguments, "data");
+    unsigned char *bytes;
+    size_t count;
+    bool good;
+
+    if (!text)
+        return dap_fault(dap, "'data' is missing");
+    bytes = malloc(strlen(text) + 1);
+    if (!bytes)
+        return dap_fault(dap, "no memory");
+    good = (read_base64(text, bytes, &count)
+            || dap_fault(dap, "'data' is no base64"))
+           && write_bytes(dap, arguments, body, bytes, count);
+    free(bytes);
+    return good;
+}
+
+/* ---- Instructions ---------------------------------------------------------------------- */
+
+/* The address so many instructions from here on, or back. */
+static uint64_t move_address(const struct dap *dap, uint64_t address,
+                             int64_t instructions)
+{
+    struct instruction_view view;
+
+    for (; instructions < 0 && address > 0; instructions++)
+        address = place_before(dap->debugger, address);
+    for (; instructions > 0 && address >> 48 == 0; instructions--) {
+        view_decode(&view, machine_of(dap->debugger), address);
+        address += 32 * (uint64_t)view.halves;
+    }
+    return address;
+}
+
+static void put_code(struct json *body, c205_word word, unsigned halves)
+{
+    char hex[C205_TEXT_SIZE];
+
+    c205_to_hex(word, hex);
+    if (halves == 1)
+        hex[9] = '\0';
+    json_text(body, "instructionBytes", hex);
+}
+
+static const char *label_at(const struct dap *dap, uint64_t address)
+{
+    for (size_t i = 0; i < dap->object->symbol_count; i++)
+        if (dap->object->symbols[i].is_label
+            && (uint64_t)dap->object->symbols[i].value == address)
+            return dap->object->symbols[i].name;
+    return NULL;
+}
+
+static void put_origin(struct dap *dap, struct json *body, uint64_t address)
+{
+    const struct asm_line *line = object_line(dap->object, address);
+    const char *label = label_at(dap, address);
+
+    if (label)
+        json_text(body, "symbol", label);
+    if (!line)
+        return;
+    json_object(body, "location");
+    put_source_members(dap, body, line->file);
+    json_end(body);
+    put_line(dap, body, "line", line->number);
+}
+
+/* The address of the next one. */
+static uint64_t put_instruction(struct dap *dap, struct json *body,
+                                uint64_t address)
+{
+    c205 *machine = machine_of(dap->debugger);
+    c205_word word = view_word_at(machine, address), there;
+    char text[DISASSEMBLE_TEXT_SIZE];
+    struct instruction_view view;
+
+    view_decode(&view, machine, address);
+    json_object(body, NULL);
+    dap_put_address(body, "address", address);
+    if (c205_read(machine, address - address % 64, &there, 1)) {
+        disassemble_one(word, address, text);
+        put_code(body, word, view.halves);
+        json_text(body, "instruction", text);
+        put_origin(dap, body, address);
+    } else {
+        json_text(body, "instruction", "no memory is mapped there");
+        json_text(body, "presentationHint", "invalid");
+    }
+    json_end(body);
+    return (address + 32 * (uint64_t)view.halves) & ((UINT64_C(1) << 48) - 1);
+}
+
+/* As many as are wanted, whatever stands there. */
+bool request_disassemble(struct dap *dap, const struct json_value *arguments,
+                         struct json *body)
+{
+    enum { INSTRUCTIONS_MOST = 10000 };
+    int64_t from = 0, count = -1;
+    uint64_t address;
+
+    if (!dap_address(dap, arguments, "memoryReference", &address)
+        || !dap_whole(dap, arguments, "instructionOffset", &from)
+        || !dap_whole(dap, arguments, "instructionCount", &count))
+        return false;
+    if (address % 32 != 0)
+        return dap_fault(dap, "no instruction begins there");
+    if (count < 0 || count > INSTRUCTIONS_MOST || from > INSTRUCTIONS_MOST
+        || from < -INSTRUCTIONS_MOST)
+        return dap_fault(dap, "'instructionCount' is 0 to %d",
+                         INSTRUCTIONS_MOST);
+    address = move_address(dap, address, from);
+    json_array(body, "instructions");
+    for (; count > 0; count--)
+        address = put_instruction(dap, body, address);
+    json_end(body);
+    return true;
+}

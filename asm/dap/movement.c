@@ -1,0 +1,346 @@
+/* movement.c - motions, and why they ended. */
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/dap/parts.h"
+
+/* ---- The program stands --------------------------------------------------------- */
+
+static const char *stop_reason(const struct stop_point *stop)
+{
+    if (stop->kind == STOP_WATCH)
+        return "data breakpoint";
+    switch (stop->group) {
+    case GROUP_FUNCTIONS: return "function breakpoint";
+    case GROUP_INSTRUCTIONS: return "instruction breakpoint";
+    default: return "breakpoint";
+    }
+}
+
+/* Of the first that was met. */
+static const char *met_reason(const struct dap *dap)
+{
+    const struct debugger *debugger = dap->debugger;
+
+    for (size_t i = 0; i < debugger->stop_count; i++)
+        if (debugger->stops[i].met)
+            return stop_reason(&debugger->stops[i]);
+    return "breakpoint";
+}
+
+static void put_met(const struct dap *dap, struct json *body)
+{
+    const struct debugger *debugger = dap->debugger;
+
+    json_array(body, "hitBreakpointIds");
+    for (size_t i = 0; i < debugger->stop_count; i++)
+        if (debugger->stops[i].met)
+            json_count(body, NULL, debugger->stops[i].number);
+    json_end(body);
+}
+
+/* With what the engine says to it. */
+static void tell_stopped(struct dap *dap, const char *reason, bool met)
+{
+    struct text_buffer text;
+    struct json *body;
+    char *said;
+
+    dap->state = DAP_STANDING;
+    say_printed(dap);
+    body = event_begin(dap, &text);
+    if (!body)
+        return;
+    json_text(body, "reason", reason);
+    json_number(body, "threadId", 1);
+    json_truth(body, "allThreadsStopped", true);
+    if (met) {
+        put_met(dap, body);
+        stops_pass(dap->debugger, true);
+    }
+    said = dap_take_said(dap);
+    if (said) {
+        json_text(body, "description", said);
+        json_text(body, "text", said);
+    }
+    free(said);
+    event_end(dap, "stopped", body, &text);
+}
+
+void dap_stopped(struct dap *dap, const char *reason)
+{
+    tell_stopped(dap, reason, false);
+}
+
+/* ---- It is over ------------------------------------------------------------------- */
+
+void dap_finish(struct dap *dap)
+{
+    say_printed(dap);
+    if (dap->state != DAP_ENDED)
+        event_bare(dap, "terminated");
+    dap->state = DAP_ENDED;
+}
+
+static void tell_exit(struct dap *dap, int64_t status)
+{
+    struct text_buffer text;
+    struct json *body;
+
+    say_printed(dap);
+    body = event_begin(dap, &text);
+    if (!body)
+        return;
+    json_number(body, "exitCode", (double)status);
+    event_end(dap, "exited", body, &text);
+    dap_finish(dap);
+}
+
+static void tell_trap(struct dap *dap)
+{
+    show_halt(dap->debugger);
+    if (dap->stop_at_traps) {
+        dap_stopped(dap, "exception");
+        return;
+    }
+    say_printed(dap);
+    say_output(dap, "stderr", dap->said.text);
+    text_buffer_free(&dap->said);
+    tell_exit(dap, 1);
+}
+
+static void tell_halt(struct dap *dap)
+{
+    const c205_stop *stop = &dap->debugger->halt;
+
+    if (stop->trap != C205_TRAP_NONE) {
+        tell_trap(dap);
+    } else if (dap->stop_on_end && !dap->end_told) {
+        show_halt(dap->debugger);
+        dap_stopped(dap, "end");
+        dap->end_told = true;
+    } else {
+        tell_exit(dap, stop->status);
+    }
+}
+
+/* ---- Motions ------------------------------------------------------------------------ */
+
+static void arrive(struct dap *dap, enum moved moved)
+{
+    struct sink say = dap_saying(dap);
+
+    if (moved != MOVED_TO_HALT)
+        dap->end_told = false;
+    switch (moved) {
+    case MOVED_TO_STOP: tell_stopped(dap, met_reason(dap), true); break;
+    case MOVED_TO_HALT: tell_halt(dap); break;
+    case MOVED_TO_START:
+        sink_put(&say, "this is the beginning");
+        dap_stopped(dap, "entry");
+        break;
+    case MOVED_INTERRUPTED: dap_stopped(dap, "pause"); break;
+    case MOVED_TOO_FAR:
+        sink_print(&say, "%" PRIu64 " clocks have passed",
+                   dap->setup.clocks_most);
+        dap_stopped(dap, "pause");
+        break;
+    default: dap_stopped(dap, dap->reason);
+    }
+}
+
+static enum moved to_the_beginning(struct debugger *debugger)
+{
+    motion_back(debugger, UINT64_MAX);
+    return MOVED_ON;
+}
+
+/* Hits are counted from here on, and what is printed is printed again. */
+static void prepare_beginning(struct dap *dap)
+{
+    struct debugger *debugger = dap->debugger;
+
+    for (size_t i = 0; i < debugger->stop_count; i++)
+        debugger->stops[i].hits = 0;
+    debugger->told = 0;
+    dap->reason = "entry";
+    dap->move = dap->stop_on_entry ? to_the_beginning : motion_run;
+}
+
+static void go(struct dap *dap)
+{
+    enum moved moved;
+
+    do {
+        if (dap->wish == WISH_RESTART)
+            prepare_beginning(dap);
+        dap->wish = WISH_NONE;
+        dap->state = DAP_RUNNING;
+        moved = dap->move(dap->debugger);
+        dap->state = DAP_STANDING;
+    } while (!dap->over && dap->wish == WISH_RESTART);
+    if (dap->wish == WISH_TERMINATE)
+        dap_finish(dap);
+    else if (!dap->over)
+        arrive(dap, moved);
+}
+
+void dap_begin(struct dap *dap)
+{
+    dap->wish = WISH_RESTART;
+    go(dap);
+}
+
+/* What the client hears first is that the program runs. */
+static bool move_by(struct dap *dap, enum moved (*move)(struct debugger *))
+{
+    dap->move = move;
+    dap->reason = "step";
+    dap->then = go;
+    return true;
+}
+
+static enum moved run(struct debugger *debugger)
+{
+    return motion_steps(debugger, UINT64_MAX);
+}
+
+static enum moved step(struct debugger *debugger)
+{
+    return motion_steps(debugger, 1);
+}
+
+static enum moved step_back(struct debugger *debugger)
+{
+    return motion_back(debugger, 1);
+}
+
+bool request_continue(struct dap *dap, const struct json_value *arguments,
+                      struct json *body)
+{
+    (void)arguments;
+    json_truth(body, "allThreadsContinued", true);
+    return move_by(dap, run);
+}
+
+/* Of statements and lines a macro call is one; of instructions it is not. */
+static bool by_instruction(const struct json_value *arguments)
+{
+    const char *unit = json_member_text(arguments, "granularity");
+
+    return unit && strcmp(unit, "instruction") == 0;
+}
+
+bool request_next(struct dap *dap, const struct json_value *arguments,
+                  struct json *body)
+{
+    (void)body;
+    return move_by(dap,
+                   by_instruction(arguments) ? motion_next : motion_line);
+}
+
+bool request_step_in(struct dap *dap, const struct json_value *arguments,
+                     struct json *body)
+{
+    (void)arguments;
+    (void)body;
+    return move_by(dap, step);
+}
+
+bool request_step_out(struct dap *dap, const struct json_value *arguments,
+                      struct json *body)
+{
+    (void)arguments;
+    (void)body;
+    return motion_can_go_out(dap->debugger) && move_by(dap, motion_out);
+}
+
+bool request_step_back(struct dap *dap, const struct json_value *arguments,
+                       struct json *body)
+{
+    (void)body;
+    return move_by(dap,
+                   by_instruction(arguments) ? step_back : motion_back_line);
+}
+
+bool request_reverse_continue(struct dap *dap,
+                              const struct json_value *arguments,
+                              struct json *body)
+{
+    (void)arguments;
+    (void)body;
+    return move_by(dap, motion_back_to_stop);
+}
+
+/* Of a program that stands nothing is to be done. */
+bool request_pause(struct dap *dap, const struct json_value *arguments,
+                   struct json *body)
+{
+    (void)arguments;
+    (void)body;
+    if (dap->state == DAP_RUNNING)
+        dap->wish = WISH_PAUSE;
+    return true;
+}
+
+/* ---- Elsewhere ------------------------------------------------------------------------- */
+
+bool request_goto_targets(struct dap *dap, const struct json_value *arguments,
+                          struct json *body)
+{
+    const char *file = source_file(dap, json_member(arguments, "source"));
+    struct stop_point stop = { .number = 0 };
+    int64_t line = 0;
+
+    if (!file)
+        return dap_fault(dap, "the program has no such source");
+    if (!dap_whole(dap, arguments, "line", &line)
+        || !place_line(dap->debugger, file, line_of(dap, line), &stop))
+        return false;
+    json_array(body, "targets");
+    json_object(body, NULL);
+    json_count(body, "id", stop.address);
+    json_text(body, "label", stop.text);
+    put_line(dap, body, "line", stop.line);
+    dap_put_address(body, "instructionPointerReference", stop.address);
+    json_end(body);
+    json_end(body);
+    return true;
+}
+
+static void tell_goto(struct dap *dap)
+{
+    dap_stopped(dap, "goto");
+}
+
+/* The number of a target is its address. */
+bool request_goto(struct dap *dap, const struct json_value *arguments,
+                  struct json *body)
+{
+    int64_t target = -1;
+
+    (void)body;
+    dap->then = tell_goto;
+    return dap_whole(dap, arguments, "targetId", &target)
+           && debug_jump(dap->debugger, (uint64_t)target);
+}
+
+bool request_exception_info(struct dap *dap,
+                            const struct json_value *arguments,
+                            struct json *body)
+{
+    const struct debugger *debugger = dap->debugger;
+    char *report;
+
+    (void)arguments;
+    if (!debugger->halted || debugger->halt.trap == C205_TRAP_NONE)
+        return dap_fault(dap, "no trap has stopped the program");
+    show_halt(dap->debugger);
+    report = dap_take_said(dap);
+    json_text(body, "exceptionId", c205_trap_name(debugger->halt.trap));
+    json_text(body, "description", report ? report : "");
+    json_text(body, "breakMode", "unhandled");
+    free(report);
+    return true;
+}

@@ -1,0 +1,126 @@
+/* operands.c - what the next instruction is about to work on. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/dap/variables.h"
+#include "asm/operand_view.h"
+
+/* Of the next instruction, or the two that a LINKV links. */
+struct operands {
+    size_t count;
+    struct instruction_view views[2];
+};
+
+static void find_operands(const struct dap *dap, struct operands *operands)
+{
+    c205 *machine = machine_of(dap->debugger);
+    uint64_t pc = c205_pc(machine);
+    struct instruction_view *views = operands->views;
+
+    operands->count = 1;
+    view_decode(&views[0], machine, pc);
+    if (views[0].insn && views[0].insn->timing == C205_TIMING_vlink) {
+        pc += 32 * (uint64_t)views[0].halves;
+        view_decode(&views[0], machine, pc);
+        pc += 32 * (uint64_t)views[0].halves;
+        view_decode(&views[1], machine, pc);
+        operands->count = 2;
+    }
+    for (size_t i = 0; i < operands->count; i++)
+        if (views[i].insn)
+            view_fill(&views[i], machine);
+}
+
+/* Its elements can be counted. */
+static bool has_elements(const struct operand_view *operand)
+{
+    return operand->is_vector && !operand->is_bad && operand->length > 0
+           && !strchr("xXzZ", operand->letter);
+}
+
+static struct dap_vector
+vector_of_operand(const struct instruction_view *view,
+                  const struct operand_view *operand)
+{
+    const struct operand_view *control = view_find(view, "z");
+    struct dap_vector vector = { .address = operand->address,
+                                 .length = operand->length,
+                                 .width = operand->width };
+
+    vector.controlled = control && control->number != 0;
+    if (vector.controlled)
+        vector.control = control->address;
+    return vector;
+}
+
+static void put_operand(struct dap *dap, struct json *json,
+                        const struct instruction_view *view,
+                        const struct operand_view *operand, size_t number)
+{
+    struct dap_vector vector = vector_of_operand(view, operand);
+    struct text_line text = { .length = 0 }, name = { .length = 0 };
+    struct sink sink = text_line_sink(&text), naming = text_line_sink(&name);
+    bool listed = has_elements(operand);
+    char register_name[REGISTER_NAME];
+
+    if (operand->is_half)
+        snprintf(register_name, sizeof register_name, "h%u", operand->number);
+    sink_print(&naming, operand->is_vector ? "%s [%s]" : "%s %s",
+               view->insn->mnemonic,
+               operand->is_half
+                   ? register_name
+                   : name_of(dap, operand->number, register_name));
+    if (listed)
+        put_extent(&vector, &sink);
+    else if (operand->is_vector)
+        sink_print(&sink, "%s from %" PRIX64 " on",
+                   elements_of(operand->width), operand->address);
+    else
+        put_bits(operand->word, operand->is_half ? 32 : 64, &sink);
+    put_variable(json, name.text, text.text,
+                 listed ? reference_of(OF_OPERAND, number) : 0);
+    if (listed)
+        json_count(json, "indexedVariables", vector.length);
+    json_end(json);
+}
+
+/* Not where it goes on, nor that there is no control vector. */
+static bool is_shown(const struct operand_view *operand)
+{
+    return operand->field && !strchr("wWpP", operand->letter)
+           && !(operand->letter == 'z' && operand->number == 0);
+}
+
+void put_operands(struct dap *dap, struct json *json)
+{
+    struct operands operands;
+
+    find_operands(dap, &operands);
+    for (size_t i = 0; i < operands.count; i++) {
+        const struct instruction_view *view = &operands.views[i];
+
+        for (size_t k = 0; view->insn && k < view->count; k++)
+            if (is_shown(&view->operands[k]))
+                put_operand(dap, json, view, &view->operands[k],
+                            i * VIEW_OPERANDS + k);
+    }
+}
+
+bool operand_vector(const struct dap *dap, size_t number,
+                    struct dap_vector *vector)
+{
+    struct operands operands;
+    const struct instruction_view *view;
+    const struct operand_view *operand;
+
+    find_operands(dap, &operands);
+    if (number >= operands.count * VIEW_OPERANDS)
+        return false;
+    view = &operands.views[number / VIEW_OPERANDS];
+    operand = &view->operands[number % VIEW_OPERANDS];
+    if (!has_elements(operand))
+        return false;
+    *vector = vector_of_operand(view, operand);
+    return true;
+}

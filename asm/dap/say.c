@@ -1,0 +1,222 @@
+/* say.c - responses and events. */
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/dap/message.h"
+#include "asm/dap/parts.h"
+
+/* ---- Texts ------------------------------------------------------------------ */
+
+struct sink dap_saying(struct dap *dap)
+{
+    return text_buffer_sink(&dap->said);
+}
+
+bool dap_fault(struct dap *dap, const char *format, ...)
+{
+    struct sink sink = dap_saying(dap);
+    char text[512];
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    sink_put(&sink, text);
+    return false;
+}
+
+char *dap_take_said(struct dap *dap)
+{
+    static const char error[] = "error: ";
+    static const struct text_buffer empty;
+    char *text = dap->said.text;
+    size_t length = dap->said.length;
+
+    dap->said = empty;
+    if (length > 0 && text[length - 1] == '\n')
+        text[--length] = '\0';
+    if (text && strncmp(text, error, sizeof error - 1) == 0)
+        memmove(text, text + sizeof error - 1, length - sizeof error + 2);
+    return text;
+}
+
+/* ---- Messages ----------------------------------------------------------------- */
+
+static void give_up(struct dap *dap, const char *why)
+{
+    snprintf(dap->error->message, sizeof dap->error->message, "%s", why);
+    dap->over = dap->failed = true;
+}
+
+static struct json *line_begin(struct dap *dap, struct text_buffer *line)
+{
+    struct json *json;
+
+    *line = (struct text_buffer){ .text = NULL };
+    json = json_open_line(line, dap->error);
+    if (!json)
+        dap->over = dap->failed = true;
+    return json;
+}
+
+static struct json *message_begin(struct dap *dap, struct text_buffer *line,
+                                  const char *type)
+{
+    struct json *json = line_begin(dap, line);
+
+    if (!json)
+        return NULL;
+    json_count(json, "seq", ++dap->sent);
+    json_text(json, "type", type);
+    return json;
+}
+
+static void message_end(struct dap *dap, struct json *json,
+                        struct text_buffer *line)
+{
+    if (!json_close(json, dap->error))
+        dap->over = dap->failed = true;
+    else
+        message_put(line, &dap->setup.out);
+    text_buffer_free(line);
+}
+
+/* ---- Events --------------------------------------------------------------------- */
+
+struct json *event_begin(struct dap *dap, struct text_buffer *body)
+{
+    return line_begin(dap, body);
+}
+
+void event_end(struct dap *dap, const char *name, struct json *json,
+               struct text_buffer *body)
+{
+    struct text_buffer line;
+
+    if (!json_close(json, dap->error)) {
+        dap->over = dap->failed = true;
+    } else {
+        json = message_begin(dap, &line, "event");
+        if (json) {
+            json_text(json, "event", name);
+            json_written(json, "body", body->text);
+            message_end(dap, json, &line);
+        }
+    }
+    text_buffer_free(body);
+}
+
+void event_bare(struct dap *dap, const char *name)
+{
+    struct text_buffer line;
+    struct json *json = message_begin(dap, &line, "event");
+
+    if (!json)
+        return;
+    json_text(json, "event", name);
+    message_end(dap, json, &line);
+}
+
+void say_output(struct dap *dap, const char *category, const char *text)
+{
+    struct text_buffer body;
+    struct json *json;
+
+    if (!text || !*text)
+        return;
+    json = event_begin(dap, &body);
+    if (!json)
+        return;
+    json_text(json, "category", category);
+    json_text(json, "output", text);
+    event_end(dap, "output", json, &body);
+}
+
+void say_printed(struct dap *dap)
+{
+    if (dap->printed.failed)
+        give_up(dap, "no memory");
+    say_output(dap, "stdout", dap->printed.text);
+    text_buffer_free(&dap->printed);
+}
+
+/* ---- Responses -------------------------------------------------------------------- */
+
+static struct json *response_begin(struct dap *dap, struct text_buffer *line,
+                                   const struct json_value *request,
+                                   bool success)
+{
+    struct json *json = message_begin(dap, line, "response");
+    int64_t number = 0;
+
+    if (!json)
+        return NULL;
+    json_member_whole(request, "seq", &number);
+    json_number(json, "request_seq", (double)number);
+    json_truth(json, "success", success);
+    json_text(json, "command", json_member_text(request, "command"));
+    return json;
+}
+
+void say_response(struct dap *dap, const struct json_value *request,
+                  const char *body)
+{
+    struct text_buffer line;
+    struct json *json = response_begin(dap, &line, request, true);
+
+    if (!json)
+        return;
+    json_written(json, "body", body);
+    message_end(dap, json, &line);
+}
+
+void say_refusal(struct dap *dap, const struct json_value *request,
+                 const char *why)
+{
+    struct text_buffer line;
+    struct json *json = response_begin(dap, &line, request, false);
+
+    if (!json)
+        return;
+    json_text(json, "message", why);
+    message_end(dap, json, &line);
+}
+
+/* ---- Numbers and addresses ---------------------------------------------------------- */
+
+void dap_put_address(struct json *json, const char *key, uint64_t address)
+{
+    char text[DAP_ADDRESS_SIZE];
+
+    snprintf(text, sizeof text, "0x%" PRIX64, address);
+    json_text(json, key, text);
+}
+
+bool dap_whole(struct dap *dap, const struct json_value *arguments,
+               const char *key, int64_t *value)
+{
+    return json_member_whole(arguments, key, value)
+           || dap_fault(dap, "'%s' is no integer", key);
+}
+
+bool dap_address(struct dap *dap, const struct json_value *arguments,
+                 const char *reference, uint64_t *address)
+{
+    uint64_t mask = (UINT64_C(1) << 48) - 1;
+    const char *text = json_member_text(arguments, reference);
+    int64_t offset = 0;
+    char *end;
+
+    if (!text)
+        return dap_fault(dap, "'%s' is missing", reference);
+    *address = strtoull(text, &end, 0);
+    if (end == text || *end || *address > mask)
+        return dap_fault(dap, "'%.40s' is no address", text);
+    if (!dap_whole(dap, arguments, "offset", &offset))
+        return false;
+    *address = (*address + 8 * (uint64_t)offset) & mask;
+    return true;
+}

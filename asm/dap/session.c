@@ -1,0 +1,242 @@
+/* session.c - a session: what is heard, and who does it. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/dap/message.h"
+#include "asm/dap/parts.h"
+
+/* ---- Requests ----------------------------------------------------------------- */
+
+enum {
+    ALWAYS = DAP_NEW | DAP_GREETED | DAP_LAUNCHED | DAP_STANDING | DAP_RUNNING
+             | DAP_ENDED,
+    WITH_PROGRAM = DAP_LAUNCHED | DAP_STANDING | DAP_RUNNING | DAP_ENDED,
+    NOT_RUNNING = DAP_LAUNCHED | DAP_STANDING | DAP_ENDED
+};
+
+static const struct {
+    const char *name;
+    dap_request *answer;
+    unsigned states; /* in which it may come */
+} requests[] = {
+    { "initialize", request_initialize, DAP_NEW },
+    { "launch", request_launch, DAP_GREETED },
+    { "configurationDone", request_configuration_done, DAP_LAUNCHED },
+    { "restart", request_restart, DAP_STANDING | DAP_RUNNING | DAP_ENDED },
+    { "terminate", request_terminate, WITH_PROGRAM },
+    { "disconnect", request_disconnect, ALWAYS },
+    { "setBreakpoints", request_breakpoints, WITH_PROGRAM },
+    { "setFunctionBreakpoints", request_function_breakpoints, WITH_PROGRAM },
+    { "setInstructionBreakpoints", request_instruction_breakpoints,
+      WITH_PROGRAM },
+    { "setDataBreakpoints", request_data_breakpoints, WITH_PROGRAM },
+    { "setExceptionBreakpoints", request_exception_breakpoints,
+      WITH_PROGRAM },
+    { "dataBreakpointInfo", request_data_breakpoint_info, NOT_RUNNING },
+    { "breakpointLocations", request_breakpoint_locations, WITH_PROGRAM },
+    { "continue", request_continue, DAP_STANDING },
+    { "next", request_next, DAP_STANDING },
+    { "stepIn", request_step_in, DAP_STANDING },
+    { "stepOut", request_step_out, DAP_STANDING },
+    { "stepBack", request_step_back, DAP_STANDING },
+    { "reverseContinue", request_reverse_continue, DAP_STANDING },
+    { "pause", request_pause, DAP_STANDING | DAP_RUNNING },
+    { "goto", request_goto, DAP_STANDING },
+    { "gotoTargets", request_goto_targets, WITH_PROGRAM },
+    { "exceptionInfo", request_exception_info, NOT_RUNNING },
+    { "threads", request_threads, WITH_PROGRAM },
+    { "stackTrace", request_stack_trace, NOT_RUNNING },
+    { "source", request_source, WITH_PROGRAM },
+    { "loadedSources", request_loaded_sources, WITH_PROGRAM },
+    { "scopes", request_scopes, NOT_RUNNING },
+    { "variables", request_variables, NOT_RUNNING },
+    { "setVariable", request_set_variable, NOT_RUNNING },
+    { "evaluate", request_evaluate, NOT_RUNNING },
+    { "setExpression", request_set_expression, NOT_RUNNING },
+    { "readMemory", request_read_memory, NOT_RUNNING },
+    { "writeMemory", request_write_memory, NOT_RUNNING },
+    { "disassemble", request_disassemble, NOT_RUNNING },
+};
+enum { REQUESTS = sizeof requests / sizeof *requests };
+
+static bool may_come(struct dap *dap, unsigned states)
+{
+    if (states & (unsigned)dap->state)
+        return true;
+    switch (dap->state) {
+    case DAP_NEW: return dap_fault(dap, "initialize comes first");
+    case DAP_GREETED: return dap_fault(dap, "launch comes first");
+    case DAP_LAUNCHED:
+        return states & DAP_STANDING
+                   ? dap_fault(dap, "configurationDone comes first")
+                   : dap_fault(dap, "a program is launched already");
+    case DAP_RUNNING: return dap_fault(dap, "the program runs: pause it");
+    case DAP_ENDED: return dap_fault(dap, "the program has ended");
+    default: return dap_fault(dap, "this comes once");
+    }
+}
+
+static bool answer(struct dap *dap, const struct json_value *request,
+                   struct json *body)
+{
+    const char *command = json_member_text(request, "command");
+    size_t i = 0;
+
+    while (i < REQUESTS && strcmp(requests[i].name, command) != 0)
+        i++;
+    if (i == REQUESTS)
+        return dap_fault(dap, "there is no request '%.60s'", command);
+    return may_come(dap, requests[i].states)
+           && requests[i].answer(dap, json_member(request, "arguments"),
+                                 body);
+}
+
+static void refuse(struct dap *dap, const struct json_value *request)
+{
+    char *why = dap_take_said(dap);
+
+    say_refusal(dap, request, why ? why : "no memory");
+    free(why);
+}
+
+/* What it has told beside its answer is shown, too. */
+static void respond(struct dap *dap, const struct json_value *request,
+                    const char *body)
+{
+    char *said = dap_take_said(dap);
+
+    say_output(dap, "console", said);
+    free(said);
+    say_response(dap, request, body);
+}
+
+static void handle_request(struct dap *dap, const struct json_value *request)
+{
+    struct text_buffer body, outer = dap->said;
+    struct json *json;
+    void (*then)(struct dap * dap);
+    bool good;
+
+    dap->said = (struct text_buffer){ .text = NULL };
+    dap->then = NULL;
+    json = event_begin(dap, &body);
+    if (!json)
+        return;
+    good = answer(dap, request, json);
+    say_printed(dap);
+    if (good && json_close(json, dap->error))
+        respond(dap, request, body.text);
+    else if (!good)
+        json_discard(json);
+    if (!good)
+        refuse(dap, request);
+    text_buffer_free(&body);
+    text_buffer_free(&dap->said);
+    dap->said = outer;
+    then = good ? dap->then : NULL;
+    dap->then = NULL;
+    if (then)
+        then(dap);
+}
+
+/* ---- Messages ------------------------------------------------------------------- */
+
+/* What is no request needs no answer; what nobody can tell whom to answer is shown. */
+static void handle_message(struct dap *dap, const char *text, size_t length)
+{
+    struct arena arena = { 0 };
+    c205_error error;
+    const struct json_value *message = json_read(&arena, text, length,
+                                                 &error);
+    const char *type = json_member_text(message, "type");
+    char line[400];
+
+    if (!message || !type) {
+        snprintf(line, sizeof line, "a message that is none: %s\n",
+                 message ? "it has no type" : error.message);
+        say_output(dap, "stderr", line);
+    } else if (strcmp(type, "request") == 0
+               && json_member_text(message, "command")) {
+        handle_request(dap, message);
+    }
+    arena_free(&arena);
+}
+
+/* Of what was read. */
+static bool handle_next(struct dap *dap)
+{
+    struct message_content content;
+    char *text;
+
+    switch (message_find(&dap->input, &content, dap->error)) {
+    case MESSAGE_PART: return false;
+    case MESSAGE_BROKEN: dap->over = dap->failed = true; return false;
+    default: break;
+    }
+    text = malloc(content.length + 1);
+    if (!text) {
+        snprintf(dap->error->message, sizeof dap->error->message,
+                 "no memory");
+        dap->over = dap->failed = true;
+        return false;
+    }
+    memcpy(text, dap->input.text + content.begin, content.length);
+    message_drop(&dap->input, content.begin + content.length);
+    handle_message(dap, text, content.length);
+    free(text);
+    return true;
+}
+
+static void read_more(struct dap *dap)
+{
+    enum { AT_ONCE = 1 << 16 };
+    struct sink sink = text_buffer_sink(&dap->input);
+    char bytes[AT_ONCE];
+    size_t length = dap->setup.read(dap->setup.context, bytes, sizeof bytes);
+
+    sink.put(sink.context, bytes, length);
+    if (length > 0 && !dap->input.failed)
+        return;
+    dap->over = true;
+    dap->failed = dap->input.failed || dap->input.length > 0;
+    snprintf(dap->error->message, sizeof dap->error->message, "%s",
+             dap->input.failed ? "no memory"
+                               : "the input ends within a message");
+}
+
+bool dap_listen(void *given)
+{
+    struct dap *dap = given;
+
+    say_printed(dap);
+    if (dap->setup.ready(dap->setup.context))
+        read_more(dap);
+    while (!dap->over && dap->wish == WISH_NONE && handle_next(dap))
+        continue;
+    return dap->over || dap->wish != WISH_NONE;
+}
+
+/* ---- All of it --------------------------------------------------------------------- */
+
+static void end(struct dap *dap)
+{
+    debugger_free(dap->debugger);
+    object_free(dap->object);
+    c205_model_free(dap->model);
+    arena_free(&dap->launched);
+    text_buffer_free(&dap->input);
+    text_buffer_free(&dap->printed);
+    text_buffer_free(&dap->said);
+}
+
+bool dap_serve(const struct dap_setup *setup, c205_error *error)
+{
+    struct dap dap = { .setup = *setup, .state = DAP_NEW, .error = error };
+
+    while (!dap.over)
+        if (!handle_next(&dap) && !dap.over)
+            read_more(&dap);
+    end(&dap);
+    return !dap.failed;
+}

@@ -1,0 +1,257 @@
+/* engine.h - the inside of a debugger, as its verbs and the protocol of editors use
+ * it (asm/dap).  Not public.
+ *
+ * What is wrong is told by debug_fault, once; a function that could not do its work
+ * returns false after that, a motion MOVED_NOT.
+ */
+#ifndef ASM_DEBUG_ENGINE_H
+#define ASM_DEBUG_ENGINE_H
+
+#include "asm/debug/debugger.h"
+#include "asm/print.h"
+
+/* ---- Values (value.c) ---------------------------------------------------- */
+
+/* A number; of a word of the machine its value as a number, and the word; of a half word the
+ * same, with the half at the left of it. */
+struct value_of {
+    bool is_real, is_word, is_half;
+    int64_t integer; /* of a word: its low 48 bits, as an integer */
+    double real;     /* in any case */
+    c205_word word;
+};
+
+/* What is left of a text that is read. */
+struct rest {
+    const char *at;
+};
+
+/* ---- Stops (stops.c) ------------------------------------------------------ */
+
+enum stop_kind {
+    STOP_AT, /* an address */
+    STOP_LINE, /* where code of a source line begins, or of a macro that it calls */
+    STOP_INSN,  /* each instruction of a name */
+    STOP_ENTRY, /* where control comes into a region */
+    STOP_WATCH  /* what memory holds changes */
+};
+
+enum { WATCHED_WORDS = 64, TEXT_MOST = 200 };
+
+struct stop_point {
+    size_t number;
+    size_t group; /* those of one group go together; 0: of nobody */
+    enum stop_kind kind;
+    bool once;
+    char text[TEXT_MOST];      /* as it was written */
+    char condition[TEXT_MOST]; /* "": none */
+    char wanted[TEXT_MOST]; /* of the number of hits: "> 4", "% 3"; or "" */
+    bool met;               /* where the program stands */
+    uint64_t address;
+    const char *file; /* STOP_LINE */
+    size_t line;
+    const c205_insn *insn;
+    const char *region;
+    size_t count; /* words that are watched, and what they held */
+    c205_word held[WATCHED_WORDS];
+    uint64_t hits; /* times that it was met on a way forward */
+};
+
+/* ---- A debugger ----------------------------------------------------------- */
+
+struct debugger {
+    struct debugger_setup setup;
+    struct sink out;
+    c205_history *history;
+    struct printer printer;
+    bool line_open; /* what the program printed has not ended its line */
+    uint64_t told;  /* steps whose output was printed */
+    bool has_last;  /* there is a last instruction: */
+    c205_event last;
+    c205_times record; /* its time */
+    bool has_end;      /* .. with which the program ended: */
+    c205_times end;    /* what was in flight then */
+    bool halted;       /* the program cannot go on from here: */
+    c205_stop halt;
+    bool searching; /* it is run again to find a stop: hits do not count */
+    size_t stop_count, stop_number;
+    struct stop_point *stops;
+    char again[TEXT_MOST]; /* the last movement */
+    size_t faults;
+};
+
+static inline c205 *machine_of(const struct debugger *debugger)
+{
+    return c205_history_machine(debugger->history);
+}
+
+static inline uint64_t step_of(const struct debugger *debugger)
+{
+    return c205_history_step(debugger->history);
+}
+
+/* "error: ..." to the sink; false. */
+bool debug_fault(struct debugger *debugger, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+/* ---- Reading a text (value.c) --------------------------------------------- */
+
+void rest_skip(struct rest *rest);
+bool rest_end(struct rest *rest);
+/* A word of letters, digits and _ . if it is this one; or the beginning of it. */
+bool rest_take(struct rest *rest, const char *word);
+bool rest_begin(struct rest *rest, const char *word);
+/* Nothing may be left. */
+bool rest_finish(struct debugger *debugger, struct rest *rest);
+/* What was read from there on, as far as there is room, without spaces at its end. */
+void rest_text(const char *from, const struct rest *rest,
+               char text[TEXT_MOST]);
+
+/* An expression. */
+bool debug_value(struct debugger *debugger, struct rest *rest,
+                 struct value_of *value);
+/* Whether it is one, whatever registers and memory hold now. */
+bool debug_grammar(struct debugger *debugger, struct rest *rest);
+bool debug_address(struct debugger *debugger, struct rest *rest,
+                   uint64_t *address);
+bool debug_count(struct debugger *debugger, struct rest *rest,
+                 uint64_t *count);
+/* As a word, or as a half word at the left of one; false: there is none. */
+bool debug_word(struct debugger *debugger, const struct value_of *value,
+                bool half, c205_word *word);
+bool debug_is_true(const struct value_of *value);
+
+/* A register by its name or number: r10, h21, or a name of the program. */
+struct register_of {
+    uint8_t number;
+    bool half;
+};
+/* Tells nothing. */
+bool debug_register(const struct debugger *debugger, struct rest *rest,
+                    struct register_of *named);
+/* The name that the program gave it last; "": none. */
+const char *debug_register_name(const struct debugger *debugger,
+                                unsigned number);
+c205_word debug_register_word(const struct debugger *debugger,
+                              struct register_of named);
+
+/* ---- Verbs ----------------------------------------------------------------- */
+
+/* Does what the rest of its line says. */
+typedef bool debug_verb(struct debugger *debugger, struct rest *rest);
+
+/* Those that the protocol has as well. */
+debug_verb verb_print, verb_set;
+
+/* ---- Changes (set.c): from here on the run is another one ------------------ */
+
+bool debug_set_register(struct debugger *debugger, struct register_of named,
+                        const struct value_of *value);
+/* So many bits, 64 at the most and in one word, at the left of what is given. */
+bool debug_set_bits(struct debugger *debugger, uint64_t address,
+                    unsigned width, c205_word bits);
+/* From a byte on; all of them must be there. */
+bool debug_set_bytes(struct debugger *debugger, uint64_t address,
+                     const unsigned char *bytes, size_t count);
+/* An instruction of the program's text, which is the next one then. */
+bool debug_jump(struct debugger *debugger, uint64_t address);
+
+/* ---- Places (place.c) ------------------------------------------------------ */
+
+/* What a stop point is at, and its text.  LABEL, LABEL + EXPRESSION, LINE, FILE:LINE,
+ * *EXPRESSION, insn NAME, region NAME. */
+bool place_read(struct debugger *debugger, struct rest *rest,
+                struct stop_point *stop);
+/* The same of a source line, or the next that has code. */
+bool place_line(struct debugger *debugger, const char *file, size_t number,
+                struct stop_point *stop);
+/* One address. */
+bool place_address(struct debugger *debugger, struct rest *rest,
+                   uint64_t *address);
+/* Where the machine stands before it executes what is at an address: behind a LINKV that is
+ * the LINKV. */
+uint64_t place_of(const struct debugger *debugger, uint64_t address);
+/* Whether code of that source line, or of a macro called there, begins at an address. */
+bool place_begins(const struct debugger *debugger, const char *file,
+                  size_t number, uint64_t address);
+/* Whether a line is of a macro that another one calls. */
+bool place_is_called(const struct asm_line *line);
+/* The region of an address; "" for none. */
+const char *place_region(const struct debugger *debugger, uint64_t address);
+/* The instruction before one, as the program's lines have it. */
+uint64_t place_before(const struct debugger *debugger, uint64_t address);
+
+/* ---- Stops (stops.c) -------------------------------------------------------- */
+
+/* ADDRESS [, WORDS], to be watched. */
+bool stops_watch(struct debugger *debugger, struct rest *rest,
+                 struct stop_point *stop);
+/* All of a text; "" or NULL: none. */
+bool stops_condition(struct debugger *debugger, struct stop_point *stop,
+                     const char *text);
+/* An operator and what stands behind it, or a number: from so many on. */
+bool stops_wanted(struct debugger *debugger, struct stop_point *stop,
+                  const char *text);
+/* It has its number then.  False: no memory. */
+bool stops_add(struct debugger *debugger, struct stop_point *stop);
+/* The stop with a number; false: there is none.  All of a group. */
+bool stops_delete(struct debugger *debugger, uint64_t number);
+void stops_forget(struct debugger *debugger, size_t group);
+
+/* Whether the last instruction, or where the program stands, has come to some of them; these
+ * are marked.  before: the address of that instruction. */
+bool stops_meet(struct debugger *debugger, uint64_t before);
+/* What is watched is as it is now. */
+void stops_sample(struct debugger *debugger);
+/* Those that were met have been, and what is once is over.  With a word of each, or
+ * without. */
+void stops_pass(struct debugger *debugger, bool told);
+
+/* ---- Motions (motion.c) ----------------------------------------------------- */
+
+/* How one ended.  Of stops that were met stops_pass is still to be told. */
+enum moved {
+    MOVED_ON, /* as far as it was to go */
+    MOVED_TO_STOP,
+    MOVED_TO_HALT,  /* the program has ended, or a trap */
+    MOVED_TO_START, /* there is no way farther back */
+    MOVED_INTERRUPTED,
+    MOVED_TOO_FAR,
+    MOVED_NOT
+};
+
+enum moved motion_steps(struct debugger *debugger, uint64_t count);
+/* One instruction, a call and all that it does being one. */
+enum moved motion_next(struct debugger *debugger);
+/* The same, a macro call being one as well. */
+enum moved motion_line(struct debugger *debugger);
+/* On to an address, behind one instruction at least. */
+enum moved motion_to(struct debugger *debugger, uint64_t address);
+/* Out of the macro call in which the program stands, or else out of its region; it must
+ * be in one. */
+bool motion_can_go_out(struct debugger *debugger);
+enum moved motion_out(struct debugger *debugger);
+enum moved motion_run(struct debugger *debugger); /* from the beginning */
+enum moved motion_back(struct debugger *debugger, uint64_t count);
+/* To the beginning of a macro call, if that is where it comes from. */
+enum moved motion_back_line(struct debugger *debugger);
+enum moved motion_back_to_stop(struct debugger *debugger);
+/* Wherever that is, without a look at stops; a clock: to the first step that has it
+ * or more behind it. */
+enum moved motion_to_step(struct debugger *debugger, uint64_t step);
+enum moved motion_to_clock(struct debugger *debugger, uint64_t clock);
+
+/* ---- What is shown ----------------------------------------------------------- */
+
+/* A word, or a half word at the left of one, in all that it may mean. */
+void show_word(c205_word word, bool half, const struct sink *sink);
+/* Why the program cannot go on. */
+void show_halt(struct debugger *debugger);
+/* What a piece of time was spent to wait for; nothing: for nothing. */
+void show_wait(const struct debugger *debugger, const c205_piece *piece,
+               const struct sink *sink);
+
+#endif

@@ -1,0 +1,284 @@
+/* motion.c - forward and back. */
+#include <string.h>
+
+#include "asm/debug/engine.h"
+
+static uint64_t clock_of(const struct debugger *debugger)
+{
+    return c205_clock(machine_of(debugger));
+}
+
+static uint64_t pc_of(const struct debugger *debugger)
+{
+    return c205_pc(machine_of(debugger));
+}
+
+/* ---- Forward -------------------------------------------------------------- */
+
+static enum moved forward(struct debugger *debugger)
+{
+    uint64_t before = pc_of(debugger);
+
+    debugger->halted = !c205_history_forward(debugger->history,
+                                             &debugger->halt);
+    if (debugger->halted)
+        return MOVED_TO_HALT;
+    return stops_meet(debugger, before) ? MOVED_TO_STOP : MOVED_ON;
+}
+
+/* Asked seldom: it may be a question to the system. */
+static bool is_interrupted(const struct debugger *debugger)
+{
+    enum { SELDOM = 4096 };
+
+    return step_of(debugger) % SELDOM == 0 && debugger->setup.interrupted
+           && debugger->setup.interrupted(debugger->setup.asked);
+}
+
+/* Whether a movement that began at a clock goes on. */
+static enum moved look_up(const struct debugger *debugger, uint64_t begun)
+{
+    if (clock_of(debugger) - begun > debugger->setup.clocks_most)
+        return MOVED_TOO_FAR;
+    return is_interrupted(debugger) ? MOVED_INTERRUPTED : MOVED_ON;
+}
+
+/* What ends a movement besides stops. */
+struct aim {
+    uint64_t count;  /* instructions */
+    bool at_address; /* or, behind one instruction at least, this: */
+    uint64_t address;
+};
+
+static enum moved advance(struct debugger *debugger, struct aim aim)
+{
+    uint64_t begun = clock_of(debugger);
+    enum moved moved = MOVED_ON;
+
+    stops_sample(debugger);
+    for (uint64_t i = 0; i < aim.count && moved == MOVED_ON; i++) {
+        moved = forward(debugger);
+        if (moved == MOVED_ON)
+            moved = look_up(debugger, begun);
+        if (aim.at_address && pc_of(debugger) == aim.address)
+            break;
+    }
+    return moved;
+}
+
+enum moved motion_steps(struct debugger *debugger, uint64_t count)
+{
+    return advance(debugger, (struct aim){ .count = count });
+}
+
+enum moved motion_to(struct debugger *debugger, uint64_t address)
+{
+    return advance(debugger, (struct aim){ UINT64_MAX, true, address });
+}
+
+enum moved motion_next(struct debugger *debugger)
+{
+    uint64_t pc = pc_of(debugger);
+    enum moved moved = motion_steps(debugger, 1);
+    uint64_t halves = c205_format_halves(C205_FORMAT_CALL);
+
+    if (moved != MOVED_ON || !debugger->has_last
+        || debugger->last.insn != c205_insn_named("BSAVE", 5))
+        return moved;
+    return motion_to(debugger, pc + 32 * halves);
+}
+
+/* ---- Macro calls ------------------------------------------------------------ */
+
+/* A line of the macro call in which the program stands; NULL: it is in none. */
+static const struct asm_line *call_of(const struct debugger *debugger)
+{
+    const struct asm_line *line = object_line(debugger->setup.object,
+                                              pc_of(debugger));
+
+    return line && place_is_called(line) ? line : NULL;
+}
+
+static bool is_in(const struct debugger *debugger,
+                  const struct asm_line *call)
+{
+    const struct asm_line *line = call_of(debugger);
+
+    return line && line->call_number == call->call_number
+           && strcmp(line->call_file, call->call_file) == 0;
+}
+
+static bool is_behind_beginning(const struct debugger *debugger,
+                                const struct asm_line *call)
+{
+    return is_in(debugger, call)
+           && !place_begins(debugger, call->call_file, call->call_number,
+                            pc_of(debugger));
+}
+
+enum moved motion_line(struct debugger *debugger)
+{
+    const struct asm_line *call = call_of(debugger);
+    enum moved moved = motion_next(debugger);
+
+    while (moved == MOVED_ON && call && is_behind_beginning(debugger, call))
+        moved = motion_next(debugger);
+    return moved;
+}
+
+bool motion_can_go_out(struct debugger *debugger)
+{
+    return call_of(debugger) || *place_region(debugger, pc_of(debugger))
+           || debug_fault(debugger,
+                          "this is neither in a macro call nor in a "
+                          "region that could be left");
+}
+
+enum moved motion_out(struct debugger *debugger)
+{
+    const struct asm_line *call = call_of(debugger);
+    const char *region = place_region(debugger, pc_of(debugger));
+    enum moved moved;
+
+    do
+        moved = motion_steps(debugger, 1);
+    while (moved == MOVED_ON
+           && (call ? is_in(debugger, call)
+                    : strcmp(place_region(debugger, pc_of(debugger)), region)
+                          == 0));
+    return moved;
+}
+
+/* ---- Back ----------------------------------------------------------------- */
+
+static bool go_back(struct debugger *debugger, uint64_t step)
+{
+    c205_error error = { "no memory" };
+
+    if (step < step_of(debugger)) {
+        debugger->halted = debugger->has_end = false;
+        debugger->has_last = step > 0;
+    }
+    if (!c205_history_back(debugger->history, step, &error))
+        return debug_fault(debugger, "%s", error.message);
+    stops_sample(debugger);
+    return true;
+}
+
+enum moved motion_back(struct debugger *debugger, uint64_t count)
+{
+    uint64_t step = step_of(debugger);
+
+    if (!go_back(debugger, count < step ? step - count : 0))
+        return MOVED_NOT;
+    return step == 0 ? MOVED_TO_START : MOVED_ON;
+}
+
+enum moved motion_back_line(struct debugger *debugger)
+{
+    enum moved moved = motion_back(debugger, 1);
+    const struct asm_line *call = call_of(debugger);
+
+    while (moved == MOVED_ON && call && is_behind_beginning(debugger, call)
+           && step_of(debugger) > 0)
+        moved = motion_back(debugger, 1);
+    return moved;
+}
+
+/* The last step with a stop behind one step, before another; 0: there is none. */
+static enum moved find_last(struct debugger *debugger, uint64_t from,
+                            uint64_t end, uint64_t *found)
+{
+    *found = 0;
+    if (!go_back(debugger, from))
+        return MOVED_NOT;
+    while (step_of(debugger) + 1 < end) {
+        enum moved moved = forward(debugger);
+
+        if (moved == MOVED_TO_HALT)
+            break;
+        if (is_interrupted(debugger))
+            return MOVED_INTERRUPTED;
+        if (moved != MOVED_TO_STOP)
+            continue;
+        *found = step_of(debugger);
+        stops_sample(debugger);
+    }
+    return MOVED_ON;
+}
+
+/* What is watched held before the change. */
+static enum moved arrive_back(struct debugger *debugger, uint64_t step)
+{
+    return go_back(debugger, step - 1) ? forward(debugger) : MOVED_NOT;
+}
+
+/* A stretch at a time from here back. */
+static enum moved search_back(struct debugger *debugger)
+{
+    uint64_t end = step_of(debugger), stretch = 64, step;
+
+    while (end > 0) {
+        uint64_t from = stretch < end ? end - stretch : 0;
+        enum moved moved = find_last(debugger, from, end, &step);
+
+        if (moved != MOVED_ON)
+            return moved;
+        if (step > 0)
+            return arrive_back(debugger, step);
+        end = from > 0 ? from + 1 : 0;
+        stretch *= 2;
+    }
+    return go_back(debugger, 0) ? MOVED_TO_START : MOVED_NOT;
+}
+
+enum moved motion_back_to_stop(struct debugger *debugger)
+{
+    enum moved moved;
+
+    debugger->searching = true;
+    moved = search_back(debugger);
+    debugger->searching = false;
+    return moved;
+}
+
+/* ---- Anywhere ------------------------------------------------------------- */
+
+/* Forward without a look at stops. */
+static enum moved go_on_to(struct debugger *debugger, uint64_t step,
+                           uint64_t clock)
+{
+    uint64_t begun = clock_of(debugger);
+    enum moved moved = MOVED_ON;
+
+    while (moved == MOVED_ON && step_of(debugger) < step
+           && clock_of(debugger) < clock) {
+        debugger->halted = !c205_history_forward(debugger->history,
+                                                 &debugger->halt);
+        moved = debugger->halted ? MOVED_TO_HALT : look_up(debugger, begun);
+    }
+    stops_sample(debugger);
+    return moved;
+}
+
+enum moved motion_to_step(struct debugger *debugger, uint64_t step)
+{
+    return go_back(debugger, step) ? go_on_to(debugger, step, UINT64_MAX)
+                                   : MOVED_NOT;
+}
+
+enum moved motion_to_clock(struct debugger *debugger, uint64_t clock)
+{
+    return go_back(debugger, clock_of(debugger) >= clock ? 0 : UINT64_MAX)
+               ? go_on_to(debugger, UINT64_MAX, clock)
+               : MOVED_NOT;
+}
+
+enum moved motion_run(struct debugger *debugger)
+{
+    if (!go_back(debugger, 0))
+        return MOVED_NOT;
+    stops_sample(debugger);
+    return stops_meet(debugger, 0) ? MOVED_TO_STOP
+                                   : motion_steps(debugger, UINT64_MAX);
+}

@@ -1,0 +1,365 @@
+/* json_read.c - see json_read.h. */
+#include "base/json_read.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/utf8.h"
+
+struct json_reading {
+    struct arena *arena;
+    const char *begin, *at, *end;
+    unsigned depth;
+    c205_error *error;
+};
+
+static bool fail(struct json_reading *reading, const char *what)
+{
+    snprintf(reading->error->message, sizeof reading->error->message,
+             "%s at byte %zu", what, (size_t)(reading->at - reading->begin));
+    return false;
+}
+
+static bool no_memory(struct json_reading *reading)
+{
+    snprintf(reading->error->message, sizeof reading->error->message,
+             "no memory");
+    return false;
+}
+
+static void skip_space(struct json_reading *reading)
+{
+    while (reading->at < reading->end && *reading->at
+           && strchr(" \t\r\n", *reading->at))
+        reading->at++;
+}
+
+/* The next character; 0: there is none. */
+static char next_of(const struct json_reading *reading)
+{
+    return reading->at < reading->end ? *reading->at : '\0';
+}
+
+static bool take(struct json_reading *reading, char c)
+{
+    if (reading->at == reading->end || *reading->at != c)
+        return false;
+    reading->at++;
+    return true;
+}
+
+/* ---- Texts ---------------------------------------------------------------- */
+
+static bool read_hex(struct json_reading *reading, unsigned long *code)
+{
+    static const char digits[] = "0123456789abcdef0123456789ABCDEF";
+
+    *code = 0;
+    for (int i = 0; i < 4; i++) {
+        char c = next_of(reading);
+        const char *digit = c ? strchr(digits, c) : NULL;
+
+        if (!digit)
+            return fail(reading, "\\u without four hex digits");
+        *code = *code << 4 | (unsigned long)((digit - digits) % 16);
+        reading->at++;
+    }
+    return true;
+}
+
+/* Behind \u: of a character beyond FFFF there are two. */
+static bool read_code(struct json_reading *reading, unsigned long *code)
+{
+    unsigned long low;
+
+    if (!read_hex(reading, code))
+        return false;
+    if (*code == 0)
+        return fail(reading, "a text with a NUL");
+    if (*code < 0xD800 || *code > 0xDFFF)
+        return true;
+    if (*code > 0xDBFF || !take(reading, '\\') || !take(reading, 'u')
+        || !read_hex(reading, &low) || low < 0xDC00 || low > 0xDFFF)
+        return fail(reading, "half of a pair of surrogates");
+    *code = 0x10000 + ((*code - 0xD800) << 10) + (low - 0xDC00);
+    return true;
+}
+
+/* Behind a backslash. */
+static bool read_escape(struct json_reading *reading, char **to)
+{
+    static const char names[] = "\"\\/bfnrt", meant[] = "\"\\/\b\f\n\r\t";
+    char c = next_of(reading);
+    const char *name = c ? strchr(names, c) : NULL;
+    unsigned long code;
+
+    if (name) {
+        reading->at++;
+        *(*to)++ = meant[name - names];
+        return true;
+    }
+    if (!take(reading, 'u'))
+        return fail(reading, "no such escape");
+    if (!read_code(reading, &code))
+        return false;
+    *to += utf8_put(*to, code);
+    return true;
+}
+
+static bool read_character(struct json_reading *reading, char **to)
+{
+    size_t length;
+
+    if (take(reading, '\\'))
+        return read_escape(reading, to);
+    length = utf8_length(reading->at, (size_t)(reading->end - reading->at));
+    if (length == 0)
+        return fail(reading, reading->at < reading->end
+                                 ? "a byte that is no UTF-8"
+                                 : "a text without end");
+    if ((unsigned char)*reading->at < ' ')
+        return fail(reading, "a control character in a text");
+    memcpy(*to, reading->at, length);
+    *to += length;
+    reading->at += length;
+    return true;
+}
+
+/* It is never longer than what is written. */
+static const char *read_text(struct json_reading *reading)
+{
+    const char *close = reading->at + 1;
+    char *text, *to;
+
+    while (close < reading->end && *close != '"')
+        close += *close == '\\' && close + 1 < reading->end ? 2 : 1;
+    reading->at++;
+    text = to = arena_take(reading->arena, (size_t)(close - reading->at) + 1);
+    if (!text) {
+        no_memory(reading);
+        return NULL;
+    }
+    while (!take(reading, '"'))
+        if (!read_character(reading, &to))
+            return NULL;
+    return text;
+}
+
+/* ---- Numbers and names ------------------------------------------------------ */
+
+static bool skip_digits(struct json_reading *reading)
+{
+    const char *from = reading->at;
+
+    while (next_of(reading) >= '0' && next_of(reading) <= '9')
+        reading->at++;
+    return reading->at > from;
+}
+
+static bool skip_number(struct json_reading *reading)
+{
+    take(reading, '-');
+    if (!take(reading, '0') && !skip_digits(reading))
+        return false;
+    if (take(reading, '.') && !skip_digits(reading))
+        return false;
+    if (!take(reading, 'e') && !take(reading, 'E'))
+        return true;
+    if (!take(reading, '-'))
+        take(reading, '+');
+    return skip_digits(reading);
+}
+
+static bool read_number(struct json_reading *reading,
+                        struct json_value *value)
+{
+    enum { DIGITS_MOST = 400 };
+    const char *from = reading->at;
+    char digits[DIGITS_MOST];
+    size_t length;
+
+    if (!skip_number(reading))
+        return fail(reading, "no value");
+    length = (size_t)(reading->at - from);
+    if (length >= sizeof digits)
+        return fail(reading, "a number of so many digits");
+    memcpy(digits, from, length);
+    digits[length] = '\0';
+    value->kind = JSON_NUMBER;
+    value->number = strtod(digits, NULL);
+    return isfinite(value->number) || fail(reading, "a number too large");
+}
+
+static bool take_name(struct json_reading *reading, const char *name)
+{
+    size_t length = strlen(name);
+
+    if ((size_t)(reading->end - reading->at) < length
+        || strncmp(reading->at, name, length) != 0)
+        return false;
+    reading->at += length;
+    return true;
+}
+
+static bool read_name(struct json_reading *reading, struct json_value *value)
+{
+    value->kind = JSON_TRUTH;
+    value->truth = take_name(reading, "true");
+    if (value->truth || take_name(reading, "false"))
+        return true;
+    value->kind = JSON_NULL;
+    return take_name(reading, "null") || read_number(reading, value);
+}
+
+/* ---- Values ----------------------------------------------------------------- */
+
+static bool read_value(struct json_reading *reading,
+                       struct json_value *value);
+
+static bool read_key(struct json_reading *reading, struct json_value *value)
+{
+    skip_space(reading);
+    if (next_of(reading) != '"')
+        return fail(reading, "no key");
+    value->key = read_text(reading);
+    if (!value->key)
+        return false;
+    skip_space(reading);
+    return take(reading, ':') || fail(reading, "no colon");
+}
+
+static struct json_value *read_item(struct json_reading *reading,
+                                    bool has_key)
+{
+    struct json_value *item = arena_take(reading->arena, sizeof *item);
+
+    if (!item) {
+        no_memory(reading);
+        return NULL;
+    }
+    if ((has_key && !read_key(reading, item)) || !read_value(reading, item))
+        return NULL;
+    skip_space(reading);
+    return item;
+}
+
+/* Behind the opening bracket. */
+static bool read_items(struct json_reading *reading, struct json_value *value,
+                       char closing)
+{
+    const struct json_value **last = &value->first;
+
+    skip_space(reading);
+    if (take(reading, closing))
+        return true;
+    do {
+        struct json_value *item = read_item(reading, closing == '}');
+
+        if (!item)
+            return false;
+        *last = item;
+        last = &item->next;
+    } while (take(reading, ','));
+    return take(reading, closing) || fail(reading, "no comma and no end");
+}
+
+static bool read_within(struct json_reading *reading,
+                        struct json_value *value)
+{
+    char closing = value->kind == JSON_ARRAY ? ']' : '}';
+    bool good;
+
+    if (reading->depth == JSON_DEEPEST)
+        return fail(reading, "brackets too deep in each other");
+    reading->depth++;
+    good = read_items(reading, value, closing);
+    reading->depth--;
+    return good;
+}
+
+static bool read_value(struct json_reading *reading, struct json_value *value)
+{
+    skip_space(reading);
+    if (next_of(reading) == '"') {
+        value->kind = JSON_TEXT;
+        value->text = read_text(reading);
+        return value->text;
+    }
+    if (take(reading, '[')) {
+        value->kind = JSON_ARRAY;
+        return read_within(reading, value);
+    }
+    if (take(reading, '{')) {
+        value->kind = JSON_OBJECT;
+        return read_within(reading, value);
+    }
+    return read_name(reading, value);
+}
+
+const struct json_value *json_read(struct arena *arena, const char *text,
+                                   size_t length, c205_error *error)
+{
+    struct json_reading reading = {
+        arena, text, text, text + length, 0, error
+    };
+    struct json_value *value = read_item(&reading, false);
+
+    if (value && reading.at < reading.end) {
+        fail(&reading, "something behind the end");
+        return NULL;
+    }
+    return value;
+}
+
+/* ---- Members ---------------------------------------------------------------- */
+
+const struct json_value *json_member(const struct json_value *object,
+                                     const char *key)
+{
+    const struct json_value *member = object && object->kind == JSON_OBJECT
+                                          ? object->first
+                                          : NULL;
+
+    while (member && strcmp(member->key, key) != 0)
+        member = member->next;
+    return member && member->kind != JSON_NULL ? member : NULL;
+}
+
+const char *json_member_text(const struct json_value *object, const char *key)
+{
+    const struct json_value *member = json_member(object, key);
+
+    return member ? member->text : NULL;
+}
+
+const struct json_value *json_member_first(const struct json_value *object,
+                                           const char *key)
+{
+    const struct json_value *member = json_member(object, key);
+
+    return member ? member->first : NULL;
+}
+
+bool json_member_truth(const struct json_value *object, const char *key,
+                       bool otherwise)
+{
+    const struct json_value *member = json_member(object, key);
+
+    return member && member->kind == JSON_TRUTH ? member->truth : otherwise;
+}
+
+bool json_member_whole(const struct json_value *object, const char *key,
+                       int64_t *value)
+{
+    const struct json_value *member = json_member(object, key);
+
+    if (!member)
+        return true;
+    if (member->kind != JSON_NUMBER || floor(member->number) != member->number
+        || fabs(member->number) >= 0x1p53)
+        return false;
+    *value = (int64_t)member->number;
+    return true;
+}

@@ -1,0 +1,153 @@
+/* fuzz_dap.c - any bytes as what an editor says: each line the content of a message, or
+ * all of it with its headers.  Whatever it is, all that is answered is JSON in frames,
+ * counted, and the session ends with the input.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/dap/dap.h"
+#include "asm/dap/message.h"
+#include "base/json_read.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static const char text[] = "        .include \"vectors.s\"\n"
+                           "        .regs r16, a, b, turns, to, link, place\n"
+                           "        words a, 1.5, -2.0, 3.0, 4.0\n"
+                           "        words b\n"
+                           "        ES    turns, 5\n"
+                           "        EX    to, again\n"
+                           "        .kernel loop\n"
+                           "again:  ADDNV [a], [a], [b]\n"
+                           "        call  double, link, place\n"
+                           "        LINKV\n"
+                           "        MPYSV [a], r0, [b]\n"
+                           "        ADDNV [b], [a], [b]\n"
+                           "        DBNZ  turns, [to]\n"
+                           "        .endkernel\n"
+                           "        EXIT  turns, r0, 2\n"
+                           "        EXIT\n"
+                           "double: ADDNV [b], [b], [b]\n"
+                           "        return link\n";
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+/* ---- The client ---------------------------------------------------------------- */
+
+struct talk {
+    struct text_buffer said; /* by the client, .. */
+    size_t taken;            /* so much of it */
+    int64_t heard;
+};
+
+static void frame_lines(struct talk *talk, const uint8_t *data, size_t size)
+{
+    struct sink sink = text_buffer_sink(&talk->said);
+    size_t from = 0;
+
+    for (size_t i = 0; i <= size; i++) {
+        struct text_buffer line = { 0 };
+        struct sink filling = text_buffer_sink(&line);
+
+        if (i < size && data[i] != '\n')
+            continue;
+        filling.put(filling.context, (const char *)data + from, i - from);
+        if (line.length > 0)
+            message_put(&line, &sink);
+        text_buffer_free(&line);
+        from = i + 1;
+    }
+}
+
+static void say(struct talk *talk, const uint8_t *data, size_t size)
+{
+    static const char header[] = "Content";
+    struct sink sink = text_buffer_sink(&talk->said);
+
+    if (size >= sizeof header - 1
+        && memcmp(data, header, sizeof header - 1) == 0)
+        sink.put(sink.context, (const char *)data, size);
+    else
+        frame_lines(talk, data, size);
+}
+
+/* In pieces of several lengths. */
+static size_t give(void *context, char *bytes, size_t most)
+{
+    struct talk *talk = context;
+    size_t left = talk->said.length - talk->taken;
+    size_t length = 1 + talk->taken * 7 % 300;
+
+    length = length < left ? length : left;
+    length = length < most ? length : most;
+    if (length > 0)
+        memcpy(bytes, talk->said.text + talk->taken, length);
+    talk->taken += length;
+    return length;
+}
+
+static bool is_ready(void *context)
+{
+    (void)context;
+    return true;
+}
+
+static void hear(void *context, const char *bytes, size_t length)
+{
+    struct talk *talk = context;
+    struct text_buffer whole = { .text = (char *)bytes, .length = length };
+    struct message_content content;
+    struct arena arena = { 0 };
+    c205_error error;
+    const struct json_value *message;
+    int64_t number = -1;
+
+    must(message_find(&whole, &content, &error) == MESSAGE_WHOLE);
+    must(content.begin + content.length == length);
+    message = json_read(&arena, bytes + content.begin, content.length,
+                        &error);
+    must(json_member_whole(message, "seq", &number));
+    must(number == ++talk->heard);
+    arena_free(&arena);
+}
+
+/* Not what the client names: nothing of this host is opened. */
+static bool open_program(void *context, const struct dap_program *program,
+                         const struct sink *report, struct object **object,
+                         c205_model **model)
+{
+    const struct asm_options options = { .defines = program->defines };
+    struct diagnostics errors = { 0 };
+    c205_error error;
+
+    (void)context;
+    *object = assemble_text("fuzz.s", text, &options, &errors);
+    diagnostics_put(&errors, report);
+    diagnostics_free(&errors);
+    if (*object)
+        *model = c205_model_find(C205_DEFAULT_MODEL, &error);
+    return *object && *model;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct talk talk = { .taken = 0 };
+    struct dap_setup setup = { .read = give,
+                               .ready = is_ready,
+                               .open = open_program,
+                               .context = &talk,
+                               .out = { hear, &talk },
+                               .program = "fuzz.s",
+                               .folder = "/nowhere",
+                               .clocks_most = 1000000 };
+    c205_error error = { "" };
+
+    say(&talk, data, size);
+    must(dap_serve(&setup, &error) || *error.message);
+    text_buffer_free(&talk.said);
+    return 0;
+}

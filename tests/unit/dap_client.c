@@ -1,0 +1,302 @@
+#include "tests/unit/dap_client.h"
+
+#include <errno.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "asm/dap/message.h"
+
+/* ---- The process --------------------------------------------------------------- */
+
+enum { ARGUMENTS_MOST = 20, SECONDS_MOST = 60 };
+
+static void become_adapter(int in, int out, const char *const *arguments)
+{
+    const char *folder = getenv("RT205_LIBDIR");
+    char program[1000];
+    const char *words[ARGUMENTS_MOST] = { program, "debug", "--dap" };
+
+    for (size_t i = 0; arguments && arguments[i]; i++)
+        words[3 + i] = arguments[i];
+    snprintf(program, sizeof program, "%s/c205", folder ? folder : "build");
+    dup2(in, STDIN_FILENO);
+    dup2(out, STDOUT_FILENO);
+    freopen("/dev/null", "w", stderr);
+    execv(program, (char **)words);
+    _exit(127);
+}
+
+/* One that hears nothing for so long ends by the signal. */
+void client_begin(struct dap_client *client, const char *const *arguments)
+{
+    int to[2], from[2];
+
+    *client = (struct dap_client){ .process = 0 };
+    signal(SIGPIPE, SIG_IGN);
+    alarm(SECONDS_MOST);
+    assert_int_equal(pipe(to), 0);
+    assert_int_equal(pipe(from), 0);
+    client->process = fork();
+    assert_true(client->process >= 0);
+    if (client->process == 0) {
+        close(to[1]);
+        close(from[0]);
+        become_adapter(to[0], from[1], arguments);
+    }
+    close(to[0]);
+    close(from[1]);
+    client->to = to[1];
+    client->from = from[0];
+}
+
+int client_end(struct dap_client *client)
+{
+    int status = 0;
+    char rest[1000];
+
+    close(client->to);
+    while (read(client->from, rest, sizeof rest) > 0)
+        continue;
+    close(client->from);
+    assert_int_equal(waitpid(client->process, &status, 0), client->process);
+    assert_true(WIFEXITED(status));
+    arena_free(&client->arena);
+    text_buffer_free(&client->input);
+    text_buffer_free(&client->output);
+    free(client->events);
+    return WEXITSTATUS(status);
+}
+
+/* ---- Sent ---------------------------------------------------------------------- */
+
+void client_send(struct dap_client *client, const char *bytes, size_t length)
+{
+    while (length > 0) {
+        ssize_t written = write(client->to, bytes, length);
+
+        assert_true(written > 0);
+        bytes += written;
+        length -= (size_t)written;
+    }
+}
+
+static void put(void *context, const char *text, size_t length)
+{
+    client_send(context, text, length);
+}
+
+/* Numbers of requests are every third one. */
+void client_request(struct dap_client *client, const char *command,
+                    const char *format, va_list arguments)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text), out = { put, client };
+    char whole[4000] = "{}";
+
+    if (format)
+        vsnprintf(whole, sizeof whole, format, arguments);
+    client->sent += 3;
+    sink_print(&sink,
+               "{\"seq\": %u, \"type\": \"request\", \"command\": "
+               "\"%s\", \"arguments\": ",
+               client->sent, command);
+    sink_put(&sink, whole);
+    sink_put(&sink, "}");
+    message_put(&text, &out);
+    text_buffer_free(&text);
+}
+
+void client_tell(struct dap_client *client, const char *command,
+                 const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    client_request(client, command, format, arguments);
+    va_end(arguments);
+}
+
+/* ---- Heard --------------------------------------------------------------------- */
+
+static void hear_more(struct dap_client *client)
+{
+    struct sink sink = text_buffer_sink(&client->input);
+    char bytes[4096];
+    ssize_t length = read(client->from, bytes, sizeof bytes);
+
+    if (length <= 0)
+        fail_msg("the adapter has ended; of a message there is: %s",
+                 client->input.text ? client->input.text : "nothing");
+    sink.put(sink.context, bytes, (size_t)length);
+}
+
+static const struct json_value *next_message(struct dap_client *client)
+{
+    const struct json_value *message;
+    struct message_content content;
+    c205_error error = { "" };
+
+    for (;;) {
+        enum message_state state = message_find(&client->input, &content,
+                                                &error);
+
+        if (state == MESSAGE_WHOLE)
+            break;
+        if (state == MESSAGE_BROKEN)
+            fail_msg("%s: %s", error.message, client->input.text);
+        hear_more(client);
+    }
+    message = json_read(&client->arena, client->input.text + content.begin,
+                        content.length, &error);
+    if (!message)
+        fail_msg("%s: %s", error.message, client->input.text);
+    message_drop(&client->input, content.begin + content.length);
+    assert_int_equal(the_whole(message, "seq"), ++client->heard);
+    return message;
+}
+
+static void keep_event(struct dap_client *client,
+                       const struct json_value *event)
+{
+    struct sink sink = text_buffer_sink(&client->output);
+
+    if (strcmp(the_text(event, "event"), "output") == 0) {
+        sink_put(&sink, the_text(the(event, "body"), "output"));
+        return;
+    }
+    if (client->event_count == client->event_room) {
+        client->event_room = 2 * client->event_room + 8;
+        client->events = realloc(client->events,
+                                 client->event_room * sizeof *client->events);
+    }
+    client->events[client->event_count++] = event;
+}
+
+const struct json_value *client_response(struct dap_client *client)
+{
+    for (;;) {
+        const struct json_value *message = next_message(client);
+
+        if (strcmp(the_text(message, "type"), "response") == 0) {
+            assert_int_equal(the_whole(message, "request_seq"), client->sent);
+            return message;
+        }
+        assert_string_equal(the_text(message, "type"), "event");
+        keep_event(client, message);
+    }
+}
+
+const struct json_value *client_ask(struct dap_client *client,
+                                    const char *command, const char *format,
+                                    ...)
+{
+    const struct json_value *response;
+    va_list arguments;
+
+    va_start(arguments, format);
+    client_request(client, command, format, arguments);
+    va_end(arguments);
+    response = client_response(client);
+    assert_string_equal(the_text(response, "command"), command);
+    if (!json_member_truth(response, "success", false))
+        fail_msg("%s: %s", command, the_text(response, "message"));
+    return the(response, "body");
+}
+
+void client_refused(struct dap_client *client, const char *words,
+                    const char *command, const char *format, ...)
+{
+    const struct json_value *response;
+    va_list arguments;
+
+    va_start(arguments, format);
+    client_request(client, command, format, arguments);
+    va_end(arguments);
+    response = client_response(client);
+    if (json_member_truth(response, "success", true)
+        || !strstr(the_text(response, "message"), words))
+        fail_msg("%s: not refused with '%s', but %s", command, words,
+                 json_member_text(response, "message"));
+}
+
+const struct json_value *client_event(struct dap_client *client,
+                                      const char *name)
+{
+    const struct json_value *event;
+
+    while (client->event_count == 0)
+        keep_event(client, next_message(client));
+    event = client->events[0];
+    client->event_count--;
+    memmove(client->events, client->events + 1,
+            client->event_count * sizeof *client->events);
+    assert_string_equal(the_text(event, "event"), name);
+    return json_member(event, "body");
+}
+
+const struct json_value *client_stopped(struct dap_client *client,
+                                        const char *reason)
+{
+    const struct json_value *body = client_event(client, "stopped");
+
+    assert_string_equal(the_text(body, "reason"), reason);
+    assert_int_equal(the_whole(body, "threadId"), 1);
+    assert_true(json_member_truth(body, "allThreadsStopped", false));
+    return body;
+}
+
+/* ---- Members -------------------------------------------------------------------- */
+
+const struct json_value *the(const struct json_value *object, const char *key)
+{
+    const struct json_value *member = json_member(object, key);
+
+    if (!member)
+        fail_msg("there is no '%s'", key);
+    return member;
+}
+
+const char *the_text(const struct json_value *object, const char *key)
+{
+    const char *text = the(object, key)->text;
+
+    if (!text)
+        fail_msg("'%s' is no text", key);
+    return text;
+}
+
+int64_t the_whole(const struct json_value *object, const char *key)
+{
+    int64_t value = 0;
+
+    the(object, key);
+    if (!json_member_whole(object, key, &value))
+        fail_msg("'%s' is no integer", key);
+    return value;
+}
+
+const struct json_value *element_with(const struct json_value *list,
+                                      const char *key, const char *text)
+{
+    const struct json_value *item = list->first;
+
+    while (item && strcmp(the_text(item, key), text) != 0)
+        item = item->next;
+    return item;
+}
+
+size_t length_of(const struct json_value *list)
+{
+    size_t length = 0;
+
+    for (const struct json_value *item = list->first; item; item = item->next)
+        length++;
+    return length;
+}

@@ -1,0 +1,48 @@
+#include "tests/unit/plain_run.h"
+
+#include "tests/random.h"
+
+struct moment moment_of(const c205 *machine, uint64_t watched)
+{
+    struct moment moment = { .pc = c205_pc(machine),
+                             .clock = c205_clock(machine) };
+
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        moment.registers[i] = c205_register(machine, i);
+    c205_read(machine, watched, &moment.watched, 1);
+    return moment;
+}
+
+struct plain run_plainly(struct object *object, uint64_t *random_state)
+{
+    struct plain plain = { .object = object };
+    const c205_segment *last;
+    c205_error error;
+    c205 *machine = c205_new(prior_model, &error);
+    c205_stop stop;
+
+    assert_non_null(object);
+    last = &object->program.segments[object->program.segment_count - 1];
+    plain.watched = last->address
+                    + 64 * (xorshift(random_state) % last->length);
+    plain.moments = malloc((PLAIN_STEPS_MOST + 1) * sizeof *plain.moments);
+    assert_true(c205_load(machine, &object->program, &error));
+    plain.moments[0] = moment_of(machine, plain.watched);
+    for (bool goes_on = true; goes_on && plain.end < PLAIN_STEPS_MOST;) {
+        goes_on = c205_step(machine, &stop);
+        plain.moments[++plain.end] = moment_of(machine, plain.watched);
+    }
+    assert_true(plain.end < PLAIN_STEPS_MOST);
+    c205_free(machine);
+    return plain;
+}
+
+const char *plain_region(const struct plain *plain, uint64_t pc)
+{
+    const c205_program *program = &plain->object->program;
+
+    for (size_t i = 0; i < program->region_count; i++)
+        if (pc >= program->regions[i].begin && pc < program->regions[i].end)
+            return program->regions[i].name;
+    return "";
+}

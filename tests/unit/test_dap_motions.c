@@ -1,0 +1,256 @@
+/* test_dap_motions.c - motions by chance in programs by chance, from an editor: where
+ * they lead is what a plain run says.
+ */
+#include <unistd.h>
+
+#include "asm/object.h"
+#include "tests/random.h"
+#include "tests/unit/dap_session.h"
+#include "tests/unit/plain_run.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+static uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+/* ---- Motions by chance --------------------------------------------------------------------- */
+
+/* Loops with vectors, calls and what is stored among them. */
+static void draw_program(struct text_buffer *text)
+{
+    static const char *const lines[] = {
+        "        ADDNV   [a], [b], [c]\n",
+        "        MPYSV   [b], [a], [b]\n",
+        "        SUBNV   [c], [a], [a]\n",
+        "        ADDX    one, count, count\n",
+        "        STO     [data, one], count\n",
+        "        LOD     [data, one], other\n",
+        "        call    routine, link, place\n",
+        "        ADDN    other, count, other\n",
+        "        load_constant other, 1.5\n",
+    };
+    struct sink sink = text_buffer_sink(text);
+    size_t loops = 1 + below(3);
+
+    *text = (struct text_buffer){ .text = NULL };
+    sink_put(&sink, "        .include \"vectors.s\"\n"
+                    "        .regs r16, a, b, c, one, count, data, other\n"
+                    "        .regs r24, turns, link, place, to\n"
+                    "        words a, 1.5, -2.0, 3.0, 4.0\n"
+                    "        words b, 0.5, 0.25\n"
+                    "        words c\n"
+                    "        ES one, 1\n"
+                    "        EX data, c.words\n");
+    for (size_t i = 0; i < loops; i++) {
+        sink_print(&sink, "        ES turns, %u\n        EX to, loop%zu\n",
+                   (unsigned)(1 + below(40)), i);
+        sink_print(&sink, "        .kernel k%zu\nloop%zu:\n", i, i);
+        for (size_t k = 1 + below(8); k > 0; k--)
+            sink_put(&sink, lines[below(sizeof lines / sizeof *lines)]);
+        sink_put(&sink, "        DBNZ turns, [to]\n        .endkernel\n");
+    }
+    sink_put(&sink, "        EXIT\n"
+                    "routine: ADDX count, one, count\n"
+                    "        return link\n");
+}
+
+struct walk {
+    struct dap_client client;
+    struct plain plain;
+    size_t step;
+    bool has_place, by_watch;
+    uint64_t place;
+};
+
+static void check_moment(struct walk *walk, const char *request)
+{
+    const struct moment *moment = &walk->plain.moments[walk->step];
+    const struct json_value *item,
+        *time = client_variables(&walk->client, "Time");
+    char watched[40];
+    size_t i = 0;
+
+    if (strtoull(value_of(time, "step"), NULL, 10) != walk->step
+        || strtoull(value_of(time, "clock"), NULL, 10) != moment->clock
+        || client_pc(&walk->client) != moment->pc)
+        fail_msg("%s: step %s at clock %s, not %zu at %llu", request,
+                 value_of(time, "step"), value_of(time, "clock"), walk->step,
+                 (unsigned long long)moment->clock);
+    item = client_variables(&walk->client, "All registers")->first;
+    for (; item; item = item->next, i++)
+        assert_true(word_in(the_text(item, "value")) == moment->registers[i]);
+    assert_int_equal(i, C205_REGISTERS);
+    snprintf(watched, sizeof watched, "[%llu]",
+             (unsigned long long)walk->plain.watched);
+    assert_true(word_in(client_print(&walk->client, watched))
+                == moment->watched);
+}
+
+static bool is_stop(const struct walk *walk, size_t step)
+{
+    const struct moment *now = &walk->plain.moments[step];
+
+    return step > 0 && step < walk->plain.end
+           && ((walk->has_place && now->pc == walk->place)
+               || (walk->by_watch && now->watched != now[-1].watched));
+}
+
+static void choose_stops(struct walk *walk)
+{
+    walk->place = walk->plain.moments[below(walk->plain.end)].pc;
+    walk->has_place = below(3) > 0;
+    walk->by_watch = below(2);
+    client_ask(&walk->client, "setInstructionBreakpoints",
+               walk->has_place ? "{\"breakpoints\": "
+                                 "[{\"instructionReference\": \"0x%llX\"}]}"
+                               : "{\"breakpoints\": []}",
+               (unsigned long long)walk->place);
+    client_ask(&walk->client, "setDataBreakpoints",
+               walk->by_watch ? "{\"breakpoints\": [{\"dataId\": "
+                                "\"0x%llX, 1\"}]}"
+                              : "{\"breakpoints\": []}",
+               (unsigned long long)walk->plain.watched);
+}
+
+/* Why a motion ends where it does; of two stops the one that was set first is told. */
+static const char *reason_for(const struct walk *walk, const char *request,
+                              size_t from)
+{
+    bool steps_back = strcmp(request, "stepBack") == 0;
+
+    if (walk->step == walk->plain.end)
+        return "end";
+    if (walk->step == 0)
+        return steps_back && from > 0 ? "step" : "entry";
+    if (steps_back || !is_stop(walk, walk->step))
+        return "step";
+    return walk->has_place
+                   && walk->plain.moments[walk->step].pc == walk->place
+               ? "instruction breakpoint"
+               : "data breakpoint";
+}
+
+static void move_to(struct walk *walk, const char *request, size_t step)
+{
+    size_t from = walk->step;
+
+    walk->step = step;
+    client_ask(&walk->client, request,
+               "{\"threadId\": 1, \"granularity\": \"instruction\"}");
+    client_stopped(&walk->client, reason_for(walk, request, from));
+    check_moment(walk, request);
+}
+
+/* Behind its end there is no way on. */
+static void move(struct walk *walk)
+{
+    size_t step = walk->step, end = walk->plain.end;
+
+    switch (step == end ? 2 + below(2) : below(5)) {
+    case 0:
+        do
+            step++;
+        while (step < end && !is_stop(walk, step));
+        move_to(walk, "continue", step);
+        break;
+    case 1:
+    case 4: move_to(walk, "stepIn", step + 1); break;
+    case 2: move_to(walk, "stepBack", step > 0 ? step - 1 : 0); break;
+    default:
+        while (step > 0 && !is_stop(walk, --step))
+            continue;
+        move_to(walk, "reverseContinue", step);
+    }
+}
+
+/* The instructions before a place are those that come to it from the beginning. */
+static void check_disassembly(struct walk *walk)
+{
+    enum { MOST = 60 };
+    const struct json_value *all = client_disassembled(&walk->client,
+                                                       0x400000, 0, MOST);
+    int here = (int)below(MOST), before = (int)below((uint64_t)here + 1);
+    const struct json_value *item = all->first, *from = all->first, *part;
+
+    for (int i = 0; i < here; i++)
+        item = item->next;
+    for (int i = 0; i < here - before; i++)
+        from = from->next;
+    part = client_disassembled(&walk->client,
+                               strtoull(the_text(item, "address"), NULL, 16),
+                               -before, before + 1)
+               ->first;
+    for (; part; part = part->next, from = from->next)
+        assert_string_equal(the_text(part, "address"),
+                            the_text(from, "address"));
+}
+
+static void test_motions(void **state)
+{
+    enum { ROUNDS = 12, MOVES = 60 };
+
+    (void)state;
+    for (size_t i = 0; i < ROUNDS; i++) {
+        struct walk walk = { .step = 0 };
+        struct text_buffer text;
+
+        draw_program(&text);
+        walk.plain = run_plainly(good(text.text), &random_state);
+        client_launch(&walk.client, text.text,
+                      ", \"stopOnEntry\": true, \"stopOnEnd\": true, "
+                      "\"model\": \"cyber205-2pipe-prior\"");
+        client_ask(&walk.client, "configurationDone", NULL);
+        client_stopped(&walk.client, "entry");
+        for (size_t k = 0; k < MOVES; k++) {
+            if (below(8) == 0)
+                choose_stops(&walk);
+            move(&walk);
+        }
+        check_disassembly(&walk);
+        client_leave(&walk.client);
+        object_free(walk.plain.object);
+        free(walk.plain.moments);
+        text_buffer_free(&text);
+    }
+}
+
+/* Of an object the lines are not known: its instructions are read from the beginning. */
+static void test_objects(void **state)
+{
+    enum { ROUNDS = 6 };
+
+    (void)state;
+    client_write("");
+    for (size_t i = 0; i < ROUNDS; i++) {
+        struct walk walk = { .step = 0 };
+        struct text_buffer text;
+        struct object *object;
+        c205_error error;
+
+        draw_program(&text);
+        object = good(text.text);
+        assert_true(object_save(object, client_path, &error));
+        client_launch_file(&walk.client, ", \"stopOnEntry\": true");
+        client_ask(&walk.client, "configurationDone", NULL);
+        client_stopped(&walk.client, "entry");
+        assert_null(
+            json_member(client_frames(&walk.client)->first, "source"));
+        for (size_t k = 0; k < 20; k++)
+            check_disassembly(&walk);
+        client_leave(&walk.client);
+        object_free(object);
+        text_buffer_free(&text);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_motions),
+        cmocka_unit_test(test_objects),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}

@@ -1,0 +1,269 @@
+/* test_dap_shown.c - what an editor is shown: files by any path, elements with their
+ * control bits, the machine's own accounts; and what its extension proposes.
+ */
+#include <unistd.h>
+
+#include "base/file.h"
+#include "base/json.h"
+#include "tests/unit/dap_session.h"
+#include "tests/unit/plain_run.h"
+
+/* ---- What is shown ------------------------------------------------------------------------ */
+
+/* A file is the same, whatever the way to it is called. */
+static void test_paths(void **state)
+{
+    static const char *const ways[] = { "asm/examples/", "./asm/examples/",
+                                        "asm/../asm/examples/" };
+    struct dap_client client;
+    const struct json_value *stop = NULL;
+    char folder[1200];
+
+    (void)state;
+    assert_non_null(getcwd(folder, 1000));
+    client_begin(&client, NULL);
+    client_ask(&client, "initialize", NULL);
+    client_ask(&client, "launch",
+               "{\"program\": \"asm/examples/saxpy_linked.s\"}");
+    client_event(&client, "initialized");
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        stop = the(client_ask(&client, "setBreakpoints",
+                              "{\"source\": {\"path\": "
+                              "\"%s/%ssaxpy_linked.s\"}, \"breakpoints\": "
+                              "[{\"line\": 18}]}",
+                              folder, ways[i]),
+                   "breakpoints")
+                   ->first;
+        assert_true(json_member_truth(stop, "verified", false));
+    }
+    client_ask(&client, "configurationDone", NULL);
+    stop = client_stopped(&client, "breakpoint");
+    assert_int_equal(length_of(the(stop, "hitBreakpointIds")), 1);
+    strcat(folder, "/asm/examples/saxpy_linked.s");
+    assert_string_equal(the_text(the(client_frames(&client)->first, "source"),
+                                 "path"),
+                        folder);
+    client_ask(&client, "disconnect", NULL);
+    assert_int_equal(client_end(&client), 0);
+}
+
+/* A stop in a macro of the library is one in each call. */
+static void test_library_lines(void **state)
+{
+    struct dap_client client;
+    const struct json_value *core;
+
+    (void)state;
+    client_enter(&client, client_program);
+    core = element_with(the(client_ask(&client, "loadedSources", NULL),
+                            "sources"),
+                        "name", "core.s");
+    client_ask(&client, "setBreakpoints",
+               "{\"source\": {\"name\": \"core.s\", \"sourceReference\": "
+               "%d}, \"breakpoints\": [{\"line\": 11}]}",
+               (int)the_whole(core, "sourceReference"));
+    client_go(&client, "continue", "breakpoint");
+    assert_int_equal(client_step(&client), 1);
+    client_go(&client, "continue", "breakpoint");
+    assert_int_equal(client_step(&client), 3);
+    client_leave(&client);
+}
+
+static const char masked_text[] = "        .include \"vectors.s\"\n"
+                                  "        .regs   r16, a, b, mask\n"
+                                  "        words   a, 1.5, -2.0, 3.0, 4.0\n"
+                                  "        words   b\n"
+                                  "        bits    mask, \"1010\"\n"
+                                  "        ADDNV   [a], [a], [b] ? [mask]\n"
+                                  "        EXIT\n";
+
+static void test_elements(void **state)
+{
+    static const char *const values[] = { "1.5  X'FFD2 6000 0000 0000'  ? 1",
+                                          "-2  X'FFD2 8000 0000 0000'  ? 0",
+                                          "3  X'FFD3 6000 0000 0000'  ? 1",
+                                          "4  X'FFD4 4000 0000 0000'  ? 0" };
+    struct dap_client client;
+    const struct json_value *list, *item;
+    int reference;
+
+    (void)state;
+    client_enter(&client, masked_text);
+    client_stop_at(&client, "{\"line\": 6}");
+    client_go(&client, "continue", "breakpoint");
+    list = client_variables(&client, "Operands");
+    item = element_with(list, "name", "ADDNV [a]");
+    assert_string_equal(the_text(item, "value"), "4 words from 800000 on");
+    assert_int_equal(the_whole(item, "indexedVariables"), 4);
+    reference = (int)the_whole(item, "variablesReference");
+    for (int start = 0; start < 4; start++)
+        for (int count = 0; count < 6; count++) {
+            char range[80];
+            int i = start;
+
+            snprintf(range, sizeof range,
+                     ", \"filter\": \"indexed\", \"start\": %d, \"count\": "
+                     "%d",
+                     start, count);
+            item = client_inside(&client, reference, range)->first;
+            for (; item; item = item->next, i++)
+                assert_string_equal(the_text(item, "value"), values[i]);
+            assert_int_equal(i, count == 0 || start + count > 4
+                                    ? 4
+                                    : start + count);
+        }
+    assert_string_equal(value_of(list, "ADDNV [mask]"),
+                        "bits from 800200 on");
+    item = element_with(client_variables(&client, "Registers"), "name",
+                        "mask");
+    item = client_inside(&client, (int)the_whole(item, "variablesReference"),
+                         "");
+    assert_int_equal(length_of(item), 2 + 4); /* it could be words, too */
+    client_leave(&client);
+}
+
+/* The time is the machine's own accounts, after every step. */
+static void check_accounts(struct dap_client *client, const c205 *machine)
+{
+    const struct json_value *time = client_variables(client, "Time");
+    uint64_t sum = 0;
+
+    for (size_t i = 0; i < c205_account_count(machine); i++) {
+        const c205_account *account = c205_account_at(machine, i);
+        const char *name = *account->name ? account->name : "outside regions";
+        const struct json_value *list = client_inside(client,
+                                                      reference_of(time,
+                                                                   name),
+                                                      "");
+
+        for (int cause = 0; cause < C205_CAUSES; cause++) {
+            uint64_t clocks = strtoull(value_of(list, c205_cause_name(
+                                                          (c205_cause)cause)),
+                                       NULL, 10);
+
+            assert_int_equal(clocks, account->clocks[cause]);
+            sum += clocks;
+        }
+        assert_int_equal(strtoull(value_of(list, "elements"), NULL, 10),
+                         account->elements);
+    }
+    assert_int_equal(strtoull(value_of(time, "clock"), NULL, 10), sum);
+}
+
+static void test_time(void **state)
+{
+    struct dap_client client;
+    struct object *object = good(client_program);
+    c205_error error;
+    c205 *machine = c205_new(prior_model, &error);
+    c205_stop stop;
+
+    (void)state;
+    assert_true(c205_load(machine, &object->program, &error));
+    client_launch(&client, client_program,
+                  ", \"stopOnEntry\": true, \"stopOnEnd\": "
+                  "true, \"model\": \"cyber205-2pipe-prior\"");
+    client_ask(&client, "configurationDone", NULL);
+    client_stopped(&client, "entry");
+    check_accounts(&client, machine);
+    while (c205_step(machine, &stop)) {
+        client_go_finely(&client, "stepIn");
+        check_accounts(&client, machine);
+    }
+    client_leave(&client);
+    c205_free(machine);
+    object_free(object);
+}
+
+/* ---- The extension ----------------------------------------------------------------------------------- */
+
+static const struct json_value *read_file(struct arena *arena,
+                                          const char *name)
+{
+    char whole[100];
+    c205_error error = { "" };
+    const struct json_value *tree;
+    size_t length;
+    char *text;
+
+    snprintf(whole, sizeof whole, "docs/editors/vscode/%s", name);
+    text = file_read(whole, FILE_LARGEST, &length, &error);
+    if (!text)
+        fail_msg("%s: %s", whole, error.message);
+    tree = json_read(arena, text, length, &error);
+    if (!tree)
+        fail_msg("%s: %s", whole, error.message);
+    free(text);
+    return tree;
+}
+
+/* Members with their defaults, as the editor proposes them, but for the program. */
+static void put_defaults(struct json *json,
+                         const struct json_value *properties)
+{
+    for (const struct json_value *item = properties->first; item;
+         item = item->next) {
+        const char *type = the_text(item, "type");
+        const struct json_value *value = the(item, "default");
+
+        if (strcmp(item->key, "program") == 0)
+            json_text(json, "program", client_path);
+        else if (strcmp(type, "string") == 0)
+            json_text(json, item->key, value->text);
+        else if (strcmp(type, "boolean") == 0)
+            json_truth(json, item->key, value->truth);
+        else {
+            (strcmp(type, "array") == 0 ? json_array
+                                        : json_object)(json, item->key);
+            json_end(json);
+        }
+    }
+}
+
+/* What its entry starts is the adapter, which takes what the entry proposes. */
+static void test_extension(void **state)
+{
+    struct dap_client client;
+    struct text_buffer launch_text = { 0 };
+    struct arena arena = { 0 };
+    c205_error error;
+    const struct json_value *package = read_file(&arena, "package.json");
+    const struct json_value
+        *entry = the(the(package, "contributes"), "debuggers")->first;
+    struct json *json = json_open_line(&launch_text, &error);
+
+    (void)state;
+    read_file(&arena, "language-configuration.json");
+    read_file(&arena, "c205.tmLanguage.json");
+    assert_string_equal(the_text(package, "version"), C205_VERSION);
+    assert_string_equal(the_text(entry, "runtime"), "c205");
+    assert_string_equal(the(entry, "args")->first->text, "debug");
+    assert_string_equal(the(entry, "args")->first->next->text, "--dap");
+    client_write(client_program);
+    put_defaults(json,
+                 the(the(the(entry, "configurationAttributes"), "launch"),
+                     "properties"));
+    assert_true(json_close(json, &error));
+    client_begin(&client, NULL);
+    client_ask(&client, "initialize", NULL);
+    client_ask(&client, "launch", "%s", launch_text.text);
+    client_event(&client, "initialized");
+    client_ask(&client, "configurationDone", NULL);
+    client_stopped(&client, "entry");
+    client_leave(&client);
+    text_buffer_free(&launch_text);
+    arena_free(&arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_paths),
+        cmocka_unit_test(test_library_lines),
+        cmocka_unit_test(test_elements),
+        cmocka_unit_test(test_time),
+        cmocka_unit_test(test_extension),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}

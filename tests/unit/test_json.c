@@ -1,0 +1,343 @@
+/* test_json.c - values by chance, written and read again: the same come back; of what is
+ * written, cut off or with a byte changed, a tree or an error. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/json.h"
+#include "base/json_read.h"
+#include "base/sink.h"
+#include "base/utf8.h"
+#include "tests/random.h"
+
+enum { ROUNDS = 3000, DEEPEST = 6 };
+
+static uint64_t random_state = RANDOM_SEED;
+
+static uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+static const struct json_value *read_in(struct arena *arena, const char *text,
+                                        c205_error *error)
+{
+    return json_read(arena, text, strlen(text), error);
+}
+
+/* ---- Written and read ------------------------------------------------------- */
+
+/* What a value is to be, drawn a second time while it is read. */
+static void draw_text(char text[40])
+{
+    static const char *const pieces[] = {
+        "a",        "\"",   "\\",           "\n", "\x1f",
+        "\xc3\xa4", "\x7f", "\xe2\x82\xac", "/",  "\xf0\x9f\x98\x80",
+        "\t"
+    };
+    size_t length = below(8);
+
+    for (*text = '\0'; length > 0; length--)
+        strcat(text, pieces[below(sizeof pieces / sizeof *pieces)]);
+}
+
+static double draw_number(void)
+{
+    double number = (double)(int64_t)xorshift(&random_state);
+
+    return ldexp(number, (int)below(200) - 100);
+}
+
+static void write_value(struct json *json, const char *key, unsigned depth)
+{
+    char text[40];
+    size_t count;
+
+    switch (below(depth < DEEPEST ? 6 : 4)) {
+    case 0: json_null(json, key); break;
+    case 1: json_truth(json, key, below(2)); break;
+    case 2: json_number(json, key, draw_number()); break;
+    case 3:
+        draw_text(text);
+        json_text(json, key, text);
+        break;
+    case 4:
+        json_array(json, key);
+        for (count = below(5); count > 0; count--)
+            write_value(json, NULL, depth + 1);
+        json_end(json);
+        break;
+    default:
+        json_object(json, key);
+        for (count = below(5); count > 0; count--) {
+            draw_text(text);
+            write_value(json, text, depth + 1);
+        }
+        json_end(json);
+    }
+}
+
+static void check_value(const struct json_value *value, unsigned depth);
+
+static void check_items(const struct json_value *value, bool has_keys,
+                        unsigned depth)
+{
+    const struct json_value *item = value->first;
+    char text[40];
+
+    for (size_t count = below(5); count > 0; count--, item = item->next) {
+        assert_non_null(item);
+        if (has_keys) {
+            draw_text(text);
+            assert_string_equal(item->key, text);
+        } else {
+            assert_null(item->key);
+        }
+        check_value(item, depth + 1);
+    }
+    assert_null(item);
+}
+
+static void check_value(const struct json_value *value, unsigned depth)
+{
+    char text[40];
+    enum json_kind kind = (enum json_kind)below(depth < DEEPEST ? 6 : 4);
+
+    assert_int_equal(value->kind, kind);
+    switch (kind) {
+    case JSON_NULL: break;
+    case JSON_TRUTH: assert_int_equal(value->truth, below(2)); break;
+    case JSON_NUMBER: assert_true(value->number == draw_number()); break;
+    case JSON_TEXT:
+        draw_text(text);
+        assert_string_equal(value->text, text);
+        break;
+    default: check_items(value, kind == JSON_OBJECT, depth);
+    }
+}
+
+static void write_document(struct text_buffer *text)
+{
+    c205_error error;
+    struct json *json = json_open_line(text, &error);
+
+    write_value(json, "value", 0);
+    assert_true(json_close(json, &error));
+    assert_null(strchr(text->text, '\n'));
+}
+
+static void test_written_and_read(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < ROUNDS; i++) {
+        uint64_t seed = random_state;
+        struct text_buffer text = { 0 };
+        struct arena arena = { 0 };
+        const struct json_value *tree;
+        c205_error error;
+
+        write_document(&text);
+        random_state = seed;
+        tree = read_in(&arena, text.text, &error);
+        if (!tree)
+            fail_msg("%s: %s", error.message, text.text);
+        check_value(tree->first, 0);
+        assert_string_equal(tree->first->key, "value");
+        arena_free(&arena);
+        text_buffer_free(&text);
+    }
+}
+
+/* ---- Damaged ------------------------------------------------------------------ */
+
+/* In memory of its own length, so that the sanitizers see what is read beyond. */
+static bool is_read(const char *text, size_t length)
+{
+    struct arena arena = { 0 };
+    c205_error error = { "" };
+    char *copy = malloc(length + !length);
+    const struct json_value *tree;
+
+    memcpy(copy, text, length);
+    tree = json_read(&arena, copy, length, &error);
+    assert_true(tree || *error.message);
+    free(copy);
+    arena_free(&arena);
+    return tree;
+}
+
+static void test_damaged(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < ROUNDS; i++) {
+        struct text_buffer text = { 0 };
+
+        write_document(&text);
+        assert_true(is_read(text.text, text.length));
+        assert_false(is_read(text.text, below(text.length)));
+        text.text[below(text.length)] = (char)below(256);
+        is_read(text.text, text.length);
+        text_buffer_free(&text);
+    }
+}
+
+/* ---- Examples ------------------------------------------------------------------ */
+
+static void test_right_and_wrong(void **state)
+{
+    static const char *const right[] = {
+        "0",           "-0",           " [ ] ", "{}",
+        "1e5",         "-1.5E-3",      "true",  "\"\\ud83d\\ude00\"",
+        "\"\\u00e4\"", "[[],{},null]", "\"\"",
+    };
+    static const struct {
+        const char *text, *error;
+    } wrong[] = {
+        { "", "no value at byte 0" },
+        { "01", "something behind the end at byte 1" },
+        { "-", "no value" },
+        { "1.", "no value" },
+        { "1e", "no value" },
+        { "+1", "no value" },
+        { "1e999", "too large" },
+        { "nul", "no value" },
+        { "[1,]", "no value at byte 3" },
+        { "[1 2]", "no comma and no end" },
+        { "{1:2}", "no key" },
+        { "{\"a\" 2}", "no colon" },
+        { "{\"a\":2,}", "no key" },
+        { "\"a", "a text without end" },
+        { "\"\\x\"", "no such escape" },
+        { "\"\\u12g4\"", "four hex digits" },
+        { "\"\\u0000\"", "a NUL" },
+        { "\"\\ud83d\"", "surrogates" },
+        { "\"\\ude00\\ud83d\"", "surrogates" },
+        { "\"\\ud83d\\u0041\"", "surrogates" },
+        { "\"\x01\"", "a control character" },
+        { "\"\xff\"", "no UTF-8" },
+        { "\"\xed\xa0\x80\"", "no UTF-8" },
+        { "\"\xc0\x80\"", "no UTF-8" },
+    };
+    struct arena arena = { 0 };
+    c205_error error;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof right / sizeof *right; i++)
+        if (!read_in(&arena, right[i], &error))
+            fail_msg("%s: %s", right[i], error.message);
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        if (read_in(&arena, wrong[i].text, &error))
+            fail_msg("%s is read", wrong[i].text);
+        if (!strstr(error.message, wrong[i].error))
+            fail_msg("%s: %s", wrong[i].text, error.message);
+    }
+    assert_string_equal(read_in(&arena, "\"\\ud83d\\ude00\\u00e4\"", &error)
+                            ->text,
+                        "\xf0\x9f\x98\x80\xc3\xa4");
+    arena_free(&arena);
+}
+
+static void test_depth(void **state)
+{
+    char text[2 * JSON_DEEPEST + 3] = "";
+    size_t depth = JSON_DEEPEST;
+
+    (void)state;
+    memset(text, '[', depth);
+    memset(text + depth, ']', depth);
+    assert_true(is_read(text, 2 * depth));
+    memset(text, '[', depth + 1);
+    memset(text + depth + 1, ']', depth + 1);
+    assert_false(is_read(text, 2 * (depth + 1)));
+}
+
+static void test_members(void **state)
+{
+    struct arena arena = { 0 };
+    c205_error error;
+    const struct json_value *tree =
+        read_in(&arena,
+                "{\"a\": 1, \"a\": 2, \"b\": null, \"c\": [5], \"d\": 1.5, "
+                "\"e\": \"x\", \"f\": false, \"g\": 9007199254740992}",
+                &error);
+    int64_t value = 7;
+
+    (void)state;
+    assert_true(json_member_whole(tree, "a", &value) && value == 1);
+    assert_true(json_member_whole(tree, "none", &value) && value == 1);
+    assert_true(json_member_whole(tree, "b", &value) && value == 1);
+    assert_false(json_member_whole(tree, "d", &value) || value != 1);
+    assert_false(json_member_whole(tree, "e", &value) || value != 1);
+    assert_false(json_member_whole(tree, "g", &value) || value != 1);
+    assert_null(json_member(tree, "b"));
+    assert_null(json_member(NULL, "b"));
+    assert_null(json_member(tree->first, "b"));
+    assert_true(json_member_first(tree, "c")->number == 5);
+    assert_null(json_member_first(tree, "a"));
+    assert_string_equal(json_member_text(tree, "e"), "x");
+    assert_null(json_member_text(tree, "a"));
+    assert_false(json_member_truth(tree, "f", true));
+    assert_true(json_member_truth(tree, "a", true));
+    arena_free(&arena);
+}
+
+/* Whatever bytes there are, what is written is UTF-8 and can be read. */
+static void test_bytes(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < ROUNDS; i++) {
+        struct text_buffer line = { 0 };
+        c205_error error;
+        struct json *json = json_open_line(&line, &error);
+        char bytes[30];
+        size_t length = below(sizeof bytes);
+
+        for (size_t k = 0; k < length; k++)
+            bytes[k] = (char)(1 + below(255));
+        bytes[length] = '\0';
+        json_text(json, "bytes", bytes);
+        assert_true(json_close(json, &error));
+        assert_true(is_read(line.text, line.length));
+        text_buffer_free(&line);
+    }
+}
+
+/* Every code that there is, and what lies beside it. */
+static void test_utf8(void **state)
+{
+    char text[UTF8_MOST];
+
+    (void)state;
+    for (unsigned long code = 0; code < 0x110000; code++) {
+        size_t length = utf8_put(text, code);
+        bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
+
+        assert_int_equal(utf8_length(text, length),
+                         is_surrogate ? 0 : length);
+        assert_int_equal(utf8_length(text, length - 1), 0);
+    }
+    assert_int_equal(utf8_length("\xf4\x90\x80\x80", 4), 0);
+    assert_int_equal(utf8_length("\xe0\x9f\xbf", 3), 0);
+    assert_int_equal(utf8_length("\xf0\x8f\xbf\xbf", 4), 0);
+    assert_int_equal(utf8_length("\x80", 1), 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_written_and_read),
+        cmocka_unit_test(test_damaged),
+        cmocka_unit_test(test_right_and_wrong),
+        cmocka_unit_test(test_depth),
+        cmocka_unit_test(test_members),
+        cmocka_unit_test(test_bytes),
+        cmocka_unit_test(test_utf8),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
