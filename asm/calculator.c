@@ -22,6 +22,7 @@ static const struct calculator_function functions[] = {
 static const char program[] =
     "        .include \"atan2.s\"\n"
     "        .include \"power.s\"\n"
+    "        .include \"log.s\"\n"
     "        .include \"sin.s\"\n"
     "        .macro  do routine\n"
     "do_\\routine: call \\routine, f_link, f_target\n"
