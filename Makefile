@@ -154,6 +154,7 @@ check-long: export USES = all
 check-long: export KILLS = 20
 check-long: export USED = $(SCENES)
 check-long: export LANGUAGE = 5000
+check-long: export PROFILED = all
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full

@@ -918,6 +918,16 @@ verdict $? "the accounts tell of what took nothing"
 ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --accounts \
     --format csv
 tells out '^shade,page fault,[0-9]*000,'
+ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --profile --jobs 2
+tells out '^region  *line  *clocks '
+tells out '^shade  *light_vector.s:[0-9]* '
+ends 0 "$build/rt205" render "$scene" --no-picture -W 40 -H 30 --profile \
+    --in-order --json lines.json
+tells out '^frame  *frame_vector.s:'
+tells lines.json '"lines": \['
+ends 2 "$build/rt205" render "$scene" --no-picture --in-order
+ends 2 "$build/rt205" render "$scene" --no-picture --profile --resume a.bands
+tells err '--profile watches all bands'
 cp a.png b.png
 ends 0 "$build/rt205" render "$scene" -o b.png -W 40 -H 30
 grep -v '^picture ' out >pictured
@@ -1208,6 +1218,7 @@ formats "$build/c205" model
 formats "$build/c205" model cyber720
 formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15
 formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15 --accounts
+formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15 --profile
 formats "$build/rt205" profile "$scene" -W 20 -H 15
 formats "$build/rt205" speedup -W 16 -H 10
 formats "$build/rt205" speedup -W 16 -H 10 --details --passes

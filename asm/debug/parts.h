@@ -134,8 +134,6 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address);
 /* Whether code of that source line, or of a macro called there, begins at an address. */
 bool place_begins(const struct debugger *debugger, const char *file,
                   size_t number, uint64_t address);
-/* The region of an address; "" for none. */
-const char *place_region(const struct debugger *debugger, uint64_t address);
 
 /* ---- Stops ---------------------------------------------------------------- */
 

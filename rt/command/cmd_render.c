@@ -5,6 +5,7 @@
 #include "base/interrupt.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
+#include "rt/trace/frame_profile.h"
 
 static bool write_rows(const struct trace_options *options,
                        const struct trace *trace, struct picture *picture,
@@ -210,19 +211,35 @@ static int tell_result(const struct result *result,
 }
 
 /* JSON has the accounts in any case. */
-static int tell(const struct rt205_arguments *arguments,
-                const struct trace *trace, const struct results *results)
+static int tell_accounts(const struct rt205_arguments *arguments,
+                         const struct trace *trace,
+                         const struct results *results)
 {
-    struct result result = result_of(arguments, trace);
     struct results accounts = *results;
-    int code = tell_result(&result, results);
 
     if (!arguments->accounts)
         accounts.file = NULL;
-    else if (code == CMD_DONE && results->file)
+    else if (results->file)
         results_gap(results);
-    return code == CMD_DONE ? accounts_show(trace_accounts(trace), &accounts)
-                            : code;
+    return accounts_show(trace_accounts(trace), &accounts);
+}
+
+/* The profile may be NULL. */
+static int tell(const struct rt205_arguments *arguments,
+                const struct trace *trace, const struct line_profile *profile,
+                const struct results *results)
+{
+    struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
+                                                     : PROFILE_HOTTEST,
+                                 true };
+    struct result result = result_of(arguments, trace);
+    int code = tell_result(&result, results);
+
+    if (code == CMD_DONE)
+        code = tell_accounts(arguments, trace, results);
+    return code == CMD_DONE && profile
+               ? line_profile_show(profile, view, results)
+               : code;
 }
 
 /* ---- A frame from its beginning to its end ------------------------------- */
@@ -296,7 +313,9 @@ static int end_early(const struct rt205_arguments *arguments,
 }
 
 static int trace_and_write(const struct rt205_arguments *arguments,
-                           struct trace *trace, const struct results *results)
+                           struct trace *trace,
+                           struct line_profile *const *profile,
+                           const struct results *results)
 {
     c205_error error = { "no memory" };
 
@@ -306,13 +325,14 @@ static int trace_and_write(const struct rt205_arguments *arguments,
         return cmd_tell_share(arguments, trace_bands(trace));
     if (!arguments->output || write_picture(arguments, trace, &error)) {
         trace_forget(trace);
-        return tell(arguments, trace, results);
+        return tell(arguments, trace, *profile, results);
     }
     return cmd_failed(arguments->command, "%s", error.message);
 }
 
 /* While the machine works, the library that writes pictures is loaded. */
 static int run(const struct rt205_arguments *arguments, struct trace *trace,
+               struct line_profile *const *profile,
                const struct results *results)
 {
     struct picture_error why;
@@ -320,11 +340,11 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
     int code;
 
     if (!arguments->output)
-        return trace_and_write(arguments, trace, results);
+        return trace_and_write(arguments, trace, profile, results);
     loader = picture_load(&why);
     if (!loader)
         return cmd_failed(arguments->command, "%s", why.message);
-    code = trace_and_write(arguments, trace, results);
+    code = trace_and_write(arguments, trace, profile, results);
     picture_loaded(loader);
     return code;
 }
@@ -332,12 +352,21 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
 static int render(const struct rt205_arguments *arguments,
                   const struct scene *scene, const struct results *results)
 {
+    struct line_profile *profile = NULL;
+    struct observer observer = frame_profile_observer(&profile);
+    const struct observer *const observers[] = { &observer, NULL };
+    struct trace_options options = arguments->trace;
     c205_error error = { "no memory" };
-    struct trace *trace = trace_new(scene, &arguments->trace, &error);
-    int code = trace && keep(arguments, trace, &error)
-                   ? run(arguments, trace, results)
-                   : cmd_failed(arguments->command, "%s", error.message);
+    struct trace *trace;
+    int code;
 
+    if (arguments->profile)
+        options.observers = observers;
+    trace = trace_new(scene, &options, &error);
+    code = trace && keep(arguments, trace, &error)
+               ? run(arguments, trace, &profile, results)
+               : cmd_failed(arguments->command, "%s", error.message);
+    line_profile_free(profile);
     trace_free(trace);
     return code;
 }
@@ -379,11 +408,29 @@ static int check_files(const struct rt205_arguments *arguments)
     return CMD_DONE;
 }
 
+/* Bands that are done elsewhere, or were on another day, are not watched. */
+static int check_profile(const struct rt205_arguments *arguments)
+{
+    const struct cmd_units *units = &arguments->units;
+
+    if (arguments->in_order && !arguments->profile)
+        return cmd_usage(arguments->command,
+                         "--in-order goes with --profile");
+    if (arguments->profile
+        && (units->resume.count > 0 || units->ranks > 1 || ranks_are_many()))
+        return cmd_usage(arguments->command,
+                         "--profile watches all bands: it does not go with "
+                         "--resume and --ranks");
+    return CMD_DONE;
+}
+
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
     int code = check_files(arguments);
 
+    if (code == CMD_DONE)
+        code = check_profile(arguments);
     return code == CMD_DONE ? cmd_with_farm(arguments, render_scene) : code;
 }
 
@@ -412,6 +459,11 @@ static const struct command_option options[] = {
     CMD_FLAG(
         "accounts", accounts,
         "also where the clocks went, cause by cause and region by region"),
+    CMD_FLAG("profile", profile,
+             "also where the clocks went line by line of the kernels, the "
+             "hottest region first; macros where they are called"),
+    CMD_FLAG("in-order", in_order,
+             "lines of --profile as they stand in memory"),
     CMD_FLAG("half", half, "16-bit colours in an .exr"),
     CMD_READ,
     CMD_RESULTS,
@@ -423,6 +475,8 @@ static const struct command_example examples[] = {
       "the picture, and what it took the machine" },
     { "rt205 render SCENE --no-picture --accounts",
       "where the machine's clocks went" },
+    { "rt205 render SCENE --no-picture --profile",
+      "the same by lines of the kernels" },
     { NULL, NULL }
 };
 

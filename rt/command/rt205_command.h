@@ -70,11 +70,12 @@ struct rt205_arguments {
     struct cmd_points points;
     int sweep; /* the number of the kind */
     bool strict, half, no_picture;
-    bool accounts;        /* of a frame, printed */
-    bool all, first;      /* roots of polynomials */
-    bool details, passes; /* of the speedup table; the passes are the root
+    bool accounts;          /* of a frame, printed */
+    bool profile, in_order; /* of a frame, line by line */
+    bool all, first;        /* roots of polynomials */
+    bool details, passes;   /* of the speedup table; the passes are the root
                              solver's, one by one */
-    bool formulations;    /* of the cylinder, in place of that table */
+    bool formulations;      /* of the cylinder, in place of that table */
     struct cmd_heat heat;
     int falsi; /* the rule; FALSI_RULES: all of them, compared */
     struct cmd_mass mass;
