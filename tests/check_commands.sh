@@ -937,6 +937,28 @@ cmp -s pictured out
 verdict $? "rt205 render --no-picture tells something else"
 cmp -s a.png b.png
 verdict $? "the same frame twice gives two pictures"
+# A queue of it, clock by clock.
+for kind in svg kanata json; do
+    ends 0 "$build/rt205" timeline "$scene" -W 40 -H 30 -o queue.$kind
+    tells out "^queue.$kind: [0-9]* instructions, clocks [0-9]* to [0-9]* of band 1 of 1$"
+done
+tells queue.svg "vector, the queue of pixel 20,15 of 40 x 30, clocks "
+ends 0 "$build/rt205" timeline "$scene" -W 40 -H 30 --pixel 3,29 --region shade \
+    -o queue.svg
+ends 1 "$build/rt205" timeline "$scene" -W 40 -H 30 --region torus -o never.svg
+tells err "control is not in the region torus between clocks [0-9]* and [0-9]*$"
+ends 1 "$build/rt205" timeline "$scene" -W 40 -H 30 --from 0 --mode scalar -o never.svg
+tells err "are more than 50000 instructions: choose some by --region NAME, "
+ends 1 "$build/rt205" timeline "$scene" -W 40 -H 30 --from 999999999 -o never.svg
+tells err "nothing is left$"
+[ ! -e never.svg ]
+verdict $? "half a timeline of a frame is kept"
+ends 2 "$build/rt205" timeline "$scene" -W 40 -H 30 --pixel 40,0 -o never.svg
+tells err "there is no pixel 40,0: the frame has 40 x 30$"
+ends 2 "$build/rt205" timeline "$scene" --pixel 40 -o never.svg
+ends 2 "$build/rt205" timeline "$scene" -o never.png
+ends 2 "$build/rt205" timeline "$scene"
+ends 2 "$build/rt205" timeline "$scene" --from 9 --to 9 -o never.svg
 ends 2 "$build/rt205" render "$scene" -o a.gif -W 40 -H 30
 tells err "\.png, \.jpg, \.exr or \.tif"
 ends 1 "$build/rt205" render "$scene" -o missing/a.png -W 40 -H 30
