@@ -188,7 +188,9 @@ $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 $(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
 		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
-$(BUILD)/rt205: $(call objects,$(rt205_c)) $(libraries)
+# Both commands hold dialogues with a debugger.
+$(BUILD)/rt205: $(call objects,$(rt205_c) asm/command/dialogue.c \
+		asm/command/lines.c) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \
 		$(BUILD)/rt/study/fit/ceres_fit.o $(libraries)

@@ -937,6 +937,29 @@ cmp -s pictured out
 verdict $? "rt205 render --no-picture tells something else"
 cmp -s a.png b.png
 verdict $? "the same frame twice gives two pictures"
+# A pixel under the debugger.
+printf 'seek\nlane nearest\nassert step > 0\ntbreak shade\ncontinue\nlane\nquit\n' >pixel.lines
+for mode in vector kernels; do
+    ends 0 "$build/rt205" render "$scene" -W 40 -H 30 --mode $mode --queue 50 \
+        --debug 20,15 -x pixel.lines
+    tells out '^lane [0-9]* of 50 rays in the queue$'
+    tells out '^    nearest  *X'
+done
+ends 0 "$build/rt205" render "$scene" -W 10 -H 8 --mode scalar --debug 2,1 \
+    -x good.lines
+printf 'seek\nlane\nhelp\n' | "$build/rt205" render "$scene" -W 10 -H 8 --mode scalar \
+    --debug 2,1 >out 2>err
+verdict $? "the debugger of a frame at the end of a pipe"
+tells out '^pixel 2,1$'
+tells out '^lane .VECTOR.$'
+ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -x bad.lines
+tells out '^error: there is no .stpe.: was it step?$'
+ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 --samples 2
+tells err 'a pixel of this frame has 2 x 2 rays: only one alone is followed$'
+ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 40,15
+ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -o never.png
+tells err '--debug writes nothing'
+ends 2 "$build/rt205" render "$scene" --no-picture -x pixel.lines
 # A queue of it, clock by clock.
 for kind in svg kanata json; do
     ends 0 "$build/rt205" timeline "$scene" -W 40 -H 30 -o queue.$kind

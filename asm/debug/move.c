@@ -57,7 +57,16 @@ struct aim {
     uint64_t count;  /* instructions */
     bool at_address; /* or, behind one instruction at least, this: */
     uint64_t address;
+    /* or likewise what a caller knows; NULL: nothing */
+    bool (*is_there)(void *context, const c205 *machine);
+    void *context;
 };
+
+static bool is_reached(const struct aim *aim, const c205 *machine)
+{
+    return (aim->at_address && c205_pc(machine) == aim->address)
+           || (aim->is_there && aim->is_there(aim->context, machine));
+}
 
 static enum moved advance(struct debugger *debugger, struct aim aim)
 {
@@ -69,7 +78,7 @@ static enum moved advance(struct debugger *debugger, struct aim aim)
         moved = forward(debugger);
         if (moved == MOVED_ON)
             moved = look_up(debugger, begun);
-        if (aim.at_address && c205_pc(machine_of(debugger)) == aim.address)
+        if (is_reached(&aim, machine_of(debugger)))
             break;
     }
     return moved;
@@ -82,7 +91,9 @@ static struct aim at_most(uint64_t count)
 
 static struct aim to_address(uint64_t address)
 {
-    return (struct aim){ UINT64_MAX, true, address };
+    return (struct aim){ .count = UINT64_MAX,
+                         .at_address = true,
+                         .address = address };
 }
 
 static bool arrive(struct debugger *debugger, enum moved moved)
@@ -169,6 +180,17 @@ bool verb_until(struct debugger *debugger, struct rest *rest)
         return false;
     address = place_of(debugger, address);
     return arrive(debugger, advance(debugger, to_address(address)));
+}
+
+void debugger_seek(struct debugger *debugger,
+                   bool (*is_there)(void *context, const c205 *machine),
+                   void *context)
+{
+    const struct aim aim = { .count = UINT64_MAX,
+                             .is_there = is_there,
+                             .context = context };
+
+    arrive(debugger, advance(debugger, aim));
 }
 
 /* ---- Back ----------------------------------------------------------------- */

@@ -408,6 +408,20 @@ static int check_files(const struct rt205_arguments *arguments)
     return CMD_DONE;
 }
 
+/* Nothing but a dialogue comes of it. */
+static int check_debug(const struct rt205_arguments *arguments)
+{
+    const struct cmd_units *units = &arguments->units;
+
+    if (arguments->output || arguments->accounts || arguments->profile
+        || arguments->results.path || units->resume.count > 0
+        || units->ranks > 1)
+        return cmd_usage(arguments->command,
+                         "--debug writes nothing: -o, --accounts, --profile, "
+                         "--json, --resume and --ranks do not go with it");
+    return cmd_check_pixel(arguments);
+}
+
 /* Bands that are done elsewhere, or were on another day, are not watched. */
 static int check_profile(const struct rt205_arguments *arguments)
 {
@@ -427,8 +441,16 @@ static int check_profile(const struct rt205_arguments *arguments)
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
-    int code = check_files(arguments);
+    int code;
 
+    if (arguments->pixel.given) {
+        code = check_debug(arguments);
+        return code == CMD_DONE ? cmd_with_machine(arguments, cmd_debug_pixel)
+                                : code;
+    }
+    if (arguments->scripts.count > 0)
+        return cmd_usage(arguments->command, "-x goes with --debug");
+    code = check_files(arguments);
     if (code == CMD_DONE)
         code = check_profile(arguments);
     return code == CMD_DONE ? cmd_with_farm(arguments, render_scene) : code;
@@ -465,6 +487,16 @@ static const struct command_option options[] = {
     CMD_FLAG("in-order", in_order,
              "lines of --profile as they stand in memory"),
     CMD_FLAG("half", half, "16-bit colours in an .exr"),
+    CMD_PIXEL("debug", "no picture, but a debugger of the machine of that "
+                       "pixel's band"),
+    { .name = "script",
+      .letter = 'x',
+      .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .many = true,
+      .offset = CMD_PLACE(scripts),
+      .help = "lines for the debugger, which ends with 1 if one of them "
+              "fails, as an assert does" },
     CMD_READ,
     CMD_RESULTS,
     COMMAND_END
@@ -477,6 +509,8 @@ static const struct command_example examples[] = {
       "where the machine's clocks went" },
     { "rt205 render SCENE --no-picture --profile",
       "the same by lines of the kernels" },
+    { "rt205 render SCENE --debug 320,240",
+      "a debugger, to see what becomes of that pixel's ray" },
     { NULL, NULL }
 };
 
@@ -487,4 +521,7 @@ const struct command render_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
+    .details =
+        "The debugger is that of c205 debug; its verbs seek and lane are "
+        "about the pixel. help tells all of them.",
 };

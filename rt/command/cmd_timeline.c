@@ -6,14 +6,14 @@
 #include "asm/timeline/timeline.h"
 #include "base/error.h"
 #include "rt/command/rt205_command.h"
-#include "rt/trace/frame_pixel.h"
+#include "rt/trace/pixel_clocks.h"
 
 /* Which clocks of the band are asked for: those of the pixel's queue, unless told. */
 static bool find_stretch(const struct rt205_arguments *arguments,
                          const struct frame_pixel *pixel,
                          struct clock_stretch *stretch, c205_error *error)
 {
-    if (!frame_pixel_queue(pixel, stretch, error))
+    if (!pixel_queue_clocks(pixel, stretch, error))
         return false;
     if (arguments->from != C205_NO_LIMIT)
         stretch->from = arguments->from;
@@ -25,7 +25,7 @@ static bool find_stretch(const struct rt205_arguments *arguments,
                          ", nothing is left",
                          stretch->from, stretch->to);
     return !arguments->region
-           || frame_pixel_region(pixel, arguments->region, stretch, error);
+           || pixel_region_clocks(pixel, arguments->region, stretch, error);
 }
 
 /* Whole instructions, up to one that arrives behind it. */

@@ -76,15 +76,16 @@ struct rt205_arguments {
     struct cmd_points points;
     int sweep; /* the number of the kind */
     bool strict, half, no_picture;
-    struct cmd_pixel pixel; /* of a frame, that is looked at */
-    const char *region;     /* of its program, or NULL */
-    uint64_t from, to;      /* clocks; C205_NO_LIMIT: not told */
-    bool accounts;          /* of a frame, printed */
-    bool profile, in_order; /* of a frame, line by line */
-    bool all, first;        /* roots of polynomials */
-    bool details, passes;   /* of the speedup table; the passes are the root
+    struct cmd_pixel pixel;       /* of a frame, that is looked at */
+    struct command_texts scripts; /* for its debugger */
+    const char *region;           /* of its program, or NULL */
+    uint64_t from, to;            /* clocks; C205_NO_LIMIT: not told */
+    bool accounts;                /* of a frame, printed */
+    bool profile, in_order;       /* of a frame, line by line */
+    bool all, first;              /* roots of polynomials */
+    bool details, passes; /* of the speedup table; the passes are the root
                              solver's, one by one */
-    bool formulations;      /* of the cylinder, in place of that table */
+    bool formulations;    /* of the cylinder, in place of that table */
     struct cmd_heat heat;
     int falsi; /* the rule; FALSI_RULES: all of them, compared */
     struct cmd_mass mass;
@@ -97,6 +98,10 @@ struct rt205_arguments {
 bool cmd_heat_hits(const struct rt205_arguments *arguments,
                    const struct scene *scene, const struct results *results,
                    c205_error *error);
+
+/* .. of rt205 render under --debug. */
+int cmd_debug_pixel(const struct rt205_arguments *arguments,
+                    const struct results *results);
 
 /* ---- Options of several commands ---------------------------------------- */
 
