@@ -5,7 +5,7 @@
 #include "base/interrupt.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
-#include "rt/trace/frame_profile.h"
+#include "rt/view/frame_profile.h"
 
 static bool write_rows(const struct trace_options *options,
                        const struct trace *trace, struct picture *picture,

@@ -4,7 +4,7 @@
 #include "base/interrupt.h"
 #include "rt/command/rt205_command.h"
 #include "rt/trace/form.h"
-#include "rt/trace/pixel_verbs.h"
+#include "rt/view/pixel_verbs.h"
 
 static int debug(const struct rt205_arguments *arguments,
                  struct frame_pixel *pixel)

@@ -6,7 +6,7 @@
 #include "asm/timeline/timeline.h"
 #include "base/error.h"
 #include "rt/command/rt205_command.h"
-#include "rt/trace/pixel_clocks.h"
+#include "rt/view/pixel_clocks.h"
 
 /* Which clocks of the band are asked for: those of the pixel's queue, unless told. */
 static bool find_stretch(const struct rt205_arguments *arguments,

@@ -8,9 +8,9 @@
 
 #include "asm/debug/debugger.h"
 #include "asm/timeline/timeline.h"
-#include "rt/trace/pixel_clocks.h"
-#include "rt/trace/pixel_rays.h"
-#include "rt/trace/pixel_verbs.h"
+#include "rt/view/pixel_clocks.h"
+#include "rt/view/pixel_rays.h"
+#include "rt/view/pixel_verbs.h"
 
 static uint64_t random_state = RANDOM_SEED;
 

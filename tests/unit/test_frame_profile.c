@@ -7,7 +7,7 @@
 #include <glob.h>
 
 #include "rt/picture/picture.h"
-#include "rt/trace/frame_profile.h"
+#include "rt/view/frame_profile.h"
 
 static uint64_t random_state = RANDOM_SEED;
 

@@ -1,4 +1,4 @@
-#include "rt/trace/pixel_rays.h"
+#include "rt/view/pixel_rays.h"
 
 #include <string.h>
 

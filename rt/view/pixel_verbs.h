@@ -4,7 +4,7 @@
 #define RT_PIXEL_VERBS_H
 
 #include "asm/debug/debugger.h"
-#include "rt/trace/frame_pixel.h"
+#include "rt/view/frame_pixel.h"
 
 /* Their context is the pixel. */
 extern const struct debugger_verb pixel_verbs[];

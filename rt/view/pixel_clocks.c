@@ -1,10 +1,10 @@
-#include "rt/trace/pixel_clocks.h"
+#include "rt/view/pixel_clocks.h"
 
 #include <string.h>
 
 #include "base/error.h"
 #include "rt/layout/program.h"
-#include "rt/trace/pixel_rays.h"
+#include "rt/view/pixel_rays.h"
 
 /* Who listens to the band's machine until all that is asked has been heard. */
 struct hearing {

@@ -1,4 +1,4 @@
-#include "rt/trace/frame_pixel.h"
+#include "rt/view/frame_pixel.h"
 
 #include "base/error.h"
 

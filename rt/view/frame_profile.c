@@ -1,4 +1,4 @@
-#include "rt/trace/frame_profile.h"
+#include "rt/view/frame_profile.h"
 
 #include <stdio.h>
 

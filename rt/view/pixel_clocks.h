@@ -7,7 +7,7 @@
 #ifndef RT_PIXEL_CLOCKS_H
 #define RT_PIXEL_CLOCKS_H
 
-#include "rt/trace/frame_pixel.h"
+#include "rt/view/frame_pixel.h"
 
 /* Clocks of the band's machine, from its beginning. */
 struct clock_stretch {

@@ -13,7 +13,7 @@
 #ifndef RT_PIXEL_RAYS_H
 #define RT_PIXEL_RAYS_H
 
-#include "rt/trace/frame_pixel.h"
+#include "rt/view/frame_pixel.h"
 
 /* Vectors whose elements belong to rays in one order. */
 enum pixel_group {

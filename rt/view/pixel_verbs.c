@@ -1,9 +1,9 @@
-#include "rt/trace/pixel_verbs.h"
+#include "rt/view/pixel_verbs.h"
 
 #include <string.h>
 
 #include "base/error.h"
-#include "rt/trace/pixel_rays.h"
+#include "rt/view/pixel_rays.h"
 
 c205 *pixel_machine(void *context, c205_error *error)
 {
