@@ -312,6 +312,7 @@ static int end_early(const struct rt205_arguments *arguments,
                       bands);
 }
 
+/* The profile is there once bands have been watched. */
 static int trace_and_write(const struct rt205_arguments *arguments,
                            struct trace *trace,
                            struct line_profile *const *profile,

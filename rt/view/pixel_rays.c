@@ -245,10 +245,12 @@ static bool meets_near(const struct pixel_look *look)
 static void tell_near(const struct pixel_look *look,
                       const struct queue *queue, size_t ray)
 {
-    static const char *const names[] = { "place", "near_limit", "wox", "woy",
-                                         "woz",   "wdx",        "wdy", "wdz",
-                                         "ox",    "oy",         "oz",  "dx",
-                                         "dy",    "dz",         NULL };
+    static const char *const names[] = {
+        "place", "near_limit", "wox", "woy", "woz", "wdx", "wdy", "wdz",
+        "ox",    "oy",         "oz",  "dx",  "dy",  "dz",  "tin", "tout",
+        "w0",    "w1",         "w2",  "w3",  "w4",  "w5",  "w6",  "w7",
+        "w8",    "w9",         "w10", "w11", NULL
+    };
     size_t near = (size_t)c205_to_integer(register_of(look, "near"));
     c205_word place = register_of(look, "place");
 
@@ -263,9 +265,12 @@ static void tell_near(const struct pixel_look *look,
         if (c205_to_integer(word_at(look, address_in(place) + 64 * i))
             != (int64_t)ray)
             continue;
-        for (const char *const *name = names; *name; name++)
-            tell(look, &of, *name,
-                 address_in(register_of(look, *name)) + 64 * i);
+        for (const char *const *name = names; *name; name++) {
+            c205_word vector = register_of(look, *name);
+
+            if (length_in(vector) == near)
+                tell(look, &of, *name, address_in(vector) + 64 * i);
+        }
     }
 }
 

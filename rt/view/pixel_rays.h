@@ -7,8 +7,9 @@
  * pixel's if its place in the band's planes is; places follow one another, or stand in a
  * vector (queue_order).  Another ray has the place of the one that it comes of with it
  * (LIST_PARENT), and so on up to the camera.  While a kernel meets the rays at hand a vector
- * has their places in the queue (place), and while hits are shaded another one has those of
- * the hits (at).  Of vectors besides nothing is told.
+ * has their places in the queue (place), and the others that queue.s makes as long have the
+ * same rays in the same order; while hits are shaded another one has the places of the hits
+ * (at).  Of vectors besides nothing is told.
  */
 #ifndef RT_PIXEL_RAYS_H
 #define RT_PIXEL_RAYS_H

@@ -17,9 +17,17 @@ c205 *pixel_machine(void *context, c205_error *error)
 struct lane_report {
     const struct frame_pixel *pixel;
     const struct sink *out;
-    const char *vector;        /* this one alone; "": all */
+    const char *vector;        /* of that name alone, .. */
+    size_t length;             /* .. which is so long; 0: all */
     struct pixel_element last; /* that was told; length 0: none */
 };
+
+static bool is_asked(const struct lane_report *report, const char *vector)
+{
+    return report->length == 0
+           || (strlen(vector) == report->length
+               && strncmp(vector, report->vector, report->length) == 0);
+}
 
 static void put_heading(const struct lane_report *report,
                         const struct pixel_element *element)
@@ -48,7 +56,7 @@ static void put_element(void *context, const struct pixel_element *element)
     const struct pixel_element *last = &report->last;
     char number[C205_TEXT_SIZE], hex[C205_TEXT_SIZE];
 
-    if (*report->vector && strcmp(report->vector, element->vector) != 0)
+    if (!is_asked(report, element->vector))
         return;
     if (last->length == 0 || last->group != element->group
         || last->lane != element->lane)
@@ -64,9 +72,11 @@ static bool show_lane(void *context, struct debugger *debugger,
                       const char *rest, c205_error *error)
 {
     const struct frame_pixel *pixel = context;
+    const char *vector = rest + strspn(rest, " \t");
     struct lane_report report = { .pixel = pixel,
                                   .out = debugger_out(debugger),
-                                  .vector = rest + strspn(rest, " \t") };
+                                  .vector = vector,
+                                  .length = strcspn(vector, " \t") };
     size_t rays = pixel_elements(pixel, debugger_machine(debugger),
                                  put_element, &report);
 
@@ -76,7 +86,7 @@ static bool show_lane(void *context, struct debugger *debugger,
     return rays == 0 || report.last.length > 0
            || error_say(error,
                         "no vector that has the pixel's rays is called %.60s",
-                        report.vector);
+                        vector);
 }
 
 /* ---- On to it ----------------------------------------------------------------- */

@@ -233,6 +233,8 @@ struct following {
     size_t lists[3], near, hits; /* so much has been told of */
     c205_word points[POINTS_MOST][3], colour[3];
     size_t point_count;
+    bool
+        crossed; /* a kernel has found a crossing where the picture has the hit */
 };
 
 static c205_word ray_word(const struct following *following,
@@ -245,8 +247,16 @@ static c205_word ray_word(const struct following *following,
     return 0;
 }
 
+static c205_word channel_of(const struct frame_pixel *pixel,
+                            enum frame_channel channel)
+{
+    return trace_channel(pixel->trace,
+                         channel)[pixel->y * trace_how(pixel->trace)->width
+                                  + pixel->x];
+}
+
 /* A vector of other rays, and the queue's that has the same of them. */
-static void check_same(const struct following *following,
+static void check_same(struct following *following,
                        const struct pixel_element *element)
 {
     static const char *const same[][2] = {
@@ -260,6 +270,11 @@ static void check_same(const struct following *following,
         if (strcmp(element->vector, same[i][0]) == 0
             && (element->group == PIXEL_NEAR || following->shaded))
             assert_int_equal(element->word, ray_word(following, same[i][1]));
+    if (element->list == 0
+        && (strcmp(element->vector, "tin") == 0
+            || strcmp(element->vector, "tout") == 0))
+        following->crossed |= element->word
+                              == channel_of(following->pixel, CHANNEL_DEPTH);
     if (strcmp(element->vector, "place") == 0
         || strcmp(element->vector, "at") == 0)
         assert_int_equal(c205_to_integer(element->word), lane);
@@ -321,14 +336,6 @@ static void follow(void *context, const struct pixel_element *element)
     }
 }
 
-static c205_word channel_of(const struct frame_pixel *pixel,
-                            enum frame_channel channel)
-{
-    return trace_channel(pixel->trace,
-                         channel)[pixel->y * trace_how(pixel->trace)->width
-                                  + pixel->x];
-}
-
 static uint64_t label(const struct frame_pixel *pixel, const char *name)
 {
     const struct asm_symbol *symbol = object_symbol(trace_program(
@@ -370,6 +377,7 @@ static void check_rays(struct following *following)
 
         following->shaded = pc == shaded && pc != 0;
         if (now == region && pc != shade && !following->shaded
+            && strcmp(now, "sphere") != 0 && strcmp(now, "plane") != 0
             && some(0, 40) > 0)
             continue;
         region = now;
@@ -381,6 +389,17 @@ static void check_rays(struct following *following)
             check_met(following);
     } while (c205_step(machine, &stop));
     c205_free(machine);
+}
+
+/* A sphere and a plane are met by kernels, whose crossings are the rays'. */
+static void check_crossings(const struct following *following,
+                            const struct scene *scene)
+{
+    bool hit = c205_to_integer(channel_of(following->pixel, CHANNEL_ID)) != 0;
+
+    if (scene->primitive_count == 2 && hit
+        && trace_how(following->pixel->trace)->mode != TRACE_SCALAR)
+        assert_true(following->crossed);
 }
 
 /* Without mirrors and glass the colour of the hit is the pixel's. */
@@ -418,6 +437,7 @@ static void test_rays(void **state)
         check_rays(&following);
         assert_true(following.lists[0] > 0);
         check_colour(&following);
+        check_crossings(&following, scene);
         for (size_t k = 0; k < 3; k++)
             sum.lists[k] += following.lists[k];
         sum.near += following.near;
