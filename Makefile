@@ -32,7 +32,7 @@ base_c = $(call c_of,base)
 asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap)
 c205_c = $(call c_of,asm/command)
 rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
-	trace picture roots study study/sweep study/plot heat mass))
+	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
 observing_c = $(addprefix rt/study/fit/,csv.c run.c observations.c constants.c \
@@ -154,6 +154,7 @@ check-long: export USES = all
 check-long: export KILLS = 20
 check-long: export USED = $(SCENES)
 check-long: export LANGUAGE = 5000
+check-long: export PROFILED = all
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full
@@ -187,7 +188,9 @@ $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 $(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
 		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
-$(BUILD)/rt205: $(call objects,$(rt205_c)) $(libraries)
+# Both commands hold dialogues with a debugger.
+$(BUILD)/rt205: $(call objects,$(rt205_c) asm/command/dialogue.c \
+		asm/command/lines.c) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/fit205: $(call objects,$(fit205_c) $(observing_c)) \
 		$(BUILD)/rt/study/fit/ceres_fit.o $(libraries)
@@ -491,7 +494,9 @@ lint:
 $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 		$(BUILD)/libbase.a
-$(api)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
+# Views need more of the assembler's library than that has for others.
+$(api)/librt205.a: $(call objects,$(filter-out rt/view/%,$(rt_c))) \
+		$(BUILD)/rt/kernel_texts.o \
 		$(BUILD)/rt/scene_texts.o $(BUILD)/libbase.a
 $(api)/libc205.a: headers = $(vm_api)
 $(api)/libc205asm.a: headers = $(asm_api)

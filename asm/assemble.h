@@ -119,6 +119,8 @@ void object_free(struct object *object);
 /* The line whose words lie at an address; NULL: none is known. */
 const struct asm_line *object_line(const struct object *object,
                                    uint64_t address);
+/* The region that it belongs to; "": none. */
+const char *object_region(const struct object *object, uint64_t address);
 /* Of its first word. */
 struct position asm_line_position(const struct asm_line *line);
 

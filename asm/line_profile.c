@@ -16,13 +16,15 @@ struct line_profile {
     size_t row_count;
     struct profile_row *rows;    /* [row_count + ROWS_BESIDES] */
     const struct asm_line *last; /* that was found */
+    bool cut; /* the run was stopped within an instruction */
 };
 
 /* ---- Rows ----------------------------------------------------------------- */
 
-/* Lines of one call, by their first. */
+/* Lines of one call in a region, by their first. */
 struct called_line {
     const struct asm_line *line;
+    const char *region;
     size_t index;
 };
 
@@ -34,15 +36,19 @@ static int compare_places(const void *a, const void *b)
     if (order == 0)
         order = (one->line->call_number > other->line->call_number)
                 - (one->line->call_number < other->line->call_number);
+    if (order == 0)
+        order = strcmp(one->region, other->region);
     return order != 0
                ? order
                : (one->index > other->index) - (one->index < other->index);
 }
 
-static bool is_same_call(const struct asm_line *a, const struct asm_line *b)
+static bool is_same_call(const struct called_line *a,
+                         const struct called_line *b)
 {
-    return a->call_number == b->call_number
-           && strcmp(a->call_file, b->call_file) == 0;
+    return a->line->call_number == b->line->call_number
+           && strcmp(a->line->call_file, b->line->call_file) == 0
+           && strcmp(a->region, b->region) == 0;
 }
 
 /* Of each line the first one of its call. */
@@ -52,7 +58,7 @@ static void find_firsts(const struct called_line *places, size_t count,
     size_t i, begin = 0;
 
     for (i = 0; i < count; i++) {
-        if (!is_same_call(places[i].line, places[begin].line))
+        if (!is_same_call(&places[i], &places[begin]))
             begin = i;
         first[places[i].index] = places[begin].index;
     }
@@ -67,6 +73,7 @@ static bool sort_places(const struct object *object, size_t *first)
         return false;
     for (i = 0; i < count; i++) {
         places[i].line = &object->lines[i];
+        places[i].region = object_region(object, object->lines[i].address);
         places[i].index = i;
     }
     qsort(places, count, sizeof *places, compare_places);
@@ -88,6 +95,7 @@ static void make_rows(struct line_profile *profile)
             profile->row_of[i] = profile->row_of[profile->row_of[i]];
             continue;
         }
+        row->region = object_region(profile->object, line->address);
         row->file = line->call_file;
         row->number = line->call_number;
         row->source = line->call_source;
@@ -108,6 +116,8 @@ struct line_profile *line_profile_new(const struct object *object)
     if (profile->row_of && profile->rows
         && sort_places(object, profile->row_of)) {
         make_rows(profile);
+        for (size_t i = 0; i < ROWS_BESIDES; i++)
+            profile->rows[profile->row_count + i].region = "";
         return profile;
     }
     line_profile_free(profile);
@@ -121,6 +131,19 @@ void line_profile_free(struct line_profile *profile)
     free(profile->row_of);
     free(profile->rows);
     free(profile);
+}
+
+void line_profile_add(struct line_profile *profile,
+                      const struct line_profile *more)
+{
+    for (size_t i = 0; i < line_profile_count(profile); i++) {
+        struct profile_row *row = &profile->rows[i];
+
+        row->executions += more->rows[i].executions;
+        row->elements += more->rows[i].elements;
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            row->clocks[cause] += more->rows[i].clocks[cause];
+    }
 }
 
 size_t line_profile_count(const struct line_profile *profile)
@@ -164,7 +187,8 @@ static void add_pieces(struct line_profile *profile, const c205_times *times)
     }
 }
 
-/* Of a run that was stopped within an instruction: what no record has. */
+/* Of a run that was stopped within an instruction: what no record has.  If it goes on the
+ * instruction's own record will have it. */
 static void add_end(struct line_profile *profile, const c205 *machine)
 {
     struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
@@ -182,6 +206,14 @@ static void add_end(struct line_profile *profile, const c205 *machine)
     }
 }
 
+static void forget_end(struct line_profile *profile)
+{
+    struct profile_row *end = &profile->rows[profile->row_count + ROW_END];
+
+    memset(end->clocks, 0, sizeof end->clocks);
+    profile->cut = false;
+}
+
 void line_profile_listen(void *context, const c205 *machine,
                          const c205_event *event)
 {
@@ -190,8 +222,11 @@ void line_profile_listen(void *context, const c205 *machine,
 
     if (!event->record) {
         add_end(profile, machine);
+        profile->cut = true;
         return;
     }
+    if (profile->cut)
+        forget_end(profile);
     add_pieces(profile, event->record);
     if (event->kind != C205_EVENT_INSTRUCTION
         && event->kind != C205_EVENT_REQUEST)
@@ -203,7 +238,9 @@ void line_profile_listen(void *context, const c205 *machine,
 
 /* ---- Tables --------------------------------------------------------------- */
 
+/* The first is left out where regions are of no interest. */
 static const struct table_column in_words[] = {
+    { "region", "region", TABLE_TEXT, 0 },
     { "line", "line", TABLE_TEXT, 0 },
     { "clocks", "clocks", TABLE_COUNT, 0 },
     { "percent", "%", TABLE_NUMBER, 1 },
@@ -213,13 +250,17 @@ static const struct table_column in_words[] = {
     { "causes", "mostly", TABLE_TEXT, 0 },
 };
 static const struct table_column before[] = {
+    { "region", "region", TABLE_TEXT, 0 },
     { "line", "line", TABLE_TEXT, 0 },
     { "clocks", "clocks", TABLE_COUNT, 0 },
     { "percent", "%", TABLE_NUMBER, 1 },
     { "executions", "times", TABLE_COUNT, 0 },
     { "elements", "elements", TABLE_COUNT, 0 },
 };
-enum { BEFORE = sizeof before / sizeof *before };
+enum {
+    COLUMNS_IN_WORDS = sizeof in_words / sizeof *in_words,
+    BEFORE = sizeof before / sizeof *before
+};
 
 static uint64_t clocks_of(const struct profile_row *row)
 {
@@ -284,7 +325,8 @@ static void put_causes(struct table *table, const struct profile_row *row)
 }
 
 /* A column for each cause. */
-static struct table *new_columns(void)
+/* Without the first so many. */
+static struct table *new_columns(size_t first)
 {
     struct table_column columns[BEFORE + C205_CAUSES + 1];
 
@@ -293,7 +335,7 @@ static struct table *new_columns(void)
            sizeof accounts_cause_columns);
     columns[BEFORE + C205_CAUSES] = (struct table_column){ "source", "source",
                                                            TABLE_TEXT, 0 };
-    return table_new(TABLE_COLUMNS(columns));
+    return table_new(columns + first, BEFORE + C205_CAUSES + 1 - first);
 }
 
 static void put_row(struct table *table, const struct line_profile *profile,
@@ -314,38 +356,129 @@ static void put_row(struct table *table, const struct line_profile *profile,
         put_causes(table, row);
 }
 
+/* ---- Which rows, and their order ------------------------------------------- */
+
+struct shown_row {
+    const struct profile_row *row;
+    uint64_t clocks;
+    uint64_t of_region; /* that it is in; 0 where that is of no interest */
+};
+
+struct shown_rows {
+    size_t count;
+    struct shown_row *rows;
+    uint64_t clocks;
+};
+
+/* False: no memory. */
+static bool choose_rows(const struct line_profile *profile,
+                        struct shown_rows *shown)
+{
+    size_t count = line_profile_count(profile);
+
+    *shown = (struct shown_rows){ .rows = malloc(count
+                                                 * sizeof *shown->rows) };
+    for (size_t i = 0; shown->rows && i < count; i++) {
+        const struct profile_row *row = &profile->rows[i];
+        uint64_t clocks = clocks_of(row);
+
+        if (row->executions == 0 && clocks == 0)
+            continue;
+        shown->rows[shown->count++] = (struct shown_row){ row, clocks, 0 };
+        shown->clocks += clocks;
+    }
+    return shown->rows;
+}
+
+static int compare_regions(const void *a, const void *b)
+{
+    const struct shown_row *one = a, *other = b;
+
+    return strcmp(one->row->region, other->row->region);
+}
+
+static void add_up_regions(struct shown_rows *shown)
+{
+    size_t end;
+
+    qsort(shown->rows, shown->count, sizeof *shown->rows, compare_regions);
+    for (size_t i = 0; i < shown->count; i = end) {
+        uint64_t sum = 0;
+
+        for (end = i;
+             end < shown->count
+             && compare_regions(&shown->rows[i], &shown->rows[end]) == 0;
+             end++)
+            sum += shown->rows[end].clocks;
+        for (size_t k = i; k < end; k++)
+            shown->rows[k].of_region = sum;
+    }
+}
+
 static int compare_hottest(const void *a, const void *b)
 {
-    const struct profile_row *one = *(const struct profile_row *const *)a;
-    const struct profile_row *other = *(const struct profile_row *const *)b;
-    uint64_t x = clocks_of(one), y = clocks_of(other);
+    const struct shown_row *one = a, *other = b;
+    int order = (one->of_region < other->of_region)
+                - (one->of_region > other->of_region);
 
-    return x != y ? (x < y) - (x > y) : (one > other) - (one < other);
+    if (order == 0 && one->of_region > 0)
+        order = compare_regions(one, other);
+    if (order == 0)
+        order = (one->clocks < other->clocks) - (one->clocks > other->clocks);
+    return order != 0 ? order
+                      : (one->row > other->row) - (one->row < other->row);
+}
+
+static void put_rows(struct table *table, const struct line_profile *profile,
+                     const struct shown_rows *shown, bool regions, bool words)
+{
+    for (size_t i = 0; table && i < shown->count; i++) {
+        if (regions)
+            table_text(table, shown->rows[i].row->region);
+        put_row(table, profile, shown->rows[i].row, shown->clocks, words);
+    }
 }
 
 struct table *line_profile_table(const struct line_profile *profile,
-                                 enum profile_order order, bool words)
+                                 struct profile_view view, bool words)
 {
-    size_t i, count = line_profile_count(profile), shown = 0;
-    const struct profile_row **rows = malloc(count * sizeof *rows);
-    struct table *table = words ? table_new(TABLE_COLUMNS(in_words))
-                                : new_columns();
-    uint64_t all = 0;
+    size_t first = view.regions ? 0 : 1;
+    struct shown_rows shown;
+    struct table *table;
 
-    for (i = 0; rows && i < count; i++)
-        if (profile->rows[i].executions > 0
-            || clocks_of(&profile->rows[i]) > 0) {
-            rows[shown++] = &profile->rows[i];
-            all += clocks_of(&profile->rows[i]);
-        }
-    if (rows && order == PROFILE_HOTTEST)
-        qsort(rows, shown, sizeof *rows, compare_hottest);
-    for (i = 0; table && i < shown; i++)
-        put_row(table, profile, rows[i], all, words);
-    if (!rows) {
-        table_free(table);
-        table = NULL;
-    }
-    free(rows);
+    if (!choose_rows(profile, &shown))
+        return NULL;
+    if (view.order == PROFILE_HOTTEST && view.regions)
+        add_up_regions(&shown);
+    if (view.order == PROFILE_HOTTEST)
+        qsort(shown.rows, shown.count, sizeof *shown.rows, compare_hottest);
+    table = words ? table_new(in_words + first, COLUMNS_IN_WORDS - first)
+                  : new_columns(first);
+    put_rows(table, profile, &shown, view.regions, words);
+    free(shown.rows);
     return table;
+}
+
+/* For the eye with causes in words. */
+int line_profile_show(const struct line_profile *profile,
+                      struct profile_view view, const struct results *results)
+{
+    struct results shown = *results, kept = *results;
+    bool words = results->file
+                 && (results->format == RESULTS_TEXT
+                     || results->format == RESULTS_MARKDOWN);
+    int code;
+
+    if (!words)
+        return results_show(results, line_profile_table(profile, view, false),
+                            "lines", "Lines");
+    shown.json = NULL;
+    kept.file = NULL;
+    results_gap(results);
+    code = results_show(&shown, line_profile_table(profile, view, true), NULL,
+                        "Lines");
+    return code != CMD_DONE || !results->json
+               ? code
+               : results_show(&kept, line_profile_table(profile, view, false),
+                              "lines", NULL);
 }

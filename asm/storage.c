@@ -159,6 +159,16 @@ const struct asm_line *object_line(const struct object *object,
                : NULL;
 }
 
+const char *object_region(const struct object *object, uint64_t address)
+{
+    const c205_region *regions = object->program.regions;
+
+    for (size_t i = 0; i < object->program.region_count; i++)
+        if (address >= regions[i].begin && address < regions[i].end)
+            return regions[i].name;
+    return "";
+}
+
 struct position asm_line_position(const struct asm_line *line)
 {
     const struct position position = { line->file, line->number,

@@ -983,6 +983,16 @@ verdict $? "the accounts tell of what took nothing"
 ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --accounts \
     --format csv
 tells out '^shade,page fault,[0-9]*000,'
+ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --profile --jobs 2
+tells out '^region  *line  *clocks '
+tells out '^shade  *light_vector.s:[0-9]* '
+ends 0 "$build/rt205" render "$scene" --no-picture -W 40 -H 30 --profile \
+    --in-order --json lines.json
+tells out '^frame  *frame_vector.s:'
+tells lines.json '"lines": \['
+ends 2 "$build/rt205" render "$scene" --no-picture --in-order
+ends 2 "$build/rt205" render "$scene" --no-picture --profile --resume a.bands
+tells err '--profile watches all bands'
 cp a.png b.png
 ends 0 "$build/rt205" render "$scene" -o b.png -W 40 -H 30
 grep -v '^picture ' out >pictured
@@ -992,6 +1002,51 @@ cmp -s pictured out
 verdict $? "rt205 render --no-picture tells something else"
 cmp -s a.png b.png
 verdict $? "the same frame twice gives two pictures"
+# A pixel under the debugger.
+printf 'seek\nlane nearest\nassert step > 0\ntbreak shade\ncontinue\nlane\nquit\n' >pixel.lines
+for mode in vector kernels; do
+    ends 0 "$build/rt205" render "$scene" -W 40 -H 30 --mode $mode --queue 50 \
+        --debug 20,15 -x pixel.lines
+    tells out '^lane [0-9]* of 50 rays in the queue$'
+    tells out '^    nearest  *X'
+done
+ends 0 "$build/rt205" render "$scene" -W 10 -H 8 --mode scalar --debug 2,1 \
+    -x good.lines
+printf 'seek\nlane\nhelp\n' | "$build/rt205" render "$scene" -W 10 -H 8 --mode scalar \
+    --debug 2,1 >out 2>err
+verdict $? "the debugger of a frame at the end of a pipe"
+tells out '^pixel 2,1$'
+tells out '^lane .VECTOR.$'
+ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -x bad.lines
+tells out '^error: there is no .stpe.: was it step?$'
+ends 1 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 --samples 2
+tells err 'a pixel of this frame has 2 x 2 rays: only one alone is followed$'
+ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 40,15
+ends 2 "$build/rt205" render "$scene" -W 40 -H 30 --debug 20,15 -o never.png
+tells err '--debug writes nothing'
+ends 2 "$build/rt205" render "$scene" --no-picture -x pixel.lines
+# A queue of it, clock by clock.
+for kind in svg kanata json; do
+    ends 0 "$build/rt205" timeline "$scene" -W 40 -H 30 -o queue.$kind
+    tells out "^queue.$kind: [0-9]* instructions, clocks [0-9]* to [0-9]* of band 1 of 1$"
+done
+tells queue.svg "vector, the queue of pixel 20,15 of 40 x 30, clocks "
+ends 0 "$build/rt205" timeline "$scene" -W 40 -H 30 --pixel 3,29 --region shade \
+    -o queue.svg
+ends 1 "$build/rt205" timeline "$scene" -W 40 -H 30 --region torus -o never.svg
+tells err "control is not in the region torus between clocks [0-9]* and [0-9]*$"
+ends 1 "$build/rt205" timeline "$scene" -W 40 -H 30 --from 0 --mode scalar -o never.svg
+tells err "are more than 50000 instructions: choose some by --region NAME, "
+ends 1 "$build/rt205" timeline "$scene" -W 40 -H 30 --from 999999999 -o never.svg
+tells err "nothing is left$"
+[ ! -e never.svg ]
+verdict $? "half a timeline of a frame is kept"
+ends 2 "$build/rt205" timeline "$scene" -W 40 -H 30 --pixel 40,0 -o never.svg
+tells err "there is no pixel 40,0: the frame has 40 x 30$"
+ends 2 "$build/rt205" timeline "$scene" --pixel 40 -o never.svg
+ends 2 "$build/rt205" timeline "$scene" -o never.png
+ends 2 "$build/rt205" timeline "$scene"
+ends 2 "$build/rt205" timeline "$scene" --from 9 --to 9 -o never.svg
 ends 2 "$build/rt205" render "$scene" -o a.gif -W 40 -H 30
 tells err "\.png, \.jpg, \.exr or \.tif"
 ends 1 "$build/rt205" render "$scene" -o missing/a.png -W 40 -H 30
@@ -1273,6 +1328,7 @@ formats "$build/c205" model
 formats "$build/c205" model cyber720
 formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15
 formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15 --accounts
+formats "$build/rt205" render "$scene" -o f.png -W 20 -H 15 --profile
 formats "$build/rt205" profile "$scene" -W 20 -H 15
 formats "$build/rt205" speedup -W 16 -H 10
 formats "$build/rt205" speedup -W 16 -H 10 --details --passes

@@ -1,69 +1,7 @@
 /* cmd_debug.c - c205 debug: a program under control, by a person or a script. */
-#include <stdio.h>
-#include <string.h>
-
 #include "asm/command/cmd_debug.h"
-#include "asm/command/lines.h"
-#include "asm/debug/debugger.h"
+#include "asm/command/dialogue.h"
 #include "base/interrupt.h"
-
-static const char prompt[] = "(c205) ";
-
-/* What a person or a script says. */
-struct dialogue {
-    struct debugger *debugger;
-    bool quit, terminal;
-};
-
-/* Lines of a script are shown as if somebody had typed them.  False: they cannot be read. */
-static bool obey_all(struct dialogue *dialogue, FILE *file)
-{
-    struct typed_lines lines = lines_of(file, debugger_verb);
-    const char *line;
-    while (!dialogue->quit && (line = lines_next(&lines, prompt)) != NULL) {
-        if (!lines.terminal) {
-            printf("%s%s\n", prompt, line);
-        }
-        interrupt_forget();
-        dialogue->quit = !debugger_obey(dialogue->debugger, line);
-    }
-    dialogue->terminal |= lines.terminal;
-    if (lines.terminal && !dialogue->quit) {
-        putchar('\n');
-    }
-    lines_free(&lines);
-    return !lines.failed;
-}
-
-static bool obey_script(struct dialogue *dialogue, const char *path)
-{
-    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    bool good = file && obey_all(dialogue, file);
-    if (file && file != stdin) {
-        fclose(file);
-    }
-    return good;
-}
-
-/* A person's mistakes are no failure. */
-static int obey(const struct c205_arguments *arguments,
-                struct debugger *debugger)
-{
-    const struct command_texts *scripts = &arguments->scripts;
-    struct dialogue dialogue = { .debugger = debugger };
-    debugger_greet(debugger);
-    if (scripts->count == 0 && !obey_all(&dialogue, stdin)) {
-        return cmd_failed(arguments->command, "stdin cannot be read");
-    }
-    for (size_t i = 0; i < scripts->count && !dialogue.quit; i++) {
-        if (!obey_script(&dialogue, scripts->items[i])) {
-            return cmd_failed(arguments->command, "%s: it cannot be read",
-                              scripts->items[i]);
-        }
-    }
-    return dialogue.terminal || debugger_faults(debugger) == 0 ? CMD_DONE
-                                                               : CMD_FAILED;
-}
 
 static bool is_interrupted(void *asked)
 {
@@ -81,14 +19,17 @@ static int debug_program(const struct c205_arguments *arguments,
                                           .clocks_most = CMD_LIMIT,
                                           .interrupted = is_interrupted,
                                           .warm = arguments->warm };
+    const struct dialogue_setup dialogue = { .command = arguments->command,
+                                             .prompt = "(c205) ",
+                                             .verb = debugger_verb,
+                                             .scripts = &arguments->scripts };
     c205_error error;
     struct debugger *debugger = debugger_new(&setup, &error);
     int code;
     if (!debugger) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    interrupt_catch();
-    code = obey(arguments, debugger);
+    code = dialogue_hold(&dialogue, debugger);
     debugger_free(debugger);
     return code;
 }

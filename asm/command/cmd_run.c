@@ -52,32 +52,14 @@ static const char *program_name(const struct c205_arguments *arguments)
                                   : arguments->restore;
 }
 
-/* For the eye with causes in words. */
 static int show_profile(const struct c205_arguments *arguments,
                         const struct line_profile *profile,
                         const struct results *results)
 {
-    enum profile_order order = arguments->in_order ? PROFILE_AS_WRITTEN
-                                                   : PROFILE_HOTTEST;
-    struct results shown = *results, kept = *results;
-    bool words = results->file
-                 && (results->format == RESULTS_TEXT
-                     || results->format == RESULTS_MARKDOWN);
-    if (!words) {
-        return results_show(results,
-                            line_profile_table(profile, order, false),
-                            "lines", "Lines");
-    }
-    shown.json = NULL;
-    kept.file = NULL;
-    results_gap(results);
-    int code = results_show(&shown, line_profile_table(profile, order, true),
-                            NULL, "Lines");
-    return code != CMD_DONE || !results->json
-               ? code
-               : results_show(&kept,
-                              line_profile_table(profile, order, false),
-                              "lines", NULL);
+    struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
+                                                     : PROFILE_HOTTEST,
+                                 false };
+    return line_profile_show(profile, view, results);
 }
 
 static int show_accounts(const struct c205_arguments *arguments,

@@ -1,75 +1,26 @@
 /* cmd_timeline.c - c205 timeline: a run as a picture, or for a viewer. */
 #include <inttypes.h>
 #include <stdio.h>
-#include <string.h>
 
 #include "asm/command/c205_command.h"
 #include "asm/timeline/timeline.h"
-#include "base/whole.h"
-
-static bool write_timeline(const struct c205_arguments *arguments,
-                           const struct timeline *timeline,
-                           const struct sink *sink)
-{
-    char title[400];
-    if (cmd_ends_with(arguments->output, ".kanata")) {
-        return timeline_kanata(timeline, sink);
-    }
-    if (cmd_ends_with(arguments->output, ".json")) {
-        return timeline_trace_events(timeline, sink);
-    }
-    snprintf(title, sizeof title,
-             "%.200s, clocks %" PRIu64 " to %" PRIu64 " on %.80s",
-             arguments->file, timeline->from, timeline->to,
-             arguments->model ? arguments->model : C205_DEFAULT_MODEL);
-    return timeline_svg(timeline, title, sink);
-}
-
-static size_t instructions_of(const struct timeline *timeline)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < timeline->insn_count; i++) {
-        count += timeline->insns[i].insn != NULL;
-    }
-    return count;
-}
 
 static int write_file(const struct c205_arguments *arguments,
                       const struct timeline *timeline)
 {
-    c205_error error = { "no memory" };
-    struct whole *whole = whole_open(arguments->output, &error);
-    struct sink sink;
-    bool good;
-    if (!whole) {
-        return cmd_failed(arguments->command, "%s", error.message);
-    }
-    sink = stream_sink(whole->file);
-    good = write_timeline(arguments, timeline, &sink);
-    if (!good) {
-        whole_discard(whole);
-    }
-    if (!good || !whole_commit(whole, &error)) {
+    c205_error error;
+    char title[400];
+    snprintf(title, sizeof title,
+             "%.200s, clocks %" PRIu64 " to %" PRIu64 " on %.80s",
+             arguments->file, timeline->from, timeline->to,
+             arguments->model ? arguments->model : C205_DEFAULT_MODEL);
+    if (!timeline_save(timeline, arguments->output, title, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
     printf("%s: %zu instructions, clocks %" PRIu64 " to %" PRIu64 "\n",
-           arguments->output, instructions_of(timeline), timeline->from,
+           arguments->output, timeline_instructions(timeline), timeline->from,
            timeline->to);
     return CMD_DONE;
-}
-
-/* Where the last of it was done, if no end was asked. */
-static void settle_end(struct timeline *timeline)
-{
-    uint64_t end = timeline->from + 1;
-    for (size_t i = 0; i < timeline->insn_count; i++) {
-        if (timeline->insns[i].done > end) {
-            end = timeline->insns[i].done;
-        }
-    }
-    if (end < timeline->to) {
-        timeline->to = end;
-    }
 }
 
 /* How the program did. */
@@ -113,7 +64,7 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
                                 "was run for %" PRIu64 " clocks",
                           c205_clock(machine));
     }
-    settle_end(timeline);
+    timeline_settle(timeline);
     code = write_file(arguments, timeline);
     return code != CMD_DONE ? code : tell_trap(arguments, machine, &ending);
 }
@@ -157,8 +108,7 @@ static int check_usage(const struct c205_arguments *arguments)
     if (!path) {
         return cmd_usage(arguments->command, "where to? -o FILE");
     }
-    if (!cmd_ends_with(path, ".svg") && !cmd_ends_with(path, ".kanata")
-        && !cmd_ends_with(path, ".json")) {
+    if (!timeline_is_named(path)) {
         return cmd_usage(arguments->command,
                          "%s: a timeline is .svg, .kanata or .json", path);
     }

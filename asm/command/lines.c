@@ -55,7 +55,7 @@ static void open_library(struct typed_lines *lines,
 
 #endif
 
-struct typed_lines lines_of(FILE *file, const char *(*name)(size_t i))
+struct typed_lines typed_lines_of(FILE *file, const char *(*name)(size_t i))
 {
     struct typed_lines lines = { .file = file };
 
@@ -75,7 +75,7 @@ static const char *read_edited(struct typed_lines *lines, const char *prompt)
     return lines->text;
 }
 
-const char *lines_next(struct typed_lines *lines, const char *prompt)
+const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
 {
     ssize_t length;
 
@@ -95,7 +95,7 @@ const char *lines_next(struct typed_lines *lines, const char *prompt)
     return lines->text;
 }
 
-void lines_free(struct typed_lines *lines)
+void typed_lines_free(struct typed_lines *lines)
 {
     free(lines->text);
 }

@@ -21,9 +21,9 @@ struct typed_lines {
 };
 
 /* The names are those that Tab completes; each call gives one, NULL behind the last. */
-struct typed_lines lines_of(FILE *file, const char *(*name)(size_t i));
+struct typed_lines typed_lines_of(FILE *file, const char *(*name)(size_t i));
 /* NULL: there are no more, or no memory. */
-const char *lines_next(struct typed_lines *lines, const char *prompt);
-void lines_free(struct typed_lines *lines);
+const char *typed_lines_next(struct typed_lines *lines, const char *prompt);
+void typed_lines_free(struct typed_lines *lines);
 
 #endif

@@ -239,7 +239,7 @@ static struct frames find_frames(const struct dap *dap)
     uint64_t pc = c205_pc(machine_of(dap->debugger));
     struct frames frames = { .pc = pc,
                              .line = object_line(dap->object, pc),
-                             .region = place_region(dap->debugger, pc) };
+                             .region = object_region(dap->object, pc) };
 
     frames.kinds[frames.count++] = FRAME_PLACE;
     if (frames.line && place_is_called(frames.line))

@@ -74,16 +74,24 @@ const char *debugger_verb(size_t i)
     return i < VERBS ? verbs[i].name : NULL;
 }
 
+static void tell_verb(const struct debugger *debugger, const char *name,
+                      const char *arguments, const char *help)
+{
+    sink_print(&debugger->out, "%s %s\n", name, arguments);
+    if (*help)
+        sink_print(&debugger->out, "    %s\n", help);
+}
+
 static bool verb_help(struct debugger *debugger, struct rest *rest)
 {
+    const struct debugger_verb *more = debugger->setup.verbs;
+
     if (!rest_finish(debugger, rest))
         return false;
-    for (size_t i = 0; i < VERBS; i++) {
-        sink_print(&debugger->out, "%s %s\n", verbs[i].name,
-                   verbs[i].arguments);
-        if (*verbs[i].help)
-            sink_print(&debugger->out, "    %s\n", verbs[i].help);
-    }
+    for (; more && more->name; more++)
+        tell_verb(debugger, more->name, more->arguments, more->help);
+    for (size_t i = 0; i < VERBS; i++)
+        tell_verb(debugger, verbs[i].name, verbs[i].arguments, verbs[i].help);
     sink_put(&debugger->out,
              "A beginning of a verb does; an empty line moves again.\n");
     return true;
@@ -126,12 +134,25 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 
 /* ---- To begin and to end -------------------------------------------------- */
 
+static c205 *make_machine(const struct debugger_setup *setup,
+                          c205_error *error)
+{
+    c205 *machine;
+
+    if (setup->machine)
+        return setup->machine(setup->context, error);
+    machine = c205_new(setup->model, error);
+    if (machine && c205_load(machine, &setup->object->program, error))
+        return machine;
+    c205_free(machine);
+    return NULL;
+}
+
 static c205 *load(struct debugger *debugger, c205_error *error)
 {
-    c205 *machine = c205_new(debugger->setup.model, error);
+    c205 *machine = make_machine(&debugger->setup, error);
 
-    if (machine && c205_load(machine, &debugger->setup.object->program, error)
-        && c205_listen(machine, hear, debugger)) {
+    if (machine && c205_listen(machine, hear, debugger)) {
         if (debugger->setup.warm)
             c205_warm(machine);
         return machine;
@@ -174,6 +195,16 @@ void debugger_free(struct debugger *debugger)
     free(debugger);
 }
 
+const c205 *debugger_machine(const struct debugger *debugger)
+{
+    return machine_of(debugger);
+}
+
+const struct sink *debugger_out(const struct debugger *debugger)
+{
+    return &debugger->out;
+}
+
 void debugger_greet(struct debugger *debugger)
 {
     show_place(debugger);
@@ -206,12 +237,15 @@ static size_t verb_length(const char *text)
 static void tell_unknown(struct debugger *debugger, const char *name,
                          size_t length)
 {
+    const struct debugger_verb *more = debugger->setup.verbs;
     char word[40];
     struct nearest nearest = { .word = word };
 
     snprintf(word, sizeof word, "%.*s", (int)length, name);
     for (size_t i = 0; i < VERBS; i++)
         nearest_try(&nearest, verbs[i].name);
+    for (; more && more->name; more++)
+        nearest_try(&nearest, more->name);
     debug_fault(debugger, "there is no '%.*s': %s%s%s",
                 length < 40 ? (int)length : 40, name,
                 nearest.name ? "was it " : "help lists what there is",
@@ -224,6 +258,25 @@ static void keep_movement(struct debugger *debugger, const char *line)
         snprintf(debugger->again, sizeof debugger->again, "%s", line);
 }
 
+/* A verb besides, by its whole name.  False: it is none. */
+static bool obey_more(struct debugger *debugger, const char *line,
+                      size_t length)
+{
+    const struct debugger_verb *verb = debugger->setup.verbs;
+    c205_error error = { "no memory" };
+
+    while (verb && verb->name
+           && !(strlen(verb->name) == length
+                && strncmp(verb->name, line, length) == 0))
+        verb++;
+    if (!verb || !verb->name)
+        return false;
+    debugger->again[0] = '\0';
+    if (!verb->obey(debugger->setup.context, debugger, line + length, &error))
+        debug_fault(debugger, "%s", error.message);
+    return true;
+}
+
 bool debugger_obey(struct debugger *debugger, const char *line)
 {
     struct rest rest = { line };
@@ -234,6 +287,8 @@ bool debugger_obey(struct debugger *debugger, const char *line)
     if (rest_end(&rest) || *rest.at == '#')
         return true;
     length = verb_length(rest.at);
+    if (obey_more(debugger, rest.at, length))
+        return true;
     while (i < VERBS && !(length > 0 && is_verb(&verbs[i], rest.at, length)))
         i++;
     if (i == VERBS) {

@@ -3,6 +3,7 @@
  *
  * It is told one line at a time, by a person, a pipe or a script, and says all
  * that it says to a sink.  `help` lists the verbs; docs/debugging.md has a session.
+ * Who knows more of the program than that it is one may have verbs besides.
  */
 #ifndef ASM_DEBUGGER_H
 #define ASM_DEBUGGER_H
@@ -10,6 +11,15 @@
 #include "asm/assemble.h"
 
 struct debugger;
+
+struct debugger_verb {
+    const char *name; /* NULL behind the last */
+    const char *arguments, *help;
+    /* What stands behind the name on its line; says what it says to debugger_out.  False: it
+     * cannot be done, the error says why. */
+    bool (*obey)(void *context, struct debugger *debugger, const char *rest,
+                 c205_error *error);
+};
 
 struct debugger_setup {
     const struct object *object; /* these outlive it */
@@ -23,6 +33,11 @@ struct debugger_setup {
     bool (*interrupted)(void *asked); /* asked while the program runs: shall
                                          it stop?  NULL: never */
     void *asked;
+    /* The machine before it begins, loaded with the object's program.  NULL: one with that
+      * program alone. */
+    c205 *(*machine)(void *context, c205_error *error);
+    const struct debugger_verb *verbs; /* besides, or NULL */
+    void *context;                     /* of these two */
 };
 
 /* The program stands before its first instruction.  NULL: it cannot be loaded, no
@@ -39,7 +54,17 @@ bool debugger_obey(struct debugger *debugger, const char *line);
 /* Lines that could not be done, and assertions that failed. */
 size_t debugger_faults(const struct debugger *debugger);
 
-/* The verbs, NULL behind the last. */
+/* The debugger's own verbs, NULL behind the last. */
 const char *debugger_verb(size_t i);
+
+/* ---- For verbs besides ---------------------------------------------------- */
+
+const c205 *debugger_machine(const struct debugger *debugger);
+const struct sink *debugger_out(const struct debugger *debugger);
+/* On, by one instruction at the least, to where the machine is there, or to a stop; where
+ * that is is told. */
+void debugger_seek(struct debugger *debugger,
+                   bool (*is_there)(void *context, const c205 *machine),
+                   void *context);
 
 #endif

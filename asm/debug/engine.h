@@ -179,8 +179,6 @@ bool place_begins(const struct debugger *debugger, const char *file,
                   size_t number, uint64_t address);
 /* Whether a line is of a macro that another one calls. */
 bool place_is_called(const struct asm_line *line);
-/* The region of an address; "" for none. */
-const char *place_region(const struct debugger *debugger, uint64_t address);
 /* The instruction before one, as the program's lines have it. */
 uint64_t place_before(const struct debugger *debugger, uint64_t address);
 
@@ -230,6 +228,10 @@ enum moved motion_next(struct debugger *debugger);
 enum moved motion_line(struct debugger *debugger);
 /* On to an address, behind one instruction at least. */
 enum moved motion_to(struct debugger *debugger, uint64_t address);
+/* .. to where a caller says so. */
+enum moved motion_until(struct debugger *debugger,
+                        bool (*is_there)(void *context, const c205 *machine),
+                        void *context);
 /* Out of the macro call in which the program stands, or else out of its region; it must
  * be in one. */
 bool motion_can_go_out(struct debugger *debugger);

@@ -48,7 +48,18 @@ struct aim {
     uint64_t count;  /* instructions */
     bool at_address; /* or, behind one instruction at least, this: */
     uint64_t address;
+    /* or likewise what a caller knows; NULL: nothing */
+    bool (*is_there)(void *context, const c205 *machine);
+    void *context;
 };
+
+static bool is_reached(const struct debugger *debugger, const struct aim *aim)
+{
+    return (aim->at_address && pc_of(debugger) == aim->address)
+           || (aim->is_there
+               && aim->is_there(aim->context, machine_of(debugger)));
+}
+
 
 static enum moved advance(struct debugger *debugger, struct aim aim)
 {
@@ -60,7 +71,7 @@ static enum moved advance(struct debugger *debugger, struct aim aim)
         moved = forward(debugger);
         if (moved == MOVED_ON)
             moved = look_up(debugger, begun);
-        if (aim.at_address && pc_of(debugger) == aim.address)
+        if (is_reached(debugger, &aim))
             break;
     }
     return moved;
@@ -73,7 +84,18 @@ enum moved motion_steps(struct debugger *debugger, uint64_t count)
 
 enum moved motion_to(struct debugger *debugger, uint64_t address)
 {
-    return advance(debugger, (struct aim){ UINT64_MAX, true, address });
+    return advance(debugger, (struct aim){ .count = UINT64_MAX,
+                                           .at_address = true,
+                                           .address = address });
+}
+
+enum moved motion_until(struct debugger *debugger,
+                        bool (*is_there)(void *context, const c205 *machine),
+                        void *context)
+{
+    return advance(debugger, (struct aim){ .count = UINT64_MAX,
+                                           .is_there = is_there,
+                                           .context = context });
 }
 
 enum moved motion_next(struct debugger *debugger)
@@ -126,9 +148,14 @@ enum moved motion_line(struct debugger *debugger)
     return moved;
 }
 
+static const char *region_here(const struct debugger *debugger)
+{
+    return object_region(debugger->setup.object, pc_of(debugger));
+}
+
 bool motion_can_go_out(struct debugger *debugger)
 {
-    return call_of(debugger) || *place_region(debugger, pc_of(debugger))
+    return call_of(debugger) || *region_here(debugger)
            || debug_fault(debugger,
                           "this is neither in a macro call nor in a "
                           "region that could be left");
@@ -137,15 +164,14 @@ bool motion_can_go_out(struct debugger *debugger)
 enum moved motion_out(struct debugger *debugger)
 {
     const struct asm_line *call = call_of(debugger);
-    const char *region = place_region(debugger, pc_of(debugger));
+    const char *region = region_here(debugger);
     enum moved moved;
 
     do
         moved = motion_steps(debugger, 1);
     while (moved == MOVED_ON
            && (call ? is_in(debugger, call)
-                    : strcmp(place_region(debugger, pc_of(debugger)), region)
-                          == 0));
+                    : strcmp(region_here(debugger), region) == 0));
     return moved;
 }
 

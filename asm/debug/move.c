@@ -79,6 +79,13 @@ bool verb_until(struct debugger *debugger, struct rest *rest)
                      motion_to(debugger, place_of(debugger, address)));
 }
 
+void debugger_seek(struct debugger *debugger,
+                   bool (*is_there)(void *context, const c205 *machine),
+                   void *context)
+{
+    arrive(debugger, motion_until(debugger, is_there, context));
+}
+
 bool verb_reverse_step(struct debugger *debugger, struct rest *rest)
 {
     uint64_t count;

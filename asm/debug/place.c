@@ -7,17 +7,6 @@
 #include "asm/debug/parts.h"
 #include "asm/operand_view.h"
 
-const char *place_region(const struct debugger *debugger, uint64_t address)
-{
-    const c205_program *program = &debugger->setup.object->program;
-
-    for (size_t i = 0; i < program->region_count; i++)
-        if (address >= program->regions[i].begin
-            && address < program->regions[i].end)
-            return program->regions[i].name;
-    return "";
-}
-
 static bool is_region(const struct debugger *debugger, const char *name,
                       const char **region)
 {

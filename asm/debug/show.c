@@ -73,7 +73,8 @@ void show_end_line(struct debugger *debugger)
 void show_place(struct debugger *debugger)
 {
     c205 *machine = machine_of(debugger);
-    const char *region = place_region(debugger, c205_pc(machine));
+    const char *region = object_region(debugger->setup.object,
+                                       c205_pc(machine));
 
     show_end_line(debugger);
     sink_print(&debugger->out, "step %" PRIu64 ", clock %" PRIu64 "%s%s\n",

@@ -32,10 +32,11 @@ static bool is_changed(const struct debugger *debugger,
 static bool is_entered(const struct debugger *debugger,
                        const struct stop_point *stop, uint64_t before)
 {
+    const struct object *object = debugger->setup.object;
     uint64_t pc = c205_pc(machine_of(debugger));
 
-    return strcmp(place_region(debugger, pc), stop->region) == 0
-           && strcmp(place_region(debugger, before), stop->region) != 0;
+    return strcmp(object_region(object, pc), stop->region) == 0
+           && strcmp(object_region(object, before), stop->region) != 0;
 }
 
 static bool is_there(const struct debugger *debugger,

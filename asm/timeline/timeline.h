@@ -57,4 +57,14 @@ bool timeline_kanata(const struct timeline *timeline,
 bool timeline_trace_events(const struct timeline *timeline,
                            const struct sink *sink);
 
+/* Instructions, without what was in flight at the end. */
+size_t timeline_instructions(const struct timeline *timeline);
+/* It ends where the last of it was done, if that is before. */
+void timeline_settle(struct timeline *timeline);
+/* A file's name says which form it has: .svg, .kanata, .json; false: none of these. */
+bool timeline_is_named(const char *path);
+/* As a file of such a name; whole, or not at all. */
+bool timeline_save(const struct timeline *timeline, const char *path,
+                   const char *title, c205_error *error);
+
 #endif

@@ -5,6 +5,7 @@
 #include "base/interrupt.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
+#include "rt/view/frame_profile.h"
 
 static bool write_rows(const struct trace_options *options,
                        const struct trace *trace, struct picture *picture,
@@ -210,19 +211,35 @@ static int tell_result(const struct result *result,
 }
 
 /* JSON has the accounts in any case. */
-static int tell(const struct rt205_arguments *arguments,
-                const struct trace *trace, const struct results *results)
+static int tell_accounts(const struct rt205_arguments *arguments,
+                         const struct trace *trace,
+                         const struct results *results)
 {
-    struct result result = result_of(arguments, trace);
     struct results accounts = *results;
-    int code = tell_result(&result, results);
 
     if (!arguments->accounts)
         accounts.file = NULL;
-    else if (code == CMD_DONE && results->file)
+    else if (results->file)
         results_gap(results);
-    return code == CMD_DONE ? accounts_show(trace_accounts(trace), &accounts)
-                            : code;
+    return accounts_show(trace_accounts(trace), &accounts);
+}
+
+/* The profile may be NULL. */
+static int tell(const struct rt205_arguments *arguments,
+                const struct trace *trace, const struct line_profile *profile,
+                const struct results *results)
+{
+    struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
+                                                     : PROFILE_HOTTEST,
+                                 true };
+    struct result result = result_of(arguments, trace);
+    int code = tell_result(&result, results);
+
+    if (code == CMD_DONE)
+        code = tell_accounts(arguments, trace, results);
+    return code == CMD_DONE && profile
+               ? line_profile_show(profile, view, results)
+               : code;
 }
 
 /* ---- A frame from its beginning to its end ------------------------------- */
@@ -295,8 +312,11 @@ static int end_early(const struct rt205_arguments *arguments,
                       bands);
 }
 
+/* The profile is there once bands have been watched. */
 static int trace_and_write(const struct rt205_arguments *arguments,
-                           struct trace *trace, const struct results *results)
+                           struct trace *trace,
+                           struct line_profile *const *profile,
+                           const struct results *results)
 {
     c205_error error = { "no memory" };
 
@@ -306,13 +326,14 @@ static int trace_and_write(const struct rt205_arguments *arguments,
         return cmd_tell_share(arguments, trace_bands(trace));
     if (!arguments->output || write_picture(arguments, trace, &error)) {
         trace_forget(trace);
-        return tell(arguments, trace, results);
+        return tell(arguments, trace, *profile, results);
     }
     return cmd_failed(arguments->command, "%s", error.message);
 }
 
 /* While the machine works, the library that writes pictures is loaded. */
 static int run(const struct rt205_arguments *arguments, struct trace *trace,
+               struct line_profile *const *profile,
                const struct results *results)
 {
     struct picture_error why;
@@ -320,11 +341,11 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
     int code;
 
     if (!arguments->output)
-        return trace_and_write(arguments, trace, results);
+        return trace_and_write(arguments, trace, profile, results);
     loader = picture_load(&why);
     if (!loader)
         return cmd_failed(arguments->command, "%s", why.message);
-    code = trace_and_write(arguments, trace, results);
+    code = trace_and_write(arguments, trace, profile, results);
     picture_loaded(loader);
     return code;
 }
@@ -332,12 +353,21 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
 static int render(const struct rt205_arguments *arguments,
                   const struct scene *scene, const struct results *results)
 {
+    struct line_profile *profile = NULL;
+    struct observer observer = frame_profile_observer(&profile);
+    const struct observer *const observers[] = { &observer, NULL };
+    struct trace_options options = arguments->trace;
     c205_error error = { "no memory" };
-    struct trace *trace = trace_new(scene, &arguments->trace, &error);
-    int code = trace && keep(arguments, trace, &error)
-                   ? run(arguments, trace, results)
-                   : cmd_failed(arguments->command, "%s", error.message);
+    struct trace *trace;
+    int code;
 
+    if (arguments->profile)
+        options.observers = observers;
+    trace = trace_new(scene, &options, &error);
+    code = trace && keep(arguments, trace, &error)
+               ? run(arguments, trace, &profile, results)
+               : cmd_failed(arguments->command, "%s", error.message);
+    line_profile_free(profile);
     trace_free(trace);
     return code;
 }
@@ -379,11 +409,51 @@ static int check_files(const struct rt205_arguments *arguments)
     return CMD_DONE;
 }
 
+/* Nothing but a dialogue comes of it. */
+static int check_debug(const struct rt205_arguments *arguments)
+{
+    const struct cmd_units *units = &arguments->units;
+
+    if (arguments->output || arguments->accounts || arguments->profile
+        || arguments->results.path || units->resume.count > 0
+        || units->ranks > 1)
+        return cmd_usage(arguments->command,
+                         "--debug writes nothing: -o, --accounts, --profile, "
+                         "--json, --resume and --ranks do not go with it");
+    return cmd_check_pixel(arguments);
+}
+
+/* Bands that are done elsewhere, or were on another day, are not watched. */
+static int check_profile(const struct rt205_arguments *arguments)
+{
+    const struct cmd_units *units = &arguments->units;
+
+    if (arguments->in_order && !arguments->profile)
+        return cmd_usage(arguments->command,
+                         "--in-order goes with --profile");
+    if (arguments->profile
+        && (units->resume.count > 0 || units->ranks > 1 || ranks_are_many()))
+        return cmd_usage(arguments->command,
+                         "--profile watches all bands: it does not go with "
+                         "--resume and --ranks");
+    return CMD_DONE;
+}
+
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
-    int code = check_files(arguments);
+    int code;
 
+    if (arguments->pixel.given) {
+        code = check_debug(arguments);
+        return code == CMD_DONE ? cmd_with_machine(arguments, cmd_debug_pixel)
+                                : code;
+    }
+    if (arguments->scripts.count > 0)
+        return cmd_usage(arguments->command, "-x goes with --debug");
+    code = check_files(arguments);
+    if (code == CMD_DONE)
+        code = check_profile(arguments);
     return code == CMD_DONE ? cmd_with_farm(arguments, render_scene) : code;
 }
 
@@ -412,7 +482,22 @@ static const struct command_option options[] = {
     CMD_FLAG(
         "accounts", accounts,
         "also where the clocks went, cause by cause and region by region"),
+    CMD_FLAG("profile", profile,
+             "also where the clocks went line by line of the kernels, the "
+             "hottest region first; macros where they are called"),
+    CMD_FLAG("in-order", in_order,
+             "lines of --profile as they stand in memory"),
     CMD_FLAG("half", half, "16-bit colours in an .exr"),
+    CMD_PIXEL("debug", "no picture, but a debugger of the machine of that "
+                       "pixel's band"),
+    { .name = "script",
+      .letter = 'x',
+      .value = "FILE",
+      .kind = COMMAND_INPUT,
+      .many = true,
+      .offset = CMD_PLACE(scripts),
+      .help = "lines for the debugger, which ends with 1 if one of them "
+              "fails, as an assert does" },
     CMD_READ,
     CMD_RESULTS,
     COMMAND_END
@@ -423,6 +508,10 @@ static const struct command_example examples[] = {
       "the picture, and what it took the machine" },
     { "rt205 render SCENE --no-picture --accounts",
       "where the machine's clocks went" },
+    { "rt205 render SCENE --no-picture --profile",
+      "the same by lines of the kernels" },
+    { "rt205 render SCENE --debug 320,240",
+      "a debugger, to see what becomes of that pixel's ray" },
     { NULL, NULL }
 };
 
@@ -433,4 +522,7 @@ const struct command render_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
+    .details =
+        "The debugger is that of c205 debug; its verbs seek and lane are "
+        "about the pixel. help tells all of them.",
 };

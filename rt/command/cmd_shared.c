@@ -6,7 +6,9 @@
 #include "rt/picture/picture.h"
 #include "rt/trace/processors.h"
 
+#include <ctype.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 /* What is not drawn has its other results, and they are kept. */
 static int work_and_close(const struct rt205_arguments *arguments,
@@ -101,6 +103,34 @@ int cmd_check_picture(const struct rt205_arguments *arguments)
     return picture_is_named(arguments->output)
                ? cmd_failed(arguments->command, "%s", why.message)
                : cmd_usage(arguments->command, "%s", why.message);
+}
+
+bool cmd_take_pixel(char *text, void *pixel)
+{
+    struct cmd_pixel *taken = pixel;
+    char *end;
+
+    if (!isdigit((unsigned char)*text))
+        return false;
+    taken->x = strtoul(text, &end, 10);
+    if (*end != ',' || !isdigit((unsigned char)end[1]))
+        return false;
+    taken->y = strtoul(end + 1, &end, 10);
+    taken->given = true;
+    return *end == '\0';
+}
+
+int cmd_check_pixel(const struct rt205_arguments *arguments)
+{
+    const struct cmd_pixel *pixel = &arguments->pixel;
+    const struct trace_options *trace = &arguments->trace;
+
+    if (!pixel->given
+        || (pixel->x < trace->width && pixel->y < trace->height))
+        return CMD_DONE;
+    return cmd_usage(arguments->command,
+                     "there is no pixel %zu,%zu: the frame has %zu x %zu",
+                     pixel->x, pixel->y, trace->width, trace->height);
 }
 
 /* ---- The names of what options choose ------------------------------------ */

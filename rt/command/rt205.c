@@ -18,9 +18,12 @@ static void keep_memory(void)
 int main(int argc, char **argv)
 {
     static const struct command *const commands[] = {
-        &render_command,  &profile_command, &speedup_command, &sweep_command,
-        &quartic_command, &heat_command,    &mass_command,    NULL
+        &render_command, &profile_command,  &speedup_command,
+        &sweep_command,  &quartic_command,  &heat_command,
+        &mass_command,   &timeline_command, NULL
     };
+    static const struct rt205_arguments arguments = { .from = C205_NO_LIMIT,
+                                                      .to = C205_NO_LIMIT };
     static const struct command_example files[] = {
         { "NAME.pov", "A scene, in the part of POV-Ray's language that is "
                       "read." },
@@ -39,7 +42,8 @@ int main(int argc, char **argv)
         .version = C205_VERSION,
         .commands = commands,
         .files = files,
-        .arguments_size = sizeof(struct rt205_arguments),
+        .arguments_size = sizeof arguments,
+        .arguments = &arguments,
     };
 
     keep_memory();

@@ -17,7 +17,8 @@
 #include "rt/study/sweep/kinds.h"
 
 extern const struct command render_command, profile_command, speedup_command,
-    sweep_command, quartic_command, heat_command, mass_command;
+    sweep_command, quartic_command, heat_command, mass_command,
+    timeline_command;
 
 /* Lengths of the queue, rising. */
 struct cmd_points {
@@ -58,6 +59,11 @@ struct cmd_units {
     struct ranks joined;
 };
 
+struct cmd_pixel {
+    bool given;
+    size_t x, y;
+};
+
 struct rt205_arguments {
     const char *command;
     const char *scene;  /* the file to work on, or NULL; of a sweep
@@ -70,8 +76,13 @@ struct rt205_arguments {
     struct cmd_points points;
     int sweep; /* the number of the kind */
     bool strict, half, no_picture;
-    bool accounts;        /* of a frame, printed */
-    bool all, first;      /* roots of polynomials */
+    struct cmd_pixel pixel;       /* of a frame, that is looked at */
+    struct command_texts scripts; /* for its debugger */
+    const char *region;           /* of its program, or NULL */
+    uint64_t from, to;            /* clocks; C205_NO_LIMIT: not told */
+    bool accounts;                /* of a frame, printed */
+    bool profile, in_order;       /* of a frame, line by line */
+    bool all, first;              /* roots of polynomials */
     bool details, passes; /* of the speedup table; the passes are the root
                              solver's, one by one */
     bool formulations;    /* of the cylinder, in place of that table */
@@ -87,6 +98,10 @@ struct rt205_arguments {
 bool cmd_heat_hits(const struct rt205_arguments *arguments,
                    const struct scene *scene, const struct results *results,
                    c205_error *error);
+
+/* .. of rt205 render under --debug. */
+int cmd_debug_pixel(const struct rt205_arguments *arguments,
+                    const struct results *results);
 
 /* ---- Options of several commands ---------------------------------------- */
 
@@ -171,6 +186,10 @@ command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice,
     CMD_FLAG("strict", strict, \
              "what would be replaced or left out is an error"), \
     COMMAND_OPTION_INCLUDE(CMD_PLACE(search))
+#define CMD_PIXEL(option, what) \
+    { .name = option, .value = "X,Y", .kind = COMMAND_OWN, \
+      .offset = CMD_PLACE(pixel), .take = cmd_take_pixel, \
+      .wants = "column and row of a pixel, from 0 on: 12,7", .help = what }
 #define CMD_SCENE \
     { .value = "SCENE", .kind = COMMAND_INPUT, .offset = CMD_PLACE(scene), \
       .help = "a scene file" }
@@ -198,6 +217,11 @@ enum { RANKS_MOST = 4096 };
 bool cmd_take_part(char *text, void *farm);
 /* "1/4".  False: it is no share. */
 bool cmd_is_part(const char *text, struct farm *farm);
+
+/* X,Y */
+bool cmd_take_pixel(char *text, void *pixel);
+/* Whether the frame has it: CMD_DONE, or the exit code after telling that not. */
+int cmd_check_pixel(const struct rt205_arguments *arguments);
 
 /* Whether the picture, if one is asked, could be written: CMD_DONE, or the exit code after
  * telling why not. */

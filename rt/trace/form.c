@@ -27,6 +27,11 @@ const char *trace_mode_name(enum trace_mode mode)
     return forms[mode].name;
 }
 
+const char *form_program(enum trace_mode mode)
+{
+    return forms[mode].program;
+}
+
 bool trace_mode_named(const char *name, enum trace_mode *mode)
 {
     for (int i = 0; i < TRACE_MODES; i++)

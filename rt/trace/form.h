@@ -10,6 +10,9 @@
 struct object *form_assemble(const struct trace_options *options,
                              const struct scene *scene, c205_error *error);
 
+/* The name of its text, as lines of it have it. */
+const char *form_program(enum trace_mode mode);
+
 /* .. that finds all that is seen along lines (lines.h), of a scene whose surfaces are
  * plain; with normals, and with counts of bodies, if asked. */
 struct object *form_assemble_lines(enum trace_mode mode, size_t queue,

@@ -138,6 +138,11 @@ static void divide(struct trace *trace)
                         / trace->band_rows;
 }
 
+size_t trace_band_row(const struct trace *trace, size_t band)
+{
+    return band * trace->band_rows;
+}
+
 static size_t rows_of(const struct trace *trace, size_t band)
 {
     size_t left = trace->options.height - band * trace->band_rows;
@@ -145,11 +150,12 @@ static size_t rows_of(const struct trace *trace, size_t band)
     return left < trace->band_rows ? left : trace->band_rows;
 }
 
-c205 *trace_machine(const struct trace *trace, c205_error *error)
+c205 *trace_machine(const struct trace *trace, size_t band, c205_error *error)
 {
     struct frame_layout layout;
 
-    return band_machine(&trace->work, 0, rows_of(trace, 0), &layout, error);
+    return band_machine(&trace->work, trace_band_row(trace, band),
+                        rows_of(trace, band), &layout, error);
 }
 
 static bool lay_out(struct trace *trace, const struct scene *scene,
@@ -248,6 +254,11 @@ void trace_free(struct trace *trace)
     free(trace);
 }
 
+const struct trace_options *trace_how(const struct trace *trace)
+{
+    return &trace->options;
+}
+
 size_t trace_samples(const struct trace *trace)
 {
     return trace->options.samples;
@@ -290,7 +301,7 @@ static bool take_band(void *context, size_t number, struct unit_words *words,
                       c205_error *error)
 {
     struct trace *trace = context;
-    struct band band = { .first_row = number * trace->band_rows,
+    struct band band = { .first_row = trace_band_row(trace, number),
                          .rows = rows_of(trace, number),
                          .accounts = { .model = trace->options.model } };
     bool good;
@@ -306,7 +317,7 @@ static bool take_band(void *context, size_t number, struct unit_words *words,
 
 bool trace_keep(struct trace *trace, c205_error *error)
 {
-    c205 *machine = trace_machine(trace, error);
+    c205 *machine = trace_machine(trace, 0, error);
     const uint64_t size[] = { trace->options.width, trace->options.height,
                               trace->band_rows };
     uint64_t key = machine ? farm_key("frame", machine, size, 3) : 0;
@@ -357,7 +368,7 @@ static bool run_band(void *context, size_t number, size_t unit,
 {
     struct trace *trace = context;
     struct job *job = &trace->jobs[number];
-    struct band band = { .first_row = unit * trace->band_rows,
+    struct band band = { .first_row = trace_band_row(trace, unit),
                          .rows = rows_of(trace, unit) };
     bool stopped = false;
     bool good = band_trace(&job->tracer, &band, job, &stopped, error);

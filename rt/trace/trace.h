@@ -134,7 +134,13 @@ uint64_t trace_rays(const struct trace *trace, enum ray_kind kind);
 
 /* As it was assembled. */
 const struct object *trace_program(const struct trace *trace);
-/* The machine of the first band before it begins; the caller frees it. */
-c205 *trace_machine(const struct trace *trace, c205_error *error);
+/* The options, with the samples that are taken. */
+const struct trace_options *trace_how(const struct trace *trace);
+/* The machine of a band before it begins; the caller frees it. */
+c205 *trace_machine(const struct trace *trace, size_t band,
+                    c205_error *error);
+/* The first row of a band, or of what is behind the last one; all have as many but perhaps
+ * the last. */
+size_t trace_band_row(const struct trace *trace, size_t band);
 
 #endif

@@ -166,7 +166,7 @@ static void trace_watched(const struct scene *scene,
 {
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, options, &error);
-    c205 *machine = trace ? trace_machine(trace, &error) : NULL;
+    c205 *machine = trace ? trace_machine(trace, 0, &error) : NULL;
 
     if (!machine)
         fail_msg("%s: %s", what, error.message);
@@ -399,7 +399,7 @@ static void test_nothing_is_saved_in_vain(void **state)
         memset(&saves, 0, sizeof saves);
         options.historical = historical;
         trace = trace_new(scene, &options, &error);
-        machine = trace ? trace_machine(trace, &error) : NULL;
+        machine = trace ? trace_machine(trace, 0, &error) : NULL;
         if (!machine || !c205_listen(machine, listen_to_saves, NULL)
             || !program_run(machine, NULL, NULL, NULL, &error))
             fail_msg("%s", error.message);

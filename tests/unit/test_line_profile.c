@@ -35,7 +35,8 @@ static void check_sums(const struct line_profile *profile,
     assert_int_equal(elements, streamed);
 }
 
-static void check_run(const char *path, uint64_t limit)
+/* In slices, between which it is stopped, perhaps within an instruction. */
+static void check_run(const char *path, uint64_t limit, uint64_t slice)
 {
     struct diagnostics errors = { 0 };
     struct object *object = assemble_file(path, NULL, &errors);
@@ -50,9 +51,12 @@ static void check_run(const char *path, uint64_t limit)
     profile = line_profile_new(object);
     assert_true(c205_load(machine, &object->program, &error));
     assert_true(c205_listen(machine, line_profile_listen, profile));
-    stop = c205_run(machine, limit);
+    do
+        stop = c205_run(machine, slice < limit - c205_clock(machine)
+                                     ? c205_clock(machine) + slice
+                                     : limit);
+    while (stop.trap == C205_TRAP_CLOCK_LIMIT && c205_clock(machine) < limit);
     check_sums(profile, machine, path);
-    (void)stop;
     line_profile_free(profile);
     c205_free(machine);
     object_free(object);
@@ -72,8 +76,9 @@ static void test_programs(void **state)
 
         assert_int_equal(glob(patterns[i], 0, NULL, &found), 0);
         for (size_t k = 0; k < found.gl_pathc; k++, count++) {
-            check_run(found.gl_pathv[k], 100000000);
-            check_run(found.gl_pathv[k], 1100 + 7 * k);
+            check_run(found.gl_pathv[k], 100000000, C205_NO_LIMIT);
+            check_run(found.gl_pathv[k], 1100 + 7 * k, C205_NO_LIMIT);
+            check_run(found.gl_pathv[k], 20000, 100 + 7 * k);
         }
         globfree(&found);
     }
@@ -95,7 +100,9 @@ static const struct profile_row *row_of(const struct line_profile *profile,
 static void check_columns(const struct line_profile *profile)
 {
     enum { BEFORE = 5 };
-    struct table *table = line_profile_table(profile, PROFILE_AS_WRITTEN,
+    struct table *table = line_profile_table(profile,
+                                             (struct profile_view){
+                                                 PROFILE_AS_WRITTEN, false },
                                              false);
     size_t shown = 0;
 
@@ -167,7 +174,10 @@ static void test_lines(void **state)
         assert_in_range(row->clocks[C205_VECTOR_STREAM], 1, 2);
         assert_int_equal(row->clocks[C205_PAGE_FAULT], 0);
     }
-    table = line_profile_table(profile, PROFILE_HOTTEST, false);
+    table = line_profile_table(profile,
+                               (struct profile_view){ PROFILE_HOTTEST,
+                                                      false },
+                               false);
     for (size_t i = 1; i < table_rows(table); i++)
         assert_true(table_value(table, i - 1, 1) >= table_value(table, i, 1));
     assert_true(table_value(table, 0, 1) > 40);

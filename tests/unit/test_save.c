@@ -66,7 +66,7 @@ static void compare_frame(const struct scene *scene, enum trace_mode mode)
     };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
-    c205 *machine = trace ? trace_machine(trace, &error) : NULL;
+    c205 *machine = trace ? trace_machine(trace, 0, &error) : NULL;
     if (!machine)
         fail_msg("%s", error.message);
     struct bytes begin = save(machine);

@@ -116,6 +116,7 @@ frame_pixel:
         EX      main_at, pixel
         STO     [main_at], column
         STO     [main_at, m_index_one], row
+frame_aimed:
         call    generate_ray, generate_list
         EX      target, trace
         BSAVE   trace_link, [target]

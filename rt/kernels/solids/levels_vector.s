@@ -115,6 +115,7 @@ levels_queue:
         BSAVE   link, [target]
         EX      target, find_nearest
         BSAVE   link, [target]
+levels_found:
         .if     FOG
         load_word scene_levels, s0
         IBXEQ   level, r0, s0, levels_shade

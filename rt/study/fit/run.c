@@ -54,7 +54,7 @@ static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
     run->rays = how.width * how.height;
     run->trace = speedup_trace(run->subject, &options->view, &how,
                                &run->scene, error);
-    return !run->trace ? NULL : trace_machine(run->trace, error);
+    return !run->trace ? NULL : trace_machine(run->trace, 0, error);
 }
 
 /* ---- Program texts ------------------------------------------------------ */

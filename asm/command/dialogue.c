@@ -1,0 +1,65 @@
+#include "asm/command/dialogue.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/command/lines.h"
+#include "base/interrupt.h"
+
+struct dialogue {
+    const struct dialogue_setup *setup;
+    struct debugger *debugger;
+    bool quit, terminal;
+};
+
+/* Lines of a script are shown as if somebody had typed them.  False: they cannot be read. */
+static bool obey_all(struct dialogue *dialogue, FILE *file)
+{
+    const char *prompt = dialogue->setup->prompt;
+    struct typed_lines lines = typed_lines_of(file, dialogue->setup->verb);
+    const char *line;
+    while (!dialogue->quit
+           && (line = typed_lines_next(&lines, prompt)) != NULL) {
+        if (!lines.terminal) {
+            printf("%s%s\n", prompt, line);
+        }
+        interrupt_forget();
+        dialogue->quit = !debugger_obey(dialogue->debugger, line);
+    }
+    dialogue->terminal |= lines.terminal;
+    if (lines.terminal && !dialogue->quit) {
+        putchar('\n');
+    }
+    typed_lines_free(&lines);
+    return !lines.failed;
+}
+
+static bool obey_script(struct dialogue *dialogue, const char *path)
+{
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
+    bool good = file && obey_all(dialogue, file);
+    if (file && file != stdin) {
+        fclose(file);
+    }
+    return good;
+}
+
+int dialogue_hold(const struct dialogue_setup *setup,
+                  struct debugger *debugger)
+{
+    const struct command_texts *scripts = setup->scripts;
+    struct dialogue dialogue = { .setup = setup, .debugger = debugger };
+    interrupt_catch();
+    debugger_greet(debugger);
+    if (scripts->count == 0 && !obey_all(&dialogue, stdin)) {
+        return cmd_failed(setup->command, "stdin cannot be read");
+    }
+    for (size_t i = 0; i < scripts->count && !dialogue.quit; i++) {
+        if (!obey_script(&dialogue, scripts->items[i])) {
+            return cmd_failed(setup->command, "%s: it cannot be read",
+                              scripts->items[i]);
+        }
+    }
+    return dialogue.terminal || debugger_faults(debugger) == 0 ? CMD_DONE
+                                                               : CMD_FAILED;
+}

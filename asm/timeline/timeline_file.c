@@ -1,0 +1,87 @@
+#include <string.h>
+
+#include "asm/timeline/timeline.h"
+#include "base/error.h"
+#include "base/whole.h"
+
+typedef bool write_timeline(const struct timeline *timeline,
+                            const char *title, const struct sink *sink);
+
+static bool write_kanata(const struct timeline *timeline, const char *title,
+                         const struct sink *sink)
+{
+    (void)title;
+    return timeline_kanata(timeline, sink);
+}
+
+static bool write_trace_events(const struct timeline *timeline,
+                               const char *title, const struct sink *sink)
+{
+    (void)title;
+    return timeline_trace_events(timeline, sink);
+}
+
+static const struct timeline_form {
+    const char *ending;
+    write_timeline *write;
+} forms[] = {
+    { ".svg", timeline_svg },
+    { ".kanata", write_kanata },
+    { ".json", write_trace_events },
+};
+enum { FORMS = sizeof forms / sizeof *forms };
+
+/* NULL: it is none of these. */
+static const struct timeline_form *form_of(const char *path)
+{
+    size_t length = strlen(path);
+
+    for (size_t i = 0; i < FORMS; i++) {
+        size_t rest = strlen(forms[i].ending);
+
+        if (length > rest
+            && strcmp(path + length - rest, forms[i].ending) == 0)
+            return &forms[i];
+    }
+    return NULL;
+}
+
+bool timeline_is_named(const char *path)
+{
+    return form_of(path);
+}
+
+bool timeline_save(const struct timeline *timeline, const char *path,
+                   const char *title, c205_error *error)
+{
+    struct whole *whole = whole_open(path, error);
+    struct sink sink;
+
+    if (!whole)
+        return false;
+    sink = stream_sink(whole->file);
+    if (form_of(path)->write(timeline, title, &sink))
+        return whole_commit(whole, error);
+    whole_discard(whole);
+    return error_say(error, "no memory");
+}
+
+void timeline_settle(struct timeline *timeline)
+{
+    uint64_t end = timeline->from + 1;
+
+    for (size_t i = 0; i < timeline->insn_count; i++)
+        if (timeline->insns[i].done > end)
+            end = timeline->insns[i].done;
+    if (end < timeline->to)
+        timeline->to = end;
+}
+
+size_t timeline_instructions(const struct timeline *timeline)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < timeline->insn_count; i++)
+        count += timeline->insns[i].insn != NULL;
+    return count;
+}

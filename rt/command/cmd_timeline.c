@@ -1,0 +1,200 @@
+/* cmd_timeline.c - rt205 timeline: a queue of a frame clock by clock, as a picture, or for a
+ * viewer. */
+#include <inttypes.h>
+#include <stdio.h>
+
+#include "asm/timeline/timeline.h"
+#include "base/error.h"
+#include "rt/command/rt205_command.h"
+#include "rt/view/pixel_clocks.h"
+
+/* Which clocks of the band are asked for: those of the pixel's queue, unless told. */
+static bool find_stretch(const struct rt205_arguments *arguments,
+                         const struct frame_pixel *pixel,
+                         struct clock_stretch *stretch, c205_error *error)
+{
+    if (!pixel_queue_clocks(pixel, stretch, error))
+        return false;
+    if (arguments->from != C205_NO_LIMIT)
+        stretch->from = arguments->from;
+    if (arguments->to != C205_NO_LIMIT)
+        stretch->to = arguments->to;
+    if (stretch->from >= stretch->to)
+        return error_say(error,
+                         "of the queue, clocks %" PRIu64 " to %" PRIu64
+                         ", nothing is left",
+                         stretch->from, stretch->to);
+    return !arguments->region
+           || pixel_region_clocks(pixel, arguments->region, stretch, error);
+}
+
+/* Whole instructions, up to one that arrives behind it. */
+static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
+                   c205_error *error)
+{
+    c205 *machine = trace_machine(pixel->trace, pixel->band, error);
+    c205_stop stop;
+    bool goes_on;
+
+    if (!machine || !c205_listen(machine, timeline_listen, timeline)) {
+        c205_free(machine);
+        return false;
+    }
+    stop = c205_run(machine, timeline->from);
+    goes_on = stop.trap == C205_TRAP_CLOCK_LIMIT;
+    while (goes_on && c205_clock(machine) < timeline->to && !timeline->full)
+        goes_on = c205_step(machine, &stop);
+    c205_free(machine);
+    if (!timeline_is_good(timeline))
+        return error_say(error, "no memory");
+    if (timeline->full)
+        return error_say(
+            error,
+            "these are more than %d instructions: choose some by "
+            "--region NAME, --from CLOCK and --to CLOCK, or a "
+            "shorter --queue; the queue is at work in clocks "
+            "%" PRIu64 " to %" PRIu64,
+            TIMELINE_MOST, timeline->from, timeline->to);
+    return timeline->insn_count > 0
+           || error_say(error, "no instruction is at work then");
+}
+
+static bool save(const struct rt205_arguments *arguments,
+                 const struct frame_pixel *pixel, struct timeline *timeline,
+                 c205_error *error)
+{
+    const struct trace_options *how = trace_how(pixel->trace);
+    char title[400];
+
+    timeline_settle(timeline);
+    snprintf(title, sizeof title,
+             "%.150s, %s, the queue of pixel %zu,%zu of %zu x %zu, clocks "
+             "%" PRIu64 " to %" PRIu64 " on %.80s",
+             arguments->scene, trace_mode_name(how->mode), pixel->x, pixel->y,
+             how->width, how->height, timeline->from, timeline->to,
+             c205_model_name(how->model));
+    return timeline_save(timeline, arguments->output, title, error);
+}
+
+static bool draw(const struct rt205_arguments *arguments,
+                 const struct frame_pixel *pixel,
+                 const struct results *results, c205_error *error)
+{
+    struct clock_stretch stretch;
+    struct timeline timeline = { .from = 0 };
+    bool good;
+
+    if (!find_stretch(arguments, pixel, &stretch, error))
+        return false;
+    timeline.from = stretch.from;
+    timeline.to = stretch.to;
+    good = listen(pixel, &timeline, error)
+           && save(arguments, pixel, &timeline, error);
+    if (good)
+        results_say(results,
+                    "%s: %zu instructions, clocks %" PRIu64 " to %" PRIu64
+                    " of band %zu of %zu\n",
+                    arguments->output, timeline_instructions(&timeline),
+                    timeline.from, timeline.to, pixel->band + 1,
+                    trace_bands(pixel->trace));
+    timeline_free(&timeline);
+    return good;
+}
+
+/* The pixel in the middle unless told. */
+static int trace_and_draw(const struct rt205_arguments *arguments,
+                          const struct results *results)
+{
+    const struct trace_options *how = &arguments->trace;
+    const struct cmd_pixel *asked = &arguments->pixel;
+    size_t x = asked->given ? asked->x : how->width / 2;
+    size_t y = asked->given ? asked->y : how->height / 2;
+    struct scene *scene = cmd_read_scene(arguments);
+    struct trace *trace;
+    struct frame_pixel pixel;
+    c205_error error = { "no memory" };
+    bool good;
+
+    if (!scene)
+        return CMD_FAILED;
+    trace = trace_new(scene, how, &error);
+    good = trace && frame_pixel_find(&pixel, trace, x, y, &error)
+           && draw(arguments, &pixel, results, &error);
+    trace_free(trace);
+    scene_free(scene);
+    return good ? CMD_DONE
+                : cmd_failed(arguments->command, "%s", error.message);
+}
+
+static int run_command_line(void *given)
+{
+    struct rt205_arguments *arguments = given;
+
+    if (!arguments->output)
+        return cmd_usage(arguments->command, "where to? -o FILE");
+    if (!timeline_is_named(arguments->output))
+        return cmd_usage(arguments->command,
+                         "%s: a timeline is .svg, .kanata or .json",
+                         arguments->output);
+    if (arguments->from != C205_NO_LIMIT && arguments->from >= arguments->to)
+        return cmd_usage(arguments->command, "--from is before --to");
+    return cmd_check_pixel(arguments) == CMD_DONE
+               ? cmd_with_machine(arguments, trace_and_draw)
+               : CMD_USAGE;
+}
+
+static const struct command_option options[] = {
+    { .name = "output",
+      .letter = 'o',
+      .value = "FILE",
+      .kind = COMMAND_OUTPUT,
+      .offset = CMD_PLACE(output),
+      .help = ".svg, a picture; .kanata, for Konata; .json, trace events for "
+              "Perfetto" },
+    CMD_PIXEL("pixel", "the queue that its ray is in (the middle one)"),
+    { .name = "region",
+      .value = "NAME",
+      .kind = COMMAND_TEXT,
+      .offset = CMD_PLACE(region),
+      .help = "of that the first time that control is in this region" },
+    { .name = "from",
+      .value = "CLOCK",
+      .kind = COMMAND_CLOCKS,
+      .offset = CMD_PLACE(from),
+      .help = "what is at work from that clock of the band on (where the "
+              "queue begins)" },
+    { .name = "to",
+      .value = "CLOCK",
+      .kind = COMMAND_CLOCKS,
+      .offset = CMD_PLACE(to),
+      .help = "before that clock (where the queue is done with)" },
+    CMD_SIZE(640, 480),
+    CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
+    CMD_QUEUE("rays in the vector queue"),
+    CMD_ORDER(ORDER_DEFAULT),
+    CMD_MODEL,
+    CMD_BOUNDS,
+    CMD_READ,
+    COMMAND_END
+};
+static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
+static const struct command_example examples[] = {
+    { "rt205 timeline SCENE --pixel 320,240 --region sphere -o sphere.svg",
+      "a queue meets a sphere" },
+    { "rt205 timeline SCENE --mode scalar -o pixel.kanata",
+      "a pixel in the serial form, for Konata" },
+    { NULL, NULL }
+};
+
+const struct command timeline_command = {
+    .name = "timeline",
+    .summary = "a queue of a frame clock by clock, as a picture",
+    .function = run_command_line,
+    .options = options,
+    .operands = operands,
+    .examples = examples,
+    .details =
+        "A queue is taken from where its rays are made to where their "
+        "colours are stored; of the serial form it is one pixel, with all "
+        "that comes of its ray.",
+};

@@ -1,0 +1,18 @@
+/* frame_pixel.h - a pixel of a frame in the machine of its band. */
+#ifndef RT_FRAME_PIXEL_H
+#define RT_FRAME_PIXEL_H
+
+#include "rt/trace/trace.h"
+
+struct frame_pixel {
+    const struct trace *trace;
+    size_t x, y;
+    size_t band;  /* that it is in, .. */
+    size_t place; /* .. and where in the band's planes */
+};
+
+/* The frame has such a pixel.  False: its pixels have several rays. */
+bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace,
+                      size_t x, size_t y, c205_error *error);
+
+#endif

@@ -1,0 +1,33 @@
+#include "rt/view/frame_profile.h"
+
+#include <stdio.h>
+
+static void *begin(void *context, const struct object *program,
+                   c205_error *error)
+{
+    struct line_profile **sum = context, *band;
+
+    if (!*sum)
+        *sum = line_profile_new(program);
+    band = *sum ? line_profile_new(program) : NULL;
+    if (!band)
+        snprintf(error->message, sizeof error->message, "no memory");
+    return band;
+}
+
+static void merge(void *context, const void *band)
+{
+    struct line_profile **sum = context;
+
+    line_profile_add(*sum, band);
+}
+
+static void end(void *band)
+{
+    line_profile_free(band);
+}
+
+struct observer frame_profile_observer(struct line_profile **sum)
+{
+    return (struct observer){ begin, line_profile_listen, merge, end, sum };
+}

@@ -1,0 +1,122 @@
+#include "rt/view/pixel_verbs.h"
+
+#include <string.h>
+
+#include "base/error.h"
+#include "rt/view/pixel_rays.h"
+
+c205 *pixel_machine(void *context, c205_error *error)
+{
+    const struct frame_pixel *pixel = context;
+
+    return trace_machine(pixel->trace, pixel->band, error);
+}
+
+/* ---- What vectors have of it ----------------------------------------------- */
+
+struct lane_report {
+    const struct frame_pixel *pixel;
+    const struct sink *out;
+    const char *vector;        /* of that name alone, .. */
+    size_t length;             /* .. which is so long; 0: all */
+    struct pixel_element last; /* that was told; length 0: none */
+};
+
+static bool is_asked(const struct lane_report *report, const char *vector)
+{
+    return report->length == 0
+           || (strlen(vector) == report->length
+               && strncmp(vector, report->vector, report->length) == 0);
+}
+
+static void put_heading(const struct lane_report *report,
+                        const struct pixel_element *element)
+{
+    static const char *const groups[PIXEL_GROUPS] = {
+        [PIXEL_QUEUE] = "rays in the queue",
+        [PIXEL_NEAR] = "rays at hand",
+        [PIXEL_HITS] = "hits",
+    };
+    const struct sink *out = report->out;
+
+    if (trace_how(report->pixel->trace)->mode == TRACE_SCALAR)
+        sink_print(out, "pixel %zu,%zu\n", report->pixel->x,
+                   report->pixel->y);
+    else if (element->list > 0)
+        sink_print(out, "lane %zu of %zu %s, list %zu\n", element->lane,
+                   element->length, groups[element->group], element->list);
+    else
+        sink_print(out, "lane %zu of %zu %s\n", element->lane,
+                   element->length, groups[element->group]);
+}
+
+static void put_element(void *context, const struct pixel_element *element)
+{
+    struct lane_report *report = context;
+    const struct pixel_element *last = &report->last;
+    char number[C205_TEXT_SIZE], hex[C205_TEXT_SIZE];
+
+    if (!is_asked(report, element->vector))
+        return;
+    if (last->length == 0 || last->group != element->group
+        || last->lane != element->lane)
+        put_heading(report, element);
+    c205_to_text(element->word, number);
+    c205_to_hex(element->word, hex);
+    sink_print(report->out, "    %-10s X'%s'  %s\n", element->vector, hex,
+               number);
+    report->last = *element;
+}
+
+static bool show_lane(void *context, struct debugger *debugger,
+                      const char *rest, c205_error *error)
+{
+    const struct frame_pixel *pixel = context;
+    const char *vector = rest + strspn(rest, " \t");
+    struct lane_report report = { .pixel = pixel,
+                                  .out = debugger_out(debugger),
+                                  .vector = vector,
+                                  .length = strcspn(vector, " \t") };
+    size_t rays = pixel_elements(pixel, debugger_machine(debugger),
+                                 put_element, &report);
+
+    if (rays == 0)
+        sink_print(report.out, "pixel %zu,%zu is in no queue at hand\n",
+                   pixel->x, pixel->y);
+    return rays == 0 || report.last.length > 0
+           || error_say(error,
+                        "no vector that has the pixel's rays is called %.60s",
+                        vector);
+}
+
+/* ---- On to it ----------------------------------------------------------------- */
+
+static bool is_made(void *context, const c205 *machine)
+{
+    return pixel_is_made(context, machine);
+}
+
+static bool seek(void *context, struct debugger *debugger, const char *rest,
+                 c205_error *error)
+{
+    if (rest[strspn(rest, " \t")] != '\0')
+        return error_say(error, "seek needs nothing more:%.60s", rest);
+    debugger_seek(debugger, is_made, context);
+    return true;
+}
+
+const struct debugger_verb pixel_verbs[] = {
+    { "seek", "",
+      "on to where a queue has been made that a ray of the pixel is in",
+      seek },
+    { "lane", "[VECTOR]",
+      "what the vectors of the queue at hand have of the pixel's rays",
+      show_lane },
+    { NULL, NULL, NULL, NULL }
+};
+enum { VERBS = sizeof pixel_verbs / sizeof *pixel_verbs - 1 };
+
+const char *pixel_verb(size_t i)
+{
+    return i < VERBS ? pixel_verbs[i].name : debugger_verb(i - VERBS);
+}

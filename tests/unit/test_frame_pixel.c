@@ -1,0 +1,544 @@
+/* test_frame_pixel.c - the queue of a pixel: in its clocks the pixel gets what it has in the
+ * end, and what a timeline has of them is what the accounts have.  Its rays: at any moment
+ * all vectors have the same ray in the lanes that are told, what is hit there is what the
+ * picture has, and what is reflected begins where something was hit.  Under a debugger the
+ * band takes what it takes without one. */
+#define SMALL_FRAMES
+#include "tests/unit/traced_frame.h"
+
+#include "asm/debug/debugger.h"
+#include "asm/timeline/timeline.h"
+#include "rt/view/pixel_clocks.h"
+#include "rt/view/pixel_rays.h"
+#include "rt/view/pixel_verbs.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+static size_t some(size_t least, size_t most)
+{
+    return (size_t)xorshift_between(&random_state, (int64_t)least,
+                                    (int64_t)most);
+}
+
+static struct trace_options some_options(enum trace_mode mode)
+{
+    size_t width = some(3, 15);
+
+    return (struct trace_options){ .mode = mode,
+                                   .width = width,
+                                   .height = some(3, 12),
+                                   .queue = some(1, 80),
+                                   .band = width * some(2, 6),
+                                   .order = (enum trace_order)some(0, 2),
+                                   .model = prior_model };
+}
+
+/* One after another. */
+static struct scene *some_scene(void)
+{
+    static size_t next;
+    static const char *const texts[] = {
+        HEAD
+        "camera { location -5*z look_at 0 } sphere { 0, 1.6 finish { reflection .5 } }"
+        "plane { y, -1 finish { reflection .3 } }",
+        HEAD "camera { location <1, 2, -5> look_at 0 }"
+             "torus { 1, .4 rotate -30*x } box { <1, -1, 0>, 2 }"
+             "difference { sphere { -x, 1 } box { -1, 0 } }",
+        HEAD
+        "camera { orthographic location -5*z right 4*x up 3*y }"
+        "sphere { 0, 1 pigment { rgbt <1, 1, 1, .6> } interior { ior 1.3 } }"
+        "plane { z, 2 pigment { checker rgb 1 rgb .2 } }",
+        HEAD "camera { location -9*z look_at 0 }"
+             "#for (I, 0, 4) #for (J, 0, 4)"
+             "  sphere { <I - 2, J - 2, mod(I * J, 3)>, .4"
+             "    finish { reflection .2 } } #end #end "
+             "box { <-3, -3, 3>, <3, .5, 4> } box { <-4, -3, 0>, <-3, 3, 2> }"
+             "light_source { <9, 9, -9>, 1 }",
+        HEAD
+        "camera { location -6*z look_at 0 }"
+        "intersection { box { -1, 1 rotate 30*y } sphere { 0, 1.3 }"
+        "  torus { 1, .6 } } cone { <2, -1, 0>, 1, <2, 1, 0>, 0 }"
+        "quadric { 1, 0, 0, -.2 translate <-1, 1, -1> } plane { y, -1.2 }"
+        "light_source { <9, 9, -9>, 1 }",
+    };
+
+    return read_text(texts[next++ % (sizeof texts / sizeof *texts)]);
+}
+
+/* ---- What the machine has when ------------------------------------------- */
+
+/* Between two instructions. */
+static c205 *machine_at(const struct frame_pixel *pixel, uint64_t clock)
+{
+    c205_error error;
+    c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
+    c205_stop stop;
+
+    assert_non_null(machine);
+    while (c205_clock(machine) < clock && c205_step(machine, &stop))
+        continue;
+    return machine;
+}
+
+static c205_word sample(const struct frame_pixel *pixel, const c205 *machine,
+                        enum frame_channel channel)
+{
+    const struct object *program = trace_program(pixel->trace);
+    const char *const names[] = { "scene_frame", "scene_pixels" };
+    c205_word word, values[2];
+
+    for (size_t i = 0; i < 2; i++)
+        assert_true(
+            c205_read(machine,
+                      (uint64_t)object_symbol(program, names[i])->value,
+                      &values[i], 1));
+    assert_true(
+        c205_read(machine,
+                  values[0]
+                      + 64 * ((uint64_t)channel * values[1] + pixel->place),
+                  &word, 1));
+    return word;
+}
+
+/* The depth comes where the ray is shaded, not before and not later. */
+static void check_depth(const struct frame_pixel *pixel,
+                        const struct clock_stretch *stretch)
+{
+    const struct trace_options *how = trace_how(pixel->trace);
+    c205_word depth =
+        trace_channel(pixel->trace,
+                      CHANNEL_DEPTH)[pixel->y * how->width + pixel->x];
+    c205 *before = machine_at(pixel, stretch->from);
+    c205 *after = machine_at(pixel, stretch->to);
+
+    assert_true(c205_to_double(sample(pixel, before, CHANNEL_DEPTH)) == 0);
+    if (c205_to_double(depth) != 0)
+        assert_int_equal(sample(pixel, after, CHANNEL_DEPTH), depth);
+    c205_free(before);
+    c205_free(after);
+}
+
+static void add_causes(const c205 *machine, int64_t sign,
+                       int64_t clocks[C205_CAUSES])
+{
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            clocks[cause] += sign
+                             * (int64_t)c205_account_at(machine, i)
+                                   ->clocks[cause];
+}
+
+static void check_sums(const struct frame_pixel *pixel,
+                       const struct clock_stretch *stretch)
+{
+    struct timeline timeline = { .from = stretch->from, .to = stretch->to };
+    c205_error error;
+    c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
+    c205 *before = machine_at(pixel, stretch->from);
+    c205 *after = machine_at(pixel, stretch->to);
+    int64_t clocks[C205_CAUSES] = { 0 };
+    c205_stop stop;
+
+    assert_true(machine && c205_listen(machine, timeline_listen, &timeline));
+    while (c205_clock(machine) < stretch->to && c205_step(machine, &stop))
+        continue;
+    assert_true(timeline_is_good(&timeline) && !timeline.full);
+    add_causes(after, 1, clocks);
+    add_causes(before, -1, clocks);
+    for (size_t i = 0; i < timeline.piece_count; i++) {
+        const struct timed_piece *piece = &timeline.pieces[i];
+
+        if (piece->begin >= stretch->from && piece->begin < stretch->to)
+            clocks[piece->cause] -= (int64_t)(piece->end - piece->begin);
+    }
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        assert_int_equal(clocks[cause], 0);
+    timeline_free(&timeline);
+    c205_free(machine);
+    c205_free(before);
+    c205_free(after);
+}
+
+/* A stretch of a region is within the queue's; control is there in its clocks, and not before
+ * in the queue. */
+static void check_region(const struct frame_pixel *pixel,
+                         const struct clock_stretch *queue)
+{
+    static const char *const regions[] = { "shade", "bound", "visible" };
+    const struct object *program = trace_program(pixel->trace);
+    const char *region = regions[some(0, 2)];
+    struct clock_stretch stretch = *queue;
+    c205_error error;
+    c205_stop stop;
+    c205 *machine;
+
+    if (!pixel_region_clocks(pixel, region, &stretch, &error))
+        return;
+    assert_true(stretch.to <= queue->to && stretch.from < stretch.to);
+    machine = machine_at(pixel, queue->from);
+    while (c205_clock(machine) < stretch.to) {
+        bool there = strcmp(object_region(program, c205_pc(machine)), region)
+                     == 0;
+
+        assert_int_equal(there, c205_clock(machine) >= stretch.from);
+        assert_true(c205_step(machine, &stop));
+    }
+    if (stretch.to < queue->to)
+        assert_string_not_equal(object_region(program, c205_pc(machine)),
+                                region);
+    c205_free(machine);
+}
+
+static void check_pixels(enum trace_mode mode)
+{
+    struct scene *scene = some_scene();
+    struct trace_options options = some_options(mode);
+    struct trace *trace = run_trace(scene, &options);
+
+    for (size_t i = 0; i < 4; i++) {
+        struct frame_pixel pixel;
+        struct clock_stretch stretch;
+        c205_error error;
+
+        assert_true(frame_pixel_find(&pixel, trace,
+                                     some(0, options.width - 1),
+                                     some(0, options.height - 1), &error));
+        if (!pixel_queue_clocks(&pixel, &stretch, &error))
+            fail_msg("%s", error.message);
+        check_depth(&pixel, &stretch);
+        check_sums(&pixel, &stretch);
+        check_region(&pixel, &stretch);
+    }
+    trace_free(trace);
+    scene_free(scene);
+}
+
+static void test_queues(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 8 * TRACE_MODES; i++)
+        check_pixels((enum trace_mode)(i % TRACE_MODES));
+}
+
+/* ---- Its rays ------------------------------------------------------------ */
+
+enum { POINTS_MOST = 400 };
+
+/* What is known of a pixel while its band is traced. */
+struct following {
+    const struct frame_pixel *pixel;
+    struct pixel_element ray[32]; /* of the queue, of the ray that is told */
+    size_t ray_count;
+    bool shaded; /* the hits have their points, directions and colours */
+    size_t lists[3], near, hits; /* so much has been told of */
+    c205_word points[POINTS_MOST][3], colour[3];
+    size_t point_count;
+    bool
+        crossed; /* a kernel has found a crossing where the picture has the hit */
+};
+
+static c205_word ray_word(const struct following *following,
+                          const char *vector)
+{
+    for (size_t i = 0; i < following->ray_count; i++)
+        if (strcmp(following->ray[i].vector, vector) == 0)
+            return following->ray[i].word;
+    fail_msg("%s is not told", vector);
+    return 0;
+}
+
+static c205_word channel_of(const struct frame_pixel *pixel,
+                            enum frame_channel channel)
+{
+    return trace_channel(pixel->trace,
+                         channel)[pixel->y * trace_how(pixel->trace)->width
+                                  + pixel->x];
+}
+
+/* A vector of other rays, and the queue's that has the same of them. */
+static void check_same(struct following *following,
+                       const struct pixel_element *element)
+{
+    static const char *const same[][2] = {
+        { "wox", "aox" }, { "woy", "aoy" }, { "woz", "aoz" },
+        { "wdx", "adx" }, { "wdy", "ady" }, { "wdz", "adz" },
+        { "hdx", "adx" }, { "hdy", "ady" }, { "hdz", "adz" },
+    };
+    size_t lane = following->ray[0].lane;
+
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
+        if (strcmp(element->vector, same[i][0]) == 0
+            && (element->group == PIXEL_NEAR || following->shaded))
+            assert_int_equal(element->word, ray_word(following, same[i][1]));
+    if (element->list == 0
+        && (strcmp(element->vector, "tin") == 0
+            || strcmp(element->vector, "tout") == 0))
+        following->crossed |= element->word
+                              == channel_of(following->pixel, CHANNEL_DEPTH);
+    if (strcmp(element->vector, "place") == 0
+        || strcmp(element->vector, "at") == 0)
+        assert_int_equal(c205_to_integer(element->word), lane);
+}
+
+static void keep_point(struct following *following,
+                       const struct pixel_element *element)
+{
+    static const char *const names[] = { "px", "py", "pz" };
+    static const char *const colours[] = { "red", "green", "blue" };
+
+    for (size_t i = 0; following->shaded && i < 3; i++) {
+        if (strcmp(element->vector, names[i]) == 0)
+            following->points[following->point_count][i] = element->word;
+        if (strcmp(element->vector, colours[i]) == 0 && element->list == 0)
+            following->colour[i] = element->word;
+    }
+    if (following->shaded && strcmp(element->vector, "pz") == 0) {
+        following->point_count++;
+        assert_true(following->point_count < POINTS_MOST);
+    }
+}
+
+/* What is reflected begins where something was hit. */
+static void check_origin(const struct following *following)
+{
+    const c205_word origin[] = { ray_word(following, "aox"),
+                                 ray_word(following, "aoy"),
+                                 ray_word(following, "aoz") };
+    bool found = false;
+
+    for (size_t i = 0; i < following->point_count; i++)
+        found |= memcmp(following->points[i], origin, sizeof origin) == 0;
+    assert_true(found);
+}
+
+static void follow(void *context, const struct pixel_element *element)
+{
+    struct following *following = context;
+
+    assert_true(element->lane < element->length);
+    if (element->group == PIXEL_QUEUE) {
+        if (following->ray_count > 0
+            && following->ray[0].lane != element->lane)
+            following->ray_count = 0;
+        following->ray[following->ray_count++] = *element;
+        following->lists[element->list < 2 ? element->list : 2]++;
+        if (element->list > 0 && strcmp(element->vector, "adz") == 0
+            && trace_how(following->pixel->trace)->mode == TRACE_VECTOR)
+            check_origin(following);
+        return;
+    }
+    *(element->group == PIXEL_NEAR ? &following->near
+                                   : &following->hits) += 1;
+    check_same(following, element);
+    if (element->group == PIXEL_HITS) {
+        assert_true(c205_to_double(ray_word(following, "met")) != 0);
+        keep_point(following, element);
+    }
+}
+
+static uint64_t label(const struct frame_pixel *pixel, const char *name)
+{
+    const struct asm_symbol *symbol = object_symbol(trace_program(
+                                                        pixel->trace),
+                                                    name);
+
+    return symbol ? (uint64_t)symbol->value : 0;
+}
+
+/* Where a queue is to be shaded: what its ray has met is what the picture has. */
+static void check_met(const struct following *following)
+{
+    const struct frame_pixel *pixel = following->pixel;
+    bool hit = c205_to_double(ray_word(following, "met")) != 0;
+
+    assert_int_equal(hit,
+                     c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
+    if (hit)
+        assert_int_equal(ray_word(following, "nearest"),
+                         channel_of(pixel, CHANNEL_DEPTH));
+}
+
+/* Where a region is left or entered, where a queue is shaded, and now and then. */
+static void check_rays(struct following *following)
+{
+    const struct frame_pixel *pixel = following->pixel;
+    const struct object *program = trace_program(pixel->trace);
+    uint64_t shade = label(pixel, "shade");
+    uint64_t shaded = label(pixel, "shade_store_colours");
+    const char *region = "";
+    c205_error error;
+    c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
+    c205_stop stop;
+    size_t rays;
+
+    do {
+        uint64_t pc = c205_pc(machine);
+        const char *now = object_region(program, pc);
+
+        following->shaded = pc == shaded && pc != 0;
+        if (now == region && pc != shade && !following->shaded
+            && strcmp(now, "sphere") != 0 && strcmp(now, "plane") != 0
+            && some(0, 40) > 0)
+            continue;
+        region = now;
+        following->ray_count = 0;
+        rays = pixel_elements(pixel, machine, follow, following);
+        assert_true(rays <= 1 || following->ray[0].list > 0);
+        if (rays == 1 && pc == shade && following->ray[0].list == 0
+            && trace_how(pixel->trace)->mode != TRACE_SCALAR)
+            check_met(following);
+    } while (c205_step(machine, &stop));
+    c205_free(machine);
+}
+
+/* A sphere and a plane are met by kernels, whose crossings are the rays'. */
+static void check_crossings(const struct following *following,
+                            const struct scene *scene)
+{
+    bool hit = c205_to_integer(channel_of(following->pixel, CHANNEL_ID)) != 0;
+
+    if (scene->primitive_count == 2 && hit
+        && trace_how(following->pixel->trace)->mode != TRACE_SCALAR)
+        assert_true(following->crossed);
+}
+
+/* Without mirrors and glass the colour of the hit is the pixel's. */
+static void check_colour(const struct following *following)
+{
+    const struct frame_pixel *pixel = following->pixel;
+
+    if (trace_how(pixel->trace)->mode != TRACE_VECTOR
+        || c205_to_integer(channel_of(pixel, CHANNEL_ID)) == 0
+        || trace_rays(pixel->trace, RAY_REFLECTED) > 0
+        || trace_rays(pixel->trace, RAY_REFRACTED) > 0)
+        return;
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(following->colour[i],
+                         channel_of(pixel, (enum frame_channel)i));
+}
+
+static void test_rays(void **state)
+{
+    static struct following sum;
+
+    (void)state;
+    for (size_t i = 0; i < 15 * TRACE_MODES; i++) {
+        struct scene *scene = some_scene();
+        struct trace_options options = some_options(
+            (enum trace_mode)(i % TRACE_MODES));
+        struct trace *trace = run_trace(scene, &options);
+        struct frame_pixel pixel;
+        struct following following = { .pixel = &pixel };
+        c205_error error;
+
+        assert_true(frame_pixel_find(&pixel, trace,
+                                     some(0, options.width - 1),
+                                     some(0, options.height - 1), &error));
+        check_rays(&following);
+        assert_true(following.lists[0] > 0);
+        check_colour(&following);
+        check_crossings(&following, scene);
+        for (size_t k = 0; k < 3; k++)
+            sum.lists[k] += following.lists[k];
+        sum.near += following.near;
+        sum.hits += following.hits;
+        trace_free(trace);
+        scene_free(scene);
+    }
+    assert_true(sum.lists[1] > 0 && sum.lists[2] > 0 && sum.near > 1000
+                && sum.hits > 1000);
+}
+
+/* ---- Under a debugger ---------------------------------------------------- */
+
+static void obey(struct debugger *debugger, struct text_buffer *said,
+                 const char *line)
+{
+    text_buffer_free(said);
+    *said = (struct text_buffer){ 0 };
+    assert_true(debugger_obey(debugger, line));
+}
+
+static void check_accounts(const struct frame_pixel *pixel,
+                           const c205 *machine)
+{
+    c205_error error;
+    c205 *plain = trace_machine(pixel->trace, pixel->band, &error);
+
+    assert_int_equal(c205_run(plain, C205_NO_LIMIT).trap, C205_TRAP_NONE);
+    assert_int_equal(c205_account_count(plain), c205_account_count(machine));
+    for (size_t i = 0; i < c205_account_count(plain); i++)
+        assert_memory_equal(c205_account_at(plain, i)->clocks,
+                            c205_account_at(machine, i)->clocks,
+                            sizeof c205_account_at(plain, i)->clocks);
+    if (trace_bands(pixel->trace) == 1)
+        assert_int_equal(c205_clock(machine),
+                         trace_accounts(pixel->trace)->clocks);
+    c205_free(plain);
+}
+
+/* Forth and back to the queue of a pixel, and to the end. */
+static void check_session(enum trace_mode mode)
+{
+    struct scene *scene = some_scene();
+    struct trace_options options = some_options(mode);
+    struct trace *trace = run_trace(scene, &options);
+    struct text_buffer said = { 0 };
+    struct frame_pixel pixel;
+    struct debugger_setup setup = { .object = trace_program(trace),
+                                    .name = "frame",
+                                    .model = options.model,
+                                    .out = text_buffer_sink(&said),
+                                    .clocks_most = C205_NO_LIMIT,
+                                    .machine = pixel_machine,
+                                    .verbs = pixel_verbs,
+                                    .context = &pixel };
+    struct debugger *debugger;
+    c205_error error;
+    char again[200];
+
+    assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
+                                 some(0, options.height - 1), &error));
+    debugger = debugger_new(&setup, &error);
+    assert_non_null(debugger);
+    obey(debugger, &said, "lane");
+    assert_non_null(strstr(said.text, "is in no queue at hand"));
+    obey(debugger, &said, "seek");
+    snprintf(again, sizeof again, "%s", said.text);
+    assert_true(pixel_is_made(&pixel, debugger_machine(debugger)));
+    obey(debugger, &said, "step 50");
+    obey(debugger, &said, "reverse-step 50");
+    assert_string_equal(said.text, again);
+    obey(debugger, &said, "goto 0");
+    obey(debugger, &said, "seek");
+    assert_string_equal(said.text, again);
+    obey(debugger, &said, mode == TRACE_SCALAR ? "lane dx" : "lane adx");
+    assert_non_null(strstr(said.text, "dx  "));
+    obey(debugger, &said, "continue");
+    assert_non_null(strstr(said.text, "the program has ended"));
+    check_accounts(&pixel, debugger_machine(debugger));
+    assert_int_equal(debugger_faults(debugger), 0);
+    obey(debugger, &said, "lane nothing");
+    obey(debugger, &said, "seek nothing");
+    assert_true(debugger_faults(debugger) > 0);
+    text_buffer_free(&said);
+    debugger_free(debugger);
+    trace_free(trace);
+    scene_free(scene);
+}
+
+static void test_sessions(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < 2 * TRACE_MODES; i++)
+        check_session((enum trace_mode)(i % TRACE_MODES));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_queues),
+                                        cmocka_unit_test(test_rays),
+                                        cmocka_unit_test(test_sessions) };
+
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}

@@ -1,0 +1,258 @@
+/* test_frame_profile.c - what a profile has of a frame, line by line of its kernels, is what
+ * the frame's accounts have, region by region and cause by cause; however many bands are
+ * traced at a time. */
+#define SMALL_FRAMES
+#include "tests/unit/traced_frame.h"
+
+#include <glob.h>
+
+#include "rt/picture/picture.h"
+#include "rt/view/frame_profile.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+/* ---- Models, and frames by chance ---------------------------------------- */
+
+enum { MODELS_MOST = 16 };
+static struct {
+    size_t count;
+    c205_model *list[MODELS_MOST]; /* on which programs run */
+} models;
+
+static int find_models(void **state)
+{
+    const char *const *name = c205_model_names();
+    c205_error error;
+
+    for (; *name && models.count < MODELS_MOST; name++) {
+        c205_model *model = c205_model_find(*name, &error);
+
+        if (model && !c205_model_is_projection(model))
+            models.list[models.count++] = model;
+        else
+            c205_model_free(model);
+    }
+    return models.count < 2 || set_up_frames(state);
+}
+
+static int free_models(void **state)
+{
+    while (models.count > 0)
+        c205_model_free(models.list[--models.count]);
+    return tear_down_model(state);
+}
+
+static struct trace_options some_options(enum trace_mode mode)
+{
+    uint64_t model = xorshift(&random_state) % models.count;
+
+    return (struct trace_options){
+        .mode = mode,
+        .width = (size_t)xorshift_between(&random_state, 3, 12),
+        .height = (size_t)xorshift_between(&random_state, 3, 9),
+        .queue = (size_t)xorshift_between(&random_state, 1, 150),
+        .band = (size_t)xorshift_between(&random_state, 20, 120),
+        .jobs = (size_t)xorshift_between(&random_state, 1, 4),
+        .order = (enum trace_order)xorshift_between(&random_state, 0,
+                                                    ORDERS - 1),
+        .model = models.list[model]
+    };
+}
+
+/* ---- Sums ---------------------------------------------------------------- */
+
+static c205_account sum_of(const struct line_profile *profile,
+                           const char *region)
+{
+    c205_account sum = { .name = region };
+
+    for (size_t i = 0; i < line_profile_count(profile); i++) {
+        const struct profile_row *row = line_profile_row(profile, i);
+
+        if (strcmp(row->region, region) != 0)
+            continue;
+        sum.instructions += row->executions;
+        sum.elements += row->elements;
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            sum.clocks[cause] += row->clocks[cause];
+    }
+    return sum;
+}
+
+static void check_region(const struct line_profile *profile,
+                         const c205_account *account, const char *what)
+{
+    c205_account sum = sum_of(profile, account->name);
+
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        if (sum.clocks[cause] != account->clocks[cause])
+            fail_msg("%s: %s of '%s' is %llu line by line, %llu in all", what,
+                     c205_cause_name((c205_cause)cause), account->name,
+                     (unsigned long long)sum.clocks[cause],
+                     (unsigned long long)account->clocks[cause]);
+    assert_int_equal(sum.instructions, account->instructions);
+    assert_int_equal(sum.elements, account->elements);
+}
+
+/* No line is in a region that the accounts lack, for both have the same sum. */
+static void check_sums(const struct line_profile *profile,
+                       const struct accounts *accounts, const char *what)
+{
+    uint64_t clocks = 0;
+
+    for (size_t i = 0; i < accounts->count; i++)
+        check_region(profile, &accounts->items[i], what);
+    for (size_t i = 0; i < line_profile_count(profile); i++)
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            clocks += line_profile_row(profile, i)->clocks[cause];
+    assert_int_equal(clocks, accounts->clocks);
+}
+
+/* ---- Frames -------------------------------------------------------------- */
+
+static char *table_text_of(const struct line_profile *profile,
+                           struct profile_view view)
+{
+    struct table *table = line_profile_table(profile, view, false);
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+
+    assert_true(table && file && table_write(table, TABLE_CSV, file));
+    fclose(file);
+    table_free(table);
+    return text;
+}
+
+/* The listing, which the caller frees. */
+static char *check_frame(const struct scene *scene,
+                         struct trace_options options, const char *what)
+{
+    struct line_profile *profile = NULL;
+    struct observer observer = frame_profile_observer(&profile);
+    const struct observer *const observers[] = { &observer, NULL };
+    struct trace *trace;
+    char *text;
+
+    options.observers = observers;
+    trace = run_trace(scene, &options);
+    check_sums(profile, trace_accounts(trace), what);
+    text = table_text_of(profile,
+                         (struct profile_view){ PROFILE_HOTTEST, true });
+    line_profile_free(profile);
+    trace_free(trace);
+    return text;
+}
+
+static struct scene *read_file(const char *path)
+{
+    const struct scene_options reading = {
+        .width = WIDTH, .height = HEIGHT, .read_raster = picture_read_raster
+    };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read(path, &reading, &reports);
+
+    diagnostics_free(&reports);
+    if (!scene)
+        fail_msg("%s cannot be read", path);
+    return scene;
+}
+
+static void check_scene(const char *path, enum trace_mode mode)
+{
+    struct scene *scene = read_file(path);
+
+    free(check_frame(scene, some_options(mode), path));
+    scene_free(scene);
+}
+
+/* Each scene in one of the stages, or in all (PROFILED=all). */
+static void test_scenes(void **state)
+{
+    static const char *const patterns[] = { "scenes/*.pov",
+                                            "tests/scenes/*.pov" };
+    const char *profiled = getenv("PROFILED");
+    bool all = profiled && strcmp(profiled, "all") == 0;
+    size_t count = 0;
+
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        glob_t found;
+
+        assert_int_equal(glob(patterns[i], 0, NULL, &found), 0);
+        for (size_t k = 0; k < found.gl_pathc; k++, count++) {
+            for (size_t mode = 0; mode < TRACE_MODES; mode++)
+                if (all || mode == count % TRACE_MODES)
+                    check_scene(found.gl_pathv[k], (enum trace_mode)mode);
+        }
+        globfree(&found);
+    }
+    assert_true(count > 60);
+}
+
+/* In all stages, whatever the number of bands at a time. */
+static void test_jobs(void **state)
+{
+    static const char *const paths[] = { "scenes/first.pov",
+                                         "scenes/rings.pov",
+                                         "tests/scenes/glass.pov" };
+
+    (void)state;
+    for (size_t i = 0; i < 3 * TRACE_MODES; i++) {
+        const char *path = paths[i / TRACE_MODES];
+        struct scene *scene = read_file(path);
+        struct trace_options options = some_options(
+            (enum trace_mode)(i % TRACE_MODES));
+        char *alone, *several;
+
+        options.band = 3 * options.width;
+        options.jobs = 1;
+        alone = check_frame(scene, options, path);
+        options.jobs = (size_t)xorshift_between(&random_state, 2, 4);
+        several = check_frame(scene, options, path);
+        assert_string_equal(alone, several);
+        free(alone);
+        free(several);
+        scene_free(scene);
+    }
+}
+
+/* Regions from the hottest on, lines of each likewise. */
+static void test_order(void **state)
+{
+    struct scene *scene = read_file("scenes/first.pov");
+    char *text = check_frame(scene, some_options(TRACE_VECTOR), "order");
+    char *line = strchr(text, '\n') + 1, region[40] = "", last[40] = "";
+    unsigned long long clocks, before = 0, in_region = 0,
+                               in_last = UINT64_MAX;
+    size_t regions = 0;
+
+    (void)state;
+    for (; *line; line = strchr(line, '\n') + 1) {
+        assert_int_equal(sscanf(line, "%39[^,],%*[^,],%llu", region, &clocks),
+                         2);
+        if (strcmp(region, last) != 0) {
+            if (regions++ > 1)
+                assert_true(in_region <= in_last);
+            in_last = regions > 1 ? in_region : UINT64_MAX;
+            in_region = 0;
+            snprintf(last, sizeof last, "%s", region);
+        } else {
+            assert_true(clocks <= before);
+        }
+        in_region += clocks;
+        before = clocks;
+    }
+    assert_true(regions > 3 && in_region <= in_last);
+    free(text);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_scenes),
+                                        cmocka_unit_test(test_jobs),
+                                        cmocka_unit_test(test_order) };
+
+    return cmocka_run_group_tests(tests, find_models, free_models);
+}
