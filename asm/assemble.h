@@ -31,7 +31,8 @@ struct asm_symbol {
     bool is_label;
     bool is_word; /* value holds the bits of a 205 word, not an integer */
     enum asm_contents contents; /* of a label, up to the next one .. */
-    uint64_t count;             /* .. and how many; what .vector and its kin make has the
+    bool counted;               /* by a length that was given to it */
+    uint64_t count; /* .. and how many; what .vector and its kin make has the
                                    length given there */
 };
 

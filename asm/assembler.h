@@ -68,7 +68,9 @@ struct symbol {
     size_t naming;      /* register: the last one of this name, from 1 */
     const struct macro *macro; /* of this name; macros have their own space */
     const struct line *defined; /* NULL: given by the caller */
-    uint64_t count; /* label: the length that it was given, or 0 */
+    bool counted;               /* label: it was given a length, of what: */
+    enum asm_contents contents;
+    uint64_t count;
 };
 
 enum { SYMBOL_BUCKETS = 4096 };
@@ -197,7 +199,7 @@ struct assembler {
 
     struct section sections[2];
     struct section *section;
-    uint64_t words; /* put so far */
+    uint64_t words;             /* put so far */
     enum asm_contents contents; /* of the data that are being put */
 
     struct layout_item *items;

@@ -11,7 +11,8 @@ enum { X = 210, Y, RESULT };
 static const struct calculator_function functions[] = {
     { "+", 2, false, "plus" },         { "-", 2, false, "minus" },
     { "*", 2, false, "times" },        { "/", 2, false, "over" },
-    { "<", 2, true, "less" },          { "==", 2, true, "equal" },
+    { "<", 2, true, "less" },          { ">=", 2, true, "not_less" },
+    { "==", 2, true, "equal" },        { "!=", 2, true, "not_equal" },
     { "sqrt", 1, false, "root" },      { "exp", 1, false, "do_exp" },
     { "log", 1, false, "do_log" },     { "sin", 1, false, "do_sin" },
     { "cos", 1, false, "do_cos" },     { "atan2", 2, false, "do_atan2" },
@@ -36,13 +37,16 @@ static const char program[] =
     "        EXIT\n"
     "over:   DIVS    f_x, f_y, f_r\n"
     "        EXIT\n"
-    "less:   ES      f_r, 1\n"
-    "        CFPLT   f_x, f_y, done\n"
+    "        .macro  compare name, branch\n"
+    "\\name:  ES      f_r, 1\n"
+    "        \\branch f_x, f_y, done\n"
     "        ES      f_r, 0\n"
     "        EXIT\n"
-    "equal:  ES      f_r, 1\n"
-    "        CFPEQ   f_x, f_y, done\n"
-    "        ES      f_r, 0\n"
+    "        .endm\n"
+    "        compare less, CFPLT\n"
+    "        compare not_less, CFPGE\n"
+    "        compare equal, CFPEQ\n"
+    "        compare not_equal, CFPNE\n"
     "done:   EXIT\n"
     "root:   SQRT    f_x, f_r\n"
     "        EXIT\n"

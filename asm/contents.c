@@ -54,8 +54,7 @@ static void tell(const struct assembler *assembler, struct asm_symbol *symbol,
         halves += item->halves;
         at += 32 * item->halves;
     }
-    if (symbol->count == 0)
-        symbol->count = count_of(symbol->contents, halves);
+    symbol->count = count_of(symbol->contents, halves);
 }
 
 static void tell_all(const struct assembler *assembler,
@@ -74,7 +73,7 @@ static void tell_all(const struct assembler *assembler,
         uint64_t address = (uint64_t)symbols[i].value;
         size_t next = find_address(labels, label_count, address, true);
 
-        if (symbols[i].is_label)
+        if (symbols[i].is_label && !symbols[i].counted)
             tell(assembler, &symbols[i],
                  find_address(items, assembler->item_count, address, false),
                  next < label_count ? labels[next] : UINT64_MAX);

@@ -244,6 +244,7 @@ static bool parse_space(struct cursor *cursor)
 /* NAME, n: the label and the number of what follows. */
 static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
 {
+    struct symbol *symbol;
     const char *name;
     size_t length;
 
@@ -251,7 +252,10 @@ static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
         || !parse_integer(cursor, 0, (int64_t)most, "a length", count)
         || !layout_label(cursor, name, length, name))
         return false;
-    symbol_intern(cursor->assembler, name, length)->count = (uint64_t)*count;
+    symbol = symbol_intern(cursor->assembler, name, length);
+    symbol->counted = true;
+    symbol->contents = cursor->assembler->contents;
+    symbol->count = (uint64_t)*count;
     return true;
 }
 

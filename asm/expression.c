@@ -247,22 +247,22 @@ static bool evaluate_function(struct assembler *assembler,
                       word[0], word[1], result);
 }
 
-/* a > b is b < a, and a >= b is not a < b: of numbers that are none is indefinite. */
+/* a > b is b < a, a <= b is b >= a. */
 static const struct number_operator {
     int code;
     const char *name;
-    bool turned, negated;
+    bool turned;
 } number_operators[] = {
-    { '+', "+", false, false },
-    { '-', "-", false, false },
-    { '*', "*", false, false },
-    { '/', "/", false, false },
-    { '<', "<", false, false },
-    { '>', "<", true, false },
-    { OPERATOR('<', '='), "<", true, true },
-    { OPERATOR('>', '='), "<", false, true },
-    { OPERATOR('=', '='), "==", false, false },
-    { OPERATOR('!', '='), "==", false, true },
+    { '+', "+", false },
+    { '-', "-", false },
+    { '*', "*", false },
+    { '/', "/", false },
+    { '<', "<", false },
+    { '>', "<", true },
+    { OPERATOR('<', '='), ">=", true },
+    { OPERATOR('>', '='), ">=", false },
+    { OPERATOR('=', '='), "==", false },
+    { OPERATOR('!', '='), "!=", false },
 };
 
 static const struct number_operator *number_operator(int code)
@@ -288,15 +288,11 @@ static bool calculate_numbers(struct assembler *assembler,
         return report(assembler, line, expression->at,
                       "this operator is for integers,"
                       " not for floating-point numbers");
-    if (!number_of(assembler, line, expression->left, left, &x)
-        || !number_of(assembler, line, expression->right, right, &y)
-        || !compute(assembler, line, expression,
-                    calculator_find(rule->name, strlen(rule->name)),
-                    rule->turned ? y : x, rule->turned ? x : y, result))
-        return false;
-    if (rule->negated)
-        result->bits = !result->bits;
-    return true;
+    return number_of(assembler, line, expression->left, left, &x)
+           && number_of(assembler, line, expression->right, right, &y)
+           && compute(assembler, line, expression,
+                      calculator_find(rule->name, strlen(rule->name)),
+                      rule->turned ? y : x, rule->turned ? x : y, result);
 }
 
 /* ---- Operators ---- */
@@ -405,7 +401,6 @@ bool evaluate_range(struct assembler *assembler, const struct line *line,
                       what, low, high, *integer);
     return true;
 }
-
 
 bool evaluate_word(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *word)
@@ -616,15 +611,24 @@ static const struct expression *parse_here(struct cursor *cursor)
     return node;
 }
 
+/* A name before a bracket. */
+static bool is_call(const struct token *token)
+{
+    const char *at = token->end;
+
+    while (*at == ' ' || *at == '\t')
+        at++;
+    return token->kind == TOKEN_NAME && *at == '(';
+}
+
 static bool is_function(const struct token *token, const char *name)
 {
-    return token->kind == TOKEN_NAME && token_is(token, name)
-           && *token->end == '(';
+    return is_call(token) && token_is(token, name);
 }
 
 static const struct calculator_function *computed(const struct token *token)
 {
-    return token->kind == TOKEN_NAME && *token->end == '('
+    return is_call(token)
                ? calculator_find(token->begin,
                                  (size_t)(token->end - token->begin))
                : NULL;

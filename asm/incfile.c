@@ -1,7 +1,8 @@
 /* incfile.c - .incfile: words from the numbers of a file.
  *
- * Fields stand between commas, or blanks; a # begins a comment.  A first line of which a
- * field is no number is a heading, the names of the columns, which may stand in quotes.
+ * Fields stand between commas in a line that has one, else between blanks; they may stand in
+ * quotes.  A # begins a comment.  A first line of which no field is a number is a heading, the
+ * names of the columns.
  */
 #include "asm/source.h"
 #include "asm/statement.h"
@@ -14,7 +15,9 @@ struct number_file {
     struct line line;      /* the one that is being read */
     const char *wanted;    /* a column's name, or NULL */
     size_t column;         /* its number, from 1; 0: all of them */
-    bool integers, begun;  /* begun: a line has been read */
+    bool integers;
+    bool begun;  /* a line has been read */
+    bool commas; /* .. and this one has some */
     c205_word *words;
     size_t count, capacity;
 };
@@ -31,31 +34,46 @@ static const char *skip_blanks(const char *at, const char *end)
     return at;
 }
 
-static const char *field_end(const char *at, const char *end)
+/* Behind a field in quotes, or at what ends one. */
+static const char *field_end(const struct number_file *file, const char *at)
 {
+    const char *end = file->line.end;
     const char *quote = *at == '"' && at + 1 < end
                             ? memchr(at + 1, '"', (size_t)(end - at - 1))
                             : NULL;
 
     if (quote)
         return quote + 1;
-    while (at < end && !strchr(" \t\r,#", *at))
+    while (at < end && !strchr(file->commas ? ",#" : " \t\r#", *at))
         at++;
     return at;
 }
 
+/* Without blanks at its end, or quotes. */
+static void trim(struct csv_field *field)
+{
+    while (field->end > field->begin && strchr(" \t\r", field->end[-1]))
+        field->end--;
+    if (field->end - field->begin > 1 && *field->begin == '"'
+        && field->end[-1] == '"') {
+        field->begin++;
+        field->end--;
+    }
+}
+
 /* The next field, *at moved behind it and its comma; false: there is none. */
-static bool next_field(const char **at, const char *end,
+static bool next_field(const struct number_file *file, const char **at,
                        struct csv_field *field)
 {
-    const char *p = skip_blanks(*at, end);
+    const char *end = file->line.end, *p = skip_blanks(*at, end);
 
     if (p == end || *p == '#')
         return false;
     field->begin = p;
-    field->end = field_end(p, end);
+    field->end = field_end(file, p);
     p = skip_blanks(field->end, end);
     *at = p < end && *p == ',' ? p + 1 : p;
+    trim(field);
     return true;
 }
 
@@ -69,12 +87,9 @@ static bool is_number(const struct csv_field *field, c205_word *word)
 
 static bool is_named(const struct csv_field *field, const char *name)
 {
-    size_t quotes = *field->begin == '"' && field->end[-1] == '"'
-                    && field->end - field->begin > 1;
-    size_t length = (size_t)(field->end - field->begin) - 2 * quotes;
+    size_t length = (size_t)(field->end - field->begin);
 
-    return strlen(name) == length
-           && memcmp(field->begin + quotes, name, length) == 0;
+    return strlen(name) == length && memcmp(field->begin, name, length) == 0;
 }
 
 static bool fault(const struct number_file *file, const char *at,
@@ -94,10 +109,10 @@ static bool is_heading(const struct number_file *file)
     struct csv_field field;
     c205_word word;
 
-    while (next_field(&at, file->line.end, &field))
-        if (!is_number(&field, &word) && field.end > field.begin)
-            return true;
-    return false;
+    while (next_field(file, &at, &field))
+        if (is_number(&field, &word))
+            return false;
+    return true;
 }
 
 static bool find_column(struct number_file *file)
@@ -107,7 +122,7 @@ static bool find_column(struct number_file *file)
 
     if (!file->wanted)
         return true;
-    for (size_t i = 1; next_field(&at, file->line.end, &field); i++)
+    for (size_t i = 1; next_field(file, &at, &field); i++)
         if (is_named(&field, file->wanted)) {
             file->column = i;
             return true;
@@ -149,7 +164,7 @@ static bool read_numbers(struct number_file *file)
     struct csv_field field;
     size_t i = 0;
 
-    while (next_field(&at, file->line.end, &field))
+    while (next_field(file, &at, &field))
         if ((++i == file->column || file->column == 0)
             && !add_number(file, &field))
             return false;
@@ -162,8 +177,12 @@ static bool read_line(struct number_file *file)
 {
     const char *at = file->line.begin;
     struct csv_field field;
+    const char *comment = memchr(at, '#', (size_t)(file->line.end - at));
 
-    if (!next_field(&at, file->line.end, &field))
+    file->commas = memchr(at, ',',
+                          (size_t)((comment ? comment : file->line.end)
+                                   - at));
+    if (!next_field(file, &at, &field))
         return true;
     if (!file->begun) {
         file->begun = true;
@@ -179,8 +198,11 @@ static bool read_line(struct number_file *file)
 static bool read_lines(struct number_file *file,
                        const struct asm_source *source)
 {
+    static const char mark[] = "\xEF\xBB\xBF"; /* that it is UTF-8 */
     const char *at = source->text;
 
+    if (strncmp(at, mark, strlen(mark)) == 0)
+        at += strlen(mark);
     file->line.file = source->name;
     while (at < source->end) {
         const char *end = memchr(at, '\n', (size_t)(source->end - at));
@@ -193,7 +215,11 @@ static bool read_lines(struct number_file *file,
             return false;
         at = end + (end < source->end);
     }
-    return true;
+    return file->begun || !file->wanted
+           || report(file->cursor->assembler, file->cursor->line,
+                     file->cursor->line->begin,
+                     "'%.200s' has no heading with names of columns",
+                     source->name);
 }
 
 /* ---- The directive -------------------------------------------------------- */
@@ -206,26 +232,36 @@ static const char *file_of(const struct line *line)
     return line->file;
 }
 
+static bool read_column(struct number_file *file)
+{
+    struct cursor *cursor = file->cursor;
+    size_t length;
+    int64_t column;
+
+    if (file->wanted || file->column > 0)
+        return report(cursor->assembler, cursor->line, cursor->token.begin,
+                      "one column is taken, or all of them");
+    if (cursor->token.kind == TOKEN_STRING) {
+        file->wanted = expect_string(cursor, &length);
+        return file->wanted != NULL;
+    }
+    if (!parse_integer(cursor, 1, MAX_LINE, "a column", &column))
+        return false;
+    file->column = (size_t)column;
+    return true;
+}
+
 /* [, column] [, integers] */
 static bool read_wishes(struct number_file *file)
 {
     struct cursor *cursor = file->cursor;
-    int64_t column;
 
     while (cursor_take(cursor, ',')) {
-        size_t length;
-
         if (cursor->token.kind == TOKEN_NAME
             && token_is(&cursor->token, "integers")) {
             cursor_next(cursor);
             file->integers = true;
-        } else if (cursor->token.kind == TOKEN_STRING) {
-            file->wanted = expect_string(cursor, &length);
-            if (!file->wanted)
-                return false;
-        } else if (parse_integer(cursor, 1, MAX_LINE, "a column", &column)) {
-            file->column = (size_t)column;
-        } else {
+        } else if (!read_column(file)) {
             return false;
         }
     }

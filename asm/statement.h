@@ -27,7 +27,8 @@ typedef bool directive_parser(struct cursor *cursor);
 struct directive {
     const char *name;
     directive_parser *parse;
-    enum asm_contents contents; /* of what it puts, before which labels wait for its
+    enum asm_contents
+        contents; /* of what it puts, before which labels wait for its
                                    alignment; or NOTHING */
 };
 const struct directive *find_directive(const struct token *token);

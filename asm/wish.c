@@ -124,7 +124,7 @@ static bool parse_trap(struct cursor *cursor, struct wish *wish)
 
     if (!parse_rest(cursor, wish))
         return false;
-    for (trap = C205_TRAP_NONE + 1; trap < C205_TRAPS; trap++)
+    for (trap = C205_TRAP_NONE + 1; trap < C205_TRAP_PAUSED; trap++)
         if (strcmp(c205_trap_name((c205_trap)trap), wish->text) == 0)
             return true;
     return report(cursor->assembler, cursor->line, cursor->token.begin,

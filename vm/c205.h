@@ -549,8 +549,9 @@ bool c205_listen(c205 *machine, c205_listener *listener, void *context);
 
 /* ---- Stops (vm/stops.c) ---------------------------------------------------
  *
- * They end a run behind an instruction, with a trap of their own, and the next
- * run goes on there as if nothing had been.
+ * They end a run behind an instruction, with a trap of their own, of which listeners hear
+ * as of others, and the next run goes on there as if nothing had been.  A load leaves
+ * them as they are, a machine that is saved leaves them out.
  */
 
 /* For a listener: behind the instruction that it is being told of, the stop PAUSED. */
@@ -559,7 +560,8 @@ void c205_pause(c205 *machine);
  * False: no memory. */
 bool c205_break(c205 *machine, uint64_t address, bool set);
 /* The stop WATCHPOINT behind an instruction that has changed one of so many words; what
- * the host writes between two runs is no change.  False: no memory, or nothing is mapped
+ * the host writes between two runs is no change, but within a vector instruction that a
+ * limit has interrupted it is.  False: no memory, or nothing is mapped
  * there. */
 bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set);
 

@@ -149,7 +149,7 @@ static inline void touch_result(const struct direct_result *result,
     if (result->controlled)
         machine_touch(machine, LOW(machine->slot[decoded->z]), result->n);
     machine_touch_result(machine, LOW(machine->slot[decoded->fields.c]),
-                  (uint64_t)result->n * width);
+                         (uint64_t)result->n * width);
     machine->effect.elements = result->n;
 }
 

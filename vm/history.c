@@ -4,7 +4,7 @@
  * kept but states, so many instructions and so many clocks apart; to go back is
  * to restore the last state before, and to run from there.
  */
-#include "vm/machine.h"
+#include "vm/stops.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -272,7 +272,8 @@ static bool forward(struct c205_history *history, c205_stop *stop)
         return false;
     }
     goes_on = c205_step(history->machine, stop);
-    if (!goes_on && stop->trap != C205_TRAP_NONE)
+    if (!goes_on && stop->trap != C205_TRAP_NONE
+        && !trap_is_behind(stop->trap))
         return false;
     if (++history->step > history->known)
         history->known = history->step;
@@ -280,7 +281,7 @@ static bool forward(struct c205_history *history, c205_stop *stop)
         stop->trap = C205_TRAP_NO_MEMORY;
         return false;
     }
-    if (!goes_on) {
+    if (!goes_on && !trap_is_behind(stop->trap)) {
         history->ended = true;
         history->end = *stop;
     }
@@ -322,5 +323,8 @@ bool c205_history_back(c205_history *history, uint64_t step,
         return true;
     from = &history->list[find(history, step > 0 ? step - 1 : 0)];
     machine = restore(history, from, error);
-    return machine && go_from(history, machine, from->step, step);
+    if (!machine || go_from(history, machine, from->step, step))
+        return machine;
+    snprintf(error->message, sizeof error->message, "no memory");
+    return false;
 }

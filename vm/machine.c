@@ -139,7 +139,7 @@ static c205_event make_event(const struct c205 *machine, c205_event_kind kind,
 
 static void tell_written(c205_event *event, unsigned slot)
 {
-    if (slot < C205_REGISTERS)
+    if (slot > 0 && slot < C205_REGISTERS)
         event->written[slot / 64] |= UINT64_C(1) << slot % 64;
 }
 
@@ -156,8 +156,9 @@ static c205_range indexed_range(const struct effect *effect)
     return (c205_range){ least, greatest - least + effect->table_step };
 }
 
-static void tell_changes(const struct c205 *machine,
-                         const struct decoded *decoded, c205_event *event)
+static void tell_what_changed(const struct c205 *machine,
+                              const struct decoded *decoded,
+                              c205_event *event)
 {
     const struct effect *effect = &machine->effect;
     for (unsigned i = 0; i < decoded->result_count; i++)
@@ -193,7 +194,7 @@ static void tell_instruction(struct c205 *machine,
     event.elements = machine->effect.elements;
     event.recurrent = machine->effect.recurrent;
     event.taken = machine->effect.taken;
-    tell_changes(machine, decoded, &event);
+    tell_what_changed(machine, decoded, &event);
     if (request) {
         event.request = machine->request;
         event.r = machine->slot[decoded->a];
@@ -444,13 +445,14 @@ static inline bool go_on(struct c205 *machine, uint64_t limit,
 /* The first one goes on where the run before was stopped. */
 static bool first_step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
+    machine->pausing = false;
     machine->resumed_at = clock_now(machine->clock);
     machine->allowed = SIZE_MAX;
     if (machine->resumed_at >= limit)
         return stop_at_limit(machine, stop);
     clock_go_back(machine->clock);
     bool goes_on = step(machine, limit, stop);
-    if (goes_on || stop->trap == C205_TRAP_NONE)
+    if (goes_on || stop->trap == C205_TRAP_NONE || trap_is_behind(stop->trap))
         clear_progress(machine);
     return goes_on;
 }

@@ -268,7 +268,8 @@ static c205_trap finish_sieve(struct sieve *sieve,
     }
     if (sieve->kept > 0)
         machine_touch_result(machine, sieve->stream.result.address,
-                      (uint64_t)sieve->kept * sieve->stream.result.width);
+                             (uint64_t)sieve->kept
+                                 * sieve->stream.result.width);
     machine->slot[decoded->result[0]] = with_length(machine->slot[decoded->c],
                                                     sieve->kept);
     return C205_TRAP_NONE;

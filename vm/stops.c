@@ -43,12 +43,26 @@ static struct machine_stops *all_stops(struct c205 *machine)
     return machine->stops;
 }
 
+/* Without any the machine goes as fast as before. */
+static void leave_none(struct c205 *machine)
+{
+    struct machine_stops *stops = machine->stops;
+    if (stops->break_count + stops->watch_count > 0)
+        return;
+    machine_free_stops(stops);
+    machine->stops = NULL;
+    machine->eventful = machine->listener_count > 0;
+}
+
 /* ---- Setting ------------------------------------------------------------- */
 
 bool c205_break(c205 *machine, uint64_t address, bool set)
 {
-    struct machine_stops *stops = all_stops(machine);
+    struct machine_stops *stops;
     size_t i = 0;
+    if (!set && !machine->stops)
+        return true;
+    stops = all_stops(machine);
     if (!stops)
         return false;
     while (i < stops->break_count && stops->breaks[i] != address)
@@ -57,10 +71,13 @@ bool c205_break(c205 *machine, uint64_t address, bool set)
         return true;
     if (!set) {
         stops->breaks[i] = stops->breaks[--stops->break_count];
+        leave_none(machine);
         return true;
     }
-    if (!make_room(&stops->breaks, i, sizeof *stops->breaks))
+    if (!make_room(&stops->breaks, i, sizeof *stops->breaks)) {
+        leave_none(machine);
         return false;
+    }
     stops->breaks[stops->break_count++] = address;
     return true;
 }
@@ -73,9 +90,12 @@ static void forget(struct machine_stops *stops, size_t i)
 
 bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set)
 {
-    struct machine_stops *stops = all_stops(machine);
+    struct machine_stops *stops;
     struct watched watched = { address, words, NULL };
     size_t i = 0;
+    if (!set && !machine->stops)
+        return true;
+    stops = all_stops(machine);
     if (!stops)
         return false;
     while (i < stops->watch_count
@@ -86,12 +106,14 @@ bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set)
         return true;
     if (!set) {
         forget(stops, i);
+        leave_none(machine);
         return true;
     }
     watched.held = malloc((words + !words) * sizeof *watched.held);
     if (!watched.held || !c205_read(machine, address, watched.held, words)
         || !make_room(&stops->watches, i, sizeof *stops->watches)) {
         free(watched.held);
+        leave_none(machine);
         return false;
     }
     stops->watches[stops->watch_count++] = watched;
@@ -102,7 +124,9 @@ bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set)
 
 void machine_sample_stops(struct c205 *machine)
 {
-    struct machine_stops *stops = machine->stops;
+    struct machine_stops *stops = machine->progress.interrupted
+                                      ? NULL
+                                      : machine->stops;
     for (size_t i = 0; stops && i < stops->watch_count; i++)
         c205_read(machine, stops->watches[i].address, stops->watches[i].held,
                   stops->watches[i].words);

@@ -10,4 +10,11 @@ void machine_sample_stops(struct c205 *machine);
 c205_trap machine_meets_stop(struct c205 *machine, uint64_t *address);
 void machine_free_stops(struct machine_stops *stops);
 
+/* Whether a run ended with it behind an instruction that was done. */
+static inline bool trap_is_behind(c205_trap trap)
+{
+    return trap == C205_TRAP_PAUSED || trap == C205_TRAP_BREAKPOINT
+           || trap == C205_TRAP_WATCHPOINT;
+}
+
 #endif

@@ -11,7 +11,8 @@
 ; parts.  Of the origin, and of indefinite, the result is indefinite.
 ; Source: textbook; parts and polynomial are derived for this format.
 
-        .ifndef atan2
+        .ifndef atan2.s
+        .equ    atan2.s, 1
 
         .include "formula.s"
 

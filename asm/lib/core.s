@@ -2,7 +2,8 @@
 ;
 ; Include it as often as needed; it is read once.
 
-        .ifndef descriptor
+        .ifndef core.s
+        .equ    core.s, 1
 
 ; r := descriptor of a vector of length elements at a bit address.  Both are
 ; constants of the program; at run time: RTOR and ADDLEN.

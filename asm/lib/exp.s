@@ -10,7 +10,8 @@
 ; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
 ; Elementary Functions, 1980); parts and polynomial are derived for this format.
 
-        .ifndef exp
+        .ifndef exp.s
+        .equ    exp.s, 1
 
         .include "formula.s"
 

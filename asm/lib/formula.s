@@ -47,9 +47,10 @@
 ;       then_negate_index a, c             of an integer               then_clear c
 ;       otherwise_set k, c                 otherwise_copy a, c      where it is no
 ;
-; Registers 208 to 255 are those of the library: docs/assembly.md.
+; Registers 208 to 255 are those of the library: docs/functions.md.
 
-        .ifndef f_x
+        .ifndef formula.s
+        .equ    formula.s, 1
 
         .include "core.s"
 
@@ -65,6 +66,9 @@
 ; A formula computes strips of so many elements of a vector at a time.
         .ifndef F_STRIP
         .equ    F_STRIP, 2048
+        .endif
+        .if     F_STRIP < 1 || F_STRIP > 65535
+        .error  "F_STRIP is the length of a vector: 1 to 65535"
         .endif
         .equ    F_WORK, 10              ; vectors for what lies between
 
@@ -90,7 +94,8 @@ v\name:
         RTOR    f_r, f_strip_r
         RTOR    f_s, f_strip_s
         LTOR    f_r, f_left
-        ES      f_target, F_STRIP
+        IBXEQ   f_left, r0, r0, v\name\().done
+        EX      f_target, F_STRIP
 v\name\().strip:
         RTOR    f_left, f_n
         IBXLE   f_left, r0, f_target, v\name\().fits
@@ -118,9 +123,10 @@ v\name\().fits:
         IX      f_strip_y, 64 * F_STRIP
         IX      f_strip_r, 64 * F_STRIP
         IX      f_strip_s, 64 * F_STRIP
-        ES      f_target, F_STRIP
+        EX      f_target, F_STRIP
         SUBX    f_left, f_n, f_left
         IBXGT   f_left, r0, r0, v\name\().strip
+v\name\().done:
         return  f_link
         .endkernel
 \name\().over:

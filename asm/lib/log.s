@@ -11,7 +11,8 @@
 ; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
 ; Elementary Functions, 1980); parts and polynomial are derived for this format.
 
-        .ifndef log
+        .ifndef log.s
+        .equ    log.s, 1
 
         .include "formula.s"
 

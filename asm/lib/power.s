@@ -15,7 +15,8 @@
 ; function in IEEE floating-point arithmetic", 1990); tables and polynomial are derived for this
 ; format.
 
-        .ifndef power
+        .ifndef power.s
+        .equ    power.s, 1
 
         .include "exp.s"
 

@@ -2,7 +2,8 @@
 ;
 ; None ends the line but newline.  They cost the clocks of an EXIT request.
 
-        .ifndef newline
+        .ifndef print.s
+        .equ    print.s, 1
 
         .include "core.s"
 
@@ -22,6 +23,11 @@
 ; the point, or in all with the power of ten behind an e; integers; and vectors, so many
 ; elements a line (0: all in one).  scratch gets what the monitor is told.
         .macro  print_as kind, width, digits, in_line, scratch
+        .if     (\width) < 0 || (\width) > 255 || (\digits) < 0 || (\digits) > 17
+        .error  "a column is 0 to 255 wide and has 0 to 17 digits"
+        .elseif (\in_line) < 0 || (\in_line) > 65535
+        .error  "a line has 0 to 65535 elements"
+        .endif
         EX      \scratch, (\kind) << 32 | (\in_line) << 16 | (\width) << 8 | (\digits)
         .endm
         .macro  print_fixed r, width, digits, scratch

@@ -11,7 +11,8 @@
 ; Source: the method is textbook (W. J. Cody and W. Waite, Software Manual for the
 ; Elementary Functions, 1980); parts and polynomials are derived for this format.
 
-        .ifndef sin
+        .ifndef sin.s
+        .equ    sin.s, 1
 
         .include "formula.s"
 

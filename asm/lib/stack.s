@@ -1,6 +1,7 @@
 ; stack.s - registers kept on a stack, by functions that call others or themselves.
 
-        .ifndef begin_stack
+        .ifndef stack.s
+        .equ    stack.s, 1
 
         .include "core.s"
 

@@ -1,6 +1,7 @@
 ; vectors.s - short vectors for examples and tests.
 
-        .ifndef words
+        .ifndef vectors.s
+        .equ    vectors.s, 1
 
         .include "core.s"
 

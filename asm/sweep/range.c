@@ -2,6 +2,7 @@
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "asm/sweep/swept.h"
 
@@ -13,7 +14,7 @@ static bool take_count(const char **at, uint64_t *count)
     if (**at < '0' || **at > '9')
         return false;
     errno = 0;
-    *count = strtoull(*at, &end, 0);
+    *count = strtoull(*at, &end, strncmp(*at, "0x", 2) == 0 ? 16 : 10);
     *at = end;
     return errno == 0 && *count > 0 && *count <= SWEPT_LARGEST;
 }

@@ -246,6 +246,27 @@ static void check_function(const char *name, bool two)
     object_free(object);
 }
 
+/* Indefinite is what a word may be; it is neither less nor not less than anything. */
+static void test_indefinite(void **unused)
+{
+    static const char *const operators[] = {
+        "<", ">=", ">", "<=", "==", "!="
+    };
+
+    (void)unused;
+    for (size_t i = 0; i < 6; i++) {
+        char text[80];
+        struct object *object;
+
+        snprintf(text, sizeof text, "X'7000 0000 0000 0000' %s 1.0",
+                 operators[i]);
+        object = assemble_value(text);
+        assert_non_null(object);
+        assert_int_equal(word_of(&object->program, 0x800000), i == 5);
+        object_free(object);
+    }
+}
+
 static void test_functions(void **unused)
 {
     (void)unused;
@@ -275,6 +296,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_operations),
+        cmocka_unit_test(test_indefinite),
         cmocka_unit_test(test_functions),
     };
 

@@ -236,10 +236,18 @@ static void pause_now(void *context, const c205 *machine,
 /* So many instructions at the most, counted by the machine or by a listener. */
 static c205_stop run_some(c205 *machine, uint64_t most, uint64_t *left)
 {
+    c205_stop stop;
+
     if (!left)
         return c205_run_steps(machine, most, C205_NO_LIMIT);
     *left = most;
-    return c205_run(machine, C205_NO_LIMIT);
+    do { /* in slices, which interrupt vector instructions */
+        uint64_t limit = below(3) ? c205_clock(machine) + 1 + below(300)
+                                  : C205_NO_LIMIT;
+
+        stop = c205_run(machine, limit);
+    } while (stop.trap == C205_TRAP_CLOCK_LIMIT);
+    return stop;
 }
 
 static void check_stops(const struct random_program *program, bool listens)
@@ -288,11 +296,61 @@ static void test_stops(void **unused)
     }
 }
 
+/* A way there and back with stops: the steps are those of a machine without. */
+static void check_history(const struct random_program *program)
+{
+    enum { STEPS = 60 };
+    c205_model *model = model_of(program);
+    struct places places = draw_places(program, model);
+    c205 *machine = begin(program, model), *plain = begin(program, model);
+    c205_error error;
+    c205_history *history = c205_history_new(machine, 1 << 20, &error);
+    uint64_t pc[STEPS + 1], steps = 0;
+    c205_stop stop;
+
+    assert_non_null(history);
+    for (size_t i = 0; i < PLACES; i++)
+        assert_true(c205_break(machine, places.at[i], true));
+    assert_true(c205_watch(machine, places.watched, places.words, true));
+    pc[0] = c205_pc(plain);
+    while (steps < STEPS && c205_step(plain, &stop)) {
+        c205_history_forward(history, &stop);
+        pc[++steps] = c205_pc(plain);
+        assert_int_equal(c205_history_step(history), steps);
+        assert_int_equal(c205_pc(c205_history_machine(history)), pc[steps]);
+    }
+    for (int i = 0; i < 30 && steps > 0; i++) {
+        uint64_t step = below(steps + 1);
+
+        assert_true(c205_history_back(history, step, &error));
+        while (c205_history_step(history) < step)
+            c205_history_forward(history, &stop);
+        assert_int_equal(c205_pc(c205_history_machine(history)), pc[step]);
+        for (uint64_t k = below(10);
+             k > 0 && c205_history_step(history) < steps; k--)
+            c205_history_forward(history, &stop);
+    }
+    c205_history_free(history);
+    c205_free(plain);
+    c205_model_free(model);
+}
+
+static void test_history(void **unused)
+{
+    (void)unused;
+    for (uint64_t i = 0; i < PROGRAMS / 2; i++) {
+        struct random_program program = random_program(RANDOM_SEED + 57 * i);
+
+        check_history(&program);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_changes),
         cmocka_unit_test(test_stops),
+        cmocka_unit_test(test_history),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

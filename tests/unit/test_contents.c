@@ -71,12 +71,12 @@ static void put_vector(struct drawn_text *drawn, size_t i)
     size_t kind = below(&state, 3);
 
     drawn->label[i].contents = kinds[kind].contents;
-    drawn->label[i].count = below(&state, 100) + 1;
+    drawn->label[i].count = below(&state, 100) + !one_in(&state, 4);
     put(drawn, "        .%s l%zu, %" PRIu64 "%s\n", kinds[kind].name, i,
         drawn->label[i].count,
-        !one_in(&state, 2) ? ""
-        : kind == 2        ? ", \"1\""
-                           : ", 7");
+        !drawn->label[i].count || one_in(&state, 2) ? ""
+        : kind == 2                                 ? ", \"1\""
+                                                    : ", 7");
 }
 
 static void put_labelled(struct drawn_text *drawn, size_t i)

@@ -80,11 +80,14 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
         /* Fixed only where it fits. */
         if (notation == C205_FIXED)
             assert_true(mpfr_get_exp(value)
-                        > 3.32 * ((double)C205_DIGITS - 2 - asked) - 1);
+                        > 3.3219 * ((double)C205_DIGITS - asked) - 0.001);
     } else {
         mpfr_snprintf(exact, sizeof exact, "%.*RNf", (int)asked, value);
     }
     mpfr_clear(value);
+    /* The machine has one zero. */
+    if (*exact == '-' && !strpbrk(exact, "123456789"))
+        memmove(exact, exact + 1, strlen(exact));
     if (strcmp(text, exact) != 0)
         fail_msg("%016llx, %u digits: %s should be %s",
                  (unsigned long long)word, digits, text, exact);

@@ -383,11 +383,31 @@ static int64_t draw_integer(void)
     return one_in(&state, 6) ? most : xorshift_between(&state, -most, most);
 }
 
+/* What a word is, cut to an integer; false: it has none of less than 2^47. */
+static bool is_integer(c205_word word, int64_t *integer)
+{
+    uint64_t flags = 0;
+    c205_word cut = oracle_truncate(&oracle_full,
+                                    oracle_add_normalised(&oracle_full, word,
+                                                          C205_MACHINE_ZERO,
+                                                          &flags),
+                                    0, &flags);
+
+    *integer = 0;
+    if (word >> 60 == 7 || fabs(c205_to_double(cut)) >= 0x1p47) {
+        return false;
+    }
+    *integer = (int64_t)c205_to_double(cut);
+    return true;
+}
+
 static void check_quotient(size_t i)
 {
-    int64_t x = c205_to_integer(both.x[i]), y = c205_to_integer(both.y[i]);
-    c205_word quotient = y ? c205_from_integer(x / y) : C205_INDEFINITE;
-    c205_word rest = y ? c205_from_integer(x % y) : C205_INDEFINITE;
+    int64_t x, y;
+    bool good = is_integer(both.x[i], &x) & is_integer(both.y[i], &y);
+    c205_word quotient = good && y ? c205_from_integer(x / y)
+                                   : C205_INDEFINITE;
+    c205_word rest = good && y ? c205_from_integer(x % y) : C205_INDEFINITE;
 
     if (both.number[i] != quotient || both.rest[i] != rest
         || both.other[i] != rest) {
@@ -412,6 +432,18 @@ static void test_quotients(void **unused)
         x = x >= INT64_C(1) << 47 || -x >= INT64_C(1) << 47 ? y : x;
         both.x[i] = c205_from_integer(x);
         both.y[i] = c205_from_integer(one_in(&state, 50) ? 0 : y);
+        if (one_in(&state, 4)) {
+            both.x[i] = c205_from_double((double)x + between(&state, -1, 1));
+        }
+        if (one_in(&state, 20)) {
+            both.x[i] = one_in(&state, 2) ? special() : xorshift(&state);
+        }
+        if (one_in(&state, 20)) {
+            both.y[i] = one_in(&state, 2) ? special() : xorshift(&state);
+        }
+        if (one_in(&state, 50)) {
+            both.x[i] = UINT64_C(0x0000800000000000); /* -2^47 */
+        }
     }
     compute("divide", "divide", "vectors");
     check_forms("divide");

@@ -13,7 +13,7 @@ static const char path[] = "test_incfile.tmp";
 
 struct drawn_table {
     size_t rows, columns;
-    bool integers;
+    bool integers, commas;
     c205_word words[ROWS][COLUMNS];
     char text[TEXT];
 };
@@ -33,7 +33,7 @@ static void add_blanks(struct drawn_table *table)
 static void add_separator(struct drawn_table *table)
 {
     add_blanks(table);
-    add(table, one_in(&state, 3) ? " " : ",");
+    add(table, table->commas ? "," : " ");
     add_blanks(table);
 }
 
@@ -71,14 +71,22 @@ static void draw_table(struct drawn_table *table, bool headed)
     table->rows = below(&state, ROWS + 1);
     table->columns = below(&state, COLUMNS) + 1;
     table->integers = one_in(&state, 2);
+    table->commas = table->columns > 1 && one_in(&state, 2);
     *table->text = '\0';
+    if (one_in(&state, 5)) {
+        add(table, "\xEF\xBB\xBF");
+    }
     if (one_in(&state, 3)) {
         add(table, "# a table\n");
     }
     for (size_t i = 0; headed && i < table->columns; i++) {
         char name[40];
 
-        snprintf(name, sizeof name, "\"c %zu\"", i + 1);
+        snprintf(name, sizeof name,
+                 one_in(&state, 2) ? "\"c %zu\""
+                 : table->commas   ? "c %zu"
+                                   : "\"c %zu\"",
+                 i + 1);
         add(table, name);
         if (i + 1 < table->columns) {
             add_separator(table);
@@ -190,6 +198,12 @@ static void test_faults(void **unused)
         { "1e9000\n", "", 1, 1, "no such number" },
         { "1\n1.5.2\n", "", 2, 1, "not a number" },
         { "1\n", ", 0", 2, 38, "expected a column" },
+        { "1.5.2\n2\n", ", 1, 2", 2, 41, "one column is taken" },
+        { "", ", \"b\"", 2, 1, "has no heading" },
+        { "max load,place\n1,2\n", ", \"load\"", 1, 1,
+          "no column of that name" },
+        { "a b\n1.5.2 1\n", "", 2, 1, "not a number" },
+        { "1.5 a\n", "", 1, 5, "not a number" },
     };
 
     (void)unused;

@@ -296,8 +296,7 @@ static void check_form(const struct factor_scene *what, enum surfaces_by by,
 
         assert_memory_equal(&one->area, &other->area, sizeof one->area);
         assert_memory_equal(one->factor, other->factor,
-                            (study.surfaces.count + 1)
-                                * sizeof *one->factor);
+                            (study.surfaces.count + 1) * sizeof *one->factor);
     }
     end(&study);
     end(&vector);

@@ -296,9 +296,27 @@ static void write_fixed(char *text, bool negative, uint64_t units,
     int length = snprintf(number, sizeof number, "%0*llu", (int)places + 1,
                           (unsigned long long)units);
 
-    snprintf(text, C205_TEXT_SIZE, "%s%.*s%s%s", negative ? "-" : "",
+    snprintf(text, C205_TEXT_SIZE, "%s%.*s%s%s", negative && units > 0 ? "-" : "",
              length - (int)places, number, places > 0 ? "." : "",
              number + length - places);
+}
+
+/* False: these would be too many digits. */
+static bool try_fixed(char *text, bool negative, uint64_t c, int32_t exponent,
+                      unsigned places)
+{
+    uint64_t units = 0;
+
+    if (c != 0
+        && power_below(whole_words, exponent) + 1 + (int32_t)places
+               > C205_DIGITS)
+        return false;
+    if (c != 0)
+        units = nearest_units((int64_t)c, exponent, -(int32_t)places);
+    if (units >= power_of_10(C205_DIGITS))
+        return false;
+    write_fixed(text, negative, units, places);
+    return true;
 }
 
 static void write_scientific(char *text, bool negative, uint64_t c,
@@ -329,15 +347,8 @@ void c205_to_decimal(c205_word word, c205_notation notation, unsigned count,
     count = count > most ? most : count;
     if (word_is_indefinite(word))
         snprintf(text, C205_TEXT_SIZE, "indefinite");
-    else if (notation == C205_FIXED
-             && (c == 0
-                 || power_below(f, exponent) + 2 + (int32_t)count
-                        <= C205_DIGITS))
-        write_fixed(text, c < 0,
-                    nearest_units((int64_t)magnitude, exponent,
-                                  -(int32_t)count),
-                    count);
-    else
+    else if (notation == C205_SCIENTIFIC
+             || !try_fixed(text, c < 0, magnitude, exponent, count))
         write_scientific(text, c < 0, magnitude, exponent,
                          count + (notation == C205_FIXED || count == 0));
 }
