@@ -421,6 +421,8 @@ typedef struct c205_times {
     uint64_t
         unit_free; /* .. its unit takes the next one: of a vector instruction,
                            one whose start-up does not overlap */
+    uint64_t misses; /* pages that the associative registers did not know .. */
+    uint64_t faults; /* .. and of them those that were not in memory */
     size_t piece_count, phase_count;
     c205_piece piece[C205_PIECES];
     struct {

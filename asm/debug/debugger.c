@@ -52,8 +52,8 @@ static const struct verb verbs[] = {
       "r10, NAME, NAME.i, [ADDRESS], clock, step .. with + - * / % == < && "
       "||" },
     { "x", NULL, verb_x, false, "[/N fixhb] REGISTER | ADDRESS [? REGISTER]",
-      "elements: numbers, integers, hex, half words, bits; beside their "
-      "control bits" },
+      "elements: numbers, integers, hex, half words, bits; at a label what was put "
+      "there; beside their control bits" },
     { "info", NULL, verb_info, false,
       "registers | operands | breaks | regions | pages | symbols", "" },
     { "why", NULL, verb_why, false, "",

@@ -59,14 +59,27 @@ static bool info_pages(struct debugger *debugger)
 
 static bool info_symbols(struct debugger *debugger)
 {
+    static const char *const kinds[] = {
+        [ASM_WORDS] = "words",
+        [ASM_HALF_WORDS] = "half words",
+        [ASM_BITS] = "bits",
+        [ASM_BYTES] = "bytes",
+    };
     const struct object *object = debugger->setup.object;
 
     for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
 
-        if (symbol->is_label)
-            sink_print(&debugger->out, "%6" PRIX64 "  %s\n",
-                       (uint64_t)symbol->value, symbol->name);
+        if (!symbol->is_label)
+            continue;
+        sink_print(&debugger->out, "%6" PRIX64 "  %s",
+                   (uint64_t)symbol->value, symbol->name);
+        if (symbol->contents == ASM_CODE)
+            sink_put(&debugger->out, ", code");
+        else if (symbol->contents != ASM_NOTHING)
+            sink_print(&debugger->out, ", %" PRIu64 " %s", symbol->count,
+                       kinds[symbol->contents]);
+        sink_put(&debugger->out, "\n");
     }
     return true;
 }

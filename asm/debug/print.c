@@ -103,15 +103,17 @@ static unsigned in_row(const struct element_look *look)
 static bool put_element_at(const struct debugger *debugger,
                            const struct element_look *look, size_t i)
 {
-    c205_word word, bit;
+    c205_word word, bit = 0;
 
-    if (!view_read(machine_of(debugger), &look->of, i, 1, &word))
+    if (!view_read(machine_of(debugger), &look->of, i, 1, &word)
+        || (look->controlled
+            && !view_read(machine_of(debugger), &look->control, i, 1, &bit)))
         return false;
-    if (look->controlled) {
-        if (!view_read(machine_of(debugger), &look->control, i, 1, &bit))
-            return false;
+    if (i % in_row(look) == 0)
+        sink_print(&debugger->out, "%6zu%s", i,
+                   look->of.width == 1 ? "  " : "");
+    if (look->controlled)
         sink_print(&debugger->out, "  %u", (unsigned)bit);
-    }
     put_element(debugger, look, word);
     return true;
 }
@@ -121,16 +123,14 @@ static bool put_elements(struct debugger *debugger,
 {
     unsigned row = in_row(look);
     bool good = true;
+    size_t i;
 
-    for (size_t i = 0; good && i < count; i++) {
-        if (i % row == 0)
-            sink_print(&debugger->out, "%6zu%s", i,
-                       look->of.width == 1 ? "  " : "");
+    for (i = 0; i < count && good; i += good) {
         good = put_element_at(debugger, look, i);
         if (good && (i % row == row - 1 || i + 1 == count))
             sink_put(&debugger->out, "\n");
     }
-    if (!good)
+    if (!good && i % row != 0)
         sink_put(&debugger->out, "\n");
     return good
            || debug_fault(debugger, "no memory is mapped there, or not all "
@@ -202,6 +202,35 @@ static bool read_control(struct debugger *debugger, struct rest *rest,
     return rest_finish(debugger, rest);
 }
 
+/* What the program has at an address, if a label tells; its count and width if these were not
+ * asked for. */
+static void look_at_label(const struct debugger *debugger, uint64_t address,
+                          bool width_asked, struct element_look *look)
+{
+    static const unsigned widths[] = {
+        [ASM_WORDS] = 64, [ASM_HALF_WORDS] = 32, [ASM_BITS] = 1
+    };
+    const struct object *object = debugger->setup.object;
+
+    for (size_t i = 0; i < object->symbol_count; i++) {
+        const struct asm_symbol *symbol = &object->symbols[i];
+        unsigned width = symbol->contents < ASM_BYTES
+                             ? widths[symbol->contents]
+                             : 0;
+
+        if (!symbol->is_label || (uint64_t)symbol->value != address
+            || width == 0 || (width_asked && width != look->of.width))
+            continue;
+        look->of.width = width;
+        look->of.length = symbol->count < C205_MAX_LENGTH
+                              ? (size_t)symbol->count
+                              : C205_MAX_LENGTH;
+        sink_print(&debugger->out, "%zu at %s\n", look->of.length,
+                   symbol->name);
+        return;
+    }
+}
+
 /* x [/COUNT LETTERS] REGISTER | ADDRESS [? REGISTER] */
 bool verb_x(struct debugger *debugger, struct rest *rest)
 {
@@ -222,6 +251,8 @@ bool verb_x(struct debugger *debugger, struct rest *rest)
                          &look.of);
         look.of.address = address;
         look.of.length = count == UINT64_MAX ? ELEMENTS_USUAL : (size_t)count;
+        if (count == UINT64_MAX)
+            look_at_label(debugger, address, width != 64, &look);
     } else {
         return false;
     }

@@ -1,13 +1,13 @@
 step 0, clock 0
-=> 400000  EX r20, 0x400000000000        ; sieve.s:25: load_constant flag, 1.0  <- core.s:16: EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
+=> 400000  EX r20, 0x400000000000        ; sieve.s:25: load_constant flag, 1.0  <- core.s:17: EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
 (c205) where
 step 0, clock 0
-=> 400000  EX r20, 0x400000000000        ; sieve.s:25: load_constant flag, 1.0  <- core.s:16: EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
+=> 400000  EX r20, 0x400000000000        ; sieve.s:25: load_constant flag, 1.0  <- core.s:17: EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
 (c205) list
-=> core.s:16	        EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
-   core.s:17	        ELEN    flag, bits(1.0) >> 48 & 0xFFFF
-   core.s:10	        EX      fs, flags
-   core.s:11	        ELEN    fs, limit
+=> core.s:17	        EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
+   core.s:18	        ELEN    flag, bits(1.0) >> 48 & 0xFFFF
+   core.s:11	        EX      fs, flags
+   core.s:12	        ELEN    fs, limit
    asm/examples/sieve.s:28	        VTOV    flag, [fs]
    asm/examples/sieve.s:29	        STO     [fs], r0
    asm/examples/sieve.s:30	        ES      one, 1
@@ -15,10 +15,10 @@ step 0, clock 0
    asm/examples/sieve.s:33	        ES      p, 2
    asm/examples/sieve.s:34	        ES      end, limit
 (c205) disassemble
-=> 400000  EX r20, 0x400000000000        ; sieve.s:25: load_constant flag, 1.0  <- core.s:16: EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
-   400040  ELEN r20, -46                 ; sieve.s:25: load_constant flag, 1.0  <- core.s:17: ELEN    flag, bits(1.0) >> 48 & 0xFFFF
-   400060  EX r10, 0x800000              ; sieve.s:26: descriptor fs, flags, limit  <- core.s:10: EX      fs, flags
-   4000A0  ELEN r10, 200                 ; sieve.s:26: descriptor fs, flags, limit  <- core.s:11: ELEN    fs, limit
+=> 400000  EX r20, 0x400000000000        ; sieve.s:25: load_constant flag, 1.0  <- core.s:17: EX      flag, bits(1.0) & 0xFFFFFFFFFFFF
+   400040  ELEN r20, -46                 ; sieve.s:25: load_constant flag, 1.0  <- core.s:18: ELEN    flag, bits(1.0) >> 48 & 0xFFFF
+   400060  EX r10, 0x800000              ; sieve.s:26: descriptor fs, flags, limit  <- core.s:11: EX      fs, flags
+   4000A0  ELEN r10, 200                 ; sieve.s:26: descriptor fs, flags, limit  <- core.s:12: ELEN    fs, limit
    4000C0  VTOV r20, [r10]               ; sieve.s:28: VTOV    flag, [fs]
    400100  STO [r10], r0                 ; sieve.s:29: STO     [fs], r0
    400120  ES r14, 1                     ; sieve.s:30: ES      one, 1
@@ -26,11 +26,11 @@ step 0, clock 0
    400160  ES r15, 2                     ; sieve.s:33: ES      p, 2
    400180  ES r17, 200                   ; sieve.s:34: ES      end, limit
 (c205) info symbols
-4003A0  composite
-800000  flags
-4001A0  next
-803300  places
-803200  prime
+4003A0  composite, code
+800000  flags, 200 words
+4001A0  next, code
+803300  places, 200 words
+803200  prime, 4 words
 (c205) info pages
       400000  read and written
       800000  read and written
@@ -38,7 +38,7 @@ step 0, clock 0
 4000C0 .. 4004E0  sieve
 (c205) step
 step 1, clock 1
-=> 400040  ELEN r20, -46                 ; sieve.s:25: load_constant flag, 1.0  <- core.s:17: ELEN    flag, bits(1.0) >> 48 & 0xFFFF
+=> 400040  ELEN r20, -46                 ; sieve.s:25: load_constant flag, 1.0  <- core.s:18: ELEN    flag, bits(1.0) >> 48 & 0xFFFF
 (c205) step 3
 step 4, clock 4, region sieve
 => 4000C0  VTOV r20, [r10]               ; sieve.s:28: VTOV    flag, [fs]
@@ -132,7 +132,7 @@ X'FFD3 5000 0000 0000'  number 2.5  length 65491, address 500000000000
 (c205) delete 1
 (c205) info breaks
 2 break insn EX if step > 4, once, met 0 times
-3 watch 0x800000, 4, met 4 times
+3 watch 0x800000, 4, met 3 times
 (c205) goto clock 1100
 step 6, clock 1186, region sieve
 => 400120  ES r14, 1                     ; sieve.s:30: ES      one, 1

@@ -158,6 +158,66 @@ static void test_changes(void **unused)
     assert_true(dense > 100);
 }
 
+/* ---- Pages --------------------------------------------------------------- */
+
+static uint64_t constant(const c205 *machine, const char *name)
+{
+    return (uint64_t)c205_model_lookup(c205_machine_model(machine), name)
+        ->value;
+}
+
+/* The clocks of a cause in the time of an instruction itself. */
+static uint64_t clocks_for(const c205_times *record, c205_cause cause)
+{
+    uint64_t clocks = 0;
+
+    for (size_t i = 0; i < record->phase_count; i++)
+        if (record->phase[i].cause == cause)
+            clocks += record->phase[i].end - record->phase[i].begin;
+    for (size_t i = 0; i < record->piece_count && record->phase_count == 0;
+         i++)
+        if (record->piece[i].cause == cause
+            && record->piece[i].pc == record->pc)
+            clocks += record->piece[i].clocks;
+    return clocks;
+}
+
+static void check_pages(void *context, const c205 *machine,
+                        const c205_event *event)
+{
+    const c205_times *record = event->record;
+    uint64_t *faults = context;
+
+    if (event->kind > C205_EVENT_REQUEST)
+        return;
+    assert_int_equal(record->misses * constant(machine, "translation.miss"),
+                     clocks_for(record, C205_TRANSLATION_MISS));
+    assert_int_equal(record->faults * constant(machine, "page_fault.clocks"),
+                     clocks_for(record, C205_PAGE_FAULT));
+    *faults += record->faults;
+}
+
+/* As many as time was charged for. */
+static void test_pages(void **unused)
+{
+    uint64_t faults = 0;
+
+    (void)unused;
+    for (uint64_t i = 0; i < PROGRAMS; i++) {
+        struct random_program program = random_program(RANDOM_SEED + 41 * i);
+        c205_model *model = model_of(&program);
+        c205 *machine = begin(&program, model);
+        c205_stop stop;
+
+        assert_true(c205_listen(machine, check_pages, &faults));
+        for (int k = 0; k < STEPS_MOST && c205_step(machine, &stop); k++)
+            continue;
+        c205_free(machine);
+        c205_model_free(model);
+    }
+    assert_true(faults > PROGRAMS);
+}
+
 /* ---- Stops --------------------------------------------------------------- */
 
 /* Where stops are set, by what is met without any. */
@@ -349,6 +409,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_pages),
         cmocka_unit_test(test_stops),
         cmocka_unit_test(test_history),
     };

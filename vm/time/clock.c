@@ -167,6 +167,10 @@ static inline struct translation translate(struct clock *clock,
         pages_touch_indexed(&clock->pages, effect->table, effect->table_step,
                             &clock->list, &met);
     }
+    if (clock->record) {
+        clock->record->misses = met.misses;
+        clock->record->faults = met.faults;
+    }
     return met;
 }
 
@@ -415,6 +419,7 @@ static void begin_record(const struct clock *clock, uint64_t pc)
     record->pc = pc;
     record->arrived = clock->now;
     record->piece_count = record->phase_count = 0;
+    record->misses = record->faults = 0;
 }
 
 void clock_charge(struct clock *clock, const struct decoded *decoded,
