@@ -14,6 +14,7 @@ static const char text[] = "        .include \"vectors.s\"\n"
                            "        .regs r20, bits\n"
                            "        .data\n"
                            "mask:   .word X'A000 0000 0000 0000'\n"
+                           "third:  .halfword 0.5, 2\n"
                            "        .code\n"
                            "        descriptor bits, mask, n\n"
                            "        ES    count, 7\n"
@@ -71,8 +72,9 @@ static void test_values(void **state)
         { "tbreak insn ADDNV if count == 8", "break 1: insn ADDNV if" },
         { "info breaks", "1 break insn ADDNV if count == 8, once, met 0" },
         { "info pages", "read and written" },
-        { "info symbols", "mask, 3 bits" },
-        { "x mask", "3 at mask" },
+        { "info symbols", "a.words, 4 words" },
+        { "x mask", "1 at mask" },
+        { "x third", "2 at third" },
         { "x/2b mask", "10" },
         { "info operands", "[r20]: bits from" },
         { "list here, 1", "here:" },
