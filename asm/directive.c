@@ -89,6 +89,12 @@ static bool parse_entry(struct cursor *cursor)
     return assembler->entry != NULL;
 }
 
+static bool parse_warm(struct cursor *cursor)
+{
+    cursor->assembler->warm = true;
+    return true;
+}
+
 /* ---- Regions of the accounts ---- */
 
 static const char *parse_region_name(struct cursor *cursor)
@@ -388,6 +394,7 @@ static const struct directive directives[] = {
     { ".org", parse_org, ASM_NOTHING },
     { ".align", parse_align, ASM_WORDS },
     { ".entry", parse_entry, ASM_NOTHING },
+    { ".warm", parse_warm, ASM_NOTHING },
     { ".record", parse_record, ASM_NOTHING },
     { ".field", parse_field, ASM_NOTHING },
     { ".at", parse_at, ASM_NOTHING },

@@ -441,6 +441,8 @@ bool disassemble(const struct object *object, const struct sink *sink)
     sink_print(sink, "%s.entry ", indent);
     label_write(&disassembler.labels, object->program.entry, sink);
     sink_put(sink, "\n");
+    if (object->program.warm)
+        sink_print(sink, "%s.warm\n", indent);
     for (i = 0; i < object->program.segment_count; i++)
         if (object->program.segments[i].length > 0)
             show_segment(&disassembler, &object->program.segments[i]);

@@ -528,6 +528,7 @@ struct object *encode_program(struct assembler *assembler)
         qsort(assembler->items, assembler->item_count,
               sizeof *assembler->items, compare_items);
     set_entry(assembler, storage);
+    storage->object.program.warm = assembler->warm;
     good = fill(assembler, storage)
            && assembler->diagnostics->errors == assembler->first_error;
     if (good)

@@ -75,6 +75,8 @@ void object_write(const struct object *object, const struct sink *sink)
     size_t i;
 
     sink_print(sink, "c205-object 1\nentry %" PRIX64 "\n", program->entry);
+    if (program->warm)
+        sink_put(sink, "warm\n");
     for (i = 0; i < program->segment_count; i++)
         write_segment(sink, &program->segments[i]);
     for (i = 0; i < program->region_count; i++) {

@@ -4,6 +4,7 @@
  *
  *   c205-object 1
  *   entry 400000                      addresses and words in hex
+ *   warm                              if it begins so
  *   segment 400000 2                  length in words, then the words
  *   3E01000509000000
  *   0000000000000000

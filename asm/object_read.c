@@ -135,6 +135,12 @@ static bool read_entry(struct object_reader *reader)
     return take_address(reader, &reader->storage->object.program.entry);
 }
 
+static bool read_warm(struct object_reader *reader)
+{
+    reader->storage->object.program.warm = true;
+    return true;
+}
+
 static bool read_extent(struct object_reader *reader, c205_segment *segment)
 {
     if (!segment || !take_address(reader, &segment->address)
@@ -302,10 +308,11 @@ static bool read_line(struct object_reader *reader)
     static const struct {
         const char *keyword;
         bool (*read)(struct object_reader *);
-    } kinds[] = { { "entry", read_entry }, { "segment", read_segment },
-                  { "zeros", read_zeros }, { "region", read_region },
-                  { "label", read_label }, { "integer", read_integer },
-                  { "word", read_word },   { "expect", read_expectation } };
+    } kinds[] = { { "entry", read_entry },       { "warm", read_warm },
+                  { "segment", read_segment },   { "zeros", read_zeros },
+                  { "region", read_region },     { "label", read_label },
+                  { "integer", read_integer },   { "word", read_word },
+                  { "expect", read_expectation } };
     size_t i;
 
     for (i = 0; i < sizeof kinds / sizeof *kinds; i++)

@@ -300,6 +300,7 @@ typedef struct c205_region {
 
 typedef struct c205_program {
     uint64_t entry;
+    bool warm; /* it begins as if it had used its pages before: c205_warm */
     size_t segment_count;
     const c205_segment *segments;
     size_t region_count;

@@ -106,7 +106,11 @@ bool c205_load(c205 *machine, const c205_program *program, c205_error *error)
     for (size_t i = 0; i < program->segment_count; i++)
         if (!load_segment(machine, &program->segments[i], error))
             return false;
-    return machine_set_regions(machine, program, error);
+    if (!machine_set_regions(machine, program, error))
+        return false;
+    if (program->warm)
+        c205_warm(machine);
+    return true;
 }
 
 c205_word *machine_scratch(struct c205 *machine, enum scratch which)

@@ -49,6 +49,7 @@ void assert_same_program(const c205_program *a, const c205_program *b)
     size_t i;
 
     assert_int_equal(a->entry, b->entry);
+    assert_int_equal(a->warm, b->warm);
     assert_words_in(a, b);
     assert_words_in(b, a);
     assert_int_equal(a->region_count, b->region_count);

@@ -95,6 +95,7 @@ static void test_sources(void **state)
 }
 
 static const char sample[] = " .include \"print.s\"\n"
+                             " .warm\n"
                              " .equ n, 5\n .equ half, 0.5\n"
                              " .kernel \"a \\\"b\\\\\"\n"
                              "start: print_text \"hello\", r5\n"
