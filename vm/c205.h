@@ -300,11 +300,11 @@ typedef struct c205_region {
 
 typedef struct c205_program {
     uint64_t entry;
-    bool warm; /* it begins as if it had used its pages before: c205_warm */
     size_t segment_count;
     const c205_segment *segments;
     size_t region_count;
     const c205_region *regions;
+    bool warm; /* it begins as if it had used its pages before: c205_warm */
 } c205_program;
 
 /* ---- The machine (vm/machine.c) ----------------------------------------- */
