@@ -71,7 +71,7 @@ static void load(c205 *machine, const c205_word *code)
                                       { DATA, DATA_WORDS, some } };
     const c205_region region = { "half", CODE,
                                  CODE + CODE_WORDS * WORD_BITS / 2 };
-    const c205_program program = { CODE, 2, segments, 1, &region };
+    const c205_program program = { CODE, 2, segments, 1, &region, false };
     c205_error error;
 
     must(c205_load(machine, &program, &error));

@@ -17,7 +17,7 @@ int main(void)
                                                          .immediate = 205 }),
                                insn("EXIT", (c205_fields){ .r = 16 }) };
     const c205_segment segment = { 0x400000, 2, code };
-    const c205_program program = { 0x400000, 1, &segment, 0, NULL };
+    const c205_program program = { 0x400000, 1, &segment, 0, NULL, false };
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;
 

@@ -48,7 +48,7 @@ bool random_load(c205 *machine, const struct random_program *program,
     const c205_segment page = { random_pages[0].address, 1, NULL };
     const c205_region region = { "first", program->code,
                                  random_region_end(program) };
-    const c205_program empty = { program->code, 1, &page, 1, &region };
+    const c205_program empty = { program->code, 1, &page, 1, &region, false };
 
     if (!c205_load(machine, &empty, error))
         return false;

@@ -50,7 +50,7 @@ void load(struct little *little, size_t data_words)
 {
     c205_segment segments[] = { { CODE, CODE_WORDS, little->code },
                                 { DATA, data_words, NULL } };
-    c205_program program = { CODE, 2, segments, 0, NULL };
+    c205_program program = { CODE, 2, segments, 0, NULL, false };
     c205_error error = { "" };
     if (!c205_load(little->machine, &program, &error))
         fail_msg("%s", error.message);

@@ -498,7 +498,7 @@ static void test_regions(void **state)
                               { "early", CODE, CODE + 32 },
                               { "late", CODE + 128, CODE + 160 } };
     c205_segment segment = { CODE, CODE_WORDS, little.code };
-    c205_program program = { CODE, 1, &segment, 3, regions };
+    c205_program program = { CODE, 1, &segment, 3, regions, false };
     c205_error error = { "" };
     for (unsigned i = 0; i < 5; i++)
         add(&little, "RTOR", F(.r = 0, .t = 0));

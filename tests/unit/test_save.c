@@ -157,7 +157,7 @@ static void test_program_hash(void **state)
     c205_word words[] = { 1, 2 };
     c205_segment segment = { 0x400000, 2, words };
     c205_region region = { "loop", 0x400000, 0x400040 };
-    c205_program program = { 0x400000, 1, &segment, 1, &region };
+    c205_program program = { 0x400000, 1, &segment, 1, &region, false };
     uint64_t hash = c205_program_hash(&program);
     (void)state;
     assert_int_equal(hash, c205_program_hash(&program));
