@@ -60,7 +60,7 @@ static void test_library_lines(void **state)
                         "name", "core.s");
     client_ask(&client, "setBreakpoints",
                "{\"source\": {\"name\": \"core.s\", \"sourceReference\": "
-               "%d}, \"breakpoints\": [{\"line\": 11}]}",
+               "%d}, \"breakpoints\": [{\"line\": 12}]}",
                (int)the_whole(core, "sourceReference"));
     client_go(&client, "continue", "breakpoint");
     assert_int_equal(client_step(&client), 1);
