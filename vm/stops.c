@@ -132,19 +132,17 @@ void machine_sample_stops(struct c205 *machine)
                   stops->watches[i].words);
 }
 
-/* Comparing word by word needs no second copy; the one that is kept is brought up to date. */
-static bool is_changed(struct c205 *machine, struct watched *watched)
+/* It is as it was held until the run ends, which a change makes it do. */
+static bool is_changed(const struct c205 *machine,
+                       const struct watched *watched)
 {
-    bool changed = false;
     for (size_t i = 0; i < watched->words; i++) {
         c205_word word;
         if (c205_read(machine, watched->address + i * WORD_BITS, &word, 1)
-            && word != watched->held[i]) {
-            watched->held[i] = word;
-            changed = true;
-        }
+            && word != watched->held[i])
+            return true;
     }
-    return changed;
+    return false;
 }
 
 /* Whether the last instruction stored anything. */

@@ -82,6 +82,10 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
             assert_true(mpfr_get_exp(value)
                         > 3.3219 * ((double)C205_DIGITS - asked) - 0.001);
     } else {
+        size_t digits_shown = strspn(text, "-0123456789.");
+
+        digits_shown -= (*text == '-') + (strchr(text, '.') != NULL);
+        assert_true(digits_shown <= C205_DIGITS);
         mpfr_snprintf(exact, sizeof exact, "%.*RNf", (int)asked, value);
     }
     mpfr_clear(value);
