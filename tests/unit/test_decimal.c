@@ -84,7 +84,8 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
     } else {
         size_t digits_shown = strspn(text, "-0123456789.");
 
-        digits_shown -= (*text == '-') + (strchr(text, '.') != NULL);
+        digits_shown -= *text == '-' ? 1 : 0;
+        digits_shown -= strchr(text, '.') ? 1 : 0;
         assert_true(digits_shown <= C205_DIGITS);
         mpfr_snprintf(exact, sizeof exact, "%.*RNf", (int)asked, value);
     }
