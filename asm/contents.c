@@ -20,17 +20,16 @@ static int compare_addresses(const void *a, const void *b)
     return *one < *other ? -1 : *one > *other;
 }
 
-/* The first of some rising addresses that is not below one, or above it. */
+/* The first of some rising addresses that is not below one. */
 static size_t find_address(const uint64_t *addresses, size_t count,
-                           uint64_t address, bool above)
+                           uint64_t address)
 {
     size_t low = 0, high = count;
 
     while (low < high) {
         size_t middle = low + (high - low) / 2;
 
-        if (addresses[middle] < address
-            || (above && addresses[middle] == address))
+        if (addresses[middle] < address)
             low = middle + 1;
         else
             high = middle;
@@ -71,11 +70,11 @@ static void tell_all(const struct assembler *assembler,
         items[i] = assembler->items[i].address;
     for (size_t i = 0; i < count; i++) {
         uint64_t address = (uint64_t)symbols[i].value;
-        size_t next = find_address(labels, label_count, address, true);
+        size_t next = find_address(labels, label_count, address + 1);
 
         if (symbols[i].is_label && !symbols[i].counted)
             tell(assembler, &symbols[i],
-                 find_address(items, assembler->item_count, address, false),
+                 find_address(items, assembler->item_count, address),
                  next < label_count ? labels[next] : UINT64_MAX);
     }
 }

@@ -1,13 +1,6 @@
 /* cmd_debug.c - c205 debug: a program under control, by a person or a script. */
 #include "asm/command/cmd_debug.h"
 #include "asm/command/dialogue.h"
-#include "base/interrupt.h"
-
-static bool is_interrupted(void *asked)
-{
-    (void)asked;
-    return interrupt_came();
-}
 
 static int debug_program(const struct c205_arguments *arguments,
                          const struct object *object, const c205_model *model)
@@ -17,7 +10,7 @@ static int debug_program(const struct c205_arguments *arguments,
                                           .model = model,
                                           .out = stream_sink(stdout),
                                           .clocks_most = CMD_LIMIT,
-                                          .interrupted = is_interrupted,
+                                          .interrupted = dialogue_interrupted,
                                           .warm = arguments->warm };
     const struct dialogue_setup dialogue = { .command = arguments->command,
                                              .prompt = "(c205) ",

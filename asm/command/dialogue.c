@@ -63,3 +63,9 @@ int dialogue_hold(const struct dialogue_setup *setup,
     return dialogue.terminal || debugger_faults(debugger) == 0 ? CMD_DONE
                                                                : CMD_FAILED;
 }
+
+bool dialogue_interrupted(void *asked)
+{
+    (void)asked;
+    return interrupt_came();
+}

@@ -16,5 +16,7 @@ struct dialogue_setup {
  * CMD_FAILED after a fault, a person's mistakes are none. */
 int dialogue_hold(const struct dialogue_setup *setup,
                   struct debugger *debugger);
+/* For a debugger's setup: Ctrl-C has come. */
+bool dialogue_interrupted(void *asked);
 
 #endif

@@ -1,16 +1,9 @@
 /* cmd_render_debug.c - rt205 render --debug: the program of a frame under control, in the band
  * that has a pixel. */
 #include "asm/command/dialogue.h"
-#include "base/interrupt.h"
 #include "rt/command/rt205_command.h"
 #include "rt/trace/form.h"
 #include "rt/view/pixel_verbs.h"
-
-static bool is_interrupted(void *asked)
-{
-    (void)asked;
-    return interrupt_came();
-}
 
 static int debug(const struct rt205_arguments *arguments,
                  struct frame_pixel *pixel)
@@ -21,7 +14,7 @@ static int debug(const struct rt205_arguments *arguments,
         .model = arguments->trace.model,
         .out = stream_sink(stdout),
         .clocks_most = C205_NO_LIMIT,
-        .interrupted = is_interrupted,
+        .interrupted = dialogue_interrupted,
         .machine = pixel_machine,
         .verbs = pixel_verbs,
         .context = pixel
