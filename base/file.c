@@ -41,6 +41,13 @@ bool file_is_stream(const char *path)
     return strcmp(path, "-") == 0;
 }
 
+bool file_ends_with(const char *path, const char *ending)
+{
+    size_t length = strlen(path), rest = strlen(ending);
+
+    return length > rest && strcmp(path + length - rest, ending) == 0;
+}
+
 char *file_read(const char *path, size_t largest, size_t *length,
                 c205_error *error)
 {

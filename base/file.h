@@ -6,6 +6,8 @@
 
 /* Whether a path is "-": stdin where it is read, stdout where it is written. */
 bool file_is_stream(const char *path);
+/* It has a name, and this ending: ".svg". */
+bool file_ends_with(const char *path, const char *ending);
 
 enum { FILE_LARGEST = (1 << 28) - 2 }; /* bytes */
 

@@ -115,8 +115,6 @@ c205 *cmd_load(const struct c205_arguments *arguments,
 bool cmd_open(const struct c205_arguments *arguments, struct object **object,
               c205_model **model);
 
-/* What a file is to hold is told by the end of its name. */
-bool cmd_ends_with(const char *path, const char *ending);
 
 /* -W list. */
 int cmd_list_warnings(void);

@@ -117,9 +117,3 @@ bool cmd_take_define(char *text, void *value)
     defines->count++;
     return true;
 }
-
-bool cmd_ends_with(const char *path, const char *ending)
-{
-    size_t length = strlen(path), rest = strlen(ending);
-    return length > rest && strcmp(path + length - rest, ending) == 0;
-}

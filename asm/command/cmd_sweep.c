@@ -437,7 +437,7 @@ static int run(void *given)
     if (code != CMD_DONE) {
         return code;
     }
-    if (output && !file_is_stream(output) && !cmd_ends_with(output, ".svg")) {
+    if (output && !file_is_stream(output) && !file_ends_with(output, ".svg")) {
         return cmd_usage(arguments->command, "%s: a picture is .svg", output);
     }
     return sweep_programs(arguments);

@@ -2,6 +2,7 @@
 
 #include "asm/timeline/timeline.h"
 #include "base/error.h"
+#include "base/file.h"
 #include "base/whole.h"
 
 typedef bool write_timeline(const struct timeline *timeline,
@@ -34,15 +35,9 @@ enum { FORMS = sizeof forms / sizeof *forms };
 /* NULL: it is none of these. */
 static const struct timeline_form *form_of(const char *path)
 {
-    size_t length = strlen(path);
-
-    for (size_t i = 0; i < FORMS; i++) {
-        size_t rest = strlen(forms[i].ending);
-
-        if (length > rest
-            && strcmp(path + length - rest, forms[i].ending) == 0)
+    for (size_t i = 0; i < FORMS; i++)
+        if (file_ends_with(path, forms[i].ending))
             return &forms[i];
-    }
     return NULL;
 }
 

@@ -375,6 +375,26 @@ static void test_lengths(void **unused)
     }
 }
 
+/* (2^a)^n is exact. */
+static void test_powers_of_two(void **unused)
+{
+    (void)unused;
+    both.count = 500;
+    for (size_t i = 0; i < both.count; i++) {
+        both.x[i] = c205_from_double(
+            ldexp(1, (int)xorshift_between(&state, -20, 20)));
+        both.y[i] = c205_from_integer(xorshift_between(&state, -40, 40));
+    }
+    compute("power", "power", "vectors");
+    check_forms("power");
+    for (size_t i = 0; i < both.count; i++) {
+        double exact = pow(c205_to_double(both.x[i]),
+                           (double)c205_to_integer(both.y[i]));
+
+        assert_int_equal(both.number[i], c205_from_double(exact));
+    }
+}
+
 /* ---- Integers ------------------------------------------------------------ */
 
 static int64_t draw_integer(void)
@@ -546,8 +566,11 @@ static int end_all(void **unused)
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_polynomials), cmocka_unit_test(test_factors),
-        cmocka_unit_test(test_errors),      cmocka_unit_test(test_lengths),
+        cmocka_unit_test(test_polynomials),
+        cmocka_unit_test(test_factors),
+        cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_powers_of_two),
+        cmocka_unit_test(test_lengths),
         cmocka_unit_test(test_quotients),
     };
 
