@@ -74,7 +74,7 @@ static void test_values(void **state)
         { "info pages", "read and written" },
         { "info symbols", "a.words, 4 words" },
         { "x mask", "1 at mask" },
-        { "x third", "2 at third" },
+        { "x third", "             0.5               2" },
         { "x/2b mask", "10" },
         { "info operands", "[r20]: bits from" },
         { "list here, 1", "here:" },
