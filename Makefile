@@ -285,6 +285,12 @@ $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
 		$(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm -ldl -lpthread
 $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
+# Programs by chance and the plain interpreter, without the tracer: every compiler builds
+# them (check_hosts.sh).
+$(BUILD)/tests/oracle/digest: $(BUILD)/tests/oracle/digest.o \
+		$(call objects,$(wildcard $(addprefix tests/oracle/,random_*.c reference*.c \
+			operand*.c plain_memory.c *_oracle.c))) $(filter-out %librt205.a,$(libraries))
+	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \

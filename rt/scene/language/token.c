@@ -317,7 +317,7 @@ struct scene_token lexer_next(struct lexer *lexer)
 
 static bool has_text(const struct scene_token *token, const char *word)
 {
-    return !strncmp(token->text, word, token->length)
+    return *token->text == *word && !strncmp(token->text, word, token->length)
            && word[token->length] == '\0';
 }
 
