@@ -1,0 +1,11 @@
+; test: a picture of one pixel
+
+        .warm
+        .equ    rows, 1
+        .equ    columns, 1
+        .data
+raw:    .word   7.0
+dark:   .word   1.5
+gain:   .word   2.0
+want_clean:
+        .word   11.0
