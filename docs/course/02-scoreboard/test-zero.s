@@ -1,4 +1,5 @@
 ; test: at x = 0, where only a0 is left
+; tolerance: p 1e-9
 
         .warm
         .data

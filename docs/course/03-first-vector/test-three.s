@@ -1,4 +1,5 @@
 ; test: a picture of one row, three pixels long
+; tolerance: clean 1e-9
 
         .warm
         .equ    rows, 1

@@ -1,4 +1,6 @@
 ; test: a single point
+; tolerance: v 1e-9
+; tolerance: x 1e-9
 
         .warm
         .equ    n, 1

@@ -1,4 +1,6 @@
 ; test: three points, one of them falling
+; tolerance: v 1e-9
+; tolerance: x 1e-9
 
         .warm
         .equ    n, 3

@@ -1,4 +1,5 @@
 ; test: one income, which is the limit itself
+; tolerance: tax 1e-9
 
         .warm
         .equ    n, 1

@@ -1,4 +1,5 @@
 ; test: one below the limit, one above
+; tolerance: tax 1e-9
 
         .warm
         .equ    n, 2
