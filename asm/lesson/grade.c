@@ -1,6 +1,6 @@
 /* grade.c - an answer and the tests of its lesson. */
-#include <inttypes.h>
 #include <ctype.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,15 +10,17 @@
 #include "asm/print.h"
 #include "asm/trap_report.h"
 #include "base/error.h"
-
-/* Beyond the clocks of bronze; an answer that goes on longer is in an endless loop. */
-static const uint64_t patience = 100000000;
+/* An answer that has not ended after so many clocks, and so many times those of bronze, is in an
+ * endless loop. */
+static const uint64_t patience_least = 20000000;
+enum { PATIENCE = 10 };
 
 /* An answer before a test. */
 struct sitting {
     const char *name, *text;
     size_t length;
     struct lesson_trial *trial;
+    struct lesson_report *general; /* what all tests would say */
     struct arena *kept;
     c205_error *error; /* what is wrong with the lesson */
 
@@ -26,7 +28,7 @@ struct sitting {
     c205_model *model;
     c205 *data, *machine; /* the test's memory, and the answer's */
     struct line_profile *profile;
-    struct exchange exchange;
+    struct lesson_exchange exchange;
     struct text_buffer printed;
 };
 
@@ -35,59 +37,23 @@ static bool no_memory(c205_error *error)
     return error_say(error, "no memory");
 }
 
-/* ---- The test -------------------------------------------------------------- */
-
-/* What names an address of the test's own is wanted by labels instead. */
-static bool check_expectations(struct sitting *sitting)
-{
-    for (size_t i = 0; i < sitting->test->expectation_count; i++) {
-        const struct asm_expectation *expectation = &sitting->test
-                                                         ->expectations[i];
-
-        if (expectation->kind == EXPECT_WORDS
-            || expectation->kind == EXPECT_HALVES
-            || expectation->kind == EXPECT_BITS
-            || expectation->kind == EXPECT_WARNING)
-            return error_say(sitting->error,
-                             "%.80s:%zu: a test cannot expect this; what is "
-                             "to be in memory stands at want_LABEL",
-                             expectation->file, expectation->line);
-    }
-    return true;
-}
-
-static bool read_test(struct sitting *sitting)
-{
-    const struct lesson_test *test = sitting->trial->test;
-    struct diagnostics said = { 0 };
-    struct text_line name = { 0 };
-    struct sink sink = text_line_sink(&name);
-
-    sink_print(&sink, "test-%s.s", test->name);
-    sitting->test = assemble_bytes(name.text, test->text, test->length, NULL,
-                                   &said);
-    if (!sitting->test && said.count > 0)
-        error_say(sitting->error, "%.80s:%zu:%zu: %.120s", said.items[0].file,
-                  said.items[0].line, said.items[0].column,
-                  said.items[0].message);
-    else if (!sitting->test)
-        no_memory(sitting->error);
-    diagnostics_free(&said);
-    return sitting->test && check_expectations(sitting);
-}
-
 /* ---- The answer ------------------------------------------------------------ */
 
+/* A sentence, and below it those of one severity. */
 static void say_diagnostics(struct lesson_report *report,
-                            const struct diagnostics *said)
+                            const char *sentence,
+                            const struct diagnostics *said,
+                            enum severity severity)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
 
+    sink_put(&sink, sentence);
+    sink_put(&sink, "\n");
     for (size_t i = 0; i < said->count; i++)
-        if (said->items[i].severity == SEVERITY_ERROR)
+        if (said->items[i].severity == severity)
             diagnostic_put(&said->items[i], &sink);
-    report_text(report, text.text ? text.text : "error: no memory");
+    report_text(report, text.text);
     text_buffer_free(&text);
 }
 
@@ -117,7 +83,7 @@ static bool tell_redefined(struct sitting *sitting,
                            const struct diagnostics *said,
                            const struct asm_define *defines)
 {
-    struct lesson_report *report = &sitting->trial->report;
+    struct lesson_report *report = sitting->general;
     size_t told = report->count;
 
     for (; defines->name; defines++)
@@ -141,31 +107,15 @@ static bool assemble_answer(struct sitting *sitting)
         return no_memory(sitting->error);
     sitting->answer = assemble_bytes(sitting->name, sitting->text,
                                      sitting->length, &options, &said);
-    if (!sitting->answer && !tell_redefined(sitting, &said, defines)) {
-        report_say(&sitting->trial->report,
-                   "With the constants of this test it cannot be assembled:");
-        say_diagnostics(&sitting->trial->report, &said);
-    }
+    if (!sitting->answer && !tell_redefined(sitting, &said, defines))
+        say_diagnostics(&sitting->trial->report,
+                        "With the constants of this test it cannot be "
+                        "assembled:",
+                        &said, SEVERITY_ERROR);
     diagnostics_free(&said);
     return true;
 }
 
-/* As it stands, without a test. */
-static bool check_answer(struct lesson_verdict *verdict, const char *text,
-                         size_t length)
-{
-    struct diagnostics said = { 0 };
-    struct object *object = assemble_bytes(verdict->answer, text, length,
-                                           NULL, &said);
-
-    if (!object) {
-        report_say(&verdict->report, "It cannot be assembled:");
-        say_diagnostics(&verdict->report, &said);
-    }
-    diagnostics_free(&said);
-    object_free(object);
-    return object;
-}
 
 /* ---- The machines ---------------------------------------------------------- */
 
@@ -233,10 +183,10 @@ static void tell_trap(struct sitting *sitting, const c205_stop *stop)
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
 
+    sink_put(&sink, "It was stopped by a trap:\n");
     trap_report(sitting->answer, sitting->name, sitting->machine, stop,
                 &sink);
-    report_say(&sitting->trial->report, "It was stopped by a trap:");
-    report_text(&sitting->trial->report, text.text ? text.text : "no memory");
+    report_text(&sitting->trial->report, text.text);
     text_buffer_free(&text);
 }
 
@@ -304,7 +254,7 @@ static void judge(struct sitting *sitting, const c205_stop *stop)
     trial->clocks = c205_clock(sitting->machine);
     if (!check_stop(sitting, stop))
         return;
-    trial->right = exchange_end(&sitting->exchange, &trial->report);
+    trial->right = exchange_end(&sitting->exchange);
     trial->right = check_expected(sitting, stop) && trial->right;
     trial->passed = trial->right;
     if (!trial->right || !trial->test->has_goals)
@@ -319,7 +269,8 @@ static bool run(struct sitting *sitting)
 {
     struct printer printer = { text_buffer_sink(&sitting->printed) };
     struct lesson_trial *trial = sitting->trial;
-    uint64_t limit = patience + trial->test->goals[MEDAL_BRONZE];
+    uint64_t limit = patience_least
+                     + PATIENCE * trial->test->goals[MEDAL_BRONZE];
     c205_stop stop;
 
     if (!c205_listen(sitting->machine, printer_listen, &printer))
@@ -335,23 +286,25 @@ static bool run(struct sitting *sitting)
 
 static bool sit(struct sitting *sitting)
 {
-    struct exchange *exchange = &sitting->exchange;
+    struct lesson_exchange *exchange = &sitting->exchange;
 
-    if (!read_test(sitting) || !load_test(sitting)
-        || !assemble_answer(sitting))
+    if (!(sitting->test = lesson_assemble_test(sitting->trial->test,
+                                               sitting->error))
+        || !load_test(sitting) || !assemble_answer(sitting))
         return false;
     if (!sitting->answer)
         return true;
     if (!load_answer(sitting))
         return false;
-    *exchange = (struct exchange){ .test = sitting->test,
-                                   .answer = sitting->answer,
-                                   .data = sitting->data,
-                                   .machine = sitting->machine,
-                                   .kept = sitting->kept };
-    return !exchange_begin(exchange, sitting->trial->test,
-                           &sitting->trial->report)
-           || run(sitting);
+    *exchange = (struct lesson_exchange){ .test = sitting->test,
+                                          .answer = sitting->answer,
+                                          .data = sitting->data,
+                                          .machine = sitting->machine,
+                                          .notes = sitting->trial->test,
+                                          .report = &sitting->trial->report,
+                                          .general = sitting->general,
+                                          .kept = sitting->kept };
+    return !exchange_begin(exchange) || run(sitting);
 }
 
 static void leave(struct sitting *sitting)
@@ -380,7 +333,7 @@ static void conclude(struct lesson_verdict *verdict)
         medals = true;
         if (trial->medal < verdict->medal)
             verdict->medal = trial->medal;
-        if (trial->clocks > verdict->clocks)
+        if (trial->right && trial->clocks > verdict->clocks)
             verdict->clocks = trial->clocks;
     }
     if (!medals || !verdict->passed)
@@ -406,19 +359,17 @@ static bool begin(struct lesson_verdict *verdict, const struct lesson *lesson,
     return true;
 }
 
-bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
-                  const char *name, const char *text, size_t length,
-                  c205_error *error)
+/* Until one of them says what all would. */
+static bool try_tests(struct lesson_verdict *verdict, const char *text,
+                      size_t length, c205_error *error)
 {
-    if (!begin(verdict, lesson, name, error))
-        return false;
-    if (!check_answer(verdict, text, length))
-        return !verdict->kept.failed || no_memory(error);
-    for (size_t i = 0; i < verdict->count; i++) {
-        struct sitting sitting = { .name = name,
+    for (size_t i = 0; i < verdict->count && verdict->report.count == 0;
+         i++) {
+        struct sitting sitting = { .name = verdict->answer,
                                    .text = text,
                                    .length = length,
                                    .trial = &verdict->trials[i],
+                                   .general = &verdict->report,
                                    .kept = &verdict->kept,
                                    .error = error };
         bool good = sit(&sitting);
@@ -427,6 +378,30 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
         if (!good)
             return false;
     }
-    conclude(verdict);
-    return !verdict->kept.failed || no_memory(error);
+    verdict->graded = verdict->report.count == 0;
+    if (verdict->graded)
+        conclude(verdict);
+    return true;
+}
+
+/* What the assembler warns of may be what is wrong. */
+bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
+                  const char *name, const char *text, size_t length,
+                  c205_error *error)
+{
+    struct diagnostics said = { 0 };
+    struct object *object;
+    bool good = begin(verdict, lesson, name, error);
+
+    object = assemble_bytes(name, text, length, NULL, &said);
+    if (!object)
+        say_diagnostics(&verdict->report, "It cannot be assembled:", &said,
+                        SEVERITY_ERROR);
+    good = good && (!object || try_tests(verdict, text, length, error));
+    if (good && object && !verdict->passed && said.count > 0)
+        say_diagnostics(&verdict->report, "The assembler warns:", &said,
+                        SEVERITY_WARNING);
+    diagnostics_free(&said);
+    object_free(object);
+    return good && (!verdict->kept.failed || no_memory(error));
 }

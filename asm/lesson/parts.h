@@ -25,29 +25,29 @@ struct exchanged {
     const char *label; /* of the answer */
     enum asm_contents contents;
     size_t count;
-    uint64_t here,
-        there; /* of the first element, in the test and in the answer */
+    uint64_t here, there; /* where it begins, in the test and in the answer */
     const struct lesson_tolerance *tolerance; /* NULL: the same words */
     /* What is wanted, and what the answer has there before the run and behind it, an element
      * at the left of each word; inputs have none. */
     c205_word *wanted, *before, *found;
 };
 
-struct exchange {
+struct lesson_exchange {
     const struct object *test, *answer;
     const c205 *data; /* the test's, loaded */
     c205 *machine;    /* the answer's, loaded */
     size_t count;
     struct exchanged *items;
+    const struct lesson_test *notes;
+    struct lesson_report *report, *general; /* of this test; of all */
     struct arena *kept;
 };
 
 /* Lists what is wanted and puts the data.  False: labels are missing, too small or of another
  * kind; each is told. */
-bool exchange_begin(struct exchange *exchange, const struct lesson_test *test,
-                    struct lesson_report *report);
+bool exchange_begin(struct lesson_exchange *exchange);
 /* Behind the run.  False: something is wrong; it is told. */
-bool exchange_end(struct exchange *exchange, struct lesson_report *report);
+bool exchange_end(struct lesson_exchange *exchange);
 
 /* ---- In words -------------------------------------------------------------- */
 

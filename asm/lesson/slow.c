@@ -1,7 +1,7 @@
 /* slow.c - why an answer is slower than the next goal: the cause and the lines that took most
  * of its clocks. */
-#include <inttypes.h>
 #include <ctype.h>
+#include <inttypes.h>
 #include <string.h>
 
 #include "asm/lesson/parts.h"

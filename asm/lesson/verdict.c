@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "asm/lesson/parts.h"
+#include "base/fold.h"
 
 /* ---- Sentences ------------------------------------------------------------- */
 
@@ -44,17 +45,24 @@ void lesson_verdict_free(struct lesson_verdict *verdict)
 
 /* ---- For the eye ----------------------------------------------------------- */
 
-/* Each a little to the right. */
+/* Each a little to the right; a piece of a program's text is not folded. */
 static void put_report(const struct lesson_report *report,
                        const struct sink *sink)
 {
+    enum { COLUMN = 4 };
+
     for (size_t i = 0; i < report->count; i++) {
         const char *text = report->sentences[i];
 
+        if (!strchr(text, '\n')) {
+            sink_print(sink, "%*s", COLUMN, "");
+            fold_put(text, COLUMN, sink);
+            continue;
+        }
         while (*text) {
             size_t length = strcspn(text, "\n");
 
-            sink_print(sink, "    %.*s\n", (int)length, text);
+            sink_print(sink, "%*s%.*s\n", COLUMN, "", (int)length, text);
             text += length + (text[length] != '\0');
         }
     }
@@ -79,10 +87,10 @@ void lesson_verdict_put(const struct lesson_verdict *verdict,
 {
     bool medal = verdict->medal != MEDAL_NONE;
 
-    put_report(&verdict->report, sink);
-    if (verdict->report.count == 0)
+    if (verdict->graded)
         for (size_t i = 0; i < verdict->count; i++)
             put_trial(&verdict->trials[i], sink);
+    put_report(&verdict->report, sink);
     sink_print(sink, "%s: %s%s%s\n", verdict->lesson->name,
                verdict->passed ? "passed" : "not passed", medal ? ", " : "",
                medal_name(verdict->medal));

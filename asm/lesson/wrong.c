@@ -230,10 +230,10 @@ static bool only_begun(const struct exchanged *exchanged)
 }
 
 /* The first that fits is told. */
-static const struct look {
+static const struct likeness {
     looks_like *fits;
     const char *sentence;
-} looks[] = {
+} likenesses[] = {
     { untouched, "It holds what it held before the run: nothing was stored "
                  "there, or nothing new." },
     { all_zero, "All that stands there is zero." },
@@ -313,27 +313,33 @@ static void say_elements(const struct exchanged *exchanged, size_t wrong,
 static void say_wrong(const struct exchanged *exchanged, size_t wrong,
                       const struct sink *sink)
 {
-    if (exchanged->count == 1) {
-        sink_put(sink, exchanged->label);
+    const char *label = exchanged->label;
+    size_t count = exchanged->count;
+
+    if (count == 1) {
+        sink_put(sink, label);
         say_element(exchanged, 0, sink);
-    } else {
-        sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong,
-                   exchanged->count, exchanged->label,
-                   wrong == 1 ? "is" : "are");
-        say_elements(exchanged, wrong, sink);
-        sink_put(sink, " (counted from 0)");
+        sink_put(sink, ".");
+        return;
     }
-    sink_put(sink, ".");
+    if (wrong == count)
+        sink_print(sink, "All %zu elements of %s are wrong: ", count, label);
+    else
+        sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong,
+                   count, label, wrong == 1 ? "is" : "are");
+    say_elements(exchanged, wrong, sink);
+    sink_put(sink, " (counted from 0).");
 }
 
-static void tell_looks(const struct exchanged *exchanged,
-                       struct lesson_report *report)
+static void say_likeness(const struct exchanged *exchanged,
+                         const struct sink *sink)
 {
-    for (size_t i = 0; i < sizeof looks / sizeof *looks; i++)
-        if (looks[i].fits(exchanged)) {
-            report_say(report, "%s", looks[i].sentence);
-            return;
-        }
+    size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
+
+    while (i < count && !likenesses[i].fits(exchanged))
+        i++;
+    if (i < count)
+        sink_print(sink, "  %s", likenesses[i].sentence);
 }
 
 bool wrong_tell(const struct exchanged *exchanged,
@@ -348,8 +354,8 @@ bool wrong_tell(const struct exchanged *exchanged,
     if (wrong == 0)
         return true;
     say_wrong(exchanged, wrong, &sink);
+    say_likeness(exchanged, &sink);
     report_text(report, text.text);
     text_buffer_free(&text);
-    tell_looks(exchanged, report);
     return false;
 }
