@@ -2,7 +2,44 @@
 ; are at the end.
 
         .include "print.s"
-        .include "example-data.inc"
+
+        .ifndef n
+        .equ    n, 4000
+        .equ    most, 50
+        .endif
+
+        .data
+cx:     .rept   n                       ; rows of 80 points
+        .word   float(\+ % 80) * 0.0375 - 2.2
+        .endr
+cy:     .rept   n
+        .word   float(\+ / 80) * 0.047 - 1.17
+        .endr
+
+x:      .space  n
+y:      .space  n
+xx:     .space  n
+yy:     .space  n
+sum:    .space  n
+        .bitvector in, n
+        .code
+
+        .regs   r10, cxs, cys, xs, ys, xxs, yys, sums, inside
+        .regs   r20, two, four, one, k, last
+
+        descriptor cxs, cx, n
+        descriptor cys, cy, n
+        descriptor xs, x, n
+        descriptor ys, y, n
+        descriptor xxs, xx, n
+        descriptor yys, yy, n
+        descriptor sums, sum, n
+        descriptor inside, in, n
+        load_constant two, 2.0
+        load_constant four, 4.0
+        ES      one, 1
+        ES      k, 1
+        ES      last, most
 
         .regs   r40, left, row, bits, i, rows, text
 

@@ -1,8 +1,8 @@
-; example-data.inc - 4,000 points in rows of 80, and what goes through the steps.
+; all-steps.s - the count of points: all go through all steps, and a control vector counts.
 
         .include "core.s"
 
-        .ifndef n
+        .ifndef n                       ; the tests have others
         .equ    n, 4000
         .equ    most, 50
         .endif
@@ -44,3 +44,28 @@ sum:    .space  n
         ES      k, 1
         ES      last, most
 
+        .kernel iterate
+        VTOV    one, [result]
+        VTOV    [cxs], [xs]
+        VTOV    [cys], [ys]
+
+next:   MPYSV   [xs], [xs], [xxs]
+        MPYSV   [ys], [ys], [yys]
+        ADDNV   [xxs], [yys], [sums]
+        CMPLTV  [sums], four, [inside]
+        ADDXV   [result], one, [result] ? [inside]
+        MPYSV   [xs], [ys], [ys]
+        SUBNV   [xxs], [yys], [xs]
+        ADDNV   [xs], [cxs], [xs]       ; x x - y y + cx
+        LINKV
+        MPYSV   [ys], two, [ys]
+        ADDNV   [ys], [cys], [ys]       ; 2 x y + cy
+        IBXLT   k, one, last, next, k
+
+        SUMV    [result], upper
+        join_parts upper, lower, upper
+        EX      at, total
+        STO     [at], upper
+        .endkernel
+        EXIT
+; expect: [total] = 60471.0
