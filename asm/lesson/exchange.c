@@ -5,8 +5,6 @@
 
 #include "asm/lesson/parts.h"
 
-static const char wanted_prefix[] = "want_";
-
 /* ---- Elements -------------------------------------------------------------- */
 
 static unsigned width_of(enum asm_contents contents)
@@ -64,7 +62,7 @@ static void get_elements(const c205 *machine, uint64_t at,
         words[i] = get_element(machine, at + i * width, width);
 }
 
-static void put_elements(const struct exchange *exchange,
+static void put_elements(const struct lesson_exchange *exchange,
                          const struct exchanged *exchanged)
 {
     unsigned width = width_of(exchanged->contents);
@@ -77,39 +75,34 @@ static void put_elements(const struct exchange *exchange,
 
 /* ---- Labels ---------------------------------------------------------------- */
 
-/* NULL: it is that of an input. */
-static const char *wanted_label(const struct asm_symbol *symbol)
-{
-    size_t length = sizeof wanted_prefix - 1;
-
-    return strncmp(symbol->name, wanted_prefix, length) == 0
-               ? symbol->name + length
-               : NULL;
-}
-
 static bool holds_data(const struct asm_symbol *symbol)
 {
     return symbol->is_label && symbol->contents != ASM_NOTHING
            && symbol->contents != ASM_CODE;
 }
 
-/* There is data at the label of the test. */
-static bool check_room(const struct asm_symbol *ours,
-                       const struct asm_symbol *theirs,
-                       struct lesson_report *report)
+/* What the answer has at a label of the test. */
+static bool check_room(struct lesson_exchange *exchange,
+                       const struct asm_symbol *ours,
+                       const struct asm_symbol *theirs)
 {
+    const char *kind = kind_name(ours->contents);
+
     if (ours->contents != theirs->contents) {
-        report_say(report, "%s holds %s, and should hold %s.", theirs->name,
-                   kind_name(theirs->contents), kind_name(ours->contents));
+        report_say(exchange->general,
+                   "There should be %s at the answer's label %s, and there "
+                   "%s %s.",
+                   kind, theirs->name,
+                   theirs->contents == ASM_NOTHING ? "is" : "are",
+                   kind_name(theirs->contents));
         return false;
     }
     if (ours->count > theirs->count) {
-        report_say(report,
+        report_say(exchange->report,
                    "%s has room for %" PRIu64 " %s, and this test needs "
                    "%" PRIu64
-                   ": how many there are is in the constants of the test.",
-                   theirs->name, theirs->count, kind_name(ours->contents),
-                   ours->count);
+                   ": the constants of the test say how many there are.",
+                   theirs->name, theirs->count, kind, ours->count);
         return false;
     }
     return true;
@@ -125,42 +118,37 @@ find_tolerance(const struct lesson_test *test, const char *label)
     return found;
 }
 
-static bool begin_wanted(struct exchange *exchange,
-                         const struct lesson_test *test,
+static void begin_wanted(struct lesson_exchange *exchange,
                          struct exchanged *item)
 {
     size_t size = (item->count + 1) * sizeof *item->wanted;
 
-    item->tolerance = find_tolerance(test, item->label);
+    item->tolerance = find_tolerance(exchange->notes, item->label);
     item->wanted = arena_take(exchange->kept, size);
     item->before = arena_take(exchange->kept, size);
     item->found = arena_take(exchange->kept, size);
-    if (exchange->kept->failed)
-        return false;
-    get_elements(exchange->data, item->here, item, item->wanted);
-    return true;
+    if (!exchange->kept->failed)
+        get_elements(exchange->data, item->here, item, item->wanted);
 }
 
 /* A label of the test that holds data. */
-static bool begin_label(struct exchange *exchange,
-                        const struct lesson_test *test,
-                        const struct asm_symbol *ours,
-                        struct lesson_report *report)
+static bool begin_label(struct lesson_exchange *exchange,
+                        const struct asm_symbol *ours)
 {
-    const char *wanted = wanted_label(ours);
+    const char *wanted = lesson_wanted(ours->name);
     const char *label = wanted ? wanted : ours->name;
     const struct asm_symbol *theirs = object_symbol(exchange->answer, label);
     struct exchanged *item = &exchange->items[exchange->count];
 
     if (!theirs || !theirs->is_label) {
         if (wanted)
-            report_say(report,
-                       "The answer has no label %s, where its results are "
-                       "looked for.",
+            report_say(exchange->general,
+                       "The answer has no label %s, where results are looked "
+                       "for.",
                        label);
         return !wanted;
     }
-    if (!check_room(ours, theirs, report))
+    if (!check_room(exchange, ours, theirs))
         return false;
     *item = (struct exchanged){ .label = label,
                                 .contents = ours->contents,
@@ -169,27 +157,26 @@ static bool begin_label(struct exchange *exchange,
                                 .there = (uint64_t)theirs->value };
     exchange->count++;
     if (wanted)
-        return begin_wanted(exchange, test, item);
-    put_elements(exchange, item);
+        begin_wanted(exchange, item);
+    else
+        put_elements(exchange, item);
     return true;
 }
 
-bool exchange_begin(struct exchange *exchange, const struct lesson_test *test,
-                    struct lesson_report *report)
+bool exchange_begin(struct lesson_exchange *exchange)
 {
-    const struct object *object = exchange->test;
+    const struct object *test = exchange->test;
     bool good = true;
 
     exchange->items = arena_take(exchange->kept,
-                                 (object->symbol_count + 1)
+                                 (test->symbol_count + 1)
                                      * sizeof *exchange->items);
     if (!exchange->items)
         return false;
-    for (size_t i = 0; i < object->symbol_count; i++)
-        if (holds_data(&object->symbols[i]))
-            good = begin_label(exchange, test, &object->symbols[i], report)
-                   && good;
-    if (!good)
+    for (size_t i = 0; i < test->symbol_count; i++)
+        if (holds_data(&test->symbols[i]))
+            good = begin_label(exchange, &test->symbols[i]) && good;
+    if (!good || exchange->kept->failed)
         return false;
     for (size_t i = 0; i < exchange->count; i++)
         if (exchange->items[i].wanted)
@@ -199,22 +186,21 @@ bool exchange_begin(struct exchange *exchange, const struct lesson_test *test,
 }
 
 /* Inputs that the answer calls otherwise. */
-static void tell_missing(const struct exchange *exchange,
-                         struct lesson_report *report)
+static void tell_missing(struct lesson_exchange *exchange)
 {
     for (size_t i = 0; i < exchange->test->symbol_count; i++) {
         const struct asm_symbol *symbol = &exchange->test->symbols[i];
 
-        if (holds_data(symbol) && !wanted_label(symbol)
+        if (holds_data(symbol) && !lesson_wanted(symbol->name)
             && !object_symbol(exchange->answer, symbol->name))
-            report_say(report,
-                       "The answer has no label %s, to which the test's data "
-                       "would go.",
+            report_say(exchange->report,
+                       "The answer has no label %s, where the test's data "
+                       "would have gone.",
                        symbol->name);
     }
 }
 
-bool exchange_end(struct exchange *exchange, struct lesson_report *report)
+bool exchange_end(struct lesson_exchange *exchange)
 {
     bool good = true;
 
@@ -224,9 +210,9 @@ bool exchange_end(struct exchange *exchange, struct lesson_report *report)
         if (!item->wanted)
             continue;
         get_elements(exchange->machine, item->there, item, item->found);
-        good = wrong_tell(item, report) && good;
+        good = wrong_tell(item, exchange->report) && good;
     }
     if (!good)
-        tell_missing(exchange, report);
+        tell_missing(exchange);
     return good;
 }

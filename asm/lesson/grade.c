@@ -1,6 +1,5 @@
 /* grade.c - an answer and the tests of its lesson. */
 #include <inttypes.h>
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,14 +10,17 @@
 #include "asm/trap_report.h"
 #include "base/error.h"
 
-/* Beyond the clocks of bronze; an answer that goes on longer is in an endless loop. */
-static const uint64_t patience = 100000000;
+/* An answer that has not ended after so many clocks, and so many times those of bronze, is in an
+ * endless loop; one that prints more characters than this never comes to an end either. */
+static const uint64_t patience_least = 20000000;
+enum { PATIENCE = 10, PRINTED_MOST = 1 << 16 };
 
 /* An answer before a test. */
 struct sitting {
     const char *name, *text;
     size_t length;
     struct lesson_trial *trial;
+    struct lesson_report *general; /* what all tests would say */
     struct arena *kept;
     c205_error *error; /* what is wrong with the lesson */
 
@@ -26,7 +28,8 @@ struct sitting {
     c205_model *model;
     c205 *data, *machine; /* the test's memory, and the answer's */
     struct line_profile *profile;
-    struct exchange exchange;
+    struct lesson_exchange exchange;
+    struct printer printer;
     struct text_buffer printed;
 };
 
@@ -35,65 +38,23 @@ static bool no_memory(c205_error *error)
     return error_say(error, "no memory");
 }
 
-/* ---- The test -------------------------------------------------------------- */
-
-/* What names an address of the test's own is wanted by labels instead. */
-static bool check_expectations(struct sitting *sitting)
-{
-    for (size_t i = 0; i < sitting->test->expectation_count; i++) {
-        const struct asm_expectation *expectation = &sitting->test
-                                                         ->expectations[i];
-
-        if (expectation->kind == EXPECT_WORDS
-            || expectation->kind == EXPECT_HALVES
-            || expectation->kind == EXPECT_BITS
-            || expectation->kind == EXPECT_WARNING)
-            return error_say(sitting->error,
-                             "%.80s:%zu: a test cannot expect this; what is "
-                             "to be in memory stands at want_LABEL",
-                             expectation->file, expectation->line);
-    }
-    return true;
-}
-
-static bool read_test(struct sitting *sitting)
-{
-    const struct lesson_test *test = sitting->trial->test;
-    struct diagnostics said = { 0 };
-    struct text_line name = { 0 };
-    struct sink sink = text_line_sink(&name);
-
-    sink_print(&sink, "test-%s.s", test->name);
-    sitting->test = assemble_bytes(name.text, test->text, test->length, NULL,
-                                   &said);
-    if (!sitting->test && said.count > 0)
-        error_say(sitting->error, "%.80s:%zu:%zu: %.120s", said.items[0].file,
-                  said.items[0].line, said.items[0].column,
-                  said.items[0].message);
-    else if (!sitting->test)
-        no_memory(sitting->error);
-    diagnostics_free(&said);
-    return sitting->test && check_expectations(sitting);
-}
-
 /* ---- The answer ------------------------------------------------------------ */
 
+/* A sentence, and below it those of one severity. */
 static void say_diagnostics(struct lesson_report *report,
-                            const struct diagnostics *said)
+                            const char *sentence,
+                            const struct diagnostics *said,
+                            enum severity severity)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
 
+    sink_put(&sink, sentence);
+    sink_put(&sink, "\n");
     for (size_t i = 0; i < said->count; i++)
-        if (said->items[i].severity == SEVERITY_ERROR)
+        if (said->items[i].severity == severity)
             diagnostic_put(&said->items[i], &sink);
-    report_text(report, text.text ? text.text : "error: no memory");
-    text_buffer_free(&text);
-}
-
-static bool is_constant(const struct asm_symbol *symbol)
-{
-    return !symbol->is_label && !symbol->is_word;
+    report_buffer(report, &text);
 }
 
 /* The test's constants. */
@@ -106,7 +67,7 @@ static struct asm_define *make_defines(struct sitting *sitting)
     size_t count = 0;
 
     for (size_t i = 0; defines && i < test->symbol_count; i++)
-        if (is_constant(&test->symbols[i]))
+        if (lesson_is_constant(&test->symbols[i]))
             defines[count++] = (struct asm_define){ test->symbols[i].name,
                                                     test->symbols[i].value };
     return defines;
@@ -117,7 +78,7 @@ static bool tell_redefined(struct sitting *sitting,
                            const struct diagnostics *said,
                            const struct asm_define *defines)
 {
-    struct lesson_report *report = &sitting->trial->report;
+    struct lesson_report *report = sitting->general;
     size_t told = report->count;
 
     for (; defines->name; defines++)
@@ -134,37 +95,20 @@ static bool tell_redefined(struct sitting *sitting,
 static bool assemble_answer(struct sitting *sitting)
 {
     struct asm_define *defines = make_defines(sitting);
-    struct asm_options options = { .defines = defines };
+    struct asm_options options = { .defines = defines, .sealed = true };
     struct diagnostics said = { 0 };
 
     if (!defines)
         return no_memory(sitting->error);
     sitting->answer = assemble_bytes(sitting->name, sitting->text,
                                      sitting->length, &options, &said);
-    if (!sitting->answer && !tell_redefined(sitting, &said, defines)) {
-        report_say(&sitting->trial->report,
-                   "With the constants of this test it cannot be assembled:");
-        say_diagnostics(&sitting->trial->report, &said);
-    }
+    if (!sitting->answer && !tell_redefined(sitting, &said, defines))
+        say_diagnostics(&sitting->trial->report,
+                        "With the constants of this test it cannot be "
+                        "assembled:",
+                        &said, SEVERITY_ERROR);
     diagnostics_free(&said);
     return true;
-}
-
-/* As it stands, without a test. */
-static bool check_answer(struct lesson_verdict *verdict, const char *text,
-                         size_t length)
-{
-    struct diagnostics said = { 0 };
-    struct object *object = assemble_bytes(verdict->answer, text, length,
-                                           NULL, &said);
-
-    if (!object) {
-        report_say(&verdict->report, "It cannot be assembled:");
-        say_diagnostics(&verdict->report, &said);
-    }
-    diagnostics_free(&said);
-    object_free(object);
-    return object;
 }
 
 /* ---- The machines ---------------------------------------------------------- */
@@ -183,6 +127,16 @@ static bool load_test(struct sitting *sitting)
                         sitting->error);
 }
 
+static void listen(void *context, const c205 *machine,
+                   const c205_event *event)
+{
+    struct sitting *sitting = context;
+
+    printer_listen(&sitting->printer, machine, event);
+    if (sitting->printed.length > PRINTED_MOST)
+        c205_pause(sitting->machine);
+}
+
 /* Whether pages are warm says the test. */
 static bool load_answer(struct sitting *sitting)
 {
@@ -191,13 +145,13 @@ static bool load_answer(struct sitting *sitting)
     program.warm = sitting->test->program.warm;
     sitting->machine = c205_new(sitting->model, sitting->error);
     sitting->profile = line_profile_new(sitting->answer);
-    if (!sitting->machine)
-        return false;
     if (!sitting->profile)
         return no_memory(sitting->error);
-    return c205_load(sitting->machine, &program, sitting->error)
-           && (c205_listen(sitting->machine, line_profile_listen,
-                           sitting->profile)
+    return sitting->machine
+           && c205_load(sitting->machine, &program, sitting->error)
+           && ((c205_listen(sitting->machine, line_profile_listen,
+                            sitting->profile)
+                && c205_listen(sitting->machine, listen, sitting))
                || no_memory(sitting->error));
 }
 
@@ -214,18 +168,16 @@ static bool expects_trap(const struct object *test)
 static void tell_endless(struct sitting *sitting, const c205_stop *stop)
 {
     const struct asm_line *line = object_line(sitting->answer, stop->pc);
-    struct lesson_report *report = &sitting->trial->report;
-    const char *source = line ? line->call_source : "";
+    struct text_line where = { 0 };
+    struct sink sink = text_line_sink(&where);
 
-    while (isspace((unsigned char)*source))
-        source++;
-    report_say(report,
-               "It had not ended after %" PRIu64
-               " clocks: is this an endless loop?",
-               c205_clock(sitting->machine));
     if (line)
-        report_say(report, "It was in line %zu of %s then: %.200s",
-                   line->call_number, line->call_file, source);
+        sink_print(&sink, "  It was in line %zu then: %s", line->call_number,
+                   lesson_source(line->call_source));
+    report_say(&sitting->trial->report,
+               "It had not ended after %" PRIu64
+               " clocks: is this an endless loop?%s",
+               c205_clock(sitting->machine), where.text);
 }
 
 static void tell_trap(struct sitting *sitting, const c205_stop *stop)
@@ -233,11 +185,10 @@ static void tell_trap(struct sitting *sitting, const c205_stop *stop)
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
 
+    sink_put(&sink, "It was stopped by a trap:\n");
     trap_report(sitting->answer, sitting->name, sitting->machine, stop,
                 &sink);
-    report_say(&sitting->trial->report, "It was stopped by a trap:");
-    report_text(&sitting->trial->report, text.text ? text.text : "no memory");
-    text_buffer_free(&text);
+    report_buffer(&sitting->trial->report, &text);
 }
 
 /* False: it did not come to its end. */
@@ -245,6 +196,10 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
 {
     if (stop->trap == C205_TRAP_CLOCK_LIMIT)
         tell_endless(sitting, stop);
+    else if (stop->trap == C205_TRAP_PAUSED)
+        report_say(&sitting->trial->report,
+                   "It printed more than %d characters, and was stopped.",
+                   PRINTED_MOST);
     else if (stop->trap != C205_TRAP_NONE && !expects_trap(sitting->test))
         tell_trap(sitting, stop);
     else if (stop->status != 0)
@@ -304,7 +259,7 @@ static void judge(struct sitting *sitting, const c205_stop *stop)
     trial->clocks = c205_clock(sitting->machine);
     if (!check_stop(sitting, stop))
         return;
-    trial->right = exchange_end(&sitting->exchange, &trial->report);
+    trial->right = exchange_end(&sitting->exchange);
     trial->right = check_expected(sitting, stop) && trial->right;
     trial->passed = trial->right;
     if (!trial->right || !trial->test->has_goals)
@@ -317,14 +272,11 @@ static void judge(struct sitting *sitting, const c205_stop *stop)
 
 static bool run(struct sitting *sitting)
 {
-    struct printer printer = { text_buffer_sink(&sitting->printed) };
     struct lesson_trial *trial = sitting->trial;
-    uint64_t limit = patience + trial->test->goals[MEDAL_BRONZE];
-    c205_stop stop;
+    uint64_t limit = patience_least
+                     + PATIENCE * trial->test->goals[MEDAL_BRONZE];
+    c205_stop stop = c205_run(sitting->machine, limit);
 
-    if (!c205_listen(sitting->machine, printer_listen, &printer))
-        return no_memory(sitting->error);
-    stop = c205_run(sitting->machine, limit);
     if (stop.trap == C205_TRAP_NO_MEMORY || sitting->printed.failed)
         return no_memory(sitting->error);
     judge(sitting, &stop);
@@ -335,23 +287,26 @@ static bool run(struct sitting *sitting)
 
 static bool sit(struct sitting *sitting)
 {
-    struct exchange *exchange = &sitting->exchange;
+    struct lesson_exchange *exchange = &sitting->exchange;
 
-    if (!read_test(sitting) || !load_test(sitting)
-        || !assemble_answer(sitting))
+    sitting->printer.sink = text_buffer_sink(&sitting->printed);
+    if (!(sitting->test = lesson_assemble_test(sitting->trial->test,
+                                               sitting->error))
+        || !load_test(sitting) || !assemble_answer(sitting))
         return false;
     if (!sitting->answer)
         return true;
     if (!load_answer(sitting))
         return false;
-    *exchange = (struct exchange){ .test = sitting->test,
-                                   .answer = sitting->answer,
-                                   .data = sitting->data,
-                                   .machine = sitting->machine,
-                                   .kept = sitting->kept };
-    return !exchange_begin(exchange, sitting->trial->test,
-                           &sitting->trial->report)
-           || run(sitting);
+    *exchange = (struct lesson_exchange){ .test = sitting->test,
+                                          .answer = sitting->answer,
+                                          .data = sitting->data,
+                                          .machine = sitting->machine,
+                                          .notes = sitting->trial->test,
+                                          .report = &sitting->trial->report,
+                                          .general = sitting->general,
+                                          .kept = sitting->kept };
+    return !exchange_begin(exchange) || run(sitting);
 }
 
 static void leave(struct sitting *sitting)
@@ -380,7 +335,7 @@ static void conclude(struct lesson_verdict *verdict)
         medals = true;
         if (trial->medal < verdict->medal)
             verdict->medal = trial->medal;
-        if (trial->clocks > verdict->clocks)
+        if (trial->right && trial->clocks > verdict->clocks)
             verdict->clocks = trial->clocks;
     }
     if (!medals || !verdict->passed)
@@ -406,19 +361,17 @@ static bool begin(struct lesson_verdict *verdict, const struct lesson *lesson,
     return true;
 }
 
-bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
-                  const char *name, const char *text, size_t length,
-                  c205_error *error)
+/* Until one of them says what all would. */
+static bool try_tests(struct lesson_verdict *verdict, const char *text,
+                      size_t length, c205_error *error)
 {
-    if (!begin(verdict, lesson, name, error))
-        return false;
-    if (!check_answer(verdict, text, length))
-        return !verdict->kept.failed || no_memory(error);
-    for (size_t i = 0; i < verdict->count; i++) {
-        struct sitting sitting = { .name = name,
+    for (size_t i = 0; i < verdict->count && verdict->report.count == 0;
+         i++) {
+        struct sitting sitting = { .name = verdict->answer,
                                    .text = text,
                                    .length = length,
                                    .trial = &verdict->trials[i],
+                                   .general = &verdict->report,
                                    .kept = &verdict->kept,
                                    .error = error };
         bool good = sit(&sitting);
@@ -427,6 +380,34 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
         if (!good)
             return false;
     }
-    conclude(verdict);
-    return !verdict->kept.failed || no_memory(error);
+    verdict->graded = verdict->report.count == 0;
+    if (verdict->graded)
+        conclude(verdict);
+    return true;
+}
+
+/* What the assembler warns of may be what is wrong. */
+bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
+                  const char *name, const char *text, size_t length,
+                  c205_error *error)
+{
+    static const struct asm_options options = { .sealed = true };
+    struct diagnostics said = { 0 };
+    struct object *object;
+    bool good = true;
+
+    if (!begin(verdict, lesson, name, error))
+        return false;
+    object = assemble_bytes(name, text, length, &options, &said);
+    if (!object)
+        say_diagnostics(&verdict->report, "It cannot be assembled:", &said,
+                        SEVERITY_ERROR);
+    else
+        good = try_tests(verdict, text, length, error);
+    if (object && !verdict->passed && said.count > 0)
+        say_diagnostics(&verdict->report, "The assembler warns:", &said,
+                        SEVERITY_WARNING);
+    diagnostics_free(&said);
+    object_free(object);
+    return good && (!verdict->kept.failed || no_memory(error));
 }

@@ -72,6 +72,15 @@ void lessons_free(struct lessons *lessons);
 const struct lesson *lessons_find(const struct lessons *lessons,
                                   const char *name, c205_error *error);
 
+/* A test's text, of which the labels hold the data; NULL: the error says what is wrong. */
+struct object *lesson_assemble_test(const struct lesson_test *test,
+                                    c205_error *error);
+/* The label of the answer where that must be which a label of a test holds: "y" for "want_y";
+ * NULL: it is an input. */
+const char *lesson_wanted(const char *label);
+/* One of the integers that are defined in the answer. */
+bool lesson_is_constant(const struct asm_symbol *symbol);
+
 /* ---- Answers --------------------------------------------------------------- */
 
 /* Sentences, some with a piece of the program's text below them. */
@@ -94,9 +103,10 @@ struct lesson_trial {
 struct lesson_verdict {
     const struct lesson *lesson;
     const char *answer; /* its name */
+    bool graded;        /* the tests were tried */
     bool passed;        /* every test */
     enum medal medal;   /* the worst of them */
-    uint64_t clocks;    /* of the slowest test with goals */
+    uint64_t clocks;    /* of the slowest right one with goals */
     size_t count;
     struct lesson_trial *trials;
     struct lesson_report report; /* what is not of one test alone */

@@ -8,7 +8,7 @@
 #include "base/nearest.h"
 
 /* Where a note stands; its text is from at to end. */
-struct note {
+struct test_note {
     struct lesson *lesson;
     struct lesson_test *test;
     size_t line;
@@ -16,20 +16,20 @@ struct note {
     c205_error *error;
 };
 
-static bool refuse(const struct note *note, const char *what)
+static bool refuse(const struct test_note *note, const char *what)
 {
     return error_say(note->error, "%.80s/test-%.40s.s:%zu: %.100s",
                      note->lesson->folder, note->test->name, note->line,
                      what);
 }
 
-static void skip_blanks(struct note *note)
+static void skip_blanks(struct test_note *note)
 {
     while (note->at < note->end && isspace((unsigned char)*note->at))
         note->at++;
 }
 
-static bool take_letter(struct note *note, char letter)
+static bool take_letter(struct test_note *note, char letter)
 {
     skip_blanks(note);
     if (note->at == note->end || *note->at != letter)
@@ -39,7 +39,7 @@ static bool take_letter(struct note *note, char letter)
 }
 
 /* Up to a blank, a comma or a colon. */
-static size_t word_length(const struct note *note)
+static size_t word_length(const struct test_note *note)
 {
     const char *at = note->at;
 
@@ -49,7 +49,7 @@ static size_t word_length(const struct note *note)
     return (size_t)(at - note->at);
 }
 
-static bool take_word(struct note *note, const char *word)
+static bool take_word(struct test_note *note, const char *word)
 {
     skip_blanks(note);
     if (word_length(note) != strlen(word)
@@ -61,7 +61,7 @@ static bool take_word(struct note *note, const char *word)
 
 /* ---- The notes ------------------------------------------------------------- */
 
-static bool take_test_note(struct note *note)
+static bool take_test_note(struct test_note *note)
 {
     while (note->end > note->at && isspace((unsigned char)note->end[-1]))
         note->end--;
@@ -73,7 +73,7 @@ static bool take_test_note(struct note *note)
     return note->test->tries || error_say(note->error, "no memory");
 }
 
-static bool take_clocks(struct note *note, uint64_t *clocks)
+static bool take_clocks(struct test_note *note, uint64_t *clocks)
 {
     static const uint64_t most = 1000000000;
 
@@ -85,7 +85,7 @@ static bool take_clocks(struct note *note, uint64_t *clocks)
     return *clocks > 0 && *clocks <= most;
 }
 
-static bool take_goal(struct note *note)
+static bool take_goal(struct test_note *note)
 {
     for (int medal = MEDAL_BRONZE; medal < MEDALS; medal++) {
         uint64_t *goal = &note->test->goals[medal];
@@ -96,7 +96,7 @@ static bool take_goal(struct note *note)
     return false;
 }
 
-static bool take_goals_note(struct note *note)
+static bool take_goals_note(struct test_note *note)
 {
     const uint64_t *goals = note->test->goals;
     bool good = !note->test->has_goals;
@@ -114,7 +114,7 @@ static bool take_goals_note(struct note *note)
     return true;
 }
 
-static bool take_tolerance_note(struct note *note)
+static bool take_tolerance_note(struct test_note *note)
 {
     struct lesson_tolerance *tolerance = arena_take(&note->lesson->kept,
                                                     sizeof *tolerance);
@@ -146,13 +146,13 @@ static bool take_tolerance_note(struct note *note)
 
 static const struct {
     const char *name;
-    bool (*take)(struct note *);
+    bool (*take)(struct test_note *);
 } kinds[] = { { "test", take_test_note },
               { "goals", take_goals_note },
               { "tolerance", take_tolerance_note } };
 
 /* Longer names that are almost one of them are no prose. */
-static bool check_name(const struct note *note, size_t length)
+static bool check_name(const struct test_note *note, size_t length)
 {
     enum { NEAR = 2, LONG = 4 };
     bool bad = false;
@@ -171,7 +171,7 @@ static bool check_name(const struct note *note, size_t length)
 }
 
 /* "; name: text"; other lines say nothing. */
-static bool take_line(struct note *note)
+static bool take_line(struct test_note *note)
 {
     size_t length;
 
@@ -192,7 +192,9 @@ static bool take_line(struct note *note)
 bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
                        c205_error *error)
 {
-    struct note note = { .lesson = lesson, .test = test, .error = error };
+    struct test_note note = { .lesson = lesson,
+                              .test = test,
+                              .error = error };
     const char *at = test->text, *end = at + test->length;
 
     while (at < end) {

@@ -9,14 +9,16 @@
 bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
                        c205_error *error);
 
-/* A sentence of at most 1,023 bytes; or a text of any length. */
+/* A sentence of at most 1,023 bytes; or what a buffer holds, which is freed, without the newlines at
+ * its end.  Where there is no memory the arena says so. */
 void report_say(struct lesson_report *report, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
-/* Without the newlines at its end. */
-void report_text(struct lesson_report *report, const char *text);
+void report_buffer(struct lesson_report *report, struct text_buffer *buffer);
+/* A source line without its margin. */
+const char *lesson_source(const char *line);
 
 /* ---- exchange.c: data between a test and an answer ------------------------- */
 
@@ -25,29 +27,29 @@ struct exchanged {
     const char *label; /* of the answer */
     enum asm_contents contents;
     size_t count;
-    uint64_t here,
-        there; /* of the first element, in the test and in the answer */
+    uint64_t here, there; /* where it begins, in the test and in the answer */
     const struct lesson_tolerance *tolerance; /* NULL: the same words */
     /* What is wanted, and what the answer has there before the run and behind it, an element
      * at the left of each word; inputs have none. */
     c205_word *wanted, *before, *found;
 };
 
-struct exchange {
+struct lesson_exchange {
     const struct object *test, *answer;
     const c205 *data; /* the test's, loaded */
     c205 *machine;    /* the answer's, loaded */
     size_t count;
     struct exchanged *items;
+    const struct lesson_test *notes;
+    struct lesson_report *report, *general; /* of this test; of all */
     struct arena *kept;
 };
 
 /* Lists what is wanted and puts the data.  False: labels are missing, too small or of another
  * kind; each is told. */
-bool exchange_begin(struct exchange *exchange, const struct lesson_test *test,
-                    struct lesson_report *report);
+bool exchange_begin(struct lesson_exchange *exchange);
 /* Behind the run.  False: something is wrong; it is told. */
-bool exchange_end(struct exchange *exchange, struct lesson_report *report);
+bool exchange_end(struct lesson_exchange *exchange);
 
 /* ---- In words -------------------------------------------------------------- */
 

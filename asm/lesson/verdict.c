@@ -1,28 +1,39 @@
 /* verdict.c - what an answer is worth, in words and as JSON. */
+#include <ctype.h>
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "asm/lesson/parts.h"
+#include "base/fold.h"
 
 /* ---- Sentences ------------------------------------------------------------- */
 
-void report_text(struct lesson_report *report, const char *text)
+static void report_text(struct lesson_report *report, const char *text)
 {
     const char **sentences = arena_grow(report->kept, report->sentences,
                                         report->count, &report->capacity,
                                         sizeof *sentences);
-    size_t length = text ? strlen(text) : 0;
+    size_t length = strlen(text);
     const char *copy;
 
     while (length > 0 && text[length - 1] == '\n')
         length--;
-    copy = arena_text(report->kept, text ? text : "", length);
+    copy = arena_text(report->kept, text, length);
     if (!sentences || !copy)
         return;
     report->sentences = sentences;
     sentences[report->count++] = copy;
+}
+
+void report_buffer(struct lesson_report *report, struct text_buffer *buffer)
+{
+    if (buffer->failed)
+        report->kept->failed = true;
+    else
+        report_text(report, buffer->text);
+    text_buffer_free(buffer);
 }
 
 void report_say(struct lesson_report *report, const char *format, ...)
@@ -37,6 +48,13 @@ void report_say(struct lesson_report *report, const char *format, ...)
     report_text(report, text);
 }
 
+const char *lesson_source(const char *line)
+{
+    while (isspace((unsigned char)*line))
+        line++;
+    return line;
+}
+
 void lesson_verdict_free(struct lesson_verdict *verdict)
 {
     arena_free(&verdict->kept);
@@ -44,17 +62,24 @@ void lesson_verdict_free(struct lesson_verdict *verdict)
 
 /* ---- For the eye ----------------------------------------------------------- */
 
-/* Each a little to the right. */
+/* Each a little to the right; a piece of a program's text is not folded. */
 static void put_report(const struct lesson_report *report,
                        const struct sink *sink)
 {
+    enum { COLUMN = 4 };
+
     for (size_t i = 0; i < report->count; i++) {
         const char *text = report->sentences[i];
 
+        if (!strchr(text, '\n')) {
+            sink_print(sink, "%*s", COLUMN, "");
+            fold_put(text, COLUMN, sink);
+            continue;
+        }
         while (*text) {
             size_t length = strcspn(text, "\n");
 
-            sink_print(sink, "    %.*s\n", (int)length, text);
+            sink_print(sink, "%*s%.*s\n", COLUMN, "", (int)length, text);
             text += length + (text[length] != '\0');
         }
     }
@@ -79,10 +104,10 @@ void lesson_verdict_put(const struct lesson_verdict *verdict,
 {
     bool medal = verdict->medal != MEDAL_NONE;
 
-    put_report(&verdict->report, sink);
-    if (verdict->report.count == 0)
+    if (verdict->graded)
         for (size_t i = 0; i < verdict->count; i++)
             put_trial(&verdict->trials[i], sink);
+    put_report(&verdict->report, sink);
     sink_print(sink, "%s: %s%s%s\n", verdict->lesson->name,
                verdict->passed ? "passed" : "not passed", medal ? ", " : "",
                medal_name(verdict->medal));

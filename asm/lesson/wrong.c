@@ -190,7 +190,7 @@ static bool other_bit(const struct exchanged *exchanged)
 
 static bool last_bits(const struct exchanged *exchanged)
 {
-    static const double little = 1e-9;
+    double little = exchanged->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
     size_t i = 0;
 
     while (
@@ -204,6 +204,30 @@ static bool last_bits(const struct exchanged *exchanged)
     return i == exchanged->count;
 }
 
+static bool is_normalised(const struct exchanged *exchanged,
+                          c205_word element)
+{
+    return exchanged->contents == ASM_WORDS
+               ? c205_from_double(c205_to_double(element)) == element
+               : c205_half_from_double(c205_half_to_double(element))
+                     == element;
+}
+
+static bool lost_bits(const struct exchanged *exchanged)
+{
+    bool lost = false;
+
+    if (exchanged->contents != ASM_WORDS
+        && exchanged->contents != ASM_HALF_WORDS)
+        return false;
+    for (size_t i = 0; i < exchanged->count; i++)
+        lost = lost
+               || (number_of(exchanged, exchanged->found[i]) != 0
+                   && is_normalised(exchanged, exchanged->wanted[i])
+                   && !is_normalised(exchanged, exchanged->found[i]));
+    return lost;
+}
+
 static bool indefinite(const struct exchanged *exchanged)
 {
     size_t i = 0;
@@ -215,25 +239,24 @@ static bool indefinite(const struct exchanged *exchanged)
     return i == exchanged->count;
 }
 
-/* Some at the beginning are right, none behind them. */
+/* Some at the beginning are right, and nothing was stored behind them. */
 static bool only_begun(const struct exchanged *exchanged)
 {
     size_t i = 0;
 
     while (i < exchanged->count && is_right(exchanged, i))
         i++;
-    if (i == 0 || exchanged->count - i < 2)
-        return false;
-    while (i < exchanged->count && !is_right(exchanged, i))
-        i++;
-    return i == exchanged->count;
+    return i > 0
+           && memcmp(exchanged->found + i, exchanged->before + i,
+                     (exchanged->count - i) * sizeof *exchanged->found)
+                  == 0;
 }
 
 /* The first that fits is told. */
-static const struct look {
+static const struct likeness {
     looks_like *fits;
     const char *sentence;
-} looks[] = {
+} likenesses[] = {
     { untouched, "It holds what it held before the run: nothing was stored "
                  "there, or nothing new." },
     { all_zero, "All that stands there is zero." },
@@ -247,14 +270,16 @@ static const struct look {
     { backwards, "The right elements stand there from back to front." },
     { unsorted, "The right elements stand there, but they are not sorted." },
     { other_order, "The right elements stand there, in another order." },
-    { other_sign, "All have the wrong sign." },
+    { other_sign, "The sign is wrong." },
     { other_bit, "Each bit is the opposite of the right one." },
-    { last_bits, "They are off in their last bits: other operations, or the "
+    { last_bits, "Only the last bits are wrong: other operations, or the "
                  "same in another order, round otherwise." },
     { indefinite, "Indefinite comes of a division by zero or a root of a "
                   "negative number, and of all that is computed with it." },
-    { only_begun, "Those before are right and none behind them: is the rest "
-                  "done?" },
+    { lost_bits,
+      "They are not normalised: an integer word among the operands, "
+      "2 for 2.0, costs a result its bits." },
+    { only_begun, "Nothing new was stored behind those that are right." },
 };
 
 /* ---- In words -------------------------------------------------------------- */
@@ -313,27 +338,35 @@ static void say_elements(const struct exchanged *exchanged, size_t wrong,
 static void say_wrong(const struct exchanged *exchanged, size_t wrong,
                       const struct sink *sink)
 {
-    if (exchanged->count == 1) {
-        sink_put(sink, exchanged->label);
+    const char *label = exchanged->label;
+    size_t count = exchanged->count;
+
+    if (count == 1) {
+        sink_put(sink, label);
         say_element(exchanged, 0, sink);
-    } else {
-        sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong,
-                   exchanged->count, exchanged->label,
-                   wrong == 1 ? "is" : "are");
-        say_elements(exchanged, wrong, sink);
-        sink_put(sink, " (counted from 0)");
+        sink_put(sink, ".");
+        return;
     }
-    sink_put(sink, ".");
+    if (wrong == count && count == 2)
+        sink_print(sink, "Both elements of %s are wrong: ", label);
+    else if (wrong == count)
+        sink_print(sink, "All %zu elements of %s are wrong: ", count, label);
+    else
+        sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong,
+                   count, label, wrong == 1 ? "is" : "are");
+    say_elements(exchanged, wrong, sink);
+    sink_put(sink, " (counted from 0).");
 }
 
-static void tell_looks(const struct exchanged *exchanged,
-                       struct lesson_report *report)
+static void say_likeness(const struct exchanged *exchanged,
+                         const struct sink *sink)
 {
-    for (size_t i = 0; i < sizeof looks / sizeof *looks; i++)
-        if (looks[i].fits(exchanged)) {
-            report_say(report, "%s", looks[i].sentence);
-            return;
-        }
+    size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
+
+    while (i < count && !likenesses[i].fits(exchanged))
+        i++;
+    if (i < count)
+        sink_print(sink, "  %s", likenesses[i].sentence);
 }
 
 bool wrong_tell(const struct exchanged *exchanged,
@@ -348,8 +381,7 @@ bool wrong_tell(const struct exchanged *exchanged,
     if (wrong == 0)
         return true;
     say_wrong(exchanged, wrong, &sink);
-    report_text(report, text.text);
-    text_buffer_free(&text);
-    tell_looks(exchanged, report);
+    say_likeness(exchanged, &sink);
+    report_buffer(report, &text);
     return false;
 }
