@@ -42,9 +42,9 @@ olds:   .space  queue                   ; and what was nearest
         .bitvector meets, queue
         .code
 
-        .regs   r10, left, length, body, body_at, next_queue, next_body, place, record, apart
+        .regs   r10, left, length, body, body_at, next_body, place, record, apart
         .regs   r20, cx, cy, cz, radius2, xx, yy, least
-        .regs   r30, order, x, y, near, q, u, s, handed, at, z, old, bits
+        .regs   r30, order, x, y, near, q, u, s, handed, at, z, old, bits, nearer
         .regs   r50, step_x, step_y, first_x, first_y, one, big, stride_x, stride_y
         .regs   r60, upper, lower, sum, count, total
 
@@ -61,7 +61,6 @@ olds:   .space  queue                   ; and what was nearest
         EX      left, rays
         EX      record, 4 * 64
         EX      apart, 64 * queue
-        EX      next_queue, a_queue
         EX      next_body, a_body
         descriptor order, iota, queue
         INTVLV  r0, one, [order]
@@ -93,10 +92,6 @@ full:   vector  order, iota
         SUBNV   [y], [u], [y]
         ADDN    first_x, stride_x, first_x
         ADDN    first_y, stride_y, first_y
-        FLR     first_x, upper
-        FLR     first_y, lower
-        SUBN    first_x, upper, first_x
-        SUBN    first_y, lower, first_y
         MPYSV   [x], [x], [q]
         MPYSV   [y], [y], [u]
         ADDNV   [q], [u], [q]
@@ -126,13 +121,16 @@ a_body: SWAP    [body_at], cx, [r0]
         CPSV    [order], [at] ? [bits]
         ADDX    at, apart, z
         ADDX    z, apart, old
+        LTOR    at, count
+        EX      nearer, meets           ; as long as these
+        ADDLEN  nearer, count, nearer
         VXTOV   [at], [s], [z]
         VXTOV   [at], [near], [old]
         SUBNV   least, [z], [z]
         SQRTV   [z], [z]
         SUBNV   cz, [z], [z]
-        CMPLTV  [old], [z], [bits]
-        VTOV    [old], [z] ? [bits]
+        CMPLTV  [old], [z], [nearer]
+        VTOV    [old], [z] ? [nearer]
         VTOVX   [at], [z], [near]
         DBNZ    body, [next_body]
         .endkernel
