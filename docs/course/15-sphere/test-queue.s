@@ -28,7 +28,9 @@ ox:     .rept   n
 oy:     .rept   n
         .word   (\+ / 50 - 20) / 8.0
         .endr
-oz:     .space  n
+oz:     .rept   n
+        .word   0.0
+        .endr
 dx:     .rept   n
         .word   0.48
         .endr

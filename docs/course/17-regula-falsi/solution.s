@@ -27,8 +27,12 @@ k0:     .rept   n                       ; s^4 + s - c, c = 1/n, 2/n ..
 k1:     .rept   n
         .word   1.0
         .endr
-k2:     .space  n
-k3:     .space  n
+k2:     .rept   n
+        .word   0.0
+        .endr
+k3:     .rept   n
+        .word   0.0
+        .endr
 k4:     .rept   n
         .word   1.0
         .endr

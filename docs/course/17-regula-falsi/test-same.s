@@ -11,9 +11,15 @@ k0:     .rept   n
 k1:     .rept   n
         .word   -1.0
         .endr
-k2:     .space  n
-k3:     .space  n
-k4:     .space  n
+k2:     .rept   n
+        .word   0.0
+        .endr
+k3:     .rept   n
+        .word   0.0
+        .endr
+k4:     .rept   n
+        .word   0.0
+        .endr
 want_root:
         .rept   n
         .word   0.75
