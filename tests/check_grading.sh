@@ -66,6 +66,11 @@ verdict $? "the verdict in a file is another one"
 check 1 "$lesson" begun.s --format csv
 tells out '^small,no,,[0-9]*,"above is 0 and'
 check 1 "$lesson" begun.s --format md
+cp "$lesson/solution.s" .
+printf '        .include "solution.s"\n' >includes.s
+ends 0 "$build/c205" run includes.s
+check 1 "$lesson" includes.s
+tells out "'solution.s' cannot be read"
 check 1 "$lesson" missing.s
 tells err '^c205 check: missing.s: '
 check 1 "$lesson" begun.s --json missing/verdict.json
