@@ -437,6 +437,7 @@ check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
 
 check-course: $(BUILD)/c205
 	sh tests/check_course.sh $(BUILD)
+	sh tests/check_grading.sh $(BUILD)
 
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)
