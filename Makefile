@@ -111,7 +111,7 @@ DOCS ?= quick
 UNITS ?= $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 SCENES ?= $(wildcard scenes/*.pov tests/scenes/*.pov)
 USED ?= $(wildcard scenes/*.pov)
-PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md)
+PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md docs/course/*/*.md)
 # So many compilers, unit tests and scenes at a time.
 JOBS ?= 2
 
