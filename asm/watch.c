@@ -149,6 +149,13 @@ static void look_ahead(struct program_watch *watch, const c205 *machine)
                                watch_spot(watch, machine, pc));
 }
 
+/* What lies behind EXIT is not executed. */
+static bool ends_run(const c205_event *event)
+{
+    return event->insn->format == C205_FORMAT_REQUEST
+           && event->kind == C205_EVENT_INSTRUCTION;
+}
+
 void watch_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct program_watch *watch = context;
@@ -164,7 +171,8 @@ void watch_listen(void *context, const c205 *machine, const c205_event *event)
         if (event->recurrent > 0)
             watch_recurrence(watch, machine, spot, event->recurrent);
     }
-    look_ahead(watch, machine);
+    if (!ends_run(event))
+        look_ahead(watch, machine);
 }
 
 /* ---- The beginning ------------------------------------------------------ */

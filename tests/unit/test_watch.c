@@ -161,6 +161,10 @@ static void test_indices(void **state)
 static void test_storage(void **state)
 {
     (void)state;
+    /* Behind the end nothing is executed. */
+    check(DATA " ES a, 11\n EXIT\n STO [ys, a], a\n EXIT\n", "");
+    check(DATA " ES a, 11\n STO [ys, a], a\n EXIT\n",
+          "index 11 lies behind the storage of 'y'");
     check(DATA " ELEN ys, 4\n VTOV [fs], [ys]\n EXIT\n",
           "test.s:15:2: warning: this writes up to address 800280, and the"
           " storage of 'y' ends at 800240 [-Wpast-storage]");
