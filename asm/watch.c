@@ -149,6 +149,18 @@ static void look_ahead(struct program_watch *watch, const c205 *machine)
                                watch_spot(watch, machine, pc));
 }
 
+/* CPSV and its kin give their result a length, 0 among them. */
+static void take_lengths(struct program_watch *watch, const c205_event *event)
+{
+    for (unsigned r = 0; r < C205_REGISTERS; r++) {
+        uint64_t written = event->written[r / 64];
+        if (!written)
+            r |= 63;
+        else if (written >> r % 64 & 1)
+            watch->is_entered[r] = watch->is_emptied[r] = false;
+    }
+}
+
 /* What lies behind EXIT is not executed. */
 static bool ends_run(const c205_event *event)
 {
@@ -166,6 +178,7 @@ void watch_listen(void *context, const c205 *machine, const c205_event *event)
     if (c205_unit_is_vector(event->insn->unit)) {
         struct spot *spot = watch_spot(watch, machine, event->pc);
 
+        take_lengths(watch, event);
         if (spot->after)
             spot->after(watch, machine, spot);
         if (event->recurrent > 0)

@@ -161,6 +161,11 @@ static void test_indices(void **state)
 static void test_storage(void **state)
 {
     (void)state;
+    /* A result without elements has the length that it was given. */
+    check(
+        DATA
+        " EX ys, y\n ELEN zs, 1\n CPSV [fs], [ys] ? [zs]\n ADDNV [ys], [ys], [ys]\n EXIT\n",
+        "");
     /* Behind the end nothing is executed. */
     check(DATA " ES a, 11\n EXIT\n STO [ys, a], a\n EXIT\n", "");
     check(DATA " ES a, 11\n STO [ys, a], a\n EXIT\n",
