@@ -1,6 +1,9 @@
 /* test_lesson_texts.c - what is expected of a run; lessons that are none, and their names. */
+#include "tests/random.h"
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/drawn_lesson.h"
+
+static size_t tries = 5000;
 
 /* ---- What is expected of a run --------------------------------------------- */
 
@@ -164,14 +167,87 @@ static void test_names(void **state)
     lesson_free(&items[1]);
 }
 
-int main(void)
+/* ---- Any texts -------------------------------------------------------------- */
+
+static void mutate(char *text, uint64_t *random_state)
+{
+    static const char bytes[] = ";:,_.0159 \n\tgnwxy\"";
+    size_t length = strlen(text);
+
+    for (int64_t i = xorshift_between(random_state, 0, 3); i > 0; i--)
+        text[xorshift(random_state) % length] =
+            bytes[xorshift(random_state) % (sizeof bytes - 1)];
+}
+
+/* It is refused with a reason, or graded with one. */
+static void grade_any(const char *test, const char *answer)
+{
+    struct lesson lesson = { 0 };
+    struct lesson_verdict verdict = { 0 };
+    c205_error error = { "" };
+    bool good = lesson_begin(&lesson, "1-any", &error)
+                && lesson_take(&lesson, "lesson.md", "# A\n", 4, &error)
+                && lesson_take(&lesson, "start.s", "", 0, &error)
+                && lesson_take(&lesson, "test-a.s", test, strlen(test),
+                               &error)
+                && lesson_end(&lesson, &error)
+                && lesson_grade(&verdict, &lesson, "my.s", answer,
+                                strlen(answer), &error);
+
+    if (good != (*error.message == '\0'))
+        fail_msg("'%s'\n%s\n%s", error.message, test, answer);
+    if (good && !verdict.passed
+        && verdict.report.count + verdict.trials[0].report.count == 0)
+        fail_msg("nothing is said\n%s\n%s", test, answer);
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+}
+
+static void test_any(void **state)
+{
+    static const char test[] = "; test: a\n; goals: gold 7000, silver 8000, "
+                               "bronze 9000\n; tolerance: y 1e-9\n"
+                               "        .equ    n, 3\n        .data\n"
+                               "x:      .word   1.0, 2.0, 3.5\n"
+                               "want_y: .word   2.0, 4.0, 7.0\n"
+                               "        .bitvector want_z, n, \"101\"\n"
+                               "; expect: r1 = 0\n; expect-print: 3\n";
+    static const char answer[] = "        .include \"core.s\"\n"
+                                 "        .ifndef n\n        .equ    n, 5\n"
+                                 "        .endif\n        .data\n"
+                                 "        .vector x, n\n"
+                                 "        .vector y, n\n"
+                                 "        .bitvector z, n, \"101\"\n"
+                                 "        .code\n        .regs   r16, a, b\n"
+                                 "        descriptor a, x, n\n"
+                                 "        descriptor b, y, n\n"
+                                 "        ADDNV   [a], [a], [b]\n"
+                                 "        ES      r5, n\n"
+                                 "        EXIT    r5, r0, 2\n        EXIT\n";
+    uint64_t random_state = RANDOM_SEED;
+
+    (void)state;
+    check_run(test, answer, NULL);
+    for (size_t i = 0; i < tries; i++) {
+        char other_test[sizeof test], other_answer[sizeof answer];
+
+        strcpy(other_test, test);
+        strcpy(other_answer, answer);
+        mutate(other_test, &random_state);
+        mutate(other_answer, &random_state);
+        grade_any(other_test, other_answer);
+    }
+}
+
+int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_runs),
-        cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_names),
+        cmocka_unit_test(test_runs),    cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_names),
+        cmocka_unit_test(test_any),
     };
 
+    if (argc > 1)
+        tries = strtoul(argv[1], NULL, 10);
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
