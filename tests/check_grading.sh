@@ -144,7 +144,7 @@ check 0 --folder few "$lesson"
 cp out known
 mkdir few/anna/old
 touch few/anna/other.s few/notes.txt one/notes.txt
-check 1 --folder few "$lesson"
+check 1 --folder few "$lesson" --json few.json
 cmp -s out known
 verdict $? "strange files change the marks"
 for name in anna/old anna/other.s notes.txt; do
@@ -152,6 +152,8 @@ for name in anna/old anna/other.s notes.txt; do
 done
 [ "$(wc -l <err)" -eq 3 ]
 verdict $? "more is told"
+[ "$(grep -c '"student": "' few.json)" -eq 2 ]
+verdict $? "the JSON is not kept"
 check 1 --folder one "$lesson" --format csv
 tells err '^c205 check: one/notes.txt: not graded'
 tells out '^anna,scale,yes,gold,'

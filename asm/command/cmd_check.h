@@ -7,7 +7,7 @@
 
 struct check_command {
     const struct c205_arguments *arguments;
-    struct results *results;
+    struct results results;
     struct lessons lessons;
     struct lesson own;           /* a teacher's, from a folder */
     const struct lesson *lesson; /* that was named, or NULL */
@@ -29,7 +29,8 @@ int check_list(const struct check_command *check);
 int check_show(const struct check_command *check);
 int check_start(const struct check_command *check);
 
-/* cmd_check_folder.c: a folder of answers; the exit code. */
-int check_folder(const struct check_command *check);
+/* cmd_check_folder.c: a folder of answers; the exit code, and whether all that was there could be
+ * graded. */
+int check_folder(const struct check_command *check, bool *all_graded);
 
 #endif

@@ -18,7 +18,7 @@ int check_list(const struct check_command *check)
         table_text(table, lesson->name);
         table_text(table, lesson->title);
     }
-    return results_show(check->results, table, "lessons", NULL);
+    return results_show(&check->results, table, "lessons", NULL);
 }
 
 /* ---- What a test has ------------------------------------------------------- */
@@ -97,7 +97,7 @@ static int show_tests(const struct check_command *check)
             return cmd_failed(check->arguments->command, "%s", error.message);
         }
     }
-    return results_show(check->results, table, "tests", "Tests");
+    return results_show(&check->results, table, "tests", "Tests");
 }
 
 /* ---- A lesson -------------------------------------------------------------- */
@@ -105,7 +105,7 @@ static int show_tests(const struct check_command *check)
 int check_show(const struct check_command *check)
 {
     const struct lesson *lesson = check->lesson;
-    const struct results *results = check->results;
+    const struct results *results = &check->results;
     if (results->json) {
         json_text(results->json, "lesson", lesson->name);
         json_text(results->json, "title", lesson->title);
