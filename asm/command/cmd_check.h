@@ -23,8 +23,8 @@ bool check_grade(const struct lesson *lesson, const char *path,
 void check_join(struct text_buffer *buffer,
                 const struct lesson_report *report);
 
-/* cmd_check_lesson.c: all lessons; one, with what its tests have; its program to complete.  The exit
- * codes. */
+/* cmd_check_lesson.c: all lessons; one, with what its tests have; its program to complete.  The
+ * exit codes. */
 int check_list(const struct check_command *check);
 int check_show(const struct check_command *check);
 int check_start(const struct check_command *check);
