@@ -23,6 +23,10 @@ check 0
 check 0 "$lesson"
 tells out '^# Twice a vector$'
 tells out '^large  *25000  *40000  *300000  *n = 10000  *x  *above, y  *ten'
+! grep -q -e "First hint" -e "<" out
+verdict $? "hints are printed, or tags"
+check 0 "$lesson" --hints
+tells out "^First hint$"
 check 0 "$lesson" --format json
 tells out '"start": "; y := 2 x'
 check 0 "$lesson" --start
@@ -33,6 +37,8 @@ cmp -s begun.s "$lesson/start.s"
 verdict $? "the program to complete is written otherwise"
 check 1 "$lesson" --start -o missing/begun.s
 check 2 --start
+check 2 --hints
+check 2 "$lesson" begun.s --hints
 check 2 "$lesson" begun.s --start
 check 2 "$lesson" -o begun.s
 check 2 "$lesson" begun.s --folder .

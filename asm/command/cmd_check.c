@@ -156,6 +156,8 @@ static int check_usage(const struct c205_arguments *arguments)
                            "--start writes a program and grades none")
            : arguments->output && !arguments->start
                ? cmd_usage(command, "-o is of --start")
+           : arguments->hints && (!arguments->lesson || arguments->file)
+               ? cmd_usage(command, "--hints are printed with a lesson")
            : arguments->folder && arguments->file
                ? cmd_usage(command, "one answer or a --folder, not both")
                : CMD_DONE;
@@ -174,6 +176,7 @@ static int run(void *given)
 }
 
 static const struct command_option options[] = {
+    CMD_FLAG(hints, "print the lesson with its hints"),
     CMD_FLAG(start, "write the lesson's program to complete"),
     { .name = "output",
       .letter = 'o',
