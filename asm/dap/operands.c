@@ -32,36 +32,14 @@ static void find_operands(const struct dap *dap, struct operands *operands)
             view_fill(&views[i], machine);
 }
 
-/* Its elements can be counted. */
-static bool has_elements(const struct operand_view *operand)
-{
-    return operand->is_vector && !operand->is_bad && operand->length > 0
-           && !strchr("xXzZ", operand->letter);
-}
-
-static struct dap_vector
-vector_of_operand(const struct instruction_view *view,
-                  const struct operand_view *operand)
-{
-    const struct operand_view *control = view_find(view, "z");
-    struct dap_vector vector = { .address = operand->address,
-                                 .length = operand->length,
-                                 .width = operand->width };
-
-    vector.controlled = control && control->number != 0;
-    if (vector.controlled)
-        vector.control = control->address;
-    return vector;
-}
-
 static void put_operand(struct dap *dap, struct json *json,
                         const struct instruction_view *view,
                         const struct operand_view *operand, size_t number)
 {
-    struct dap_vector vector = vector_of_operand(view, operand);
+    struct vector_view vector = vector_of_operand(view, operand);
     struct text_line text = { .length = 0 }, name = { .length = 0 };
     struct sink sink = text_line_sink(&text), naming = text_line_sink(&name);
-    bool listed = has_elements(operand);
+    bool listed = vector_has_elements(operand);
     char register_name[REGISTER_NAME];
 
     if (operand->is_half)
@@ -75,7 +53,7 @@ static void put_operand(struct dap *dap, struct json *json,
         put_extent(&vector, &sink);
     else if (operand->is_vector)
         sink_print(&sink, "%s from %" PRIX64 " on",
-                   elements_of(operand->width), operand->address);
+                   vector_elements(operand->width), operand->address);
     else
         put_bits(operand->word, operand->is_half ? 32 : 64, &sink);
     put_variable(json, name.text, text.text,
@@ -108,7 +86,7 @@ void put_operands(struct dap *dap, struct json *json)
 }
 
 bool operand_vector(const struct dap *dap, size_t number,
-                    struct dap_vector *vector)
+                    struct vector_view *vector)
 {
     struct operands operands;
     const struct instruction_view *view;
@@ -119,7 +97,7 @@ bool operand_vector(const struct dap *dap, size_t number,
         return false;
     view = &operands.views[number / VIEW_OPERANDS];
     operand = &view->operands[number % VIEW_OPERANDS];
-    if (!has_elements(operand))
+    if (!vector_has_elements(operand))
         return false;
     *vector = vector_of_operand(view, operand);
     return true;
