@@ -76,12 +76,13 @@ static bool run_object(const struct program_sweep *sweep,
                        c205_error *error)
 {
     c205 *machine = c205_new(sweep->model, error);
-    bool good = machine && c205_load(machine, &object->program, error);
+    c205_program program = object->program;
     c205_stop stop = { 0 };
+    bool good;
 
+    program.warm = sweep->warm || (program.warm && !sweep->cold);
+    good = machine && c205_load(machine, &program, error);
     if (good) {
-        if (sweep->warm)
-            c205_warm(machine);
         stop = run_slices(sweep, machine);
         good = stop.trap == C205_TRAP_NONE && stop.status == 0;
         if (good)

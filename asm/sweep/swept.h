@@ -62,8 +62,9 @@ struct program_sweep {
     size_t program_count;
     const c205_model *model;
     const struct asm_options
-        *options;         /* the constant besides; so many defines */
-    bool warm;            /* pages are in memory at the start */
+        *options; /* the constant besides; so many defines */
+    bool warm,
+        cold; /* pages are in memory at the start, or not; neither: as the programs say */
     uint64_t clocks_most; /* of a run */
     struct sink report;   /* what the assembler says */
     /* Told now and then that so much of all is done.  False: stop.  NULL: nobody asks. */
