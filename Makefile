@@ -44,6 +44,7 @@ fit205_c = rt/command/fit205.c \
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 
 libraries = $(addprefix $(BUILD)/,librt205.a libc205asm.a libbase.a libc205.a)
+engine = $(BUILD)/libengine.a
 programs = $(BUILD)/c205 $(BUILD)/rt205
 adapter = $(BUILD)/rt205_oiio.so
 ranks = $(BUILD)/rt205_mpi.so
@@ -181,7 +182,7 @@ $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
 $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 		$(BUILD)/asm/lesson_texts.o
-$(BUILD)/libengine.a: $(call objects,$(engine_c))
+$(engine): $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
 # With q, not r: files of two folders may have one name.
@@ -279,7 +280,7 @@ $(helpers): $(call objects,$(filter-out tests/unit/test_%,\
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
-		$(libraries)
+		$(engine) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # Its client starts the command.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)): | $(BUILD)/c205
@@ -296,10 +297,10 @@ $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
-		$(BUILD)/tests/fuzz/fuzz_%.o $(libraries)
+		$(BUILD)/tests/fuzz/fuzz_%.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl -lpthread
 $(replays): $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.o \
-		$(BUILD)/tests/fuzz/replay.o $(libraries)
+		$(BUILD)/tests/fuzz/replay.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/tests/bench_lanes: $(BUILD)/tests/bench_lanes.o $(BUILD)/libc205.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
@@ -313,7 +314,7 @@ check-unit: $(unit_tests) $(adapter)
 	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
 		'$$0 >$$0.log 2>&1; code=$$?; cat $$0.log; exit $$code'
 
-check-rooms: $(libraries)
+check-rooms: $(engine) $(libraries)
 	sh tests/check_rooms.sh
 	sh tests/check_state.sh $(BUILD)
 	sh tests/check_names.sh $(BUILD)

@@ -23,7 +23,7 @@
  *   diagnostics   of a text that cannot be assembled, and of one that can: severity ("error",
  *                 "warning", "report", "said"), file, line, column, length, message
  *
- * ---- Long work: go, profile, timeline, sweep, compare, grade
+ * ---- Long work: go, profile, timeline, sweep, compare
  *
  * The request says how long a slice of it is: "ms" of the host's clock, or "clocks" of the machine
  * (of a sweep: runs), or as long as it takes. The reply has
@@ -31,7 +31,7 @@
  *   done          false: there is more, which { "do": "more", "ms": .. } goes on with; the
  *                 other members are those below once it is true
  *
- * Of the other requests about, view and accounts leave work alone (a profile or a
+ * Of the other requests about, grade, view and accounts leave work alone (a profile or a
  * timeline is given up by the last two), all the others give it up: then the program
  * stands where a movement has come to, and where it stood before a profile or a timeline.
  *
@@ -42,8 +42,8 @@
  *   instructions  mnemonic, operands (as they are written), half_operands (with ,H; missing: it
  *                 has no such form), effect, unit, vector, source (P S D R)
  *   directives    their names
- *   lessons       number, name, title, start (the program to complete), page (Markdown), tests:
- *                 name, tries, goals
+ *   lessons       number, name, title, start (the program to complete), tests:
+ *                 name, tries, goals (clocks: gold, silver, bronze; missing: none)
  *
  * ---- load: a program in place of the one before
  *
@@ -152,11 +152,12 @@
  *   lesson        its name or number
  *   name, text    of the answer
  *
- *   verdict       as c205 check --format json has it
+ *   what c205 check --format json has of it; words: the same as text
  *
  * ---- say: a line for the debugger
  *
- *   line          "why", "break 10", "continue", ..: docs/debugging.md; movements end with the slice
+ *   line          "why", "break 10", "continue", ..: docs/debugging.md; movements end with the
+ *                 slice, or with limit
  *
  *   text          what it says to that
  *   step, steps, clock
@@ -177,6 +178,9 @@ struct engine;
 /* NULL: no memory. */
 struct engine *engine_new(void);
 void engine_free(struct engine *engine);
+
+/* Whatever requests say, no movement and no run of a sweep takes more clocks from now on. */
+void engine_bound(struct engine *engine, uint64_t clocks);
 
 /* The reply to a request of so many bytes, whatever they are: a text to be freed.  NULL:
  * there is no memory even for that. */
