@@ -162,9 +162,10 @@ bool slice_is_over(void *given)
     uint64_t clock = c205_clock(engine_machine(engine));
 
     slice->to_the_limit = clock >= slice->ends_at;
+    if (clock < slice->from) /* it has gone back */
+        slice->from = clock;
     return slice->to_the_limit
-           || (slice->clocks > 0 && clock >= slice->from
-               && clock - slice->from >= slice->clocks)
+           || (slice->clocks > 0 && clock - slice->from >= slice->clocks)
            || time_is_over(slice);
 }
 
