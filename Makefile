@@ -94,7 +94,7 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-commands check-install check-fit check-web-engine
+	check-library check-course check-commands check-install check-fit check-web-engine
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -433,6 +433,10 @@ check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
 	sh tests/check_pages.sh $(BUILD)
 	sh tests/check_replay.sh $(BUILD)
 
+check-course: $(BUILD)/c205
+	sh tests/check_course.sh $(BUILD)
+	sh tests/check_grading.sh $(BUILD)
+
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)
 
@@ -599,7 +603,7 @@ clean:
 	check-random check-quartic check-planted check-faces check-regions \
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
-	check-samples check-commands check-install \
+	check-samples check-course check-commands check-install \
 	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web-engine check-web-engine docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
