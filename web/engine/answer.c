@@ -57,12 +57,15 @@ bool refuse_as_said(struct engine *engine, c205_error *error)
     return false;
 }
 
-void put_said(struct engine *engine, struct json *reply, const char *key)
+bool put_said(struct engine *engine, struct json *reply, const char *key,
+              c205_error *error)
 {
     const char *said = said_text(engine);
+    bool good = !engine->said.failed;
 
     json_text(reply, key, said ? said : "");
     forget_said(engine);
+    return good || refuse(error, "no memory");
 }
 
 bool needs_program(const struct engine *engine, c205_error *error)
