@@ -29,8 +29,10 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap asm/lesson)
+asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap asm/lesson)
 c205_c = $(call c_of,asm/command)
+# Not the call of a WebAssembly host.
+engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
 rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
@@ -42,6 +44,7 @@ fit205_c = rt/command/fit205.c \
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 
 libraries = $(addprefix $(BUILD)/,librt205.a libc205asm.a libbase.a libc205.a)
+engine = $(BUILD)/libengine.a
 programs = $(BUILD)/c205 $(BUILD)/rt205
 adapter = $(BUILD)/rt205_oiio.so
 ranks = $(BUILD)/rt205_mpi.so
@@ -91,7 +94,7 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-course check-commands check-install check-fit wasm-check
+	check-library check-course check-commands check-install check-fit check-web-engine
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -179,6 +182,7 @@ $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
 $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 		$(BUILD)/asm/lesson_texts.o
+$(engine): $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
 # With q, not r: files of two folders may have one name.
@@ -276,7 +280,7 @@ $(helpers): $(call objects,$(filter-out tests/unit/test_%,\
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
-		$(libraries)
+		$(engine) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # Its client starts the command.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)): | $(BUILD)/c205
@@ -299,10 +303,10 @@ $(BUILD)/tests/oracle/digest: $(BUILD)/tests/oracle/digest.o \
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
-		$(BUILD)/tests/fuzz/fuzz_%.o $(libraries)
+		$(BUILD)/tests/fuzz/fuzz_%.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl -lpthread
 $(replays): $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.o \
-		$(BUILD)/tests/fuzz/replay.o $(libraries)
+		$(BUILD)/tests/fuzz/replay.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/tests/bench_lanes: $(BUILD)/tests/bench_lanes.o $(BUILD)/libc205.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
@@ -316,7 +320,7 @@ check-unit: $(unit_tests) $(adapter)
 	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
 		'$$0 >$$0.log 2>&1; code=$$?; cat $$0.log; exit $$code'
 
-check-rooms: $(libraries)
+check-rooms: $(engine) $(libraries)
 	sh tests/check_rooms.sh
 	sh tests/check_state.sh $(BUILD)
 	sh tests/check_names.sh $(BUILD)
@@ -445,10 +449,28 @@ check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 check-install: all
 	sh tests/check_install.sh $(BUILD) "$(MAKE)"
 
-# vm and asm, and the c205 command, for the browser's kind of machine.
+# For the browser's kind of machine: vm and asm, the c205 command, and the engine of the
+# page; how large that is.
+in_wasm = @$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+	AR=llvm-ar $(addprefix $(BUILD)/wasm/,$(1))
 wasm-check:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/c205
+	$(call in_wasm,c205 engine.wasm)
+web-engine:
+	$(call in_wasm,engine.wasm)
+	@mkdir -p $(BUILD)/web
+	@cp $(BUILD)/wasm/engine.wasm $(BUILD)/web
+	@wc -c $(BUILD)/web/engine.wasm
+
+# Its stack lies before its data: what overflows it is seen.
+$(BUILD)/engine.wasm: $(BUILD)/web/engine/wasm.o $(addprefix $(BUILD)/,\
+		libengine.a libc205asm.a libbase.a libc205.a)
+	$(CC) -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=262144 \
+		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
+
+# The engine in node beside c205, where there is node.
+check-web-engine: $(BUILD)/c205 wasm-check
+	@$(MAKE) --no-print-directory web-engine
+	sh tests/check_web_engine.sh $(BUILD) $(JOBS)
 
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.
@@ -589,7 +611,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-course check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web-engine check-web-engine docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -1,5 +1,6 @@
 /* debugger.c - its beginning and end, what it hears, and its verbs. */
 #include <ctype.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,8 +8,8 @@
 #include "asm/debug/parts.h"
 #include "base/nearest.h"
 
-/* Bytes of snapshots. */
-static const size_t budget = (size_t)128 << 20;
+/* Bytes of snapshots, unless it is told another number. */
+static const size_t usual_history = (size_t)128 << 20;
 
 /* ---- Verbs ---------------------------------------------------------------- */
 
@@ -109,6 +110,14 @@ static void print(void *context, const char *text, size_t length)
                                 length);
 }
 
+/* A record has room for more than most have. */
+static void copy_record(c205_times *to, const c205_times *from)
+{
+    memcpy(to, from, offsetof(c205_times, piece));
+    memcpy(to->piece, from->piece, from->piece_count * sizeof *to->piece);
+    memcpy(to->phase, from->phase, from->phase_count * sizeof *to->phase);
+}
+
 /* What the program prints is printed once, however often it is run again. */
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
@@ -116,7 +125,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 
     if (event->kind == C205_EVENT_STOP && event->record) {
         debugger->has_end = true;
-        debugger->end = *event->record;
+        copy_record(&debugger->end, event->record);
     }
     if (event->kind != C205_EVENT_INSTRUCTION
         && event->kind != C205_EVENT_REQUEST)
@@ -124,7 +133,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     debugger->has_end = false;
     debugger->has_last = true;
     debugger->last = *event;
-    debugger->record = *event->record;
+    copy_record(&debugger->record, event->record);
     debugger->last.record = &debugger->record;
     if (step_of(debugger) < debugger->told)
         return;
@@ -178,7 +187,11 @@ struct debugger *debugger_new(const struct debugger_setup *setup,
     debugger->printer.sink = (struct sink){ print, debugger };
     machine = load(debugger, error);
     if (machine)
-        debugger->history = c205_history_new(machine, budget, error);
+        debugger->history = c205_history_new(machine,
+                                             setup->history > 0
+                                                 ? setup->history
+                                                 : usual_history,
+                                             error);
     if (debugger->history)
         return debugger;
     c205_free(machine);
@@ -203,6 +216,31 @@ const c205 *debugger_machine(const struct debugger *debugger)
 const struct sink *debugger_out(const struct debugger *debugger)
 {
     return &debugger->out;
+}
+
+uint64_t debugger_step(const struct debugger *debugger)
+{
+    return step_of(debugger);
+}
+
+uint64_t debugger_known(const struct debugger *debugger)
+{
+    return c205_history_known(debugger->history);
+}
+
+const c205_stop *debugger_halt(const struct debugger *debugger)
+{
+    return debugger->halted ? &debugger->halt : NULL;
+}
+
+const c205_event *debugger_last(const struct debugger *debugger)
+{
+    return debugger->has_last ? &debugger->last : NULL;
+}
+
+const c205_times *debugger_end(const struct debugger *debugger)
+{
+    return debugger->has_end ? &debugger->end : NULL;
 }
 
 void debugger_greet(struct debugger *debugger)
