@@ -2,8 +2,8 @@
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | mpi | bench | san | fuzz | cover | check-long | wasm-check |
-#      format | lint | install | clean
+# make all | docs | site | mpi | bench | san | fuzz | cover | check-long |
+#      wasm-check | format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -253,6 +253,16 @@ docs: $(BUILD)/c205 $(shown)
 	$< isa --grammar >$(BUILD)/grammar.json
 	@mv $(BUILD)/grammar.json docs/editors/vscode/c205.tmLanguage.json
 	sh tests/check_docs.sh $(BUILD) full --write $(PAGES)
+
+# The manual as a site, from a server or from the folder.
+site_packages = mkdocs mkdocs-material
+site:
+	@sh .ci/need $(site_packages)
+	sh docs/site/lay.sh $(BUILD)
+	mkdocs build --quiet --config-file $(BUILD)/mkdocs.yml
+
+check-site: site
+	sh tests/check_site.sh $(BUILD)
 
 # --- tests ------------------------------------------------------------------
 
@@ -572,7 +582,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	check-site check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

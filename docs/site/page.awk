@@ -1,0 +1,108 @@
+# page.awk - a page of the manual as MkDocs likes it:
+#
+#   awk -v page=docs/tracer.md -v families=FILE -v linked=FILE -f page.awk PAGE
+#
+# - a link to a file that is no page leads to a page that shows it; which files
+#   those are is written to linked, as paths in the repository;
+# - a link to an instruction leads to the page of its family (families: lines
+#   "anchor page");
+# - above a printed block stands the command that prints it;
+# - what can be unfolded is Markdown inside, too.
+
+# "docs", "../rt/x.s" -> "rt/x.s"
+function joined(folder, path,    parts, count, i, text, kept) {
+    count = split(folder "/" path, parts, "/")
+    kept = 0
+    for (i = 1; i <= count; i++) {
+        if (parts[i] == ".." && kept)
+            kept--
+        else if (parts[i] != "" && parts[i] != "." && parts[i] != "..")
+            parts[++kept] = parts[i]
+    }
+    text = parts[1]
+    for (i = 2; i <= kept; i++)
+        text = text "/" parts[i]
+    return text
+}
+
+# From this page to a file, by the root.
+function from_here(path,    up, text) {
+    up = page
+    while (sub(/^[^\/]*\//, "", up))
+        text = text "../"
+    return text path
+}
+
+function mended(target,    path, anchor) {
+    if (target ~ /^[a-z]+:/)
+        return target
+    path = target
+    anchor = ""
+    if (path ~ /#/) {
+        anchor = path
+        sub(/#.*/, "", path)
+        sub(/^[^#]*#/, "", anchor)
+    }
+    path = path == "" ? page : joined(folder, path)
+    if (path == "docs/isa.md" && anchor in family)
+        return from_here(family[anchor]) "#" anchor
+    if (path ~ /\.(md|png|svg|jpg|html)$/)
+        return path == page ? "#" anchor : from_here(path) (anchor == "" ? "" : "#" anchor)
+    print path >linked
+    return from_here(path) (target ~ /\/$/ ? "/index.md" : ".md")
+}
+
+# In code a bar does not end a cell.
+function with_bars(code) {
+    gsub(/\\\|/, "|", code)
+    return code
+}
+
+# All links of a line; those of code are left alone.
+function links_mended(line,    done, start) {
+    done = ""
+    while (match(line, /`[^`]*`|\]\([^) ]*\)/)) {
+        if (substr(line, RSTART, 1) == "]") {
+            start = substr(line, RSTART + 2, RLENGTH - 3)
+            done = done substr(line, 1, RSTART - 1) "](" mended(start) ")"
+        } else
+            done = done substr(line, 1, RSTART - 1) \
+                with_bars(substr(line, RSTART, RLENGTH))
+        line = substr(line, RSTART + RLENGTH)
+    }
+    return done line
+}
+
+function escaped(text) {
+    gsub(/&/, "\\&amp;", text)
+    gsub(/</, "\\&lt;", text)
+    gsub(/>/, "\\&gt;", text)
+    return text
+}
+
+BEGIN {
+    folder = page
+    if (!sub(/\/[^\/]*$/, "", folder))
+        folder = ""
+    while ((getline line < families) > 0) {
+        split(line, words, " ")
+        family[words[1]] = words[2]
+    }
+}
+/^```/ {
+    sub(/c205/, "nasm")
+    fenced = !fenced
+}
+fenced || /^    / { print; next }
+/^<!-- printed( slowly)? by: .* -->$/ {
+    sub(/^<!-- printed( slowly)? by: /, "")
+    sub(/ -->$/, "")
+    sub(/ \| .*/, "")
+    sub(/ -o \$DRAWN\/[^ ]*/, "")
+    print "<p class=\"printed\">" escaped($0) "</p>"
+    next
+}
+{
+    gsub(/<details>/, "<details markdown=\"1\">")
+    print links_mended($0)
+}
