@@ -2,7 +2,7 @@
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | site | mpi | bench | san | fuzz | cover | check-long |
+# make all | docs | card | site | mpi | bench | san | fuzz | cover | check-long |
 #      wasm-check | format | lint | install | clean
 
 BUILD ?= build
@@ -185,7 +185,8 @@ $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	@rm -f $@
 	$(AR) qcs $@ $^
 
-$(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
+$(BUILD)/c205: $(call objects,$(c205_c)) \
+		$(addprefix $(BUILD)/asm/,isa_example_texts.o card_texts.o) \
 		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
 # Both commands hold dialogues with a debugger.
@@ -222,6 +223,8 @@ $(BUILD)/asm/library_texts.c: texts_in = asm/lib
 $(BUILD)/asm/library_texts.c: $(wildcard asm/lib/*.s)
 $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
+$(BUILD)/asm/card_texts.c: texts_in = asm/card
+$(BUILD)/asm/card_texts.c: $(wildcard asm/card/*.roff)
 $(BUILD)/rt/kernel_texts.c: texts_in = rt/kernels
 $(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*/*.s)
 $(BUILD)/rt/scene_texts.c: texts_in = rt/scene/library
@@ -253,6 +256,16 @@ docs: $(BUILD)/c205 $(shown)
 	$< isa --grammar >$(BUILD)/grammar.json
 	@mv $(BUILD)/grammar.json docs/editors/vscode/c205.tmLanguage.json
 	sh tests/check_docs.sh $(BUILD) full --write $(PAGES)
+	@$(MAKE) --no-print-directory card
+
+# The instructions on two pages.
+card_packages = groff fonts-urw-base35 poppler-utils
+card: $(BUILD)/c205
+	@sh .ci/need $(card_packages)
+	sh asm/card/print.sh $< $(BUILD)/card
+
+check-card: card
+	sh tests/check_card.sh $(BUILD)/c205 $(BUILD)/card
 
 # The manual as a site, from a server or from the folder.
 site_packages = mkdocs mkdocs-material
@@ -582,7 +595,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
-	check-site check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site san bench \
+	check-site check-card check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site card san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
