@@ -2,7 +2,7 @@
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | card | site | mpi | bench | san | fuzz | cover | check-long |
+# make all | docs | card | slides | site | mpi | bench | san | fuzz | cover | check-long |
 #      wasm-check | format | lint | install | clean
 
 BUILD ?= build
@@ -266,6 +266,19 @@ card: $(BUILD)/c205
 
 check-card: card
 	sh tests/check_card.sh $(BUILD)/c205 $(BUILD)/card
+
+# A lecture, as a deck for a browser and as it prints that, without notes and with them.
+slides_packages = python3-markdown chromium poppler-utils
+slides = $(BUILD)/slides
+slides:
+	@sh .ci/need $(slides_packages)
+	@mkdir -p $(slides)
+	sh docs/slides/deck.sh docs/slides/vector.md >$(slides)/vector.html
+	sh docs/slides/print.sh $(slides)/vector.html $(slides)/vector.pdf
+	sh docs/slides/print.sh "$(slides)/vector.html#notes" $(slides)/vector-notes.pdf
+
+check-slides: slides
+	sh tests/check_slides.sh docs/slides/vector.md $(slides)
 
 # The manual as a site, from a server or from the folder.
 site_packages = mkdocs mkdocs-material
@@ -595,7 +608,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
-	check-site check-card check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site card san bench \
+	check-site check-card check-slides check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site card slides san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

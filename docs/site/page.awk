@@ -6,7 +6,7 @@
 #   those are is written to linked, as paths in the repository;
 # - a link to an instruction leads to the page of its family (families: lines
 #   "anchor page");
-# - above a printed block stands the command that prints it;
+# - above a printed block stands the command that prints it, or the file that it shows;
 # - what can be unfolded is Markdown inside, too.
 
 # "docs", "../rt/x.s" -> "rt/x.s"
@@ -99,7 +99,10 @@ fenced || /^    / { print; next }
     sub(/ -->$/, "")
     sub(/ \| .*/, "")
     sub(/ -o \$DRAWN\/[^ ]*/, "")
-    print "<p class=\"printed\">" escaped($0) "</p>"
+    if (/^(c205|rt205|fit205) /)
+        print "<p class=\"printed\">" escaped($0) "</p>"
+    else if ($NF ~ /\//)
+        print "<p class=\"shown\">" escaped($NF) "</p>"
     next
 }
 {
