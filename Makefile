@@ -281,9 +281,11 @@ check-slides: slides
 	sh tests/check_slides.sh docs/slides/vector.md $(slides)
 
 # The manual as a site, from a server or from the folder.
-site_packages = mkdocs mkdocs-material
-site:
+site_packages = mkdocs mkdocs-material python3-markdown
+site: card
 	@sh .ci/need $(site_packages)
+	@[ -f $(BUILD)/web/c205.html ] || [ ! -f web/build.mjs ] || \
+		$(MAKE) --no-print-directory web
 	sh docs/site/lay.sh $(BUILD)
 	mkdocs build --quiet --config-file $(BUILD)/mkdocs.yml
 

@@ -46,7 +46,7 @@ function mended(target,    path, anchor) {
     path = path == "" ? page : joined(folder, path)
     if (path == "docs/isa.md" && anchor in family)
         return from_here(family[anchor]) "#" anchor
-    if (path ~ /\.(md|png|svg|jpg|html)$/)
+    if (path ~ /\.(md|png|svg|jpg|html|pdf)$/)
         return path == page ? "#" anchor : from_here(path) (anchor == "" ? "" : "#" anchor)
     print path >linked
     return from_here(path) (target ~ /\/$/ ? "/index.md" : ".md")
