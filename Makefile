@@ -159,11 +159,12 @@ check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full
 check-long:
-	@sh .ci/need $(test_packages) valgrind dieharder
+	@sh .ci/need $(test_packages) valgrind dieharder $(card_packages) \
+		$(slides_packages) $(site_packages)
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
 		check-poison check-points check-emission check-timing check-stream \
-		san cover -- check-mpi check-planted
+		check-card check-slides check-site san cover -- check-mpi check-planted
 
 fit:
 	@sh .ci/need $(build_packages) $(fit_packages) $(exact_packages)

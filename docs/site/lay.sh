@@ -71,6 +71,10 @@ lay_page() {
     mkdir -p "$manual/page" "$manual/docs/course"
     cp "$BUILD/web/c205.html" "$manual/page/index.html"
     cat >"$manual/docs/course/page.md" <<END
+---
+hide:
+  - toc
+---
 # The page
 
 Text, editor and machine side by side; [by itself](../../page/index.html) it has all of
