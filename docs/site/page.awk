@@ -6,7 +6,8 @@
 #   those are is written to linked, as paths in the repository;
 # - a link to an instruction leads to the page of its family (families: lines
 #   "anchor page");
-# - above a printed block stands the command that prints it, or the file that it shows;
+# - above a printed block stands the command that prints it, or the file that it shows; a
+#   program is shown in colours;
 # - what can be unfolded is Markdown inside, too.
 
 # "docs", "../rt/x.s" -> "rt/x.s"
@@ -93,6 +94,25 @@ BEGIN {
     sub(/c205/, "nasm")
     fenced = !fenced
 }
+# A program that is printed: a block with the name of its language.
+program == 1 && /^    / {
+    print "```nasm"
+    program = 2
+}
+program == 2 && /^$/ {
+    gap = gap "\n"
+    next
+}
+program == 2 && /^    / {
+    print gap substr($0, 5)
+    gap = ""
+    next
+}
+program == 2 {
+    print "```" gap
+    gap = ""
+    program = 0
+}
 fenced || /^    / { print; next }
 /^<!-- printed( slowly)? by: .* -->$/ {
     sub(/^<!-- printed( slowly)? by: /, "")
@@ -103,9 +123,14 @@ fenced || /^    / { print; next }
         print "<p class=\"printed\">" escaped($0) "</p>"
     else if ($NF ~ /\//)
         print "<p class=\"shown\">" escaped($NF) "</p>"
+    program = $NF ~ /\.s$/ && !/^(c205|rt205|fit205) /
     next
 }
 {
     gsub(/<details>/, "<details markdown=\"1\">")
     print links_mended($0)
+}
+END {
+    if (program == 2)
+        print "```"
 }

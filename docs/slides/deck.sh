@@ -21,7 +21,7 @@ $(cat docs/slides/deck.css)
 END
 awk -v page="$page" -v families=/dev/null -v linked=/dev/null \
     -f docs/site/page.awk "$page" |
-    markdown_py -x tables |
+    markdown_py -x tables -x fenced_code |
     awk -v folder="$(dirname "$page")" -f docs/slides/deck.awk
 cat <<END
 <script>
