@@ -22,6 +22,13 @@ function deeper(line,    done) {
     return done line
 }
 
+# The index: a family's title leads to its page.
+/^- / && match($0, /: \[/) {
+    title = substr($0, 3, RSTART - 3)
+    family = page_of(title)
+    sub(/^docs\//, "", family)
+    $0 = "- [" title "](" family ")" substr($0, RSTART)
+}
 # Whether it is a family's shows what follows: the heading of an instruction.
 /^## / {
     heading = $0
