@@ -29,7 +29,7 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap)
+asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap asm/lesson)
 c205_c = $(call c_of,asm/command)
 rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
@@ -91,7 +91,7 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-commands check-install check-fit wasm-check
+	check-library check-course check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -178,7 +178,8 @@ fit:
 
 $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
-$(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o
+$(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
+		$(BUILD)/asm/lesson_texts.o
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
 # With q, not r: files of two folders may have one name.
@@ -226,13 +227,17 @@ $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
 $(BUILD)/asm/card_texts.c: texts_in = asm/card
 $(BUILD)/asm/card_texts.c: $(wildcard asm/card/*.roff)
+# Solutions are not among them.
+$(BUILD)/asm/lesson_texts.c: texts_in = docs/course
+$(BUILD)/asm/lesson_texts.c: $(sort $(foreach file,lesson.md start.s test-*.s,\
+	$(wildcard docs/course/*/$(file)))) $(wildcard docs/course/ docs/course/*/)
 $(BUILD)/rt/kernel_texts.c: texts_in = rt/kernels
 $(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*/*.s)
 $(BUILD)/rt/scene_texts.c: texts_in = rt/scene/library
 $(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/library/*.inc)
 $(BUILD)/%_texts.c: vm/embed.sh
 	@mkdir -p $(@D)
-	sh vm/embed.sh $(@F:.c=) $(texts_in) $(filter-out vm/embed.sh,$^) > $@.new
+	sh vm/embed.sh $(@F:.c=) $(texts_in) $(filter-out %/ vm/embed.sh,$^) > $@.new
 	@mv $@.new $@
 
 $(BUILD)/%.o: %.c
@@ -463,6 +468,10 @@ check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
 	sh tests/check_pages.sh $(BUILD)
 	sh tests/check_replay.sh $(BUILD)
 
+check-course: $(BUILD)/c205
+	sh tests/check_course.sh $(BUILD)
+	sh tests/check_grading.sh $(BUILD)
+
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)
 
@@ -532,6 +541,7 @@ lint:
 
 $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
+		$(BUILD)/asm/lesson_texts.o \
 		$(BUILD)/libbase.a
 # Views need more of the assembler's library than that has for others.
 $(api)/librt205.a: $(call objects,$(filter-out rt/view/%,$(rt_c))) \
@@ -612,6 +622,8 @@ clean:
 	check-library \
 	check-samples check-commands check-install \
 	check-site check-card check-slides check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site card slides san bench \
+	check-samples check-course check-commands check-install \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

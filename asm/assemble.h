@@ -99,6 +99,7 @@ struct asm_options {
      * library of asm/lib and, for rt, the kernels.  NULL-terminated array of
      * text tables (vm/text.h); the library is always there. */
     const struct text *const *texts;
+    bool sealed; /* nothing else is included: no file is read */
     struct warning_choice warnings;
 };
 
@@ -116,6 +117,9 @@ struct object *assemble_bytes(const char *name, const char *text,
                               const struct asm_options *options,
                               struct diagnostics *diagnostics);
 void object_free(struct object *object);
+
+/* Whether it says that the text defines what the options define already, otherwise. */
+bool asm_is_redefined(const struct diagnostic *diagnostic, const char *name);
 
 /* The line whose words lie at an address; NULL: none is known. */
 const struct asm_line *object_line(const struct object *object,

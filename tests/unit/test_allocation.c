@@ -11,6 +11,7 @@
 #include "base/accounts.h"
 #include "asm/disassemble.h"
 #include "asm/expect.h"
+#include "asm/lesson/lesson.h"
 #include "asm/listing.h"
 #include "asm/measure.h"
 #include "asm/object.h"
@@ -432,6 +433,40 @@ static bool check_object(FILE *out, c205_error *error)
     return done || no_memory(error);
 }
 
+/* A fine answer that does not pass was not graded for want of memory. */
+static bool grade_answer(FILE *out, c205_error *error)
+{
+    static const char test[] = "; test: one\n; goals: gold 1, silver 2, "
+                               "bronze 90000\n        .equ    n, 1\n"
+                               "x:      .word   2.0\nwant_y: .word 2.0\n";
+    static const char answer[] = "        .data\nx:      .word   1.0\n"
+                                 "y:      .word   0.0\n        .code\n"
+                                 "        EX      r10, x\n"
+                                 "        LOD     [r10], r11\n"
+                                 "        EX      r10, y\n"
+                                 "        STO     [r10], r11\n"
+                                 "        EXIT\n";
+    struct sink sink = stream_sink(out);
+    struct lesson lesson = { 0 };
+    struct lesson_verdict verdict = { 0 };
+    bool done = lesson_begin(&lesson, "1-it", error)
+                && lesson_take(&lesson, "lesson.md", "# A\n", 4, error)
+                && lesson_take(&lesson, "start.s", "", 0, error)
+                && lesson_take(&lesson, "test-a.s", test, strlen(test), error)
+                && lesson_end(&lesson, error)
+                && lesson_grade(&verdict, &lesson, "my.s", answer,
+                                strlen(answer), error);
+    if (done && !verdict.passed) {
+        done = no_memory(error);
+    }
+    if (done) {
+        lesson_verdict_put(&verdict, &sink);
+    }
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+    return done;
+}
+
 static bool write_json(FILE *out, c205_error *error)
 {
     (void)out;
@@ -484,7 +519,8 @@ static bool report_pipes(FILE *out, c205_error *error)
     use(find_models) use(assemble_one) use(assemble_wrong) use(read_object) \
         use(disassemble_object) use(run_object) use(run_example) \
             use(save_and_restore) use(check_object) use(measure_one) \
-                use(write_json) use(report_speedups) use(report_pipes)
+                use(grade_answer) use(write_json) use(report_speedups) \
+                    use(report_pipes)
 
 #define TEST(task) \
     static void test_##task(void **state) \

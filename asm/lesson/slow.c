@@ -1,0 +1,149 @@
+/* slow.c - why an answer is slower than the next goal: the cause and the lines that took most
+ * of its clocks. */
+#include <inttypes.h>
+
+#include "asm/lesson/parts.h"
+#include "base/accounts.h"
+
+enum { LINES_TOLD = 3 };
+
+/* What helps against a cause. */
+static const char *const helps[C205_CAUSES] = {
+    [C205_ISSUE] = "Each instruction takes its clocks to issue: fewer of "
+                   "them do better, and a vector instruction stands for a "
+                   "whole loop.",
+    [C205_OPERAND_WAIT] = "Put other work between an instruction and the one "
+                          "that needs its result.",
+    [C205_UNIT_BUSY] = "Spread the work over the units, or put other work "
+                       "between two instructions of one unit.",
+    [C205_BRANCH] = "A branch that is taken costs many instructions' time: "
+                    "do more between two of them, or use vectors.",
+    [C205_MEMORY_WAIT] = "Load early, use late; and what is needed again "
+                         "can stay in a register.",
+    [C205_VECTOR_STARTUP] = "Each vector instruction has its start-up, "
+                            "however short it is: use fewer and longer "
+                            "ones.",
+    [C205_VECTOR_STREAM] = "The elements themselves take the time: do fewer "
+                           "operations, link two of them, or leave out "
+                           "elements that are not needed.",
+    [C205_BANK_CONFLICT] = "Elements that lie some power of two apart come "
+                           "from the same banks: another distance does "
+                           "better.",
+    [C205_TRANSLATION_MISS] = "Work page by page: each page touched anew "
+                              "must be looked up.",
+    [C205_PAGE_FAULT] = "Each page costs its first touch: use fewer pages."
+};
+
+static int percent_of(uint64_t clocks, uint64_t all)
+{
+    return all > 0 ? (int)((200 * clocks / all + 1) / 2) : 0;
+}
+
+/* ---- The goal -------------------------------------------------------------- */
+
+static void tell_goal(const struct lesson_trial *trial,
+                      struct lesson_report *report)
+{
+    enum medal next = trial->medal + 1;
+    uint64_t goal = trial->test->goals[next];
+
+    report_say(report,
+               "It took %" PRIu64 " clocks, %" PRIu64
+               " more than the %" PRIu64 " of %s.",
+               trial->clocks, trial->clocks - goal, goal, medal_name(next));
+}
+
+/* ---- The cause ------------------------------------------------------------- */
+
+static void tell_cause(const struct lesson_trial *trial,
+                       const c205_account *all, struct lesson_report *report)
+{
+    int most = 0;
+
+    for (int cause = 1; cause < C205_CAUSES; cause++)
+        if (all->clocks[cause] > all->clocks[most])
+            most = cause;
+    report_say(report, "Most of that is %s: %" PRIu64 " clocks, %d %%.  %s",
+               c205_cause_name((c205_cause)most), all->clocks[most],
+               percent_of(all->clocks[most], trial->clocks), helps[most]);
+}
+
+/* A loop, however good. */
+static void tell_scalar(const c205_account *all, struct lesson_report *report)
+{
+    static const uint64_t many = 1000;
+
+    if (all->vector_instructions == 0 && all->instructions >= many)
+        report_say(report,
+                   "All of its %" PRIu64
+                   " instructions are scalar ones: what does the same with "
+                   "many elements can be done by vector instructions.",
+                   all->instructions);
+}
+
+/* ---- The lines ------------------------------------------------------------- */
+
+static uint64_t clocks_of(const struct profile_row *row)
+{
+    uint64_t sum = 0;
+
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        sum += row->clocks[cause];
+    return sum;
+}
+
+/* The hottest line behind the one before it, of equals the first; NULL: none took time. */
+static const struct profile_row *next_line(const struct line_profile *profile,
+                                           const struct profile_row *before)
+{
+    const struct profile_row *found = NULL;
+
+    for (size_t i = 0; i < line_profile_count(profile); i++) {
+        const struct profile_row *row = line_profile_row(profile, i);
+        uint64_t clocks = clocks_of(row);
+
+        if (row->file && clocks > (found ? clocks_of(found) : 0)
+            && (!before || clocks < clocks_of(before)
+                || (clocks == clocks_of(before) && row > before)))
+            found = row;
+    }
+    return found;
+}
+
+/* The hottest one, and others that took a tenth of it or more. */
+static void tell_lines(const struct lesson_trial *trial,
+                       const struct line_profile *profile,
+                       struct lesson_report *report)
+{
+    const struct profile_row *row = NULL;
+
+    for (int i = 0; i < LINES_TOLD && (row = next_line(profile, row)); i++) {
+        uint64_t clocks = clocks_of(row);
+
+        if (i > 0 && 10 * clocks < trial->clocks)
+            return;
+        report_say(report,
+                   "Line %zu took %" PRIu64 " clocks, %d %%, in %" PRIu64
+                   " instruction%s: %.200s",
+                   row->number, clocks, percent_of(clocks, trial->clocks),
+                   row->executions, row->executions == 1 ? "" : "s",
+                   lesson_source(row->source));
+    }
+}
+
+void slow_tell(const struct lesson_trial *trial, const c205 *machine,
+               const struct line_profile *profile,
+               struct lesson_report *report)
+{
+    struct accounts accounts = { .model = c205_machine_model(machine) };
+    c205_account all;
+
+    if (!accounts_add(&accounts, machine))
+        report->kept->failed = true;
+    all = accounts_together(&accounts);
+    accounts_free(&accounts);
+    tell_goal(trial, report);
+    tell_cause(trial, &all, report);
+    tell_lines(trial, profile, report);
+    tell_scalar(&all, report);
+}
