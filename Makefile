@@ -620,10 +620,8 @@ clean:
 	check-random check-quartic check-planted check-faces check-regions \
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
-	check-samples check-commands check-install \
-	check-site check-card check-slides check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site card slides san bench \
 	check-samples check-course check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	check-site check-card check-slides check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site card slides san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
