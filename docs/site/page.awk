@@ -6,8 +6,8 @@
 #   those are is written to linked, as paths in the repository;
 # - a link to an instruction leads to the page of its family (families: lines
 #   "anchor page");
-# - above a printed block stands the command that prints it, or the file that it shows; a
-#   program is shown in colours;
+# - above a printed block stands the command that prints it, or the file that it
+#   shows; a program is shown in colours;
 # - what can be unfolded is Markdown inside, too.
 
 # "docs", "../rt/x.s" -> "rt/x.s"
@@ -60,16 +60,17 @@ function with_bars(code) {
 }
 
 # All links of a line; those of code are left alone.
-function links_mended(line,    done, start) {
+function links_mended(line,    done, piece) {
     done = ""
     while (match(line, /`[^`]*`|\]\([^) ]*\)/)) {
-        if (substr(line, RSTART, 1) == "]") {
-            start = substr(line, RSTART + 2, RLENGTH - 3)
-            done = done substr(line, 1, RSTART - 1) "](" mended(start) ")"
-        } else
-            done = done substr(line, 1, RSTART - 1) \
-                with_bars(substr(line, RSTART, RLENGTH))
+        piece = substr(line, RSTART, RLENGTH)
+        done = done substr(line, 1, RSTART - 1)
         line = substr(line, RSTART + RLENGTH)
+        if (piece ~ /^`/)
+            piece = with_bars(piece)
+        else
+            piece = "](" mended(substr(piece, 3, length(piece) - 3)) ")"
+        done = done piece
     }
     return done line
 }
