@@ -2,8 +2,8 @@
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | mpi | bench | san | fuzz | cover | check-long | wasm-check |
-#      format | lint | install | clean
+# make all | docs | card | slides | site | mpi | bench | san | fuzz | cover | check-long |
+#      wasm-check | format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -162,11 +162,12 @@ check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full
 check-long:
-	@sh .ci/need $(test_packages) valgrind dieharder
+	@sh .ci/need $(test_packages) valgrind dieharder $(card_packages) \
+		$(slides_packages) $(site_packages)
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
 		check-poison check-points check-emission check-timing check-stream \
-		san cover -- check-mpi check-planted
+		check-card check-slides check-site san cover -- check-mpi check-planted
 
 fit:
 	@sh .ci/need $(build_packages) $(fit_packages) $(exact_packages)
@@ -190,7 +191,8 @@ $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	@rm -f $@
 	$(AR) qcs $@ $^
 
-$(BUILD)/c205: $(call objects,$(c205_c)) $(BUILD)/asm/isa_example_texts.o \
+$(BUILD)/c205: $(call objects,$(c205_c)) \
+		$(addprefix $(BUILD)/asm/,isa_example_texts.o card_texts.o) \
 		$(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl
 # Both commands hold dialogues with a debugger.
@@ -227,6 +229,8 @@ $(BUILD)/asm/library_texts.c: texts_in = asm/lib
 $(BUILD)/asm/library_texts.c: $(wildcard asm/lib/*.s)
 $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
+$(BUILD)/asm/card_texts.c: texts_in = asm/card
+$(BUILD)/asm/card_texts.c: $(wildcard asm/card/*.roff)
 # Solutions are not among them.
 $(BUILD)/asm/lesson_texts.c: texts_in = docs/course
 $(BUILD)/asm/lesson_texts.c: $(sort $(foreach file,lesson.md start.s test-*.s,\
@@ -262,6 +266,41 @@ docs: $(BUILD)/c205 $(shown)
 	$< isa --grammar >$(BUILD)/grammar.json
 	@mv $(BUILD)/grammar.json docs/editors/vscode/c205.tmLanguage.json
 	sh tests/check_docs.sh $(BUILD) full --write $(PAGES)
+	@$(MAKE) --no-print-directory card
+
+# The instructions on two pages.
+card_packages = groff fonts-urw-base35 poppler-utils
+card: $(BUILD)/c205
+	@sh .ci/need $(card_packages)
+	sh asm/card/print.sh $< $(BUILD)/card
+
+check-card: card
+	sh tests/check_card.sh $(BUILD)/c205 $(BUILD)/card
+
+# A lecture, as a deck for a browser and as it prints that, without notes and with them.
+slides_packages = python3-markdown chromium poppler-utils
+slides = $(BUILD)/slides
+slides:
+	@sh .ci/need $(slides_packages)
+	@mkdir -p $(slides)
+	sh docs/slides/deck.sh docs/slides/vector.md >$(slides)/vector.html
+	sh docs/slides/print.sh $(slides)/vector.html $(slides)/vector.pdf
+	sh docs/slides/print.sh "$(slides)/vector.html#notes" $(slides)/vector-notes.pdf
+
+check-slides: slides
+	sh tests/check_slides.sh docs/slides/vector.md $(slides)
+
+# The manual as a site, from a server or from the folder.
+site_packages = mkdocs mkdocs-material python3-markdown
+site: card
+	@sh .ci/need $(site_packages)
+	@[ -f $(BUILD)/web/c205.html ] || [ ! -f web/build.mjs ] || \
+		$(MAKE) --no-print-directory web
+	sh docs/site/lay.sh $(BUILD)
+	mkdocs build --quiet --config-file $(BUILD)/mkdocs.yml
+
+check-site: site
+	sh tests/check_site.sh $(BUILD)
 
 # --- tests ------------------------------------------------------------------
 
@@ -611,7 +650,9 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-course check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web-engine check-web-engine docs san bench \
+	check-site check-card check-slides check-hosts check-poison check-points check-stream \
+	check-emission check-timing check-fit fit cover cover-tests wasm-check web-engine \
+	check-web-engine docs site card slides san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -424,6 +424,8 @@ ends 2 "$build/c205" time NOPE
 tells err 'no such vector instruction: NOPE'
 ends 2 "$build/c205" isa --markdown ADDNV
 tells err 'stands alone'
+ends 2 "$build/c205" isa --card --grammar
+tells err 'stands alone'
 for define in NAME =1 NAME=x; do
     ends 2 "$build/c205" run --define $define good.s
     tells err "wrong argument: $define"
@@ -434,6 +436,7 @@ for command in run asm dis; do
 done
 ends 1 "$build/c205" model nonsense
 ends 1 "$build/c205" isa --markdown --model nonsense
+ends 1 "$build/c205" isa --card --model nonsense
 ends 1 "$build/c205" time --model nonsense ADDNV
 ends 1 "$build/c205" run --check --model nonsense good.s
 ends 1 "$build/c205" asm good.s -o missing/good.o

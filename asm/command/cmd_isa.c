@@ -215,34 +215,49 @@ static int show(const struct c205_arguments *arguments,
     return results_show(&rest, chosen_rows(arguments), "instructions", NULL);
 }
 
-static int markdown(const struct c205_arguments *arguments)
+/* What tells the model's clocks. */
+static int with_model(const struct c205_arguments *arguments)
 {
-    c205_model *model;
-    int code;
-    model = model_open(arguments->command, arguments->model);
-    code = model ? isa_page(arguments->command, model) : CMD_FAILED;
+    int code = CMD_DONE;
+    c205_model *model = model_open(arguments->command, arguments->model);
+    if (!model) {
+        return CMD_FAILED;
+    }
+    if (arguments->card) {
+        isa_card(model);
+    } else {
+        code = isa_page(arguments->command, model);
+    }
     c205_model_free(model);
     return code;
 }
 
-/* What is no table. */
+/* What is no table; NULL: a table is wanted. */
+static const char *other_form(const struct c205_arguments *arguments)
+{
+    return arguments->markdown  ? "markdown"
+           : arguments->grammar ? "grammar"
+           : arguments->card    ? "card"
+                                : NULL;
+}
+
 static bool stands_alone(const struct c205_arguments *arguments)
 {
     return arguments->files.count == 0 && !arguments->names
            && !arguments->results.path && !arguments->results.format
-           && !(arguments->markdown && arguments->grammar);
+           && arguments->markdown + arguments->grammar + arguments->card == 1;
 }
 
 static int run(void *given)
 {
     const struct c205_arguments *arguments = given;
     struct results results = arguments->results;
-    if (arguments->markdown || arguments->grammar) {
+    const char *form = other_form(arguments);
+    if (form) {
         return !stands_alone(arguments)
-                   ? cmd_usage(arguments->command, "--%s stands alone",
-                               arguments->markdown ? "markdown" : "grammar")
-               : arguments->markdown ? markdown(arguments)
-                                     : isa_grammar(arguments->command);
+                   ? cmd_usage(arguments->command, "--%s stands alone", form)
+               : arguments->grammar ? isa_grammar(arguments->command)
+                                    : with_model(arguments);
     }
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];
@@ -266,6 +281,7 @@ static const struct command_option options[] = {
     CMD_FLAG(names, "the mnemonics alone"),
     CMD_FLAG(markdown, "the whole reference, docs/isa.md"),
     CMD_FLAG(grammar, "a TextMate grammar, for editors"),
+    CMD_FLAG(card, "a card of two pages to print, for groff -Tpdf"),
     CMD_MODEL,
     CMD_RESULTS,
     COMMAND_END

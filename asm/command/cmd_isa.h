@@ -50,12 +50,26 @@ const char *isa_flag(const c205_insn *insn, unsigned flag);
 const char *isa_link(const c205_insn *insn);
 const char *isa_provenance(char letter);
 
+/* The heading of the reference that stands above the row; NULL: none does. */
+const char *isa_family(const c205_insn *insn);
+
+/* "startup", "vadd": that constant of the model, or NULL. */
+const c205_constant *isa_constant(const c205_model *model, const char *kind,
+                                  const char *timing);
+/* Of a stream: clocks per element; one that the pipes share is faster for half
+ * words. */
+double isa_per_element(const c205_model *model, const c205_constant *stream,
+                       bool half);
+
 /* The lines of a short program that shows it; NULL: there is none. */
 const char *const *isa_example(const c205_insn *insn);
 
 /* The whole reference in Markdown on stdout, with the clocks of the model.
  * CMD_FAILED where a row lacks an example or something unexplained. */
 int isa_page(const char *command, const c205_model *model);
+
+/* A card of two pages, for groff, on stdout, with the clocks of the model. */
+void isa_card(const c205_model *model);
 
 /* A TextMate grammar on stdout. */
 int isa_grammar(const char *command);

@@ -8,18 +8,6 @@
 #include "asm/command/cmd_isa.h"
 #include "asm/syntax.h"
 
-/* The rows of insn.def and the headings among them. */
-static const struct entry {
-    const char *family; /* NULL: the next row */
-} entries[] = {
-#define FAMILY(title) { title },
-#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, semantics, operation, provenance, effect) \
-    { NULL },
-#include "vm/insn.def"
-};
-enum { ENTRIES = sizeof entries / sizeof *entries };
-
 static const struct {
     unsigned bit;
     const char *text, *where;
@@ -177,39 +165,17 @@ static void put_g_bits(void)
 
 /* ---- One instruction ---------------------------------------------------- */
 
-static const c205_constant *constant(const c205_model *model,
-                                     const char *kind, const char *timing)
-{
-    char name[C205_TEXT_SIZE];
-    snprintf(name, sizeof name, "%s.%s", kind, timing);
-    return c205_model_lookup(model, name);
-}
-
-/* Its stream, per element; one that the pipes share is faster for half
- * words. */
-static double per_element(const c205_model *model,
-                          const c205_constant *stream, bool half)
-{
-    const c205_constant *pipes = c205_model_lookup(model, "machine.pipes");
-    const c205_constant *rate = c205_model_lookup(model, "vector.half_rate");
-    bool shared = strstr(stream->unit, "*pipe") != NULL;
-    double clocks = stream->value;
-    if (shared && pipes) {
-        clocks /= pipes->value;
-    }
-    return shared && half && rate ? clocks / rate->value : clocks;
-}
-
 static void put_stream(const c205_insn *insn, const c205_model *model,
                        const c205_constant *startup,
                        const c205_constant *stream)
 {
     const char *clocked = isa_clocked(insn);
     printf(": %s + %g n clocks%s%s", startup->text,
-           per_element(model, stream, false), *clocked ? ", " : "", clocked);
+           isa_per_element(model, stream, false), *clocked ? ", " : "",
+           clocked);
     if (insn->flags & C205_INSN_HALF) {
         printf("; with `,H` %s + %g n", startup->text,
-               per_element(model, stream, true));
+               isa_per_element(model, stream, true));
     }
 }
 
@@ -218,9 +184,9 @@ static void put_latency(const c205_insn *insn, const c205_model *model,
                         const c205_constant *latency,
                         const c205_constant *busy)
 {
-    const c205_constant *near = constant(model, "branch", "taken");
-    const c205_constant *far = constant(model, "branch", "out_of_stack");
-    const c205_constant *word = constant(model, "swap", "word");
+    const c205_constant *near = isa_constant(model, "branch", "taken");
+    const c205_constant *far = isa_constant(model, "branch", "out_of_stack");
+    const c205_constant *word = isa_constant(model, "swap", "word");
     if (insn->timing == C205_TIMING_branch && near && far) {
         printf(": taken %s clocks lost, %s out of the stack", near->text,
                far->text);
@@ -240,8 +206,8 @@ static void put_time(const c205_insn *insn, const c205_model *model)
     const char *timing = c205_timing_name(insn->timing);
     bool vector = c205_timing_is_vector(insn->timing);
     const c205_constant *first, *second;
-    first = constant(model, vector ? "startup" : "latency", timing);
-    second = constant(model, vector ? "stream" : "busy", timing);
+    first = isa_constant(model, vector ? "startup" : "latency", timing);
+    second = isa_constant(model, vector ? "stream" : "busy", timing);
     printf("| time | unit `%s`, class `%s`", c205_unit_name(insn->unit),
            timing);
     if (first && second) {
@@ -336,27 +302,24 @@ static bool put_insn(const c205_insn *insn, const c205_model *model)
 
 static void put_contents(void)
 {
-    const c205_insn *insn = c205_insns;
-    for (size_t i = 0; i < ENTRIES; i++) {
-        if (entries[i].family) {
-            printf("\n- %s:", entries[i].family);
-        } else {
-            putchar(' ');
-            put_link(insn->mnemonic);
-            insn++;
+    for (size_t i = 0; i < c205_insn_count; i++) {
+        const c205_insn *insn = &c205_insns[i];
+        if (isa_family(insn)) {
+            printf("\n- %s:", isa_family(insn));
         }
+        putchar(' ');
+        put_link(insn->mnemonic);
     }
     puts("\n");
 }
 
 static bool put_families(const char *command, const c205_model *model)
 {
-    const c205_insn *insn = c205_insns;
     bool good = true;
-    for (size_t i = 0; i < ENTRIES; i++) {
-        if (entries[i].family) {
-            printf("\n## %s\n", entries[i].family);
-            continue;
+    for (size_t i = 0; i < c205_insn_count; i++) {
+        const c205_insn *insn = &c205_insns[i];
+        if (isa_family(insn)) {
+            printf("\n## %s\n", isa_family(insn));
         }
         if (!put_insn(insn, model)) {
             cmd_failed(command,
@@ -365,7 +328,6 @@ static bool put_families(const char *command, const c205_model *model)
                        insn->mnemonic);
             good = false;
         }
-        insn++;
     }
     return good;
 }

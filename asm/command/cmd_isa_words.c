@@ -403,6 +403,56 @@ const char *isa_specials(const c205_insn *insn)
                : "";
 }
 
+/* ---- Families ----------------------------------------------------------- */
+
+/* The rows of insn.def and the headings among them. */
+static const struct entry {
+    const char *family; /* NULL: the next row */
+} entries[] = {
+#define FAMILY(title) { title },
+#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
+             flags, semantics, operation, provenance, effect) \
+    { NULL },
+#include "vm/insn.def"
+};
+
+const char *isa_family(const c205_insn *insn)
+{
+    ptrdiff_t row = insn - c205_insns;
+    const struct entry *entry = entries;
+    for (; row > 0 || entry->family; entry++) {
+        if (!entry->family) {
+            row--;
+        } else if (row == 0) {
+            return entry->family;
+        }
+    }
+    return NULL;
+}
+
+/* ---- Time --------------------------------------------------------------- */
+
+const c205_constant *isa_constant(const c205_model *model, const char *kind,
+                                  const char *timing)
+{
+    char name[C205_TEXT_SIZE];
+    snprintf(name, sizeof name, "%s.%s", kind, timing);
+    return c205_model_lookup(model, name);
+}
+
+double isa_per_element(const c205_model *model, const c205_constant *stream,
+                       bool half)
+{
+    const c205_constant *pipes = c205_model_lookup(model, "machine.pipes");
+    const c205_constant *rate = c205_model_lookup(model, "vector.half_rate");
+    bool shared = strstr(stream->unit, "*pipe") != NULL;
+    double clocks = stream->value;
+    if (shared && pipes) {
+        clocks /= pipes->value;
+    }
+    return shared && half && rate ? clocks / rate->value : clocks;
+}
+
 /* ---- Examples ----------------------------------------------------------- */
 
 static bool names(const char *file, const char *mnemonic)

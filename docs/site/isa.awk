@@ -1,0 +1,51 @@
+# isa.awk - docs/isa.md as a page for each family of instructions, under folder,
+# and the rest, which begins with the index, on stdout.  To families go lines
+# "anchor page".
+#
+#   awk -v folder=DIR -v families=FILE -f isa.awk docs/isa.md
+
+function page_of(title) {
+    sub(/:.*/, "", title)
+    title = tolower(title)
+    gsub(/[^a-z]+/, "-", title)
+    return "docs/isa/" title ".md"
+}
+
+# The links of a line, one folder deeper.
+function deeper(line,    done) {
+    gsub(/\]\(#/, "](isa.md#", line)
+    while (match(line, /\]\([a-z]+\.md/)) {
+        done = done substr(line, 1, RSTART + 1) "../" \
+            substr(line, RSTART + 2, RLENGTH - 2)
+        line = substr(line, RSTART + RLENGTH)
+    }
+    return done line
+}
+
+# The index: a family's title leads to its page.
+/^- / && match($0, /: \[/) {
+    title = substr($0, 3, RSTART - 3)
+    family = page_of(title)
+    sub(/^docs\//, "", family)
+    $0 = "- [" title "](" family ")" substr($0, RSTART)
+}
+# Whether it is a family's shows what follows: the heading of an instruction.
+/^## / {
+    heading = $0
+    page = ""
+    next
+}
+heading != "" && /^$/ { next }
+heading != "" && /^### / {
+    title = substr(heading, 4)
+    page = page_of(title)
+    print "# " title "\n" >(folder "/" page)
+}
+heading != "" && page == "" { print heading "\n" }
+{ heading = "" }
+page == "" { print; next }
+/^### / {
+    print tolower($2), page >families
+    sub(/^#/, "")
+}
+{ print deeper($0) >(folder "/" page) }

@@ -1,0 +1,90 @@
+#!/bin/sh
+# check_card.sh C205 FOLDER - the card in FOLDER, on either paper: two pages, every
+# instruction as the table has it, every directive, every verb of the debugger, and
+# nothing beyond the page or its column, or upon something else.
+set -u
+. "$(dirname "$0")/count.sh"
+c205=$1 folder=$2
+cd "$(dirname "$0")/.." || exit 1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+said=$work/said
+
+# Each row without blanks: name and code, class, operands and effect; | is !.
+"$c205" isa --format md |
+    sed '1,2d; s/^| //; s/ *|$//; s/\\|/!/g; s/\\//g' |
+    awk -F '[|]' '{ gsub(/ /, ""); print $1 $2, $7, $4 $9 }' >"$work/rows"
+sed -n 's/^ *\(} directives.. = \)*{* *{ "\(\.[a-z]*\)".*/\2/p' asm/*.c \
+    >"$work/words"
+echo help >"$work/help"
+"$c205" debug -x "$work/help" asm/examples/first.s |
+    sed -n 's/^\([a-z][-a-z]*\)[ |].*/\1/p' >>"$work/words"
+
+# The text of a card, without blanks and as the table writes it.
+plain_text() { # PDF
+    pdftotext -raw "$1" - | tr -d ' \n\f' |
+        sed "s/×/x/g; s/≥/>=/g; s/≤/<=/g; s/≠/isnot/g; s/[−‐]/-/g; s/’/'/g
+            s/±//g; s/|/!/g"
+}
+
+# Rows that do not stand in the text so: behind a name and its code marks, the
+# class, perhaps the letter of a part of the vector unit, operands and effect.
+missing_rows() { # TEXT ROWS
+    awk '
+        NR == FNR { text = $0; next }
+        {
+            at = index(text, $1)
+            rest = substr(text, at + length($1), 200)
+            sub(/^H?[01]?/, "", rest)
+            good = at && index(rest, $2) == 1
+            rest = substr(rest, length($2) + 1)
+            if (!good || (index(rest, $3) != 1 && index(rest, $3) != 2))
+                print $1
+        }' "$1" "$2"
+}
+
+# Words that lie outside of what printers print, reach from the left column into the
+# right one, or begin before the one on their left ends.
+astray() { # PDF
+    pdftotext -bbox "$1" - | awk -F '"' '
+        /<page / { page++; width = $2; height = $4 }
+        /<word / {
+            split($9, text, /[<>]/)
+            print page, ($2 < width / 2), int($8 + .5), $2, $6, text[2], \
+                ($2 < 17 || $6 > width - 17 || $4 < 17 || $8 > height - 17), \
+                ($2 < width / 2 && $6 > width / 2)
+        }' | sort -n -k 1,1 -k 2,2 -k 3,3 -k 4,4 >"$work/places"
+    [ -s "$work/places" ] || echo "no words"
+    awk '
+        $7 { print "at the edge:", $6 }
+        $8 { print "from column to column:", $6 }
+        $1 " " $2 " " $3 == line && $4 < end - .2 { print "upon another:", $6 }
+        { line = $1 " " $2 " " $3; end = $5 }' "$work/places"
+}
+
+for paper in card:595:842 card-letter:612:792; do
+    pdf=$folder/${paper%%:*}.pdf
+    size=${paper#*:}
+    pdfinfo "$pdf" >"$said"
+    grep -q '^Pages: *2$' "$said"
+    verdict $? "$pdf: not two pages"
+    grep -q "^Page size: *${size%:*}.* x ${size#*:}" "$said"
+    verdict $? "$pdf: another size of paper"
+    pdffonts "$pdf" | sed 1,2d >"$said"
+    ! grep -qv ' yes \(yes\|no \) \(yes\|no \) ' "$said"
+    verdict $? "$pdf: a font is missing"
+    astray "$pdf" >"$said"
+    [ ! -s "$said" ]
+    verdict $? "$pdf: what stands wrong"
+    plain_text "$pdf" >"$work/text"
+    missing_rows "$work/text" "$work/rows" >"$said"
+    [ ! -s "$said" ]
+    verdict $? "$pdf: rows that are missing, or are others"
+    pdftotext "$pdf" - | tr -c '[:alnum:].-' '\n' | sort -u >"$work/there"
+    sort -u "$work/words" | comm -23 - "$work/there" >"$said"
+    [ ! -s "$said" ]
+    verdict $? "$pdf: words that are missing"
+done
+[ "$(wc -l <"$work/rows")" -gt 150 ] && [ "$(wc -l <"$work/words")" -gt 50 ]
+verdict $? "rows, directives and verbs were not read"
+counted

@@ -1,0 +1,70 @@
+#!/bin/sh
+# check_slides.sh PAGE FOLDER - the deck made of a lecture's page in FOLDER: every slide
+# has something for the speaker to say, fits, and is one page in print, without notes and
+# with them; nothing is asked of another host.  Faults put into the page must be found.
+set -u
+. "$(dirname "$0")/count.sh"
+page=$1 folder=$(cd "$2" && pwd)
+cd "$(dirname "$0")/.." || exit 1
+name=$(basename "$page" .md)
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+said=$work/said
+slides=$(grep -c '^##* ' "$page")
+
+# What a browser makes of a deck, scripts having run, a line each section's tag.
+sections() { # HTML
+    chromium --headless --no-sandbox --disable-gpu --no-first-run \
+        --disable-background-networking --disable-component-update \
+        --disable-sync --user-data-dir="$work/profile" --window-size=1280,720 \
+        --dump-dom "file://$1" 2>/dev/null | grep -o '<section[^>]*>'
+}
+
+# What is wrong with a deck.
+faults() { # HTML
+    sections "$1" >"$work/sections"
+    [ "$(wc -l <"$work/sections")" -eq "$slides" ] || echo "not $slides slides"
+    grep -n too-long "$work/sections" | sed 's/:.*/: more than a slide holds/'
+    awk '
+        /^<section/ { slide++; said = 0 }
+        /^<blockquote/ { said = 1 }
+        /^<\/section/ && !said { print slide ": nothing to say" }' "$1"
+    (cd "$(dirname "$1")" && echo "${1##*/}" |
+        awk -f "$OLDPWD/tests/site_faults.awk" | grep -v 'data:image')
+}
+
+faults "$folder/$name.html" >"$said"
+[ ! -s "$said" ]
+verdict $? "$name.html"
+for pdf in "$name" "$name-notes"; do
+    pdfinfo "$folder/$pdf.pdf" >"$said"
+    grep -q "^Pages: *$slides\$" "$said"
+    verdict $? "$pdf.pdf: not $slides pages"
+    pdftotext "$folder/$pdf.pdf" - | tr '\n' ' ' >"$said"
+    grep '^##* ' "$page" | sed 's/^#* //; s/\*//g' >"$work/titles"
+    while read -r title; do
+        grep -qF "$title" "$said"
+        verdict $? "$pdf.pdf: no $title"
+    done <"$work/titles"
+done
+grep -qF "$(sed -n 's/^> //p' "$page" | sed 1q | cut -c 1-40)" "$said"
+verdict $? "$name-notes.pdf: no notes"
+
+# planted SED WHAT_IS_SAID
+planted() {
+    sed "$1" "$page" >"$work/docs/slides/planted.md"
+    (cd "$work" && sh docs/slides/deck.sh docs/slides/planted.md) \
+        >"$work/docs/slides/planted.html"
+    faults "$work/docs/slides/planted.html" >"$work/said"
+    grep -q "$2" "$work/said"
+    verdict $? "not found when it was planted: $2"
+}
+
+mkdir -p "$work/docs"
+cp -r docs/slides docs/site docs/pictures "$work/docs"
+planted '/^    EXIT/s/^.*$/&\n&\n&\n&\n&\n&\n&\n&\n&\n&\n&/; /^            EXIT/s/^.*$/&\n&\n&\n&\n&\n&\n&\n&\n&\n&\n&/' \
+    'more than a slide holds'
+planted '/^> Amdahl, 1967/,/^$/d' '3: nothing to say'
+planted 's|^- a scalar unit|<script src="https://example.org/a.js"></script>\n\n&|' \
+    'asks another host'
+counted
