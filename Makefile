@@ -31,6 +31,8 @@ vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
 asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap)
 c205_c = $(call c_of,asm/command)
+# Not the call of a WebAssembly host.
+engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
 rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
@@ -178,6 +180,7 @@ fit:
 $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
 $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o
+$(BUILD)/libengine.a: $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
 # With q, not r: files of two folders may have one name.
@@ -435,6 +438,20 @@ wasm-check:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
 		AR=llvm-ar $(BUILD)/wasm/c205
 
+# The engine of the page, and how large it is.
+web-engine:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+		AR=llvm-ar $(BUILD)/wasm/engine.wasm
+	@mkdir -p $(BUILD)/web
+	@cp $(BUILD)/wasm/engine.wasm $(BUILD)/web
+	@wc -c $(BUILD)/web/engine.wasm
+
+# Its stack lies before its data: what overflows it is seen.
+$(BUILD)/engine.wasm: $(BUILD)/web/engine/wasm.o $(addprefix $(BUILD)/,\
+		libengine.a libc205asm.a libbase.a libc205.a)
+	$(CC) -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=262144 \
+		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
+
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.
 san: export ASAN_OPTIONS = intercept_tls_get_addr=0
@@ -572,7 +589,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web-engine docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -125,6 +125,9 @@ const char *object_region(const struct object *object, uint64_t address);
 /* Of its first word. */
 struct position asm_line_position(const struct asm_line *line);
 
+/* The names of the directives, NULL behind the last. */
+const char *asm_directive(size_t i);
+
 /* NULL: no such symbol. */
 const struct asm_symbol *object_symbol(const struct object *object,
                                        const char *name);
