@@ -29,7 +29,7 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap)
+asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap asm/lesson)
 c205_c = $(call c_of,asm/command)
 # Not the call of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
@@ -179,7 +179,8 @@ fit:
 
 $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
-$(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o
+$(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
+		$(BUILD)/asm/lesson_texts.o
 $(BUILD)/libengine.a: $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
@@ -225,13 +226,17 @@ $(BUILD)/asm/library_texts.c: texts_in = asm/lib
 $(BUILD)/asm/library_texts.c: $(wildcard asm/lib/*.s)
 $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
+# Solutions are not among them.
+$(BUILD)/asm/lesson_texts.c: texts_in = docs/course
+$(BUILD)/asm/lesson_texts.c: $(sort $(foreach file,lesson.md start.s test-*.s,\
+	$(wildcard docs/course/*/$(file)))) $(wildcard docs/course/ docs/course/*/)
 $(BUILD)/rt/kernel_texts.c: texts_in = rt/kernels
 $(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*/*.s)
 $(BUILD)/rt/scene_texts.c: texts_in = rt/scene/library
 $(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/library/*.inc)
 $(BUILD)/%_texts.c: vm/embed.sh
 	@mkdir -p $(@D)
-	sh vm/embed.sh $(@F:.c=) $(texts_in) $(filter-out vm/embed.sh,$^) > $@.new
+	sh vm/embed.sh $(@F:.c=) $(texts_in) $(filter-out %/ vm/embed.sh,$^) > $@.new
 	@mv $@.new $@
 
 $(BUILD)/%.o: %.c
@@ -510,6 +515,7 @@ lint:
 
 $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
+		$(BUILD)/asm/lesson_texts.o \
 		$(BUILD)/libbase.a
 # Views need more of the assembler's library than that has for others.
 $(api)/librt205.a: $(call objects,$(filter-out rt/view/%,$(rt_c))) \
