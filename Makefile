@@ -3,7 +3,7 @@
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
 # make all | docs | mpi | bench | san | fuzz | cover | check-long | wasm-check |
-#      format | lint | install | clean
+#      web | check-web | format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -457,6 +457,27 @@ $(BUILD)/engine.wasm: $(BUILD)/web/engine/wasm.o $(addprefix $(BUILD)/,\
 	$(CC) -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=262144 \
 		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
 
+# The page: one file, and a small site.  node and npm are Debian's where there are none.
+web_packages = clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
+npm_done = web/node_modules/.package-lock.json
+web:
+	@sh .ci/need $(web_packages)
+	@command -v node npm >/dev/null || sh .ci/need nodejs npm
+	@$(MAKE) --no-print-directory web-engine $(npm_done)
+	node web/build.mjs $(BUILD)
+$(npm_done): web/package.json web/package-lock.json
+	cd web && npm ci --ignore-scripts
+	@touch $@
+
+# The page in real browsers, beside c205; BROWSERS="chromium": that one; WEB_TESTS=text:
+# those of which the name says so.
+browser_packages = chromium firefox-esr
+BROWSERS ?= chromium firefox
+check-web:
+	@sh .ci/need $(build_packages) $(browser_packages)
+	@$(MAKE) --no-print-directory web $(BUILD)/c205
+	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
+
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.
 san: export ASAN_OPTIONS = intercept_tls_get_addr=0
@@ -595,7 +616,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web-engine docs san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine check-web docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -208,6 +208,10 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
         scrollIntoView: true });
       quiet = false;
     },
+    /** As if it had been typed. */
+    type(text) {
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text }, userEvent: "input" });
+    },
     setBreaks(list) {
       view.dispatch({ effects: setBreaks.of(list) });
     },

@@ -59,6 +59,11 @@ export class Machine {
     });
   }
 
+  /** Nothing is asked that is not answered. */
+  get idle() {
+    return this.#asked.size === 0;
+  }
+
   /** Whatever is going on ends soon, with what it has so far. */
   stop() {
     this.#worker.postMessage({ stop: true });

@@ -1,5 +1,4 @@
-sentence(reply.message) || WHY[reply.why]
-    || `Step ${count(reply.step)}, clock ${count(reply.clock)}.`,// main.js - the page: puts the panels together and ties the bar and the keys to them.
+// main.js - the page: puts the panels together and ties the bar and the keys to them.
 
 import { course, engineBytes, notice, workerSource } from "./parts.js";
 import { $, choices, count, el, kept, some } from "./dom.js";
@@ -38,7 +37,7 @@ const editor = makeEditor($("source"), about, {
     hideVerdict();
     remember(text);
     clearTimeout(typing);
-    typing = setTimeout(() => session.load(), PAUSE);
+    typing = setTimeout(() => { typing = 0; session.load(); }, PAUSE);
   },
   breaks: (lines) => session.setBreaks(lines),
   at(told) {
@@ -91,15 +90,16 @@ session.on("loaded", (reply) => {
   if (!reply.ok) settle(null);
 });
 
-const WHY = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
-  limit: "It has run for very long; Run goes on.", start: "At the beginning." };
-
 // What the debugger said, as a sentence.
 const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).replace(/[.\n]*$/, ".");
 
+const WHY = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
+  limit: "It has run for very long; Run goes on.", start: "At the beginning." };
+
 session.on("moved", (reply) => {
   if (!reply.ok) return say(reply.error, "bad");
-  say(reply.stopped ? "Stopped by you." : reply.message || `${WHY[reply.why] ?? reply.why}.`,
+  say(reply.stopped ? "Stopped by you." : sentence(reply.message) || WHY[reply.why]
+    || `Step ${count(reply.step)}, clock ${count(reply.clock)}.`,
     reply.why === "trap" || reply.why === "limit" ? "bad" : reply.why === "end" ? "good" : "");
 });
 
@@ -300,3 +300,8 @@ choices($("model"), about.models.map(({ name, title: words }) => ({ value: name,
 session.model = $("model").value = DEFAULT_MODEL;
 if (!await openHash()) await open(kept.get("at") ?? lessons.keys().next().value ?? `example:${examples[0].name}`);
 document.body.classList.add("ready");
+
+// For those who look behind the page: its tests, and a curious console.
+window.c205 = { session, editor, about, ask: (request) => session.machine.ask(request),
+  example: (name) => examples.find((one) => one.name === name)?.text,
+  quiet: () => typing === 0 && !session.busy && session.machine.idle };
