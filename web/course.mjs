@@ -51,13 +51,14 @@ function lessonHtml(folder) {
   return marked.parse(text);
 }
 
-// A program with the .inc files beside it in their places; null: it needs other files.
+// A program with the .inc files beside it, or above, in their places; null: it needs
+// other files.
 function program(path) {
   const text = read(path).replace(/^[ \t]*\.include\s+"([^"]+)".*\n/gm, (line, name) => {
-    const beside = join(dirname(path), name);
-    return existsSync(beside) ? read(beside) : line;
+    const found = [dirname(path), dirname(dirname(path))].map((folder) => join(folder, name)).find(existsSync);
+    return found ? read(found) : line;
   });
-  return /^[ \t]*\.incfile\b/m.test(text) ? null : { name: basename(path), text };
+  return /^[^;\n]*\.incfile\b/m.test(text) ? null : { name: basename(path), text };
 }
 
 const programs = (folder, wanted) => readdirSync(folder).filter((name) => wanted.test(name)).sort()
@@ -72,4 +73,5 @@ export function readCourse(folder) {
 }
 
 /** The assembler's examples. */
-export const readExamples = (folder) => programs(folder, /\.s$/);
+export const readExamples = (folder) => ["", "debugging", "profiling"]
+  .flatMap((part) => programs(join(folder, part), /\.s$/));

@@ -7,7 +7,7 @@ import { named } from "./causes.js";
 export function makeCompare(panel, session, others) {
   const first = el("select", { id: "compare-first" });
   const second = el("select", { id: "compare-second" });
-  const result = el("div", { class: "result", role: "region", "aria-live": "polite", "aria-label": "Result" });
+  const result = el("div", { class: "result", role: "group", "aria-live": "polite", "aria-label": "Result" });
   panel.replaceChildren(el("section", { class: "panel", "aria-labelledby": "compare-heading" },
     heading("compare", "Two programs side by side"),
     el("form", { class: "fields", submit: (event) => { event.preventDefault(); run(); } },

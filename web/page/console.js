@@ -16,7 +16,8 @@ export function makeConsole(panel, session) {
     el("button", { type: "submit" }, "Say"));
 
   panel.replaceChildren(el("section", { class: "panel", "aria-labelledby": "console-heading" },
-    heading("console", "The debugger's own verbs",
+    heading("console", "The debugger's own verbs"),
+    el("p", { class: "verbs" },
       ["help", "why", "account", "info registers", "where"].map((verb) =>
         el("button", { type: "button", class: "quiet", click: () => send(verb) }, verb))),
     transcript, form));

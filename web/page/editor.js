@@ -74,6 +74,7 @@ class Mark extends GutterMarker {
 }
 const BREAK = new Mark("break", "a breakpoint");
 const HERE = new Mark("here", "the next instruction");
+const ROOM = new Mark("room", "");
 
 const lineStart = (doc, line) => doc.line(Math.min(Math.max(line, 1), doc.lines)).from;
 
@@ -171,7 +172,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
           markers: (editor) => [editor.state.field(breaks), hereMarks(editor)],
           lineMarkerChange: (update) =>
             update.startState.field(here) !== update.state.field(here),
-          initialSpacer: () => BREAK,
+          initialSpacer: () => ROOM,
           domEventHandlers: { mousedown: (editor, block) => toggle(editor, block.from) },
         }),
         lineNumbers({ domEventHandlers: {
@@ -183,7 +184,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
           { key: "F9", run: (editor) => toggle(editor, editor.state.selection.main.head) },
           { key: "Tab", run: tab },
           ...defaultKeymap, ...historyKeymap]),
-        EditorView.contentAttributes.of({ "aria-label": "Text of the program",
+        EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "Text of the program",
           "aria-description": "F9 sets a breakpoint at the line; Escape, then Tab leaves the text" }),
         EditorView.updateListener.of((update) => {
           if (update.docChanged && !quiet) changed(update.state.doc.toString());

@@ -25,7 +25,7 @@ export function makeVectors(panel, session) {
     panel.replaceChildren(
       heading("vectors", "Memory", bits().length > 0 ? picker() : null),
       shown.length === 0 ? el("p", { class: "empty" }, "The program has no data of its own.")
-        : el("div", { class: "vectors scroll", tabindex: 0, role: "region", "aria-label": "Memory" },
+        : el("div", { class: "vectors scroll", tabindex: 0, role: "group", "aria-label": "Labels and their elements" },
           shown.map((one) => row(one, control(), () => session.lookFurther()))));
     const scroll = panel.querySelector(".vectors");
     if (scroll) scroll.scrollTop = top;
