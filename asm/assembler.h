@@ -219,7 +219,7 @@ struct assembler {
 
     const struct instruction *writing; /* its operands are being read, and
                                           its form is still to be told */
-    bool warm;                         /* .warm */
+    bool warm; /* .warm */
     const struct line *entry_line;
     const struct expression *entry;
 };

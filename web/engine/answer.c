@@ -20,6 +20,13 @@ bool refuse(c205_error *error, const char *format, ...)
     return false;
 }
 
+bool refuse_of(c205_error *error, const char *name)
+{
+    c205_error why = *error;
+
+    return refuse(error, "%.80s: %.160s", name, why.message);
+}
+
 /* Without what a line of a dialogue has besides; NULL: nothing was said. */
 static const char *said_text(struct engine *engine)
 {
@@ -61,6 +68,13 @@ void put_said(struct engine *engine, struct json *reply, const char *key)
 bool needs_program(const struct engine *engine, c205_error *error)
 {
     return engine->debugger || refuse(error, "no program is loaded");
+}
+
+char *copy_of(const char *text)
+{
+    char *copy = malloc(strlen(text) + 1);
+
+    return copy ? strcpy(copy, text) : NULL;
 }
 
 /* ---- Members of a request ------------------------------------------------------ */
@@ -121,26 +135,35 @@ bool take_slice(struct engine *engine, const struct json_value *request,
     slice->ms = ms == UINT64_MAX ? -1 : (double)ms;
     slice->begun = milliseconds();
     slice->from = engine->debugger ? c205_clock(engine_machine(engine)) : 0;
+    slice->spent = 0;
     slice->to_the_limit = false;
     return true;
 }
 
-bool slice_is_over_at(struct engine *engine, uint64_t clock)
+static bool time_is_over(const struct slice *slice)
 {
-    struct slice *slice = &engine->slice;
-
-    slice->to_the_limit = clock >= slice->ends_at;
-    return slice->to_the_limit
-           || (slice->clocks > 0 && clock >= slice->from
-               && clock - slice->from >= slice->clocks)
-           || (slice->ms >= 0 && milliseconds() - slice->begun >= slice->ms);
+    return slice->ms >= 0 && milliseconds() - slice->begun >= slice->ms;
 }
 
 bool slice_is_over(void *given)
 {
     struct engine *engine = given;
+    struct slice *slice = &engine->slice;
+    uint64_t clock = c205_clock(engine_machine(engine));
 
-    return slice_is_over_at(engine, c205_clock(engine_machine(engine)));
+    slice->to_the_limit = clock >= slice->ends_at;
+    return slice->to_the_limit
+           || (slice->clocks > 0 && clock >= slice->from
+               && clock - slice->from >= slice->clocks)
+           || time_is_over(slice);
+}
+
+bool slice_is_full(const struct engine *engine)
+{
+    const struct slice *slice = &engine->slice;
+
+    return (slice->clocks > 0 && slice->spent >= slice->clocks)
+           || time_is_over(slice);
 }
 
 /* ---- Requests ---------------------------------------------------------------------- */
@@ -148,6 +171,8 @@ bool slice_is_over(void *given)
 static void drop_work(struct engine *engine)
 {
     replay_drop(engine);
+    sweep_drop(engine);
+    compare_drop(engine);
     engine->goes_on = NULL;
 }
 
@@ -180,6 +205,8 @@ static const struct {
     { "profile", answer_profile, KEEPS_NOTHING },
     { "accounts", answer_accounts, KEEPS_MOVEMENT },
     { "say", answer_say, KEEPS_NOTHING },
+    { "sweep", answer_sweep, KEEPS_NOTHING },
+    { "compare", answer_compare, KEEPS_NOTHING },
     { "more", answer_more, KEEPS_ALL },
 };
 enum { REQUESTS = sizeof requests / sizeof *requests };

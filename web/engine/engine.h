@@ -10,6 +10,8 @@ struct engine;
 
 /* Clocks that one movement takes unless the request says another number. */
 #define ENGINE_LIMIT UINT64_C(1000000000)
+/* .. and each run of a sweep. */
+#define ENGINE_SWEEP_LIMIT UINT64_C(100000000)
 
 /* NULL: no memory. */
 struct engine *engine_new(void);

@@ -22,9 +22,10 @@
 /* It is over when so many milliseconds of the host have passed, or so many clocks of the
  * machine. */
 struct slice {
-    double begun, ms;  /* ms below 0: as long as it takes */
-    uint64_t clocks;   /* 0: as many as it takes */
-    uint64_t from;     /* the clock at which it began */
+    double begun, ms; /* ms below 0: as long as it takes */
+    uint64_t clocks;  /* 0: as many as it takes */
+    uint64_t from;    /* the clock at which it began */
+    uint64_t spent; /* by other work than the program's: clocks, or points */
     uint64_t ends_at;  /* this one ends the whole movement */
     bool to_the_limit; /* it has */
 };
@@ -92,10 +93,16 @@ struct engine {
     struct movement movement;
     struct replay replay;
     struct timeline timeline;
+    struct laboratory *laboratory; /* a sweep that is at work, or NULL */
+    struct comparison *comparison; /* likewise */
 };
 
 engine_request answer_about, answer_load, answer_breaks, answer_go,
-    answer_view, answer_timeline, answer_profile, answer_accounts, answer_say;
+    answer_view, answer_timeline, answer_profile, answer_accounts, answer_say,
+    answer_sweep, answer_compare;
+
+void sweep_drop(struct engine *engine);
+void compare_drop(struct engine *engine);
 
 /* ---- Members of a request (answer.c) --------------------------------------------------- */
 
@@ -111,9 +118,10 @@ bool take_count(const struct json_value *request, const char *key,
 /* "ms" and "clocks" of a request; "limit", beyond which no movement goes. */
 bool take_slice(struct engine *engine, const struct json_value *request,
                 c205_error *error);
-/* For who runs: is the slice over? */
+/* For who runs the program: is the slice over? */
 bool slice_is_over(void *engine);
-bool slice_is_over_at(struct engine *engine, uint64_t clock);
+/* .. for other work, by what it has spent. */
+bool slice_is_full(const struct engine *engine);
 
 /* One sentence; false. */
 bool refuse(c205_error *error, const char *format, ...)
@@ -121,10 +129,14 @@ bool refuse(c205_error *error, const char *format, ...)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
+/* The reason so far, behind a name; false. */
+bool refuse_of(c205_error *error, const char *name);
 /* The debugger's own words, without "error: ". */
 bool refuse_as_said(struct engine *engine, c205_error *error);
 /* .. as a member, and nothing is said any more. */
 void put_said(struct engine *engine, struct json *reply, const char *key);
+/* NULL: no memory. */
+char *copy_of(const char *text);
 bool needs_program(const struct engine *engine, c205_error *error);
 
 /* ---- Programs (program.c) --------------------------------------------------------------- */
@@ -132,11 +144,16 @@ bool needs_program(const struct engine *engine, c205_error *error);
 void program_drop(struct engine *engine);
 void put_diagnostics(const struct diagnostics *diagnostics,
                      struct json *reply);
-/* Of the program's text in the request; NULL: it cannot be assembled, the diagnostics of the
- * engine say why. */
+/* "defines" and "files" of a request, kept in an arena. */
+bool take_options(const struct json_value *request, struct arena *arena,
+                  struct asm_options *options, c205_error *error);
+/* "warm", if it is there. */
+bool take_warm(const struct json_value *request, struct object *object,
+               c205_error *error);
+/* NULL: it cannot be assembled, the diagnostics of the engine say why. */
 struct object *program_assemble(struct engine *engine, const char *name,
                                 const char *text,
-                                const struct json_value *defines,
+                                const struct asm_options *options,
                                 c205_error *error);
 /* The model by that name, or that which the program names, or the usual; NULL: there is
  * none. */

@@ -5,6 +5,7 @@
 
 #include "asm/expect.h"
 #include "base/array.h"
+#include "vm/text.h"
 #include "web/engine/parts.h"
 
 /* ---- What is said of a text ------------------------------------------------------ */
@@ -53,44 +54,91 @@ void put_diagnostics(const struct diagnostics *diagnostics,
 
 /* ---- From a text ------------------------------------------------------------------- */
 
-enum { DEFINES_MOST = 100 };
-
-/* { "n": 100 } to a list that ends with a NULL name. */
-static bool read_defines(const struct json_value *defines,
-                         struct asm_define list[DEFINES_MOST + 1],
-                         c205_error *error)
+static size_t count_of(const struct json_value *list)
 {
     size_t count = 0;
 
-    list[0].name = NULL;
-    if (defines && defines->kind != JSON_OBJECT)
-        return refuse(error, "\"defines\" has names with integers");
-    for (const struct json_value *item = defines ? defines->first : NULL;
-         item; item = item->next) {
-        if (count == DEFINES_MOST)
-            return refuse(error, "more than %d names are defined",
-                          DEFINES_MOST);
-        if (!json_member_whole(defines, item->key, &list[count].value)
-            || item->kind != JSON_NUMBER)
+    for (const struct json_value *item = list ? list->first : NULL; item;
+         item = item->next)
+        count++;
+    return count;
+}
+
+static bool is_object(const struct json_value *value)
+{
+    return !value || value->kind == JSON_OBJECT;
+}
+
+enum { DEFINES_MOST = 100 }; /* as many as a sweep takes */
+
+/* "defines": { "n": 100 } */
+static bool take_defines(const struct json_value *request,
+                         struct arena *arena, struct asm_options *options,
+                         c205_error *error)
+{
+    const struct json_value *defines = json_member(request, "defines");
+    struct asm_define *list = arena_take(arena, (count_of(defines) + 1)
+                                                    * sizeof *list);
+    size_t count = 0;
+
+    options->defines = list;
+    if (count_of(defines) > DEFINES_MOST)
+        return refuse(error, "more than %d names are defined", DEFINES_MOST);
+    for (const struct json_value *item =
+             is_object(defines) && defines ? defines->first : NULL;
+         list && item; item = item->next) {
+        if (item->kind != JSON_NUMBER
+            || !json_member_whole(defines, item->key, &list[count].value))
             return refuse(error, "\"defines\" has names with integers");
-        list[count].name = item->key;
-        list[++count].name = NULL;
+        list[count++].name = arena_text(arena, item->key, strlen(item->key));
+    }
+    return is_object(defines)
+           || refuse(error, "\"defines\" has names with integers");
+}
+
+/* "files": { "data.inc": "..." }, for .include */
+static bool take_files(const struct json_value *request, struct arena *arena,
+                       struct asm_options *options, c205_error *error)
+{
+    const struct json_value *files = json_member(request, "files");
+    size_t count = is_object(files) ? count_of(files) : 0;
+    struct text *texts = arena_take(arena, (count + 1) * sizeof *texts);
+    const struct text **tables = arena_take(arena, 2 * sizeof *tables);
+    const char **lines = arena_take(arena, (2 * count + 1) * sizeof *lines);
+
+    if (!is_object(files))
+        return refuse(error, "\"files\" has names with texts");
+    if (!texts || !tables || !lines)
+        return refuse(error, "no memory");
+    tables[0] = texts;
+    options->texts = tables;
+    for (const struct json_value *item = files ? files->first : NULL; item;
+         item = item->next, texts++, lines += 2) {
+        if (item->kind != JSON_TEXT)
+            return refuse(error, "\"files\" has names with texts");
+        lines[0] = arena_text(arena, item->text, strlen(item->text));
+        texts->name = arena_text(arena, item->key, strlen(item->key));
+        texts->lines = lines;
     }
     return true;
 }
 
+bool take_options(const struct json_value *request, struct arena *arena,
+                  struct asm_options *options, c205_error *error)
+{
+    return take_defines(request, arena, options, error)
+           && take_files(request, arena, options, error)
+           && (!arena->failed || refuse(error, "no memory"));
+}
+
 struct object *program_assemble(struct engine *engine, const char *name,
                                 const char *text,
-                                const struct json_value *defines,
+                                const struct asm_options *options,
                                 c205_error *error)
 {
-    struct asm_define list[DEFINES_MOST + 1];
-    struct asm_options options = { .defines = list };
-    struct object *object;
+    struct object *object = assemble_text(name, text, options,
+                                          &engine->diagnostics);
 
-    if (!read_defines(defines, list, error))
-        return NULL;
-    object = assemble_text(name, text, &options, &engine->diagnostics);
     if (!object && engine->diagnostics.errors == 0)
         refuse(error, "no memory");
     else if (!object)
@@ -295,8 +343,8 @@ static bool put_lines(const struct engine *engine, struct json *reply,
     return true;
 }
 
-static bool take_warm(const struct json_value *request, struct object *object,
-                      c205_error *error)
+bool take_warm(const struct json_value *request, struct object *object,
+               c205_error *error)
 {
     const struct json_value *warm = json_member(request, "warm");
 
@@ -308,18 +356,16 @@ static bool take_warm(const struct json_value *request, struct object *object,
 }
 
 /* A new program in place of what there was, which goes in any case. */
-static bool take_program(struct engine *engine, const char *name,
-                         struct object *object, c205_model *model,
-                         c205_error *error)
+static bool begin_program(struct engine *engine, const char *name,
+                          struct object *object, c205_model *model,
+                          c205_error *error)
 {
     program_drop(engine);
     engine->object = object;
     engine->model = model;
-    engine->name = malloc(strlen(name) + 1);
-    if (!engine->name)
-        return refuse(error, "no memory");
-    strcpy(engine->name, name);
-    if (make_debugger(engine, error))
+    engine->name = copy_of(name);
+    if (engine->name ? make_debugger(engine, error)
+                     : refuse(error, "no memory"))
         return true;
     program_drop(engine);
     return false;
@@ -335,7 +381,7 @@ static bool load(struct engine *engine, const struct json_value *request,
         && take_warm(request, object, error))
         model = program_model(wanted, object, error);
     if (model)
-        return take_program(engine, name, object, model, error);
+        return begin_program(engine, name, object, model, error);
     object_free(object);
     return false;
 }
@@ -344,13 +390,15 @@ bool answer_load(struct engine *engine, const struct json_value *request,
                  struct json *reply, c205_error *error)
 {
     const char *name = "program.s", *text;
-    struct object *object;
+    struct asm_options options = { .defines = NULL };
+    struct arena arena = { 0 };
+    struct object *object = NULL;
 
-    if (!take_text_or(request, "name", &name, error)
-        || !take_text(request, "text", &text, error))
-        return false;
-    object = program_assemble(engine, name, text,
-                              json_member(request, "defines"), error);
+    if (take_text_or(request, "name", &name, error)
+        && take_text(request, "text", &text, error)
+        && take_options(request, &arena, &options, error))
+        object = program_assemble(engine, name, text, &options, error);
+    arena_free(&arena);
     if (!object || !load(engine, request, name, object, error))
         return false;
     json_text(reply, "name", name);
