@@ -1,7 +1,7 @@
 // main.js - the page: puts the panels together and ties the bar and the keys to them.
 
 import { course, engineBytes, notice, workerSource } from "./parts.js";
-import { $, choices, count, el, kept, some } from "./dom.js";
+import { $, choices, count, el, fill, kept, some } from "./dom.js";
 import { makeCauses } from "./causes.js";
 import { makeCompare } from "./compare.js";
 import { makeConsole } from "./console.js";
@@ -41,7 +41,7 @@ const editor = makeEditor($("source"), about, {
   },
   breaks: (lines) => session.setBreaks(lines),
   at(told) {
-    $("source-note").replaceChildren(...(told ? [el("code", {}, told.name), ` ${told.effect}`] : []));
+    fill($("source-note"), told && [el("code", {}, told.name), ` ${told.effect}`]);
   },
 });
 makeTimeline($("timeline"), session);
@@ -81,7 +81,7 @@ session.on("loaded", (reply) => {
   editor.tell(told.filter(({ file }) => !file || file === session.name));
   editor.stand(0);
   $("faults").hidden = told.length === 0;
-  $("faults").replaceChildren(...told.map((one) => el("li", { class: one.severity },
+  fill($("faults"), told.map((one) => el("li", { class: one.severity },
     el("button", { type: "button", click: () => editor.toLine(one.line, one.column) },
       `line ${one.line}`), " ", one.message)));
   const errors = told.filter(({ severity }) => severity !== "warning").length;
@@ -118,6 +118,7 @@ session.on("view", (view) => {
   editor.stand(view.ended ? 0 : view.line ?? 0);
 });
 
+session.on("profile", (rows) => editor.charge(rows));
 session.on("breaks", (lines) => editor.setBreaks(lines));
 
 // The bar and the output, of a view or of no program.
