@@ -31,7 +31,7 @@ vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
 asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap)
 c205_c = $(call c_of,asm/command)
-rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
+rt_c = $(call c_of,$(addprefix rt/,host farm scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rt/host/threads.h"
 #include "rt/layout/program.h"
 
 static const struct {
@@ -125,7 +126,7 @@ static bool begin_watches(struct band_tracer *tracer, c205_error *error)
 {
     bool good = true;
 
-    pthread_mutex_lock(tracer->lock);
+    lock_take(tracer->lock);
     for (size_t i = 0; i < tracer->watch_count; i++) {
         struct band_watch *watch = &tracer->watches[i];
 
@@ -135,13 +136,13 @@ static bool begin_watches(struct band_tracer *tracer, c205_error *error)
                            : NULL;
         good = watch->band;
     }
-    pthread_mutex_unlock(tracer->lock);
+    lock_give_back(tracer->lock);
     return good;
 }
 
 static void end_watches(struct band_tracer *tracer, bool merge)
 {
-    pthread_mutex_lock(tracer->lock);
+    lock_take(tracer->lock);
     for (size_t i = 0; i < tracer->watch_count; i++) {
         const struct band_watch *watch = &tracer->watches[i];
 
@@ -150,7 +151,7 @@ static void end_watches(struct band_tracer *tracer, bool merge)
         if (watch->band)
             watch->observer->end(watch->band);
     }
-    pthread_mutex_unlock(tracer->lock);
+    lock_give_back(tracer->lock);
 }
 
 static bool read_integer(const struct band_work *work, const c205 *machine,

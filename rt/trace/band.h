@@ -8,8 +8,6 @@
 #ifndef RT_BAND_H
 #define RT_BAND_H
 
-#include <pthread.h>
-
 #include "base/accounts.h"
 #include "rt/layout/layout.h"
 #include "rt/picture/picture.h"
@@ -67,7 +65,7 @@ struct band_tracer {
         void *band; /* its state of the band that the tracer is at */
     } watches[BAND_OBSERVERS_MOST];
     size_t watch_count;
-    pthread_mutex_t *lock; /* held while observers begin, merge and end */
+    struct lock *lock; /* held while observers begin, merge and end */
 };
 
 /* Trace the rows that the band names and fill in the rest, which the caller
