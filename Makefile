@@ -435,6 +435,23 @@ wasm-check:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
 		AR=llvm-ar $(BUILD)/wasm/c205
 
+# rt205 for the page: web/tracer/host/ has what its machine does otherwise, in the
+# place of the files of rt of that name.
+web_tracer_own = $(wildcard web/tracer/host/*.c)
+web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
+	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
+web-tracer:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+		AR=llvm-ar $(BUILD)/wasm/web/rt205.wasm
+	@mkdir -p $(BUILD)/web
+	cp $(BUILD)/wasm/web/rt205.wasm $(BUILD)/web/
+	@wc -c <$(BUILD)/web/rt205.wasm; gzip -9 -c $(BUILD)/web/rt205.wasm | wc -c
+$(BUILD)/web/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o \
+		$(BUILD)/rt/scene_texts.o $(filter-out %librt205.a,$(libraries))
+	@mkdir -p $(@D)
+	$(CC) $(LDFLAGS) -Wl,--stack-first -Wl,-z,stack-size=1048576 -Wl,--strip-all \
+		-o $@ $^ -lm
+
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.
 san: export ASAN_OPTIONS = intercept_tls_get_addr=0

@@ -69,9 +69,8 @@ static const struct picture_kind *kind_of(const char *path)
 
 /* --- colours ----------------------------------------------------------- */
 
-/* IEC 61966-2-1, for linear light between 0 and 1; beyond is clipped, and
- * what is not a number is black. */
-static double srgb_encode(double linear)
+/* IEC 61966-2-1. */
+double picture_srgb(double linear)
 {
     if (!(linear > 0))
         return 0;
@@ -131,7 +130,7 @@ static void interleave(const struct frame *frame,
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
             double value = plane_of(frame, channel)[i];
-            *sample++ = (float)(image->srgb ? srgb_encode(value) : value);
+            *sample++ = (float)(image->srgb ? picture_srgb(value) : value);
         }
 }
 

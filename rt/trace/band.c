@@ -239,21 +239,34 @@ bool band_trace(struct band_tracer *tracer, struct band *band,
                 void *progress_context, bool *stopped, c205_error *error)
 {
     const struct band_work *work = tracer->work;
-    struct frame_layout layout;
+    struct frame_layout *layout = &tracer->layout;
     bool good;
 
     good = ready(tracer, error) && begin_watches(tracer, error)
-           && load(work, tracer->machine, band->first_row, band->rows,
-                   &layout, error)
+           && load(work, tracer->machine, band->first_row, band->rows, layout,
+                   error)
            && run(work, tracer->machine, band->rows * work->width,
                   progress_context, stopped, error)
-           && collect(work, tracer->machine, &layout, band, error);
+           && collect(work, tracer->machine, layout, band, error);
     end_watches(tracer, good);
     if (*stopped)
-        collect_rows(work, tracer->machine, &layout, band);
+        collect_rows(work, tracer->machine, layout, band);
     else if (!good)
         band_free(band);
     return good;
+}
+
+bool band_look(const struct band_tracer *tracer, struct band *band)
+{
+    const struct frame_layout *layout = &tracer->layout;
+    c205_error error;
+
+    *band = (struct band){ .first_row = layout->first_row,
+                           .rows = layout->rows };
+    if (collect(tracer->work, tracer->machine, layout, band, &error))
+        return true;
+    band_free(band);
+    return false;
 }
 
 void band_free(struct band *band)

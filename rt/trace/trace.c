@@ -335,6 +335,15 @@ void trace_forget(struct trace *trace)
 
 /* ---- Jobs ---------------------------------------------------------------- */
 
+/* Under the lock. */
+static void look(const struct job *job, bool done)
+{
+    const struct trace_options *options = &job->trace->options;
+
+    if (options->look)
+        options->look(options->context, job->trace, &job->tracer, done);
+}
+
 static bool tell_progress(void *context, size_t pixels)
 {
     struct job *job = context;
@@ -343,6 +352,8 @@ static bool tell_progress(void *context, size_t pixels)
     lock_take(job->trace->lock);
     job->pixels = pixels;
     going = ask(job->trace);
+    if (going)
+        look(job, false);
     lock_give_back(job->trace->lock);
     return going;
 }
@@ -381,6 +392,8 @@ static bool run_band(void *context, size_t number, size_t unit,
         end_stopped(trace, &band, error);
     band_free(&band);
     lock_take(trace->lock);
+    if (good)
+        look(job, true);
     job->pixels = 0;
     lock_give_back(trace->lock);
     return good;
@@ -467,21 +480,38 @@ static void make_linear(double *samples, size_t count, double gamma)
         samples[i] = samples[i] > 0 ? pow(samples[i], gamma) : 0;
 }
 
+static void read_channel(const struct trace *trace, int channel,
+                         const c205_word *words, struct frame *part)
+{
+    size_t pixels = part->height * trace->options.width;
+    double *samples = part->channel[channel];
+
+    for (size_t i = 0; i < pixels; i++)
+        samples[i] = c205_to_double(words[i]);
+    if (channel <= CHANNEL_BLUE)
+        make_linear(samples, pixels, trace->gamma);
+}
+
 void trace_read(const struct trace *trace, size_t first_row,
                 struct frame *part)
 {
-    size_t width = trace->options.width, pixels = part->height * width;
+    size_t width = trace->options.width;
 
     for (int i = 0; i < FRAME_CHANNELS; i++) {
         size_t first = (size_t)i * pixels_of(trace) + first_row * width;
-        const c205_word *words = trace->planes.words + first;
 
-        for (size_t k = 0; k < pixels; k++)
-            part->channel[i][k] = c205_to_double(words[k]);
-        planes_leave(&trace->planes, first, pixels);
-        if (i <= CHANNEL_BLUE)
-            make_linear(part->channel[i], pixels, trace->gamma);
+        read_channel(trace, i, trace->planes.words + first, part);
+        planes_leave(&trace->planes, first, part->height * width);
     }
+}
+
+void trace_read_band(const struct trace *trace, const struct band *band,
+                     struct frame *part)
+{
+    size_t pixels = band->rows * trace->options.width;
+
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        read_channel(trace, i, band->words + (size_t)i * pixels, part);
 }
 
 uint64_t trace_checksum(const struct trace *trace)
