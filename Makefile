@@ -68,6 +68,7 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_mass $(BUILD)/tests/oracle/check_heat \
 	$(BUILD)/tests/oracle/digest \
 	$(BUILD)/tests/oracle/check_language_scenes \
+	$(BUILD)/tests/oracle/draw_scenes \
 	$(BUILD)/tests/oracle/draw_words
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
