@@ -34,7 +34,7 @@ asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap \
 c205_c = $(call c_of,asm/command)
 # Not the call of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
-rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
+rt_c = $(call c_of,$(addprefix rt/,host farm scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
@@ -71,6 +71,7 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_mass $(BUILD)/tests/oracle/check_heat \
 	$(BUILD)/tests/oracle/digest \
 	$(BUILD)/tests/oracle/check_language_scenes \
+	$(BUILD)/tests/oracle/draw_scenes \
 	$(BUILD)/tests/oracle/draw_words
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
@@ -478,6 +479,23 @@ check-web:
 	@sh .ci/need $(build_packages) $(browser_packages)
 	@$(MAKE) --no-print-directory web $(BUILD)/c205
 	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
+
+# rt205 for the page: web/tracer/host/ has what its machine does otherwise, in the
+# place of the files of rt of that name.
+web_tracer_own = $(wildcard web/tracer/host/*.c)
+web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
+	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
+web-tracer:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+		AR=llvm-ar $(BUILD)/wasm/web/rt205.wasm
+	@mkdir -p $(BUILD)/web
+	cp $(BUILD)/wasm/web/rt205.wasm $(BUILD)/web/
+	@wc -c <$(BUILD)/web/rt205.wasm; gzip -9 -c $(BUILD)/web/rt205.wasm | wc -c
+$(BUILD)/web/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o \
+		$(BUILD)/rt/scene_texts.o $(filter-out %librt205.a,$(libraries))
+	@mkdir -p $(@D)
+	$(CC) $(LDFLAGS) -Wl,--stack-first -Wl,-z,stack-size=1048576 -Wl,--strip-all \
+		-o $@ $^ -lm
 
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.
