@@ -95,7 +95,7 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-commands check-install check-fit wasm-check
+	check-library check-course check-commands check-install check-fit wasm-check
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -434,6 +434,9 @@ check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
 	sh tests/check_pages.sh $(BUILD)
 	sh tests/check_replay.sh $(BUILD)
 
+check-course: $(BUILD)/c205
+	sh tests/check_course.sh $(BUILD)
+
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)
 
@@ -477,7 +480,7 @@ browser_packages = chromium firefox-esr
 BROWSERS ?= chromium firefox
 check-web:
 	@sh .ci/need $(build_packages) $(browser_packages)
-	@$(MAKE) --no-print-directory web $(BUILD)/c205
+	@$(MAKE) --no-print-directory web $(programs)
 	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
 
 # rt205 for the page: web/tracer/host/ has what its machine does otherwise, in the
@@ -634,8 +637,8 @@ clean:
 	check-random check-quartic check-planted check-faces check-regions \
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
-	check-samples check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine check-web docs san bench \
+	check-samples check-course check-commands check-install \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

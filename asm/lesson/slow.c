@@ -9,8 +9,9 @@ enum { LINES_TOLD = 3 };
 
 /* What helps against a cause. */
 static const char *const helps[C205_CAUSES] = {
-    [C205_ISSUE] = "Each instruction takes its clocks to issue: one vector "
-                   "instruction does what a loop needs thousands for.",
+    [C205_ISSUE] = "Each instruction takes its clocks to issue: fewer of "
+                   "them do better, and a vector instruction stands for a "
+                   "whole loop.",
     [C205_OPERAND_WAIT] = "Put other work between an instruction and the one "
                           "that needs its result.",
     [C205_UNIT_BUSY] = "Spread the work over the units, or put other work "
@@ -54,23 +55,30 @@ static void tell_goal(const struct lesson_trial *trial,
 
 /* ---- The cause ------------------------------------------------------------- */
 
-static void tell_cause(const struct lesson_trial *trial, const c205 *machine,
-                       struct lesson_report *report)
+static void tell_cause(const struct lesson_trial *trial,
+                       const c205_account *all, struct lesson_report *report)
 {
-    struct accounts accounts = { .model = c205_machine_model(machine) };
-    c205_account all;
     int most = 0;
 
-    if (!accounts_add(&accounts, machine))
-        report->kept->failed = true;
-    all = accounts_together(&accounts);
-    accounts_free(&accounts);
     for (int cause = 1; cause < C205_CAUSES; cause++)
-        if (all.clocks[cause] > all.clocks[most])
+        if (all->clocks[cause] > all->clocks[most])
             most = cause;
     report_say(report, "Most of that is %s: %" PRIu64 " clocks, %d %%.  %s",
-               c205_cause_name((c205_cause)most), all.clocks[most],
-               percent_of(all.clocks[most], trial->clocks), helps[most]);
+               c205_cause_name((c205_cause)most), all->clocks[most],
+               percent_of(all->clocks[most], trial->clocks), helps[most]);
+}
+
+/* A loop, however good. */
+static void tell_scalar(const c205_account *all, struct lesson_report *report)
+{
+    static const uint64_t many = 1000;
+
+    if (all->vector_instructions == 0 && all->instructions >= many)
+        report_say(report,
+                   "All of its %" PRIu64
+                   " instructions are scalar ones: what does the same with "
+                   "many elements can be done by vector instructions.",
+                   all->instructions);
 }
 
 /* ---- The lines ------------------------------------------------------------- */
@@ -102,7 +110,7 @@ static const struct profile_row *next_line(const struct line_profile *profile,
     return found;
 }
 
-/* Those that took a tenth of it or more. */
+/* The hottest one, and others that took a tenth of it or more. */
 static void tell_lines(const struct lesson_trial *trial,
                        const struct line_profile *profile,
                        struct lesson_report *report)
@@ -112,7 +120,7 @@ static void tell_lines(const struct lesson_trial *trial,
     for (int i = 0; i < LINES_TOLD && (row = next_line(profile, row)); i++) {
         uint64_t clocks = clocks_of(row);
 
-        if (10 * clocks < trial->clocks)
+        if (i > 0 && 10 * clocks < trial->clocks)
             return;
         report_say(report,
                    "Line %zu took %" PRIu64 " clocks, %d %%, in %" PRIu64
@@ -127,7 +135,15 @@ void slow_tell(const struct lesson_trial *trial, const c205 *machine,
                const struct line_profile *profile,
                struct lesson_report *report)
 {
+    struct accounts accounts = { .model = c205_machine_model(machine) };
+    c205_account all;
+
+    if (!accounts_add(&accounts, machine))
+        report->kept->failed = true;
+    all = accounts_together(&accounts);
+    accounts_free(&accounts);
     tell_goal(trial, report);
-    tell_cause(trial, machine, report);
+    tell_cause(trial, &all, report);
     tell_lines(trial, profile, report);
+    tell_scalar(&all, report);
 }

@@ -347,7 +347,9 @@ static void say_wrong(const struct exchanged *exchanged, size_t wrong,
         sink_put(sink, ".");
         return;
     }
-    if (wrong == count)
+    if (wrong == count && count == 2)
+        sink_print(sink, "Both elements of %s are wrong: ", label);
+    else if (wrong == count)
         sink_print(sink, "All %zu elements of %s are wrong: ", count, label);
     else
         sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong,

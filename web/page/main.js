@@ -249,6 +249,9 @@ const ALSO = [
 $("keys-table").tBodies[0].append(...[...KEYS.map(([key, , what]) => [key, what]), ...ALSO]
   .map(([key, what]) => el("tr", {}, el("th", { scope: "row" },
     key.split(/(?<=[^,]) (?=\S)/).map((one) => [el("kbd", {}, one), " "])), el("td", {}, what))));
+$("licences").addEventListener("toggle", async () => {
+  $("licences").lastElementChild.textContent = await notice();
+});
 for (const [key, id, what] of KEYS)
   if (id) {
     $(id).title = `${what} (${key})`;

@@ -1,7 +1,7 @@
 // raytracer.js - the ray tracer: a scene, how its rays are traced, the picture as its
 // bands come, and what rt205 itself says of the clocks.
 
-import { choices, count, duration, el, fill, heading } from "./dom.js";
+import { choices, count, duration, el, fill, fixed, heading, table } from "./dom.js";
 import { bar, named } from "./causes.js";
 
 const SIZES = ["80x60", "160x120", "320x240", "640x480"];
@@ -88,7 +88,8 @@ export function makeRaytracer(panel, { scenes, includes, models, model, source, 
     canvas.getContext("2d").putImageData(new ImageData(rgba, width, rows), 0, first);
     const parts = Object.entries(causes).map(([cause, n]) => ({ cause, clocks: n }));
     fill(clocks, el("p", {}, el("b", {}, `${count(so)} clocks`), ` = ${duration(1e6 * seconds)} on the machine`),
-      bar(parts), el("ul", { class: "legend" }, parts.map(({ cause }) => el("li", {}, named(cause)))));
+      bar(parts), table("Clocks by cause", [["cause"], ["%", "number"]], parts.map(({ cause, clocks: n }) =>
+        ({ cells: [named(cause), fixed(100 * n / so, 1)] }))));
   }
 
   function end(words) {
