@@ -29,8 +29,7 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap \
-	asm/lesson)
+asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap asm/lesson)
 c205_c = $(call c_of,asm/command)
 # Not the call of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
@@ -45,6 +44,7 @@ fit205_c = rt/command/fit205.c \
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 
 libraries = $(addprefix $(BUILD)/,librt205.a libc205asm.a libbase.a libc205.a)
+engine = $(BUILD)/libengine.a
 programs = $(BUILD)/c205 $(BUILD)/rt205
 adapter = $(BUILD)/rt205_oiio.so
 ranks = $(BUILD)/rt205_mpi.so
@@ -183,7 +183,7 @@ $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
 $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 		$(BUILD)/asm/lesson_texts.o
-$(BUILD)/libengine.a: $(call objects,$(engine_c))
+$(engine): $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
 # With q, not r: files of two folders may have one name.
@@ -281,7 +281,7 @@ $(helpers): $(call objects,$(filter-out tests/unit/test_%,\
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
-		$(libraries)
+		$(engine) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # Its client starts the command.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)): | $(BUILD)/c205
@@ -298,10 +298,10 @@ $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
-		$(BUILD)/tests/fuzz/fuzz_%.o $(libraries)
+		$(BUILD)/tests/fuzz/fuzz_%.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl -lpthread
 $(replays): $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.o \
-		$(BUILD)/tests/fuzz/replay.o $(libraries)
+		$(BUILD)/tests/fuzz/replay.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/tests/bench_lanes: $(BUILD)/tests/bench_lanes.o $(BUILD)/libc205.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
@@ -315,7 +315,7 @@ check-unit: $(unit_tests) $(adapter)
 	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
 		'$$0 >$$0.log 2>&1; code=$$?; cat $$0.log; exit $$code'
 
-check-rooms: $(libraries)
+check-rooms: $(engine) $(libraries)
 	sh tests/check_rooms.sh
 	sh tests/check_state.sh $(BUILD)
 	sh tests/check_names.sh $(BUILD)
@@ -468,7 +468,8 @@ npm_done = web/node_modules/.package-lock.json
 web:
 	@sh .ci/need $(web_packages)
 	@command -v node npm >/dev/null || sh .ci/need nodejs npm
-	@$(MAKE) --no-print-directory web-engine web-tracer $(npm_done)
+	@$(MAKE) --no-print-directory web-engine
+	@$(MAKE) --no-print-directory web-tracer $(npm_done)
 	node web/build.mjs $(BUILD)
 $(npm_done): web/package.json web/package-lock.json
 	cd web && npm ci --ignore-scripts

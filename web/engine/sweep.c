@@ -88,7 +88,8 @@ static bool slice(struct engine *engine, struct json *reply,
 
 /* ---- The request ------------------------------------------------------------------ */
 
-static bool take_values(const struct json_value *request,
+static bool take_values(const struct engine *engine,
+                        const struct json_value *request,
                         struct program_sweep *sweep, c205_error *error)
 {
     struct swept_range *range = &sweep->range;
@@ -99,7 +100,7 @@ static bool take_values(const struct json_value *request,
         || !take_count(request, "step", &range->step, error)
         || !take_count(request, "factor", &range->factor, error)
         || !take_count(request, "points", &points, error)
-        || !take_count(request, "limit", &sweep->clocks_most, error))
+        || !take_limit(engine, request, &sweep->clocks_most, error))
         return false;
     sweep->asked = (size_t)points;
     if (range->from < 1 || range->from >= range->to
@@ -154,7 +155,7 @@ static bool take_program(struct engine *engine,
     first = at_first(laboratory);
     if (!first)
         return refuse(error, "no memory");
-    object = program_assemble(engine, name, text, first, error);
+    object = engine_assemble(engine, name, text, first, error);
     if (object && !laboratory->model)
         laboratory->model = program_model(model, object, error);
     if (!object || !laboratory->model) {
@@ -177,7 +178,7 @@ static bool take_sweep(struct engine *engine,
     const char *constant;
 
     if (!take_text(request, "constant", &constant, error)
-        || !take_values(request, sweep, error)
+        || !take_values(engine, request, sweep, error)
         || !take_options(request, &laboratory->arena, &laboratory->options,
                          error))
         return false;

@@ -29,7 +29,7 @@ export function makeRaytracer(panel, { scenes, includes, models, model, source, 
   const queue = el("input", { id: "rt-queue", type: "number", min: 1, max: 65535, value: 2000 });
   const text = el("textarea", { id: "rt-text", rows: 12, spellcheck: "false", "aria-label": "Text of the scene" });
   const trace = el("button", { type: "submit", class: "main" }, "Trace");
-  const table = el("button", { type: "button", click: () => start(TABLE, {}) }, "Table 1");
+  const paper = el("button", { type: "button", click: () => start(TABLE, {}) }, "Table 1");
   const stop = el("button", { type: "button", hidden: true, click: () => end("Stopped.") }, "Stop");
   const canvas = el("canvas", { width: 160, height: 120, role: "img", "aria-label": "The picture" });
   const status = el("p", { class: "note", role: "status" });
@@ -41,7 +41,7 @@ export function makeRaytracer(panel, { scenes, includes, models, model, source, 
     heading("raytracer", "Ray tracer", "every ray is traced by programs of the emulated machine"),
     el("form", { class: "fields", submit: render },
       field("Scene", scene), field("Form", stage), field("Queue", queue), field("Size", size),
-      field("Model", machine), el("div", { class: "field" }, trace, stop, table)),
+      field("Model", machine), el("div", { class: "field" }, trace, stop, paper)),
     el("details", {}, el("summary", {}, "Text of the scene"), text),
     status, el("div", { class: "tracing" }, canvas, clocks), output));
   show();
@@ -64,7 +64,7 @@ export function makeRaytracer(panel, { scenes, includes, models, model, source, 
 
   async function start(args, files) {
     if (worker) return;
-    for (const button of [trace, table]) button.hidden = true;
+    for (const button of [trace, paper]) button.hidden = true;
     stop.hidden = false;
     said = "";
     fill(output);
@@ -95,7 +95,7 @@ export function makeRaytracer(panel, { scenes, includes, models, model, source, 
   function end(words) {
     worker?.terminate();
     worker = null;
-    for (const button of [trace, table]) button.hidden = false;
+    for (const button of [trace, paper]) button.hidden = false;
     stop.hidden = true;
     status.textContent = words;
     output.textContent = said;
