@@ -24,7 +24,7 @@ const OWN = "own"; // the learner's own program, of no lesson
 const session = new Session(new Machine(workerSource(), engineBytes()));
 const [about, { lessons: texts, examples, scenes, includes }] = await Promise.all([
   session.machine.ask({ do: "about" }), course()]);
-const lessons = new Map((about.lessons ?? []).map((lesson) => [`lesson:${lesson.name}`, lesson]));
+const lessons = new Map(about.lessons.map((lesson) => [`lesson:${lesson.name}`, lesson]));
 const programs = new Map(examples.map((example) => [`example:${example.name}`, example]));
 let at = OWN; // what is chosen in the list of programs
 

@@ -62,7 +62,6 @@ export const tests = {
         await look("errors");
         await visit.press("keys");
         await look("the keys");
-        await visit.page.evaluate("localStorage.clear()");
         await visit.close();
       }
   },
@@ -78,7 +77,6 @@ export const tests = {
         await visit.press(`tab-${view}`);
         assert.deepEqual(await beyond(visit), [], `${width}: ${view}`);
       }
-      await visit.page.evaluate("localStorage.clear()");
       await visit.close();
     }
   },
@@ -128,7 +126,6 @@ export const tests = {
     await visit.page.reload();
     await visit.page.waitForSelector("body.ready");
     assert.equal(await paper(), second);
-    await visit.page.evaluate("localStorage.clear()");
     await visit.close();
   },
 };
