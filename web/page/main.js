@@ -8,7 +8,7 @@ import { makeConsole } from "./console.js";
 import { makeEditor } from "./editor.js";
 import { makeInstruction } from "./instruction.js";
 import { makeLaboratory } from "./laboratory.js";
-import { hideVerdict, note, progress, showLesson, showVerdict, title } from "./lesson.js";
+import { hideVerdict, note, progress, setFolded, showLesson, showVerdict, title } from "./lesson.js";
 import { Machine } from "./machine.js";
 import { makeRaytracer } from "./raytracer.js";
 import { makeRegisters } from "./registers.js";
@@ -90,6 +90,7 @@ session.on("loaded", (reply) => {
   if (!reply.ok) say(errors > 0 ? `${some(errors, "error")}: the program cannot run yet` : reply.error, "bad");
   else say("Assembled. It stands at its beginning.");
   if (!reply.ok) settle(null);
+  $("machine").classList.toggle("lost", !reply.ok);
 });
 
 // What the debugger said, as a sentence.
@@ -189,7 +190,6 @@ async function check() {
   offer();
   say(reply.passed ? `Passed${reply.medal ? `: ${reply.medal}` : ""}.` : "Not passed yet: the verdict says why.",
     reply.passed ? "good" : "bad");
-  await session.load();
 }
 
 async function share() {
@@ -241,14 +241,14 @@ const KEYS = [
   ["Alt Enter", "check", "check my answer"], ["F1", "keys", "these keys"],
 ];
 const ALSO = [
-  ["Escape, then Tab", "leave the text of the program"],
+  ["Escape Tab", "one after the other: leave the text of the program"],
   ["← → + − Home", "in the time line: earlier, later, shorter, longer, all of it"],
   ["← →", "in the tabs: another view; in the slider: a step"],
   ["↑ ↓", "in the console: what was said before"],
 ];
 $("keys-table").tBodies[0].append(...[...KEYS.map(([key, , what]) => [key, what]), ...ALSO]
   .map(([key, what]) => el("tr", {}, el("th", { scope: "row" },
-    key.split(/(?<=[^,]) (?=\S)/).map((one) => [el("kbd", {}, one), " "])), el("td", {}, what))));
+    key.split(" ").map((one) => [el("kbd", {}, one), " "])), el("td", {}, what))));
 $("licences").addEventListener("toggle", async () => {
   $("licences").lastElementChild.textContent = await notice();
 });
@@ -282,9 +282,7 @@ $("lesson-text").addEventListener("click", (event) => {
 });
 
 function fold() {
-  const open_ = $("lesson-panel").classList.toggle("folded") === false;
-  $("fold").textContent = open_ ? "Hide" : "Show";
-  $("fold").setAttribute("aria-expanded", String(open_));
+  setFolded(!$("lesson-panel").classList.contains("folded"));
 }
 
 // --- light and dark ---------------------------------------------------------------------
