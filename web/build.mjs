@@ -1,13 +1,13 @@
 // build.mjs BUILD - the page, in BUILD/web: c205.html, one file that has everything in
-// it, and site/, the same as a small folder.  It needs engine.wasm and rt205.wasm there.
-// With --write the notice of all that npm brings into the page is written, else checked.
+// it, and site/, the same as a small folder.  It needs BUILD/web/engine.wasm.  With
+// --write the notice of all that npm brings into the page is written, else checked.
 
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
 import * as esbuild from "esbuild";
-import { readCourse, readExamples, readScenes } from "./course.mjs";
+import { readCourse, readExamples } from "./course.mjs";
 import { notice } from "./notice.mjs";
 
 const MOST = 1 << 20; // bytes of the one file, without the tracer
@@ -45,15 +45,12 @@ const fill = (html, parts) => Object.entries(parts).reduce(
   (text, [name, part]) => text.replace(`<!-- build: ${name} -->`, () => part), html);
 
 const worker = await bundle("worker.js", "iife");
-const tracer = await bundle("tracer_worker.js", "iife");
-const script = await bundle("main.js", "esm", { "c205:worker": worker.text, "c205:tracer": tracer.text });
+const script = await bundle("main.js", "esm", { "c205:worker": worker.text });
 const style = await bundle("page.css");
 const engine = readFileSync(join(out, "web/engine.wasm"));
-const rt205 = readFileSync(join(out, "web/rt205.wasm"));
 const course = Buffer.from(JSON.stringify({
   lessons: readCourse(join(root, "docs/course")),
   examples: readExamples(join(root, "asm/examples")),
-  ...readScenes(join(root, "scenes")),
 }));
 
 const licences = notice(web, [...worker.inputs, ...script.inputs]);
@@ -65,12 +62,11 @@ else if (readFileSync(kept, "utf8") !== licences) {
 }
 
 const html = page("index.html");
-const inlined = {
+const one = fill(html, {
   style: `<style>${style.text}</style>`,
   script: [data("engine", engine), data("course", course), data("notice", licences),
     `<script type="module">${script.text}</script>`].join("\n"),
-};
-const one = fill(html, { ...inlined, script: `${inlined.script}\n${data("tracer", rt205)}` });
+});
 const site = join(out, "web/site");
 rmSync(site, { recursive: true, force: true });
 mkdirSync(site, { recursive: true });
@@ -78,17 +74,16 @@ writeFileSync(join(out, "web/c205.html"), one);
 const files = {
   "index.html": fill(html, { style: '<link rel="stylesheet" href="page.css">',
     script: '<script type="module" src="page.js"></script>' }),
-  "page.css": style.text, "page.js": script.text, "engine.wasm": engine, "rt205.wasm": rt205,
+  "page.css": style.text, "page.js": script.text, "engine.wasm": engine,
   "course.json": course, "NOTICE.md": licences,
 };
 for (const [name, text] of Object.entries(files)) writeFileSync(join(site, name), text);
 
-const size = Buffer.byteLength(fill(html, inlined));
+const size = Buffer.byteLength(one);
 const kb = (bytes) => `${(bytes / 1024).toFixed(0)} KB`;
-console.log(`${basename(out)}/web/c205.html: ${kb(Buffer.byteLength(one))}, without the tracer ${kb(size)}
-    in the page (and unpacked): script ${kb(script.text.length)}, style ${kb(style.text.length)}, \
-engine ${kb(packed(engine).length)} (${kb(engine.length)}), course ${kb(packed(course).length)} \
-(${kb(course.length)}), tracer ${kb(packed(rt205).length)} (${kb(rt205.length)})`);
+console.log(`${basename(out)}/web/c205.html ${kb(size)}, ${kb(gzipSync(one).length)} gzipped: `
+  + `script ${kb(script.text.length)}, style ${kb(style.text.length)}, engine ${kb(engine.length)} `
+  + `(${kb(packed(engine).length)} in the page), course ${kb(course.length)} (${kb(packed(course).length)})`);
 if (size > MOST) {
   console.error(`it is larger than ${kb(MOST)}`);
   process.exit(1);

@@ -72,18 +72,6 @@ export function readCourse(folder) {
     { html: lessonHtml(join(folder, name)), examples: programs(join(folder, name), /^example-.*\.s$/) }]));
 }
 
-/** Scenes that need neither pictures nor fonts, by what their first line says of them; and
- * what they include. */
-export function readScenes(folder) {
-  const all = readdirSync(folder).map((name) => ({ name, text: /\.(pov|inc)$/.test(name) ? read(join(folder, name)) : "" }));
-  const scenes = all.filter(({ name, text }) => name.endsWith(".pov") && !/"[^"]*\.(png|ttf)"/.test(text));
-  return {
-    scenes: scenes.map(({ name, text }) => ({ name, text,
-      title: /^\/\/ \S+ - (.*?)[.:;]?$/m.exec(text)?.[1] ?? name })),
-    includes: Object.fromEntries(all.filter(({ name }) => name.endsWith(".inc")).map(({ name, text }) => [name, text])),
-  };
-}
-
 /** The assembler's examples. */
 export const readExamples = (folder) => ["", "debugging", "profiling"]
   .flatMap((part) => programs(join(folder, part), /\.s$/));

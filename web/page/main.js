@@ -1,6 +1,6 @@
 // main.js - the page: puts the panels together and ties the bar and the keys to them.
 
-import { course, engineBytes, notice, tracerBytes, tracerSource, workerSource } from "./parts.js";
+import { course, engineBytes, notice, workerSource } from "./parts.js";
 import { $, choices, count, el, fill, kept, some } from "./dom.js";
 import { makeCauses } from "./causes.js";
 import { makeCompare } from "./compare.js";
@@ -10,7 +10,6 @@ import { makeInstruction } from "./instruction.js";
 import { makeLaboratory } from "./laboratory.js";
 import { hideVerdict, note, progress, setFolded, showLesson, showVerdict, title } from "./lesson.js";
 import { Machine } from "./machine.js";
-import { makeRaytracer } from "./raytracer.js";
 import { makeRegisters } from "./registers.js";
 import { Session } from "./session.js";
 import { fromHash, toHash } from "./share.js";
@@ -22,7 +21,7 @@ const PAUSE = 300; // milliseconds of no typing before the text is assembled
 const OWN = "own"; // the learner's own program, of no lesson
 
 const session = new Session(new Machine(workerSource(), engineBytes()));
-const [about, { lessons: texts, examples, scenes, includes }] = await Promise.all([
+const [about, { lessons: texts, examples }] = await Promise.all([
   session.machine.ask({ do: "about" }), course()]);
 const lessons = new Map(about.lessons.map((lesson) => [`lesson:${lesson.name}`, lesson]));
 const programs = new Map(examples.map((example) => [`example:${example.name}`, example]));
@@ -50,8 +49,6 @@ makeCauses($("causes"), session);
 makeRegisters($("registers"), session);
 makeVectors($("vectors"), session);
 makeConsole($("console"), session);
-makeRaytracer($("raytracer"), { scenes, includes, models: about.models, model: about.model,
-  source: tracerSource(), bytes: tracerBytes });
 const laboratory = makeLaboratory($("laboratory"), session, others);
 const comparison = makeCompare($("compare"), session, others);
 const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {

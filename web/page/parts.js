@@ -3,10 +3,7 @@
 
 import worker from "c205:worker"; // bundled by the build
 
-import tracer from "c205:tracer"; // likewise
-
 export const workerSource = () => worker;
-export const tracerSource = () => tracer;
 
 async function part(id, file) {
   const inlined = document.getElementById(id);
@@ -15,9 +12,7 @@ async function part(id, file) {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
-/** Promises: bytes of the engine and of the tracer, lessons with examples and scenes, and
- * what others wrote of the page. */
+/** Promises: the engine's bytes, lessons and examples, and what others wrote of the page. */
 export const engineBytes = async () => (await part("engine", "engine.wasm")).arrayBuffer();
-export const tracerBytes = async () => (await part("tracer", "rt205.wasm")).arrayBuffer();
 export const course = async () => (await part("course", "course.json")).json();
 export const notice = async () => (await part("notice", "NOTICE.md")).text();

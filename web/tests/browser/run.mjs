@@ -10,14 +10,13 @@ import { tests as loading } from "./loading.mjs";
 import { tests as looks } from "./looks.mjs";
 import { tests as moving } from "./moving.mjs";
 import { tests as programs } from "./programs.mjs";
-import { tests as tracing } from "./tracing.mjs";
 
 const [build, browsers = "chromium firefox", only = ""] = process.argv.slice(2);
 if (!build) {
   console.error("usage: node web/tests/browser/run.mjs BUILD [BROWSERS [TEXT]]");
   process.exit(2);
 }
-const all = { ...loading, ...moving, ...programs, ...course, ...tracing, ...looks };
+const all = { ...loading, ...moving, ...programs, ...course, ...looks };
 let passed = 0, failed = 0;
 
 for (const kind of browsers.split(" ")) {
