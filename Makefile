@@ -3,7 +3,7 @@
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
 # make all | docs | mpi | bench | san | fuzz | cover | check-long | wasm-check |
-#      format | lint | install | clean
+#      web | check-web | format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -29,8 +29,11 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/dap)
+asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap \
+	asm/lesson)
 c205_c = $(call c_of,asm/command)
+# Not the call of a WebAssembly host.
+engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
 rt_c = $(call c_of,$(addprefix rt/,host farm scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
@@ -178,7 +181,9 @@ fit:
 
 $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
-$(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o
+$(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
+		$(BUILD)/asm/lesson_texts.o
+$(BUILD)/libengine.a: $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
 # With q, not r: files of two folders may have one name.
@@ -223,13 +228,17 @@ $(BUILD)/asm/library_texts.c: texts_in = asm/lib
 $(BUILD)/asm/library_texts.c: $(wildcard asm/lib/*.s)
 $(BUILD)/asm/isa_example_texts.c: texts_in = asm/isa_examples
 $(BUILD)/asm/isa_example_texts.c: $(wildcard asm/isa_examples/*.s)
+# Solutions are not among them.
+$(BUILD)/asm/lesson_texts.c: texts_in = docs/course
+$(BUILD)/asm/lesson_texts.c: $(sort $(foreach file,lesson.md start.s test-*.s,\
+	$(wildcard docs/course/*/$(file)))) $(wildcard docs/course/ docs/course/*/)
 $(BUILD)/rt/kernel_texts.c: texts_in = rt/kernels
 $(BUILD)/rt/kernel_texts.c: $(wildcard rt/kernels/*/*.s)
 $(BUILD)/rt/scene_texts.c: texts_in = rt/scene/library
 $(BUILD)/rt/scene_texts.c: $(wildcard rt/scene/library/*.inc)
 $(BUILD)/%_texts.c: vm/embed.sh
 	@mkdir -p $(@D)
-	sh vm/embed.sh $(@F:.c=) $(texts_in) $(filter-out vm/embed.sh,$^) > $@.new
+	sh vm/embed.sh $(@F:.c=) $(texts_in) $(filter-out %/ vm/embed.sh,$^) > $@.new
 	@mv $@.new $@
 
 $(BUILD)/%.o: %.c
@@ -436,6 +445,41 @@ wasm-check:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
 		AR=llvm-ar $(BUILD)/wasm/c205
 
+# The engine of the page, and how large it is.
+web-engine:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+		AR=llvm-ar $(BUILD)/wasm/engine.wasm
+	@mkdir -p $(BUILD)/web
+	@cp $(BUILD)/wasm/engine.wasm $(BUILD)/web
+	@wc -c $(BUILD)/web/engine.wasm
+
+# Its stack lies before its data: what overflows it is seen.
+$(BUILD)/engine.wasm: $(BUILD)/web/engine/wasm.o $(addprefix $(BUILD)/,\
+		libengine.a libc205asm.a libbase.a libc205.a)
+	$(CC) -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=262144 \
+		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
+
+# The page: one file, and a small site.  node and npm are Debian's where there are none.
+web_packages = clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
+npm_done = web/node_modules/.package-lock.json
+web:
+	@sh .ci/need $(web_packages)
+	@command -v node npm >/dev/null || sh .ci/need nodejs npm
+	@$(MAKE) --no-print-directory web-engine $(npm_done)
+	node web/build.mjs $(BUILD)
+$(npm_done): web/package.json web/package-lock.json
+	cd web && npm ci --ignore-scripts
+	@touch $@
+
+# The page in real browsers, beside c205; BROWSERS="chromium": that one; WEB_TESTS=text:
+# those of which the name says so.
+browser_packages = chromium firefox-esr
+BROWSERS ?= chromium firefox
+check-web:
+	@sh .ci/need $(build_packages) $(browser_packages)
+	@$(MAKE) --no-print-directory web $(BUILD)/c205
+	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
+
 # rt205 for the page: web/tracer/host/ has what its machine does otherwise, in the
 # place of the files of rt of that name.
 web_tracer_own = $(wildcard web/tracer/host/*.c)
@@ -443,15 +487,16 @@ web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) 
 	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
 web-tracer:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/web/rt205.wasm
+		AR=llvm-ar $(BUILD)/wasm/rt205.wasm
 	@mkdir -p $(BUILD)/web
-	cp $(BUILD)/wasm/web/rt205.wasm $(BUILD)/web/
-	@wc -c <$(BUILD)/web/rt205.wasm; gzip -9 -c $(BUILD)/web/rt205.wasm | wc -c
-$(BUILD)/web/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o \
-		$(BUILD)/rt/scene_texts.o $(filter-out %librt205.a,$(libraries))
-	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) -Wl,--stack-first -Wl,-z,stack-size=1048576 -Wl,--strip-all \
-		-o $@ $^ -lm
+	@cp $(BUILD)/wasm/rt205.wasm $(BUILD)/web
+	@wc -c $(BUILD)/web/rt205.wasm
+	@gzip -9 <$(BUILD)/web/rt205.wasm | wc -c | sed 's/$$/ gzipped/'
+$(BUILD)/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o \
+		$(BUILD)/rt/scene_texts.o $(addprefix $(BUILD)/,\
+		libc205asm.a libbase.a libc205.a)
+	$(CC) -Wl,--stack-first -Wl,-z,stack-size=1048576 \
+		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
 
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.
@@ -511,6 +556,7 @@ lint:
 
 $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
+		$(BUILD)/asm/lesson_texts.o \
 		$(BUILD)/libbase.a
 # Views need more of the assembler's library than that has for others.
 $(api)/librt205.a: $(call objects,$(filter-out rt/view/%,$(rt_c))) \
@@ -590,7 +636,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web check-web-tracer docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -117,6 +117,9 @@ struct object *assemble_bytes(const char *name, const char *text,
                               struct diagnostics *diagnostics);
 void object_free(struct object *object);
 
+/* Whether it says that the text defines what the options define already, otherwise. */
+bool asm_is_redefined(const struct diagnostic *diagnostic, const char *name);
+
 /* The line whose words lie at an address; NULL: none is known. */
 const struct asm_line *object_line(const struct object *object,
                                    uint64_t address);
@@ -124,6 +127,9 @@ const struct asm_line *object_line(const struct object *object,
 const char *object_region(const struct object *object, uint64_t address);
 /* Of its first word. */
 struct position asm_line_position(const struct asm_line *line);
+
+/* The names of the directives, NULL behind the last. */
+const char *asm_directive(size_t i);
 
 /* NULL: no such symbol. */
 const struct asm_symbol *object_symbol(const struct object *object,

@@ -1,7 +1,6 @@
 /* condition.c - .if, .ifdef, .ifndef, .elseif, .else, .endif */
 #include "asm/expand.h"
 #include "asm/suggest.h"
-#include "base/nearest.h"
 #include "asm/expression.h"
 
 bool condition_skips(const struct expander *expander)
@@ -121,12 +120,9 @@ static const struct {
                    { ".endif", close_one, NULL } };
 enum { DIRECTIVES = sizeof directives / sizeof *directives };
 
-void condition_suggest(struct nearest *nearest)
+const char *condition_name(size_t i)
 {
-    size_t i;
-
-    for (i = 0; i < DIRECTIVES; i++)
-        nearest_try(nearest, directives[i].name);
+    return i < DIRECTIVES ? directives[i].name : NULL;
 }
 
 static size_t find(const struct token *token)

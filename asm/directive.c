@@ -1,7 +1,6 @@
 /* directive.c - the directives that the parser obeys. */
 #include "asm/statement.h"
 #include "asm/suggest.h"
-#include "base/nearest.h"
 
 enum { WORD_BITS = 64, HALF_BITS = 32, WORD_HALVES = 2 };
 
@@ -414,12 +413,10 @@ static const struct directive directives[] = {
     { ".error", parse_error, ASM_NOTHING }
 };
 
-void directive_suggest(struct nearest *nearest)
+const char *directive_name(size_t i)
 {
-    size_t i;
-
-    for (i = 0; i < sizeof directives / sizeof *directives; i++)
-        nearest_try(nearest, directives[i].name);
+    return i < sizeof directives / sizeof *directives ? directives[i].name
+                                                      : NULL;
 }
 
 const struct directive *find_directive(const struct token *token)

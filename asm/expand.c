@@ -4,7 +4,6 @@
 
 #include "asm/expression.h"
 #include "asm/suggest.h"
-#include "base/nearest.h"
 
 /* ---- The stack of texts ---- */
 
@@ -306,12 +305,10 @@ static const struct {
                    { ".endm", stray },
                    { ".endr", stray } };
 
-void expand_suggest(struct nearest *nearest)
+const char *expand_name(size_t i)
 {
-    size_t i;
-
-    for (i = 0; i < sizeof directives / sizeof *directives; i++)
-        nearest_try(nearest, directives[i].name);
+    return i < sizeof directives / sizeof *directives ? directives[i].name
+                                                      : NULL;
 }
 
 static directive *find_directive(const struct token *token)

@@ -174,6 +174,26 @@ void view_fill(struct instruction_view *view, const c205 *machine)
     }
 }
 
+size_t view_next(struct instruction_view views[VIEW_NEXT],
+                 const c205 *machine)
+{
+    uint64_t pc = c205_pc(machine);
+    size_t count = 1, i;
+
+    view_decode(&views[0], machine, pc);
+    if (views[0].insn && views[0].insn->timing == C205_TIMING_vlink) {
+        count = VIEW_NEXT;
+        pc += HALF_BITS * (uint64_t)views[0].halves;
+        view_decode(&views[0], machine, pc);
+        pc += HALF_BITS * (uint64_t)views[0].halves;
+        view_decode(&views[1], machine, pc);
+    }
+    for (i = 0; i < count; i++)
+        if (views[i].insn)
+            view_fill(&views[i], machine);
+    return count;
+}
+
 const struct operand_view *view_find(const struct instruction_view *view,
                                      const char *letters)
 {

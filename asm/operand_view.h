@@ -40,6 +40,12 @@ void view_decode(struct instruction_view *view, const c205 *machine,
 /* What does: again before each execution. */
 void view_fill(struct instruction_view *view, const c205 *machine);
 
+/* The next instruction with what its registers hold, or the two that a LINKV links: how many
+ * these are.  What is none has no insn. */
+enum { VIEW_NEXT = 2 };
+size_t view_next(struct instruction_view views[VIEW_NEXT],
+                 const c205 *machine);
+
 /* The operand with one of these letters; NULL: it has none. */
 const struct operand_view *view_find(const struct instruction_view *view,
                                      const char *letters);

@@ -29,6 +29,23 @@ static void try_symbols(const struct assembler *assembler,
                 nearest_try(nearest, symbol->name);
 }
 
+/* One list after another. */
+const char *asm_directive(size_t i)
+{
+    static const char *(*const lists[])(
+        size_t i) = { directive_name, expand_name, condition_name };
+    for (size_t list = 0; list < sizeof lists / sizeof *lists; list++) {
+        size_t count = 0;
+
+        while (count < i && lists[list](count))
+            count++;
+        if (lists[list](count))
+            return lists[list](count);
+        i -= count;
+    }
+    return NULL;
+}
+
 const char *suggest(struct assembler *assembler, enum suggestion kind,
                     const char *name, size_t length)
 {
@@ -41,11 +58,8 @@ const char *suggest(struct assembler *assembler, enum suggestion kind,
     if (kind == SUGGEST_MNEMONIC)
         for (i = 0; i < c205_insn_count; i++)
             nearest_try(&nearest, c205_insns[i].mnemonic);
-    if (kind == SUGGEST_DIRECTIVE) {
-        directive_suggest(&nearest);
-        expand_suggest(&nearest);
-        condition_suggest(&nearest);
-    }
+    for (i = 0; kind == SUGGEST_DIRECTIVE && asm_directive(i); i++)
+        nearest_try(&nearest, asm_directive(i));
     try_symbols(assembler, kind, &nearest);
     return nearest.name;
 }

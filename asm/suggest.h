@@ -20,10 +20,9 @@ const char *suggest(struct assembler *assembler, enum suggestion kind,
 bool expected_name(struct cursor *cursor, const char *what,
                    enum suggestion kind);
 
-struct nearest;
-/* directive.c, expand.c, condition.c: try those that each obeys. */
-void directive_suggest(struct nearest *nearest);
-void expand_suggest(struct nearest *nearest);
-void condition_suggest(struct nearest *nearest);
+/* directive.c, expand.c, condition.c: the names of those that each obeys, NULL behind the last. */
+const char *directive_name(size_t i);
+const char *expand_name(size_t i);
+const char *condition_name(size_t i);
 
 #endif

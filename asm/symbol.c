@@ -3,6 +3,7 @@
 #include "base/hash.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
 static size_t bucket_of(const char *name, size_t length)
@@ -82,6 +83,9 @@ static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
            && symbol->value.bits == value.bits;
 }
 
+static const char defined_by_command[] =
+    "'%s' is defined by the command already";
+
 /* A name means one thing in a program; but registers are named anew by each
  * routine, and a constant may be given the same value twice. */
 bool symbol_define(struct assembler *assembler, const struct line *line,
@@ -97,8 +101,7 @@ bool symbol_define(struct assembler *assembler, const struct line *line,
                       symbol->name);
     if (symbol->kind != SYMBOL_UNDEFINED && !is_same(symbol, kind, value)) {
         if (!symbol->defined)
-            return report(assembler, line, at,
-                          "'%s' is defined by the command already",
+            return report(assembler, line, at, defined_by_command,
                           symbol->name);
         return report(assembler, line, at,
                       "'%s' is defined already, in %s:%zu", symbol->name,
@@ -108,4 +111,12 @@ bool symbol_define(struct assembler *assembler, const struct line *line,
     symbol->value = value;
     symbol->defined = line;
     return true;
+}
+
+bool asm_is_redefined(const struct diagnostic *diagnostic, const char *name)
+{
+    char text[160];
+
+    snprintf(text, sizeof text, defined_by_command, name);
+    return strcmp(diagnostic->message, text) == 0;
 }

@@ -19,17 +19,24 @@ static size_t fold(const char *text, size_t width)
     return length > 0 ? length : strlen(text);
 }
 
-void fold_print(const char *text, size_t column, FILE *file)
+void fold_put(const char *text, size_t column, const struct sink *sink)
 {
     size_t width = column + NARROWEST <= FOLD_WIDTH ? FOLD_WIDTH - column
                                                     : SIZE_MAX;
     for (;;) {
         size_t length = fold(text, width);
-        fprintf(file, "%.*s\n", (int)length, text);
+        sink->put(sink->context, text, length);
+        sink_put(sink, "\n");
         text += length + strspn(text + length, " ");
         if (!*text) {
             return;
         }
-        fprintf(file, "%*s", (int)column, "");
+        sink_print(sink, "%*s", (int)column, "");
     }
+}
+
+void fold_print(const char *text, size_t column, FILE *file)
+{
+    struct sink sink = stream_sink(file);
+    fold_put(text, column, &sink);
 }

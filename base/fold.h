@@ -4,6 +4,8 @@
 
 #include <stdio.h>
 
+#include "base/sink.h"
+
 /* Characters: how long printed lines become at most where they can be
  * folded. */
 enum { FOLD_WIDTH = 100 };
@@ -12,5 +14,7 @@ enum { FOLD_WIDTH = 100 };
  * beyond FOLD_WIDTH goes on below, from the same column on; a column too far
  * to the right for that is not folded. */
 void fold_print(const char *text, size_t column, FILE *file);
+/* The same to a sink. */
+void fold_put(const char *text, size_t column, const struct sink *sink);
 
 #endif

@@ -7,7 +7,7 @@ here=$(dirname "$0")
 . "$here/count.sh"
 cd "$here/.." || exit 1
 
-tags=$(find vm base asm rt -name '*.[ch]' -exec grep -HoE \
+tags=$(find vm base asm web/engine rt -name '*.[ch]' -exec grep -HoE \
     '\b(struct|union|enum) [a-z_0-9]+ \{' {} + | sort -u | cut -d: -f2 |
     sort | uniq -d)
 [ -z "$tags" ]

@@ -4,7 +4,7 @@
 set -u
 cd "$(dirname "$0")/.."
 
-find vm base asm rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
+find vm base asm web/engine web/tracer/host rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
     xargs grep -H '^#include "' |
     awk -v rooms=tests/rooms.txt '
     function room_of(path) {
@@ -19,10 +19,13 @@ find vm base asm rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
     BEGIN {
         while ((getline line < rooms) > 0)
             if (line !~ /^#/) {
+                side_room = sub(/^\| */, "", line)
                 count = split(line, names, " ")
                 lines++
-                for (i = 1; i <= count; i++)
+                for (i = 1; i <= count; i++) {
                     rank[names[i]] = lines
+                    side[names[i]] = side_room
+                }
             }
     }
     {
@@ -39,6 +42,8 @@ find vm base asm rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
             complain(from ": " to " is in no room of " rooms)
         else if (rank[room_of(to)] > rank[room_of(from)])
             complain(from ": " to " lies above it")
+        else if (side[room_of(to)] && room_of(from) != room_of(to))
+            complain(from ": " to " lies in a side room")
         else
             passed++
         close(to)
@@ -49,6 +54,6 @@ find vm base asm rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
         printf "%d passed, %d failed\n", passed, failed
         exit failed > 0
     }' || exit 1
-others=$(find vm base asm rt \( -name '*.cc' -o -name '*.js' -o -name '*.py' \) |
+others=$(find vm base asm web/engine web/tracer/host rt \( -name '*.cc' -o -name '*.js' -o -name '*.py' \) |
     grep -vx -e rt/picture/picture_oiio.cc -e rt/study/fit/ceres_fit.cc)
 [ -z "$others" ] || { echo "not C, and no adapter: $others"; exit 1; }

@@ -12,5 +12,6 @@ extern const char *const model_texts_names[]; /* without ".model" */
 extern const struct text library_texts[];     /* asm/lib */
 extern const struct text kernel_texts[];      /* rt/kernels */
 extern const struct text isa_example_texts[]; /* asm/isa_examples */
+extern const struct text lesson_texts[];      /* docs/course, a folder each */
 
 #endif

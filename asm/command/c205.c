@@ -5,9 +5,9 @@
 int main(int argc, char **argv)
 {
     static const struct command *const commands[] = {
-        &run_command,      &debug_command, &asm_command,  &dis_command,
-        &isa_command,      &model_command, &time_command, &compare_command,
-        &timeline_command, &sweep_command, NULL
+        &run_command,      &debug_command, &asm_command,   &dis_command,
+        &isa_command,      &model_command, &time_command,  &compare_command,
+        &timeline_command, &sweep_command, &check_command, NULL
     };
     static const struct c205_arguments arguments = { .limit = C205_NO_LIMIT };
     static const struct command_example files[] = {

@@ -16,7 +16,7 @@
 
 extern const struct command run_command, asm_command, dis_command,
     isa_command, model_command, time_command, debug_command, compare_command,
-    timeline_command, sweep_command;
+    timeline_command, sweep_command, check_command;
 
 enum { CMD_DEFINES = 64 };
 struct cmd_defines {
@@ -45,11 +45,12 @@ struct c205_arguments {
     const char *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit, from;
     bool check, trace, listing, names, points, markdown, grammar;
-    bool no_limit, exit_status, profile, in_order, warm, dap;
+    bool no_limit, exit_status, profile, in_order, warm, dap, start;
     struct cmd_defines defines, other_defines;
     struct cmd_swept swept;
     size_t point_count;
     struct cmd_warnings warnings;
+    const char *lesson, *folder; /* of answers */
     struct command_texts folders;
     const char *file;           /* what is no option: one, or .. */
     struct command_texts files; /* .. any number */
@@ -96,7 +97,7 @@ command_take cmd_take_warning;
 /* ---- Their work --------------------------------------------------------- */
 
 /* run --check: test programs and what they expect. */
-int cmd_check(const struct c205_arguments *arguments);
+int cmd_run_check(const struct c205_arguments *arguments);
 
 /* A program from its text or from an object file; NULL after all errors have
  * gone to the report. */

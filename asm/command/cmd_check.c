@@ -1,265 +1,298 @@
-/* cmd_check.c - c205 run --check: test programs and what they expect.
- *
- * A program runs on the model that the user names; else on the one that it
- * names itself, by expect-model; else on the default.
- */
+/* cmd_check.c - c205 check: lessons, and what answers to them are worth. */
+#include <stdlib.h>
 #include <string.h>
 
-#include "asm/command/c205_command.h"
-#include "asm/expect.h"
-#include "asm/print.h"
-#include "asm/watch.h"
+#include "asm/command/cmd_check.h"
+#include "base/file.h"
+#include "base/folder.h"
+#include "base/whole.h"
 
-/* A program that never ends is a failure, too. */
-static const uint64_t patience = 100000000;
+/* ---- Lessons --------------------------------------------------------------- */
 
-struct checker {
-    const struct c205_arguments *arguments;
-    const struct results *results;
-    struct table *table; /* where results are not text */
-    c205_model *model;   /* of the last program, kept for the next */
-    c205 *machine;
-    struct printer printer;
-    struct program_watch *watch; /* of this program, or NULL */
-    struct text_buffer printed;  /* by the program */
-    struct text_buffer report;   /* what is wrong */
-    size_t failures;
-};
-
-static bool fail(struct checker *checker, const char *reason)
+static int list_lessons(const struct check_command *check)
 {
-    struct sink sink = text_buffer_sink(&checker->report);
-    sink_print(&sink, "%s\n", reason);
-    return false;
-}
-
-static bool meets(struct checker *checker, const struct object *object,
-                  const c205_stop *stop)
-{
-    struct sink sink = text_buffer_sink(&checker->report);
-    const char *printed = checker->printed.text;
-    warning_set warned = object->warned | watch_warned(checker->watch);
-    if (!expect_anything(object)) {
-        return fail(checker, "the program expects nothing");
+    static const struct table_column columns[] = {
+        { "number", "", TABLE_COUNT, 0 },
+        { "name", "lesson", TABLE_TEXT, 0 },
+        { "title", "what it is about", TABLE_TEXT, 0 },
+    };
+    struct table *table = table_new(TABLE_COLUMNS(columns));
+    for (size_t i = 0; table && i < check->lessons.count; i++) {
+        const struct lesson *lesson = &check->lessons.items[i];
+        table_count(table, lesson->number);
+        table_text(table, lesson->name);
+        table_text(table, lesson->title);
     }
-    return expect_check(object, checker->machine, stop,
-                        printed ? printed : "", warned, &sink)
-           && watch_errors(checker->watch) == 0;
+    return results_show(check->results, table, "lessons", NULL);
 }
 
-/* ---- The machine for a program ------------------------------------------ */
-
-static void drop_machine(struct checker *checker)
+static struct table *test_table(const struct lesson *lesson)
 {
-    c205_free(checker->machine);
-    c205_model_free(checker->model);
-    checker->machine = NULL;
-    checker->model = NULL;
-}
-
-/* The machine stays, what watches the program does not. */
-static void listen(void *context, const c205 *machine,
-                   const c205_event *event)
-{
-    const struct checker *checker = context;
-    watch_listen(checker->watch, machine, event);
-}
-
-static bool make_machine(struct checker *checker, const char *model)
-{
-    c205_error error;
-    drop_machine(checker);
-    checker->model = c205_model_find(model, &error);
-    checker->machine = checker->model ? c205_new(checker->model, &error)
-                                      : NULL;
-    if (!checker->machine) {
-        drop_machine(checker);
-        return fail(checker, error.message);
+    static const struct table_column columns[] = {
+        { "name", "test", TABLE_TEXT, 0 },
+        { "gold", "gold", TABLE_COUNT, 0 },
+        { "silver", "silver", TABLE_COUNT, 0 },
+        { "bronze", "bronze", TABLE_COUNT, 0 },
+        { "tries", "what it tries", TABLE_TEXT, 0 },
+    };
+    struct table *table = table_new(TABLE_COLUMNS(columns));
+    for (size_t i = 0; table && i < lesson->test_count; i++) {
+        const struct lesson_test *test = &lesson->tests[i];
+        table_text(table, test->name);
+        for (int medal = MEDAL_GOLD; medal > MEDAL_NONE; medal--) {
+            if (test->has_goals) {
+                table_count(table, test->goals[medal]);
+            } else {
+                table_gap(table);
+            }
+        }
+        table_text(table, test->tries);
     }
-    return c205_listen(checker->machine, printer_listen, &checker->printer)
-           && c205_listen(checker->machine, listen, checker);
+    return table;
 }
 
-static const char *model_for(const struct checker *checker,
-                             const struct object *object)
+static int show_lesson(const struct check_command *check)
 {
-    const char *given = checker->arguments->model;
-    const char *named = expect_model(object);
-    return given ? given : named ? named : C205_DEFAULT_MODEL;
+    const struct lesson *lesson = check->lesson;
+    struct json *json = check->results->json;
+    if (json) {
+        json_text(json, "lesson", lesson->name);
+        json_text(json, "title", lesson->title);
+        json_text(json, "text", lesson->text);
+        json_text(json, "start", lesson->start);
+    }
+    if (check->results->file) {
+        fputs(lesson->text, check->results->file);
+    }
+    results_gap(check->results);
+    return results_show(check->results, test_table(lesson), "tests",
+                        "Goals in clocks");
 }
 
-static bool have_machine(struct checker *checker, const struct object *object)
+/* The program to complete. */
+static int write_start(const struct check_command *check)
 {
-    const char *model = model_for(checker, object);
-    return (checker->model
-            && strcmp(c205_model_name(checker->model), model) == 0)
-           || make_machine(checker, model);
-}
-
-static bool run_watched(struct checker *checker, const struct object *object)
-{
-    uint64_t limit = checker->arguments->limit;
-    watch_begin(checker->watch, checker->machine);
-    c205_stop stop = c205_run(checker->machine,
-                              limit != C205_NO_LIMIT ? limit : patience);
-    return meets(checker, object, &stop);
-}
-
-static bool run(struct checker *checker, const struct object *object,
-                const char *path)
-{
-    struct sink report = text_buffer_sink(&checker->report);
+    const char *command = check->arguments->command;
+    const char *path = check->arguments->output;
     c205_error error;
-    if (!have_machine(checker, object)) {
+    struct whole *whole = whole_open(path ? path : "-", &error);
+    if (!whole) {
+        return cmd_failed(command, "%s", error.message);
+    }
+    fputs(check->lesson->start, whole->file);
+    return whole_commit(whole, &error)
+               ? CMD_DONE
+               : cmd_failed(command, "%s", error.message);
+}
+
+/* ---- An answer ------------------------------------------------------------- */
+
+bool check_grade(const struct check_command *check,
+                 const struct lesson *lesson, const char *path,
+                 struct lesson_verdict *verdict, c205_error *error)
+{
+    c205_error reason;
+    size_t length;
+    char *text = file_read(path, FILE_LARGEST, &length, &reason);
+    (void)check;
+    if (!text) {
+        snprintf(error->message, sizeof error->message, "%.160s: %.80s", path,
+                 reason.message);
         return false;
     }
-    if (!c205_load(checker->machine, &object->program, &error)) {
-        return fail(checker, error.message);
-    }
-    checker->watch = watch_new(object, path,
-                               &checker->arguments->warnings.choice, &report);
-    bool good = checker->watch ? run_watched(checker, object)
-                               : fail(checker, "no memory");
-    watch_free(checker->watch);
-    checker->watch = NULL;
+    bool good = lesson_grade(verdict, lesson, path, text, length, error);
+    free(text);
     return good;
 }
 
-/* ---- What is told of them ------------------------------------------------ */
-
-static const struct table_column columns[] = {
-    { "program", "program", TABLE_TEXT, 0 },
-    { "passed", "passed", TABLE_TEXT, 0 },
-    { "clocks", "clocks", TABLE_TEXT, 0 },
-    { "report", "report", TABLE_TEXT, 0 },
-};
-
-/* What came of one program. */
-struct verdict {
-    const char *path;
-    bool good;
-    const char *other_model; /* its clocks are not of this one; or NULL */
-    const char *report;
-};
-
-static void tell_row(struct table *table, const struct verdict *verdict)
+static struct table *trial_table(const struct lesson_verdict *verdict)
 {
-    table_text(table, verdict->path);
-    table_text(table, verdict->good ? "yes" : "no");
-    table_text(table, verdict->other_model ? "not compared" : "");
-    table_text(table, verdict->report);
+    static const struct table_column columns[] = {
+        { "test", "test", TABLE_TEXT, 0 },
+        { "passed", "passed", TABLE_TEXT, 0 },
+        { "medal", "medal", TABLE_TEXT, 0 },
+        { "clocks", "clocks", TABLE_COUNT, 0 },
+        { "report", "report", TABLE_TEXT, 0 },
+    };
+    struct table *table = table_new(TABLE_COLUMNS(columns));
+    for (size_t i = 0; table && i < verdict->count; i++) {
+        const struct lesson_trial *trial = &verdict->trials[i];
+        struct text_buffer report = { 0 };
+        check_join(&report, &verdict->report);
+        check_join(&report, &trial->report);
+        table_text(table, trial->test->name);
+        table_text(table, trial->passed ? "yes" : "no");
+        table_text(table, medal_name(trial->medal));
+        table_count(table, trial->clocks);
+        table_text(table, report.text ? report.text : "");
+        text_buffer_free(&report);
+    }
+    return table;
 }
 
-/* The reasons stand a little to the right. */
-static void tell_text(const struct results *results,
-                      const struct verdict *verdict)
+void check_join(struct text_buffer *buffer,
+                const struct lesson_report *report)
 {
-    const char *text = verdict->report;
-    const char *other = verdict->other_model;
-    results_say(results, "%s %s%s%s%s\n", verdict->good ? "PASS" : "FAIL",
-                verdict->path, other ? " (but for the clocks: not of " : "",
-                other ? other : "", other ? ")" : "");
-    while (*text) {
-        size_t length = strcspn(text, "\n");
-        results_say(results, "    %.*s\n", (int)length, text);
-        text += length + (text[length] != '\0');
+    struct sink sink = text_buffer_sink(buffer);
+    for (size_t i = 0; i < report->count; i++) {
+        const char *sentence = report->sentences[i];
+        sink_print(&sink, "%s%.*s", buffer->length > 0 ? " " : "",
+                   (int)strcspn(sentence, "\n"), sentence);
     }
 }
 
-static void tell_json(struct json *json, const c205_model *model,
-                      const struct verdict *verdict)
+static int show_verdict(const struct check_command *check,
+                        const struct lesson_verdict *verdict)
 {
-    json_object(json, NULL);
-    json_text(json, "program", verdict->path);
-    json_truth(json, "passed", verdict->good);
-    json_truth(json, "clocks_compared", !verdict->other_model);
-    json_text(json, "report", verdict->report);
-    if (model) {
-        provenance_json(model, json);
-    }
-    json_end(json);
-}
-
-static void check_one(struct checker *checker, const char *path)
-{
-    struct sink sink = text_buffer_sink(&checker->report);
-    struct object *object = cmd_read_program(checker->arguments, path, &sink);
-    struct verdict verdict = { path, object && run(checker, object, path),
-                               NULL, "" };
-    if (object && checker->machine
-        && expect_other_model(object, checker->machine)) {
-        verdict.other_model = c205_model_name(checker->model);
-    }
-    object_free(object);
-    if (checker->report.text) {
-        verdict.report = checker->report.text;
-    }
-    if (checker->printed.failed || checker->report.failed) {
-        verdict.good = false;
-        verdict.report = "no memory";
-    }
-    if (checker->table) {
-        tell_row(checker->table, &verdict);
-    } else {
-        tell_text(checker->results, &verdict);
-    }
-    if (checker->results->json) {
-        tell_json(checker->results->json, checker->model, &verdict);
-    }
-    checker->failures += !verdict.good;
-    text_buffer_free(&checker->printed);
-    text_buffer_free(&checker->report);
-}
-
-static int check_all(struct checker *checker)
-{
-    const struct c205_arguments *arguments = checker->arguments;
-    const struct results *results = checker->results;
-    bool tabular = results->file && results->format != RESULTS_TEXT;
-    if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns)))) {
-        return cmd_failed(arguments->command, "no memory");
+    const struct results *results = check->results;
+    bool good = true;
+    if (results->file && results->format == RESULTS_TEXT) {
+        struct sink sink = stream_sink(results->file);
+        lesson_verdict_put(verdict, &sink);
+    } else if (results->file) {
+        struct table *table = trial_table(verdict);
+        good = table
+               && table_write(table, results_table_format(results),
+                              results->file);
+        table_free(table);
     }
     if (results->json) {
-        json_array(results->json, "programs");
+        lesson_verdict_json(verdict, results->json);
     }
-    for (size_t i = 0; i < arguments->files.count; i++) {
-        check_one(checker, arguments->files.items[i]);
-    }
-    if (results->json) {
-        json_end(results->json);
-    }
-    bool good = !tabular
-                || table_write(checker->table, results_table_format(results),
-                               results->file);
-    table_free(checker->table);
-    results_say(results, "%zu passed, %zu failed\n",
-                arguments->files.count - checker->failures,
-                checker->failures);
-    return !good ? cmd_failed(arguments->command, "no memory")
-           : checker->failures > 0 ? CMD_FAILED
-                                   : CMD_DONE;
+    return good ? CMD_DONE
+                : cmd_failed(check->arguments->command, "no memory");
 }
 
-/* A model that the user names must be there. */
-static bool check_model(const struct c205_arguments *arguments)
+/* An answer that does not pass is a result, too: the JSON is kept. */
+static int check_answer(const struct check_command *check, bool *passed)
 {
-    c205_model *model = model_open(arguments->command, arguments->model);
-    c205_model_free(model);
-    return model != NULL;
+    struct lesson_verdict verdict = { 0 };
+    c205_error error;
+    int code = check_grade(check, check->lesson, check->arguments->file,
+                           &verdict, &error)
+                   ? show_verdict(check, &verdict)
+                   : cmd_failed(check->arguments->command, "%s",
+                                error.message);
+    *passed = verdict.passed;
+    lesson_verdict_free(&verdict);
+    return code;
 }
 
-/* What failed is a result, too: the JSON is kept. */
-int cmd_check(const struct c205_arguments *arguments)
+/* ---- The command ----------------------------------------------------------- */
+
+/* A teacher's own lesson lies in a folder. */
+static bool find_lesson(struct check_command *check, c205_error *error)
 {
+    const char *name = check->arguments->lesson;
+    check->lesson = name ? lessons_find(&check->lessons, name, error) : NULL;
+    if (!name || check->lesson || !folder_is(name)) {
+        return !name || check->lesson;
+    }
+    check->lesson = &check->own;
+    return check_read_lesson(&check->own, name, error);
+}
+
+static int work(const struct check_command *check, bool *passed)
+{
+    const struct c205_arguments *arguments = check->arguments;
+    return arguments->folder ? check_folder(check)
+           : !check->lesson  ? list_lessons(check)
+           : arguments->file ? check_answer(check, passed)
+                             : show_lesson(check);
+}
+
+static int open_and_work(struct check_command *check)
+{
+    const struct c205_arguments *arguments = check->arguments;
     struct results results = arguments->results;
-    struct checker checker = { .arguments = arguments, .results = &results };
-    checker.printer.sink = text_buffer_sink(&checker.printed);
-    if (!check_model(arguments)
-        || !results_open(&results, arguments->command, NULL)) {
+    bool passed = true;
+    c205_error error;
+    check->results = &results;
+    if (!lessons_open(&check->lessons, &error)
+        || !find_lesson(check, &error)) {
+        return cmd_failed(arguments->command, "%s", error.message);
+    }
+    if (arguments->start) {
+        return write_start(check);
+    }
+    if (!results_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
-    int code = check_all(&checker);
-    drop_machine(&checker);
-    int kept = results_close(&results, CMD_DONE);
-    return code == CMD_DONE ? kept : code;
+    int code = results_close(&results, work(check, &passed));
+    return code == CMD_DONE && !passed ? CMD_FAILED : code;
 }
+
+static int check_usage(const struct c205_arguments *arguments)
+{
+    const char *command = arguments->command;
+    return arguments->start && !arguments->lesson
+               ? cmd_usage(command, "--start of which lesson?")
+           : arguments->start && (arguments->file || arguments->folder)
+               ? cmd_usage(command,
+                           "--start writes a program and grades none")
+           : arguments->output && !arguments->start
+               ? cmd_usage(command, "-o is of --start")
+           : arguments->folder && arguments->file
+               ? cmd_usage(command, "one answer or a --folder, not both")
+               : CMD_DONE;
+}
+
+static int run(void *given)
+{
+    struct check_command check = { .arguments = given };
+    int code = check_usage(check.arguments);
+    if (code == CMD_DONE) {
+        code = open_and_work(&check);
+    }
+    lesson_free(&check.own);
+    lessons_free(&check.lessons);
+    return code;
+}
+
+static const struct command_option options[] = {
+    CMD_FLAG(start, "write the lesson's program to complete"),
+    { .name = "output",
+      .letter = 'o',
+      .value = "FILE",
+      .kind = COMMAND_OUTPUT,
+      .offset = CMD_PLACE(output),
+      .help = "where to (-)" },
+    { .name = "folder",
+      .value = "DIR",
+      .kind = COMMAND_FOLDER,
+      .offset = CMD_PLACE(folder),
+      .help = "grade what was handed in: DIR/STUDENT/LESSON.s, DIR/LESSON.s, "
+              "or DIR/STUDENT.s of one lesson" },
+    CMD_RESULTS,
+    COMMAND_END
+};
+static const struct command_option operands[] = {
+    { .value = "LESSON",
+      .kind = COMMAND_TEXT,
+      .optional = true,
+      .offset = CMD_PLACE(lesson),
+      .help =
+          "its name or its number, or the folder of one; without: all are "
+          "listed" },
+    { .value = "ANSWER",
+      .kind = COMMAND_INPUT,
+      .optional = true,
+      .offset = CMD_PLACE(file),
+      .help = "a program text to grade; without: the lesson is printed" },
+    COMMAND_END
+};
+static const struct command_example examples[] = {
+    { "c205 check LESSON --start -o FILE", "begin" },
+    { "c205 check LESSON ANSWER", "what is wrong or slow" },
+    { "c205 check --folder DIR --format csv", "a class, a row each" },
+    { NULL, NULL }
+};
+
+const struct command check_command = {
+    .name = "check",
+    .summary = "lessons with exercises, and what answers are worth",
+    .function = run,
+    .options = options,
+    .operands = operands,
+    .examples = examples,
+};

@@ -357,7 +357,7 @@ static int run_command_line(void *given)
         return code;
     }
     if (arguments->check) {
-        return cmd_check(arguments);
+        return cmd_run_check(arguments);
     }
     c205_model *model = model_open(arguments->command, arguments->model);
     code = model ? read_and_run(arguments, model) : CMD_FAILED;

@@ -13,137 +13,9 @@
 #include "base/progress.h"
 #include "base/whole.h"
 
-/* ---- Tables ---------------------------------------------------------------- */
-
-enum { HEADING = 64 };
-static const char *const names[SWEPT_PROGRAMS] = { "first", "second" };
-
 static double clocks_of(const struct swept_point *point, size_t which)
 {
     return (double)accounts_clocks(&point->runs[which]);
-}
-
-static struct table *point_table(const struct program_sweep *sweep,
-                                 const char *per_element)
-{
-    struct table_column columns[] = {
-        { "value", sweep->constant, TABLE_COUNT, 0 },
-        { "clocks", "clocks", TABLE_COUNT, 0 },
-        { "per_element", per_element, TABLE_NUMBER, 2 },
-        { "mflops", "Mflop/s", TABLE_NUMBER, 2 },
-        { "second_clocks", "second clocks", TABLE_COUNT, 0 },
-        { "second_per_element", per_element, TABLE_NUMBER, 2 },
-        { "second_mflops", "Mflop/s", TABLE_NUMBER, 2 },
-        { "ratio", "first / second", TABLE_NUMBER, 3 },
-    };
-    bool two = sweep->program_count == SWEPT_PROGRAMS;
-    struct table *table;
-    if (two) {
-        columns[1] = (struct table_column){ "first_clocks", "first clocks",
-                                            TABLE_COUNT, 0 };
-        columns[2].key = "first_per_element";
-        columns[3].key = "first_mflops";
-    }
-    table = table_new(columns, two ? 8 : 4);
-    for (size_t i = 0; table && i < sweep->count; i++) {
-        const struct swept_point *point = &sweep->points[i];
-        table_count(table, point->value);
-        for (size_t k = 0; k < sweep->program_count; k++) {
-            const c205_account *run = &point->runs[k];
-            table_count(table, accounts_clocks(run));
-            table_number(table, clocks_of(point, k) / (double)point->value);
-            table_number(table, accounts_rate(sweep->model, run));
-        }
-        if (two) {
-            table_number(table, clocks_of(point, SWEPT_FIRST)
-                                    / clocks_of(point, SWEPT_SECOND));
-        }
-    }
-    return table;
-}
-
-static struct table *cause_table(const struct program_sweep *sweep)
-{
-    struct table_column columns[3 + C205_CAUSES] = {
-        { "program", "program", TABLE_TEXT, 0 },
-        { "value", sweep->constant, TABLE_COUNT, 0 },
-        { "clocks", "clocks", TABLE_COUNT, 0 },
-    };
-    struct table *table;
-    memcpy(columns + 3, accounts_cause_columns,
-           sizeof accounts_cause_columns);
-    table = table_new(TABLE_COLUMNS(columns));
-    for (size_t i = 0; table && i < sweep->count; i++) {
-        for (size_t k = 0; k < sweep->program_count; k++) {
-            const c205_account *run = &sweep->points[i].runs[k];
-            table_text(table, names[k]);
-            table_count(table, sweep->points[i].value);
-            table_count(table, accounts_clocks(run));
-            for (int cause = 0; cause < C205_CAUSES; cause++) {
-                table_count(table, run->clocks[cause]);
-            }
-        }
-    }
-    return table;
-}
-
-/* Of what is no line only how far it is from one. */
-static void add_line(struct table *table, const struct program_sweep *sweep,
-                     int which)
-{
-    struct swept_line line = swept_line_of(sweep, which);
-    double per_second = 1 / accounts_seconds(sweep->model, 1);
-    double rate = per_second / line.clocks.slope / 1e6;
-    double figures[] = { line.clocks.at_zero, line.clocks.slope, rate,
-                         line.flops > 0 ? line.flops * rate : NAN,
-                         swept_half_length(&line) };
-    table_text(table, names[which]);
-    for (size_t i = 0; i < sizeof figures / sizeof *figures; i++) {
-        table_number(table, line.good ? figures[i] : NAN);
-    }
-    table_number(table, 100 * line.off);
-    table_count(table, line.off_at);
-}
-
-static struct table *line_table(const struct program_sweep *sweep,
-                                const char *per_element)
-{
-    struct table_column columns[] = {
-        { "program", "line", TABLE_TEXT, 0 },
-        { "startup", "start-up clk", TABLE_NUMBER, 1 },
-        { "per_element", per_element, TABLE_NUMBER, 4 },
-        { "r_infinity", "r-infinity M/s", TABLE_NUMBER, 2 },
-        { "mflops", "Mflop/s", TABLE_NUMBER, 2 },
-        { "n_half", "n-half", TABLE_NUMBER, 1 },
-        { "off_percent", "off %", TABLE_NUMBER, 2 },
-        { "off_at", "at", TABLE_COUNT, 0 },
-    };
-    struct table *table = table_new(TABLE_COLUMNS(columns));
-    for (size_t i = 0; table && i < sweep->program_count; i++) {
-        add_line(table, sweep, (int)i);
-    }
-    return table;
-}
-
-static const struct table_column crossing_columns[] = {
-    { "value", "from", TABLE_COUNT, 0 },
-    { "faster", "faster", TABLE_TEXT, 0 },
-    { "first_clocks", "first clocks", TABLE_COUNT, 0 },
-    { "second_clocks", "second clocks", TABLE_COUNT, 0 },
-};
-
-static struct table *crossing_table(const struct program_sweep *sweep)
-{
-    struct table *table = table_new(TABLE_COLUMNS(crossing_columns));
-    for (size_t i = 0; table && i < sweep->crossing_count; i++) {
-        const struct swept_crossing *crossing = &sweep->crossings[i];
-        table_count(table, crossing->at.value);
-        table_text(table, names[crossing->faster]);
-        for (size_t k = 0; k < SWEPT_PROGRAMS; k++) {
-            table_count(table, accounts_clocks(&crossing->at.runs[k]));
-        }
-    }
-    return table;
 }
 
 /* ---- In words -------------------------------------------------------------- */
@@ -154,13 +26,13 @@ static void tell_line(const struct program_sweep *sweep, int which,
     struct swept_line line = swept_line_of(sweep, which);
     if (!line.grows) {
         results_say(results, "The clocks of the %s do not grow with %s.\n",
-                    names[which], sweep->constant);
+                    swept_names[which], sweep->constant);
     } else if (!line.good) {
         results_say(results,
                     "The %s is no straight line in %s: one would be %.1f %% "
                     "off at %" PRIu64 ". At the end its clocks go with the "
                     "power %.2f.\n",
-                    names[which], sweep->constant, 100 * line.off,
+                    swept_names[which], sweep->constant, 100 * line.off,
                     line.off_at, swept_power(sweep, which));
     }
 }
@@ -200,9 +72,9 @@ static int show_rest(const struct program_sweep *sweep,
     if (results->format != RESULTS_CSV) {
         rest.file = NULL;
     }
-    code = results_show(&rest, cause_table(sweep), "causes", "Causes");
+    code = results_show(&rest, swept_causes(sweep), "causes", "Causes");
     if (code == CMD_DONE && sweep->program_count == SWEPT_PROGRAMS) {
-        code = results_show(&rest, crossing_table(sweep), "crossings",
+        code = results_show(&rest, swept_crossings(sweep), "crossings",
                             "Crossings");
     }
     return code;
@@ -221,7 +93,7 @@ static void show_head(const struct program_sweep *sweep,
         provenance_json(sweep->model, results->json);
     }
     for (size_t i = 0; i < sweep->program_count; i++) {
-        results_say(results, "%s: %s on %s\n", names[i],
+        results_say(results, "%s: %s on %s\n", swept_names[i],
                     sweep->programs[i].path, c205_model_name(sweep->model));
     }
 }
@@ -229,17 +101,13 @@ static void show_head(const struct program_sweep *sweep,
 static int show(const struct program_sweep *sweep,
                 const struct results *results)
 {
-    char per_element[HEADING];
     int code;
-    snprintf(per_element, sizeof per_element, "clk/%s", sweep->constant);
     show_head(sweep, results);
     results_gap(results);
-    code = results_show(results, point_table(sweep, per_element), "points",
-                        "Points");
+    code = results_show(results, swept_points(sweep), "points", "Points");
     if (code == CMD_DONE) {
         results_gap(results);
-        code = results_show(results, line_table(sweep, per_element), "lines",
-                            "Lines");
+        code = results_show(results, swept_lines(sweep), "lines", "Lines");
     }
     if (code == CMD_DONE) {
         code = show_rest(sweep, results);
@@ -259,13 +127,12 @@ static bool draw(const struct program_sweep *sweep, const char *path,
                  c205_error *error)
 {
     struct whole *whole = whole_open(path, error);
-    char title[160];
+    char title[SWEPT_TITLE];
     struct sink sink;
     if (!whole) {
         return false;
     }
-    snprintf(title, sizeof title, "Clocks against %.40s on %.80s",
-             sweep->constant, c205_model_name(sweep->model));
+    swept_title(sweep, title);
     sink = stream_sink(whole->file);
     swept_svg(sweep, title, &sink);
     return whole_commit(whole, error);
@@ -437,7 +304,8 @@ static int run(void *given)
     if (code != CMD_DONE) {
         return code;
     }
-    if (output && !file_is_stream(output) && !file_ends_with(output, ".svg")) {
+    if (output && !file_is_stream(output)
+        && !file_ends_with(output, ".svg")) {
         return cmd_usage(arguments->command, "%s: a picture is .svg", output);
     }
     return sweep_programs(arguments);

@@ -9,11 +9,10 @@ static int write_file(const struct c205_arguments *arguments,
                       const struct timeline *timeline)
 {
     c205_error error;
-    char title[400];
-    snprintf(title, sizeof title,
-             "%.200s, clocks %" PRIu64 " to %" PRIu64 " on %.80s",
-             arguments->file, timeline->from, timeline->to,
-             arguments->model ? arguments->model : C205_DEFAULT_MODEL);
+    char title[TIMELINE_TITLE];
+    timeline_title(timeline, arguments->file,
+                   arguments->model ? arguments->model : C205_DEFAULT_MODEL,
+                   title);
     if (!timeline_save(timeline, arguments->output, title, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
     }

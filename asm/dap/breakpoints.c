@@ -245,7 +245,7 @@ static bool find_address(struct dap *dap, const struct json_value *arguments,
                          const char *name, uint64_t *address)
 {
     struct rest rest = { name };
-    struct dap_vector vector;
+    struct vector_view vector;
     int64_t reference = 0;
     size_t number;
 

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "asm/dap/parts.h"
-#include "asm/operand_view.h"
 
 void put_bits(c205_word word, unsigned width, const struct sink *sink)
 {
@@ -20,51 +19,19 @@ void put_bits(c205_word word, unsigned width, const struct sink *sink)
     sink_print(sink, "%s  X'%s'", number, hex);
 }
 
-/* As operands are read. */
-static struct operand_view view_of(uint64_t address, size_t length,
-                                   unsigned width)
-{
-    return (struct operand_view){ .letter = 'v',
-                                  .is_vector = true,
-                                  .width = width,
-                                  .address = address,
-                                  .length = length };
-}
-
-bool element_word(const struct dap *dap, const struct dap_vector *vector,
-                  size_t i, c205_word *word)
-{
-    struct operand_view view = view_of(vector->address, vector->length,
-                                       vector->width);
-
-    return vector->address % vector->width == 0
-           && view_read(machine_of(dap->debugger), &view, i, 1, word);
-}
-
-/* Pages are larger than what two of them lie apart by in a vector of words. */
-bool vector_is_mapped(const struct dap *dap, const struct dap_vector *vector)
-{
-    c205_word word;
-
-    return vector->length > 0 && element_word(dap, vector, 0, &word)
-           && element_word(dap, vector, vector->length - 1, &word);
-}
-
 /* Behind an element the bit that lets its result be stored, or not. */
 static void put_control(const struct dap *dap,
-                        const struct dap_vector *vector, size_t i,
+                        const struct vector_view *vector, size_t i,
                         const struct sink *sink)
 {
-    struct operand_view view = view_of(vector->control, vector->length, 1);
-    c205_word bit;
+    bool bit;
 
-    if (vector->controlled
-        && view_read(machine_of(dap->debugger), &view, i, 1, &bit))
-        sink_print(sink, "  ? %u", (unsigned)bit);
+    if (vector_control(machine_of(dap->debugger), vector, i, &bit))
+        sink_print(sink, "  ? %d", bit);
 }
 
 static void put_element(struct dap *dap, struct json *json,
-                        const struct dap_vector *vector, size_t i)
+                        const struct vector_view *vector, size_t i)
 {
     uint64_t address = vector->address + (uint64_t)i * vector->width;
     struct text_line text = { .length = 0 };
@@ -75,7 +42,7 @@ static void put_element(struct dap *dap, struct json *json,
     json_object(json, NULL);
     snprintf(name, sizeof name, "[%zu]", i);
     json_text(json, "name", name);
-    if (element_word(dap, vector, i, &word)) {
+    if (vector_get(machine_of(dap->debugger), vector, i, 1, &word)) {
         put_bits(word, vector->width, &sink);
         put_control(dap, vector, i, &sink);
     } else {
@@ -93,13 +60,14 @@ static void put_element(struct dap *dap, struct json *json,
 }
 
 void put_elements(struct dap *dap, struct json *json,
-                  const struct dap_vector *vector, size_t first, size_t count)
+                  const struct vector_view *vector, size_t first,
+                  size_t count)
 {
     for (size_t i = first; i < vector->length && i - first < count; i++)
         put_element(dap, json, vector, i);
 }
 
-bool element_number(const struct dap_vector *vector, const char *name,
+bool element_number(const struct vector_view *vector, const char *name,
                     size_t *number)
 {
     char *end;

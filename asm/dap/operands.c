@@ -6,62 +6,14 @@
 #include "asm/dap/variables.h"
 #include "asm/operand_view.h"
 
-/* Of the next instruction, or the two that a LINKV links. */
-struct operands {
-    size_t count;
-    struct instruction_view views[2];
-};
-
-static void find_operands(const struct dap *dap, struct operands *operands)
-{
-    c205 *machine = machine_of(dap->debugger);
-    uint64_t pc = c205_pc(machine);
-    struct instruction_view *views = operands->views;
-
-    operands->count = 1;
-    view_decode(&views[0], machine, pc);
-    if (views[0].insn && views[0].insn->timing == C205_TIMING_vlink) {
-        pc += 32 * (uint64_t)views[0].halves;
-        view_decode(&views[0], machine, pc);
-        pc += 32 * (uint64_t)views[0].halves;
-        view_decode(&views[1], machine, pc);
-        operands->count = 2;
-    }
-    for (size_t i = 0; i < operands->count; i++)
-        if (views[i].insn)
-            view_fill(&views[i], machine);
-}
-
-/* Its elements can be counted. */
-static bool has_elements(const struct operand_view *operand)
-{
-    return operand->is_vector && !operand->is_bad && operand->length > 0
-           && !strchr("xXzZ", operand->letter);
-}
-
-static struct dap_vector
-vector_of_operand(const struct instruction_view *view,
-                  const struct operand_view *operand)
-{
-    const struct operand_view *control = view_find(view, "z");
-    struct dap_vector vector = { .address = operand->address,
-                                 .length = operand->length,
-                                 .width = operand->width };
-
-    vector.controlled = control && control->number != 0;
-    if (vector.controlled)
-        vector.control = control->address;
-    return vector;
-}
-
 static void put_operand(struct dap *dap, struct json *json,
                         const struct instruction_view *view,
                         const struct operand_view *operand, size_t number)
 {
-    struct dap_vector vector = vector_of_operand(view, operand);
+    struct vector_view vector = vector_of_operand(view, operand);
     struct text_line text = { .length = 0 }, name = { .length = 0 };
     struct sink sink = text_line_sink(&text), naming = text_line_sink(&name);
-    bool listed = has_elements(operand);
+    bool listed = vector_has_elements(operand);
     char register_name[REGISTER_NAME];
 
     if (operand->is_half)
@@ -75,7 +27,7 @@ static void put_operand(struct dap *dap, struct json *json,
         put_extent(&vector, &sink);
     else if (operand->is_vector)
         sink_print(&sink, "%s from %" PRIX64 " on",
-                   elements_of(operand->width), operand->address);
+                   vector_elements(operand->width), operand->address);
     else
         put_bits(operand->word, operand->is_half ? 32 : 64, &sink);
     put_variable(json, name.text, text.text,
@@ -94,11 +46,12 @@ static bool is_shown(const struct operand_view *operand)
 
 void put_operands(struct dap *dap, struct json *json)
 {
-    struct operands operands;
+    struct instruction_view views[VIEW_NEXT];
+    size_t count;
 
-    find_operands(dap, &operands);
-    for (size_t i = 0; i < operands.count; i++) {
-        const struct instruction_view *view = &operands.views[i];
+    count = view_next(views, machine_of(dap->debugger));
+    for (size_t i = 0; i < count; i++) {
+        const struct instruction_view *view = &views[i];
 
         for (size_t k = 0; view->insn && k < view->count; k++)
             if (is_shown(&view->operands[k]))
@@ -108,18 +61,19 @@ void put_operands(struct dap *dap, struct json *json)
 }
 
 bool operand_vector(const struct dap *dap, size_t number,
-                    struct dap_vector *vector)
+                    struct vector_view *vector)
 {
-    struct operands operands;
+    struct instruction_view views[VIEW_NEXT];
+    size_t count;
     const struct instruction_view *view;
     const struct operand_view *operand;
 
-    find_operands(dap, &operands);
-    if (number >= operands.count * VIEW_OPERANDS)
+    count = view_next(views, machine_of(dap->debugger));
+    if (number >= count * VIEW_OPERANDS)
         return false;
-    view = &operands.views[number / VIEW_OPERANDS];
+    view = &views[number / VIEW_OPERANDS];
     operand = &view->operands[number % VIEW_OPERANDS];
-    if (!has_elements(operand))
+    if (!vector_has_elements(operand))
         return false;
     *vector = vector_of_operand(view, operand);
     return true;

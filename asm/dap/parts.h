@@ -10,6 +10,7 @@
 
 #include "asm/dap/dap.h"
 #include "asm/debug/engine.h"
+#include "asm/vector_view.h"
 #include "base/json.h"
 #include "base/json_read.h"
 
@@ -160,31 +161,20 @@ void dap_stopped(struct dap *dap, const char *reason);
 
 /* ---- Elements (elements.c) ----------------------------------------------------------- */
 
-/* A vector in memory, or bits as one. */
-struct dap_vector {
-    uint64_t address;
-    size_t length;
-    unsigned width; /* 64, 32, 1 */
-    bool controlled;
-    uint64_t control; /* where its control bits are */
-};
 /* A value as variables show it: a number and the bits. */
 void put_bits(c205_word word, unsigned width, const struct sink *sink);
-/* Whether all of it is in mapped memory. */
-bool vector_is_mapped(const struct dap *dap, const struct dap_vector *vector);
-bool element_word(const struct dap *dap, const struct dap_vector *vector,
-                  size_t i, c205_word *word);
 void put_elements(struct dap *dap, struct json *json,
-                  const struct dap_vector *vector, size_t first,
+                  const struct vector_view *vector, size_t first,
                   size_t count);
 /* "[12]"; false: it has no such element. */
-bool element_number(const struct dap_vector *vector, const char *name,
+bool element_number(const struct vector_view *vector, const char *name,
                     size_t *number);
 
 /* ---- Variables (variables.c) ------------------------------------------------------------ */
 
 /* The vector that a reference stands for; false: none. */
-bool vector_of(struct dap *dap, int64_t reference, struct dap_vector *vector);
+bool vector_of(struct dap *dap, int64_t reference,
+               struct vector_view *vector);
 /* The members of a value that is a word of a register: its vector, if it is one. */
 void put_word_members(struct dap *dap, struct json *json,
                       struct register_of named);

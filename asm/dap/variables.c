@@ -29,43 +29,32 @@ void put_variable(struct json *json, const char *name, const char *value,
 
 /* ---- Vectors of registers -------------------------------------------------------------- */
 
-static struct dap_vector described(const struct dap *dap, size_t number,
-                                   unsigned width)
+static struct vector_view described(const struct dap *dap, size_t number,
+                                    unsigned width)
 {
-    c205_word word = c205_register(machine_of(dap->debugger),
-                                   (unsigned)number);
-
-    return (struct dap_vector){ .address = word & UINT64_C(0xFFFFFFFFFFFF),
-                                .length = (size_t)(word >> 48),
-                                .width = width };
+    return vector_described(c205_register(machine_of(dap->debugger),
+                                          (unsigned)number),
+                            width);
 }
 
-/* As words, if it can be; else as bits. */
-static bool is_vector(const struct dap *dap, size_t number,
-                      struct dap_vector *vector)
+static bool is_vector(const struct dap *dap, unsigned number,
+                      struct vector_view *vector)
 {
-    *vector = described(dap, number, 64);
-    if (vector_is_mapped(dap, vector))
-        return true;
-    vector->width = 1;
-    return vector_is_mapped(dap, vector);
+    c205 *machine = machine_of(dap->debugger);
+
+    return vector_recognise(machine, c205_register(machine, number), vector);
 }
 
-const char *elements_of(unsigned width)
-{
-    return width == 64 ? "words" : width == 32 ? "half words" : "bits";
-}
-
-void put_extent(const struct dap_vector *vector, const struct sink *sink)
+void put_extent(const struct vector_view *vector, const struct sink *sink)
 {
     sink_print(sink, "%zu %s from %" PRIX64 " on", vector->length,
-               elements_of(vector->width), vector->address);
+               vector_elements(vector->width), vector->address);
 }
 
 void put_word_members(struct dap *dap, struct json *json,
                       struct register_of named)
 {
-    struct dap_vector vector;
+    struct vector_view vector;
     bool is = !named.half && is_vector(dap, named.number, &vector);
 
     json_text(json, "type", named.half ? "half word" : "word");
@@ -87,7 +76,7 @@ static void put_register(struct dap *dap, struct json *json, const char *name,
 {
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
-    struct dap_vector vector;
+    struct vector_view vector;
 
     put_bits(debug_register_word(dap->debugger, named), named.half ? 32 : 64,
              &sink);
@@ -155,7 +144,7 @@ static void put_vectors(struct dap *dap, struct json *json)
         const char *name = name_of(dap, i, number);
         struct text_line text = { .length = 0 };
         struct sink sink = text_line_sink(&text);
-        struct dap_vector vector;
+        struct vector_view vector;
 
         if (!is_vector(dap, i, &vector))
             continue;
@@ -171,8 +160,8 @@ static void put_vectors(struct dap *dap, struct json *json)
 }
 
 /* The same elements as halves and as bits. */
-static void put_other_ways(struct json *json, const struct dap_vector *vector,
-                           size_t number)
+static void put_other_ways(struct json *json,
+                           const struct vector_view *vector, size_t number)
 {
     put_variable(json, "half words", "", reference_of(OF_HALVES, number));
     json_count(json, "indexedVariables", vector->length);
@@ -182,7 +171,7 @@ static void put_other_ways(struct json *json, const struct dap_vector *vector,
     json_end(json);
 }
 
-bool vector_of(struct dap *dap, int64_t reference, struct dap_vector *vector)
+bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector)
 {
     size_t number = number_of(reference);
 
@@ -250,7 +239,7 @@ static bool read_range(struct dap *dap, const struct json_value *arguments,
 static bool put_vector(struct dap *dap, const struct json_value *arguments,
                        struct json *body, int64_t reference)
 {
-    struct dap_vector vector;
+    struct vector_view vector;
     size_t first = 0, count = 0;
 
     if (!vector_of(dap, reference, &vector))
@@ -290,14 +279,14 @@ bool request_variables(struct dap *dap, const struct json_value *arguments,
 
 /* ---- Changes ----------------------------------------------------------------------------------- */
 
-static bool set_element(struct dap *dap, const struct dap_vector *vector,
+static bool set_element(struct dap *dap, const struct vector_view *vector,
                         const char *name, const struct value_of *value)
 {
     c205_word word;
     size_t number;
 
     if (!element_number(vector, name, &number)
-        || !element_word(dap, vector, number, &word))
+        || !vector_get(machine_of(dap->debugger), vector, number, 1, &word))
         return dap_fault(dap, "there is no element %.40s", name);
     if (vector->width == 1)
         word = debug_is_true(value) ? UINT64_C(1) << 63 : 0;
@@ -313,7 +302,7 @@ static bool set(struct dap *dap, int64_t reference, const char *name,
 {
     struct rest rest = { name };
     struct register_of named;
-    struct dap_vector vector;
+    struct vector_view vector;
 
     if (vector_of(dap, reference, &vector))
         return set_element(dap, &vector, name, value);
@@ -330,7 +319,7 @@ static void put_new(struct dap *dap, struct json *body, int64_t reference,
 {
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
-    struct dap_vector vector;
+    struct vector_view vector;
     struct rest rest = { name };
     struct register_of named;
     size_t number;
@@ -338,7 +327,8 @@ static void put_new(struct dap *dap, struct json *body, int64_t reference,
 
     if (vector_of(dap, reference, &vector)) {
         if (element_number(&vector, name, &number)
-            && element_word(dap, &vector, number, &word))
+            && vector_get(machine_of(dap->debugger), &vector, number, 1,
+                          &word))
             put_bits(word, vector.width, &sink);
     } else if (debug_register(dap->debugger, &rest, &named)) {
         put_bits(debug_register_word(dap->debugger, named),

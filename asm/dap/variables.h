@@ -32,8 +32,7 @@ static inline int64_t reference_of(enum reference_kind kind, size_t number)
 void put_variable(struct json *json, const char *name, const char *value,
                   int64_t reference);
 /* "100 words from 801900 on" */
-void put_extent(const struct dap_vector *vector, const struct sink *sink);
-const char *elements_of(unsigned width);
+void put_extent(const struct vector_view *vector, const struct sink *sink);
 /* The name that the program has for a register, if that means no other; or its number. */
 enum { REGISTER_NAME = 8 };
 const char *name_of(const struct dap *dap, unsigned number,
@@ -42,7 +41,7 @@ const char *name_of(const struct dap *dap, unsigned number,
 /* operands.c */
 void put_operands(struct dap *dap, struct json *json);
 bool operand_vector(const struct dap *dap, size_t number,
-                    struct dap_vector *vector);
+                    struct vector_view *vector);
 
 /* time.c */
 void put_time(struct dap *dap, struct json *json);

@@ -7,8 +7,8 @@
 #include "asm/debug/parts.h"
 #include "base/nearest.h"
 
-/* Bytes of snapshots. */
-static const size_t budget = (size_t)128 << 20;
+/* Bytes of snapshots, unless it is told another number. */
+static const size_t usual_history = (size_t)128 << 20;
 
 /* ---- Verbs ---------------------------------------------------------------- */
 
@@ -178,7 +178,11 @@ struct debugger *debugger_new(const struct debugger_setup *setup,
     debugger->printer.sink = (struct sink){ print, debugger };
     machine = load(debugger, error);
     if (machine)
-        debugger->history = c205_history_new(machine, budget, error);
+        debugger->history = c205_history_new(machine,
+                                             setup->history > 0
+                                                 ? setup->history
+                                                 : usual_history,
+                                             error);
     if (debugger->history)
         return debugger;
     c205_free(machine);
@@ -203,6 +207,31 @@ const c205 *debugger_machine(const struct debugger *debugger)
 const struct sink *debugger_out(const struct debugger *debugger)
 {
     return &debugger->out;
+}
+
+uint64_t debugger_step(const struct debugger *debugger)
+{
+    return step_of(debugger);
+}
+
+uint64_t debugger_known(const struct debugger *debugger)
+{
+    return c205_history_known(debugger->history);
+}
+
+const c205_stop *debugger_halt(const struct debugger *debugger)
+{
+    return debugger->halted ? &debugger->halt : NULL;
+}
+
+const c205_event *debugger_last(const struct debugger *debugger)
+{
+    return debugger->has_last ? &debugger->last : NULL;
+}
+
+const c205_times *debugger_end(const struct debugger *debugger)
+{
+    return debugger->has_end ? &debugger->end : NULL;
 }
 
 void debugger_greet(struct debugger *debugger)

@@ -30,6 +30,8 @@ struct debugger_setup {
     bool warm;           /* all pages are in memory when the program begins */
     uint64_t
         clocks_most; /* that one movement takes: a script has no Ctrl-C */
+    size_t
+        history; /* bytes for the way back at the most; 0: as many as usual */
     bool (*interrupted)(void *asked); /* asked while the program runs: shall
                                          it stop?  NULL: never */
     void *asked;

@@ -7,7 +7,8 @@
 #ifndef ASM_DEBUG_ENGINE_H
 #define ASM_DEBUG_ENGINE_H
 
-#include "asm/debug/debugger.h"
+#include "asm/debug/motion.h"
+#include "asm/debug/stand.h"
 #include "asm/print.h"
 
 /* ---- Values (value.c) ---------------------------------------------------- */
@@ -73,6 +74,7 @@ struct debugger {
     c205_times end;    /* what was in flight then */
     bool halted;       /* the program cannot go on from here: */
     c205_stop halt;
+    uint64_t asked; /* the clock at which it was asked last whether to stop */
     bool searching; /* it is run again to find a stop: hits do not count */
     size_t stop_count, stop_number;
     struct stop_point *stops;
@@ -132,9 +134,6 @@ struct register_of {
 /* Tells nothing. */
 bool debug_register(const struct debugger *debugger, struct rest *rest,
                     struct register_of *named);
-/* The name that the program gave it last; "": none. */
-const char *debug_register_name(const struct debugger *debugger,
-                                unsigned number);
 c205_word debug_register_word(const struct debugger *debugger,
                               struct register_of named);
 
@@ -204,56 +203,9 @@ void stops_forget(struct debugger *debugger, size_t group);
 bool stops_meet(struct debugger *debugger, uint64_t before);
 /* What is watched is as it is now. */
 void stops_sample(struct debugger *debugger);
-/* Those that were met have been, and what is once is over.  With a word of each, or
- * without. */
-void stops_pass(struct debugger *debugger, bool told);
-
-/* ---- Motions (motion.c) ----------------------------------------------------- */
-
-/* How one ended.  Of stops that were met stops_pass is still to be told. */
-enum moved {
-    MOVED_ON, /* as far as it was to go */
-    MOVED_TO_STOP,
-    MOVED_TO_HALT,  /* the program has ended, or a trap */
-    MOVED_TO_START, /* there is no way farther back */
-    MOVED_INTERRUPTED,
-    MOVED_TOO_FAR,
-    MOVED_NOT
-};
-
-enum moved motion_steps(struct debugger *debugger, uint64_t count);
-/* One instruction, a call and all that it does being one. */
-enum moved motion_next(struct debugger *debugger);
-/* The same, a macro call being one as well. */
-enum moved motion_line(struct debugger *debugger);
-/* On to an address, behind one instruction at least. */
-enum moved motion_to(struct debugger *debugger, uint64_t address);
-/* .. to where a caller says so. */
-enum moved motion_until(struct debugger *debugger,
-                        bool (*is_there)(void *context, const c205 *machine),
-                        void *context);
-/* Out of the macro call in which the program stands, or else out of its region; it must
- * be in one. */
-bool motion_can_go_out(struct debugger *debugger);
-enum moved motion_out(struct debugger *debugger);
-enum moved motion_run(struct debugger *debugger); /* from the beginning */
-enum moved motion_back(struct debugger *debugger, uint64_t count);
-/* To the beginning of a macro call, if that is where it comes from. */
-enum moved motion_back_line(struct debugger *debugger);
-enum moved motion_back_to_stop(struct debugger *debugger);
-/* Wherever that is, without a look at stops; a clock: to the first step that has it
- * or more behind it. */
-enum moved motion_to_step(struct debugger *debugger, uint64_t step);
-enum moved motion_to_clock(struct debugger *debugger, uint64_t clock);
-
 /* ---- What is shown ----------------------------------------------------------- */
 
 /* A word, or a half word at the left of one, in all that it may mean. */
 void show_word(c205_word word, bool half, const struct sink *sink);
-/* Why the program cannot go on. */
-void show_halt(struct debugger *debugger);
-/* What a piece of time was spent to wait for; nothing: for nothing. */
-void show_wait(const struct debugger *debugger, const c205_piece *piece,
-               const struct sink *sink);
 
 #endif

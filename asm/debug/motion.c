@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "asm/debug/engine.h"
+#include "asm/operand_view.h"
 
 static uint64_t clock_of(const struct debugger *debugger)
 {
@@ -26,17 +27,21 @@ static enum moved forward(struct debugger *debugger)
     return stops_meet(debugger, before) ? MOVED_TO_STOP : MOVED_ON;
 }
 
-/* Asked seldom: it may be a question to the system. */
-static bool is_interrupted(const struct debugger *debugger)
+/* Asked seldom: it may be a question to the system.  Vector instructions are long. */
+static bool is_interrupted(struct debugger *debugger)
 {
-    enum { SELDOM = 4096 };
+    enum { STEPS = 4096, CLOCKS = 1 << 18 };
+    uint64_t clock = clock_of(debugger);
 
-    return step_of(debugger) % SELDOM == 0 && debugger->setup.interrupted
+    if (step_of(debugger) % STEPS != 0 && clock - debugger->asked < CLOCKS)
+        return false;
+    debugger->asked = clock;
+    return debugger->setup.interrupted
            && debugger->setup.interrupted(debugger->setup.asked);
 }
 
 /* Whether a movement that began at a clock goes on. */
-static enum moved look_up(const struct debugger *debugger, uint64_t begun)
+static enum moved look_up(struct debugger *debugger, uint64_t begun)
 {
     if (clock_of(debugger) - begun > debugger->setup.clocks_most)
         return MOVED_TOO_FAR;
@@ -60,19 +65,18 @@ static bool is_reached(const struct debugger *debugger, const struct aim *aim)
                && aim->is_there(aim->context, machine_of(debugger)));
 }
 
-
 static enum moved advance(struct debugger *debugger, struct aim aim)
 {
     uint64_t begun = clock_of(debugger);
     enum moved moved = MOVED_ON;
 
     stops_sample(debugger);
-    for (uint64_t i = 0; i < aim.count && moved == MOVED_ON; i++) {
+    for (uint64_t i = 1; i <= aim.count && moved == MOVED_ON; i++) {
         moved = forward(debugger);
-        if (moved == MOVED_ON)
-            moved = look_up(debugger, begun);
-        if (is_reached(debugger, &aim))
+        if (moved == MOVED_ON && is_reached(debugger, &aim))
             break;
+        if (moved == MOVED_ON && i < aim.count)
+            moved = look_up(debugger, begun);
     }
     return moved;
 }
@@ -98,16 +102,21 @@ enum moved motion_until(struct debugger *debugger,
                                            .context = context });
 }
 
+bool motion_is_call(const struct debugger *debugger, uint64_t *behind)
+{
+    struct instruction_view view;
+
+    view_decode(&view, machine_of(debugger), pc_of(debugger));
+    *behind = view.pc + 32 * (uint64_t)view.halves;
+    return view.insn && view.insn == c205_insn_named("BSAVE", 5);
+}
+
 enum moved motion_next(struct debugger *debugger)
 {
-    uint64_t pc = pc_of(debugger);
-    enum moved moved = motion_steps(debugger, 1);
-    uint64_t halves = c205_format_halves(C205_FORMAT_CALL);
+    uint64_t behind;
 
-    if (moved != MOVED_ON || !debugger->has_last
-        || debugger->last.insn != c205_insn_named("BSAVE", 5))
-        return moved;
-    return motion_to(debugger, pc + 32 * halves);
+    return motion_is_call(debugger, &behind) ? motion_to(debugger, behind)
+                                             : motion_steps(debugger, 1);
 }
 
 /* ---- Macro calls ------------------------------------------------------------ */
@@ -211,25 +220,25 @@ enum moved motion_back_line(struct debugger *debugger)
     return moved;
 }
 
-/* The last step with a stop behind one step, before another; 0: there is none. */
-static enum moved find_last(struct debugger *debugger, uint64_t from,
-                            uint64_t end, uint64_t *found)
+/* The last step with a stop in a stretch, before its end. */
+static enum moved find_last(struct debugger *debugger,
+                            struct back_search *search)
 {
-    *found = 0;
-    if (!go_back(debugger, from))
-        return MOVED_NOT;
-    while (step_of(debugger) + 1 < end) {
-        enum moved moved = forward(debugger);
+    enum moved moved = MOVED_ON;
 
-        if (moved == MOVED_TO_HALT)
-            break;
+    if (!search->inside && !go_back(debugger, search->begin))
+        return MOVED_NOT;
+    search->inside = true;
+    while (moved != MOVED_TO_HALT && step_of(debugger) + 1 < search->end) {
+        moved = forward(debugger);
+        if (moved == MOVED_TO_STOP) {
+            search->found = step_of(debugger);
+            stops_sample(debugger);
+        }
         if (is_interrupted(debugger))
             return MOVED_INTERRUPTED;
-        if (moved != MOVED_TO_STOP)
-            continue;
-        *found = step_of(debugger);
-        stops_sample(debugger);
     }
+    search->inside = false;
     return MOVED_ON;
 }
 
@@ -239,36 +248,63 @@ static enum moved arrive_back(struct debugger *debugger, uint64_t step)
     return go_back(debugger, step - 1) ? forward(debugger) : MOVED_NOT;
 }
 
-/* A stretch at a time from here back. */
-static enum moved search_back(struct debugger *debugger)
+static void begin_stretch(struct back_search *search)
 {
-    uint64_t end = step_of(debugger), stretch = 64, step;
+    search->begin = search->stretch < search->end
+                        ? search->end - search->stretch
+                        : 0;
+    search->found = 0;
+}
 
-    while (end > 0) {
-        uint64_t from = stretch < end ? end - stretch : 0;
-        enum moved moved = find_last(debugger, from, end, &step);
+/* A stretch at a time from here back. */
+static enum moved search_back(struct debugger *debugger,
+                              struct back_search *search)
+{
+    if (!search->begun)
+        *search = (struct back_search){ .begun = true,
+                                        .end = step_of(debugger),
+                                        .stretch = 64 };
+    while (search->end > 0) {
+        enum moved moved;
 
+        if (!search->inside)
+            begin_stretch(search);
+        moved = find_last(debugger, search);
         if (moved != MOVED_ON)
             return moved;
-        if (step > 0)
-            return arrive_back(debugger, step);
-        end = from > 0 ? from + 1 : 0;
-        stretch *= 2;
+        if (search->found > 0)
+            return arrive_back(debugger, search->found);
+        search->end = search->begin > 0 ? search->begin + 1 : 0;
+        search->stretch *= 2;
     }
     return go_back(debugger, 0) ? MOVED_TO_START : MOVED_NOT;
 }
 
-enum moved motion_back_to_stop(struct debugger *debugger)
+enum moved motion_search_back(struct debugger *debugger,
+                              struct back_search *search)
 {
     enum moved moved;
 
     debugger->searching = true;
-    moved = search_back(debugger);
+    moved = search_back(debugger, search);
     debugger->searching = false;
     return moved;
 }
 
+enum moved motion_back_to_stop(struct debugger *debugger)
+{
+    struct back_search search = { .begun = false };
+
+    return motion_search_back(debugger, &search);
+}
+
 /* ---- Anywhere ------------------------------------------------------------- */
+
+static bool is_short_of(const struct debugger *debugger, uint64_t step,
+                        uint64_t clock)
+{
+    return step_of(debugger) < step && clock_of(debugger) < clock;
+}
 
 /* Forward without a look at stops. */
 static enum moved go_on_to(struct debugger *debugger, uint64_t step,
@@ -277,11 +313,13 @@ static enum moved go_on_to(struct debugger *debugger, uint64_t step,
     uint64_t begun = clock_of(debugger);
     enum moved moved = MOVED_ON;
 
-    while (moved == MOVED_ON && step_of(debugger) < step
-           && clock_of(debugger) < clock) {
+    while (moved == MOVED_ON && is_short_of(debugger, step, clock)) {
         debugger->halted = !c205_history_forward(debugger->history,
                                                  &debugger->halt);
-        moved = debugger->halted ? MOVED_TO_HALT : look_up(debugger, begun);
+        if (debugger->halted)
+            moved = MOVED_TO_HALT;
+        else if (is_short_of(debugger, step, clock))
+            moved = look_up(debugger, begun);
     }
     stops_sample(debugger);
     return moved;

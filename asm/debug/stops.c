@@ -276,3 +276,26 @@ void stops_forget(struct debugger *debugger, size_t group)
         if (debugger->stops[i].group == group)
             forget(debugger, i);
 }
+
+/* ---- Lines ----------------------------------------------------------------- */
+
+enum { GROUP_LINES = 1 };
+
+bool debugger_break_line(struct debugger *debugger, const char *file,
+                         size_t number, size_t *line)
+{
+    struct stop_point stop = { .group = GROUP_LINES };
+    const struct asm_line *at;
+
+    if (!place_line(debugger, file, number, &stop)
+        || !stops_add(debugger, &stop))
+        return false;
+    at = object_line(debugger->setup.object, stop.address);
+    *line = stop.kind == STOP_LINE || !at ? stop.line : at->number;
+    return true;
+}
+
+void debugger_forget_lines(struct debugger *debugger)
+{
+    stops_forget(debugger, GROUP_LINES);
+}

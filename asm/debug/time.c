@@ -49,18 +49,28 @@ static void put_pieces(const struct debugger *debugger,
     }
 }
 
-static void put_constant(const struct debugger *debugger, const char *kind)
+const c205_constant *debugger_constant(const struct debugger *debugger,
+                                       c205_cause phase)
 {
-    const c205_model *model = debugger->setup.model;
-    const c205_constant *constant;
+    const char *kind = phase == C205_VECTOR_STARTUP  ? "startup"
+                       : phase == C205_VECTOR_STREAM ? "stream"
+                                                     : NULL;
     char name[80];
 
+    if (!kind || !debugger->has_last)
+        return NULL;
     snprintf(name, sizeof name, "%s.%s", kind,
              c205_timing_name(debugger->last.insn->timing));
-    constant = c205_model_lookup(model, name);
+    return c205_model_lookup(debugger->setup.model, name);
+}
+
+static void put_constant(const struct debugger *debugger, c205_cause phase)
+{
+    const c205_constant *constant = debugger_constant(debugger, phase);
+
     if (constant)
-        sink_print(&debugger->out, "  %s = %s %s (%c)", name, constant->text,
-                   constant->unit, constant->source);
+        sink_print(&debugger->out, "  %s = %s %s (%c)", constant->name,
+                   constant->text, constant->unit, constant->source);
 }
 
 static void put_phases(const struct debugger *debugger)
@@ -74,13 +84,10 @@ static void put_phases(const struct debugger *debugger)
         sink_print(&debugger->out,
                    "%10" PRIu64 "  %-16s  %" PRIu64 " .. %" PRIu64,
                    end - begin, c205_cause_name(cause), begin, end);
-        if (cause == C205_VECTOR_STARTUP)
-            put_constant(debugger, "startup");
-        if (cause == C205_VECTOR_STREAM) {
+        if (cause == C205_VECTOR_STREAM)
             sink_print(&debugger->out, "  %zu elements",
                        debugger->last.elements);
-            put_constant(debugger, "stream");
-        }
+        put_constant(debugger, cause);
         sink_put(&debugger->out, "\n");
     }
 }

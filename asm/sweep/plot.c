@@ -325,6 +325,12 @@ static void put_marks(const struct swept_picture *picture)
     }
 }
 
+void swept_title(const struct program_sweep *sweep, char title[SWEPT_TITLE])
+{
+    snprintf(title, SWEPT_TITLE, "Clocks against %.40s on %.80s",
+             sweep->constant, c205_model_name(sweep->model));
+}
+
 void swept_svg(const struct program_sweep *sweep, const char *title,
                const struct sink *sink)
 {

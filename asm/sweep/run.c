@@ -6,19 +6,14 @@
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
 #include "base/array.h"
+#include "base/error.h"
 
 /* ---- One run --------------------------------------------------------------- */
 
-/* How far the sweep is, where each run takes as long as its value is large. */
-struct swept_progress {
-    size_t done, all;
-};
-
-static bool goes_on(const struct program_sweep *sweep,
-                    const struct swept_progress *progress)
+static bool goes_on(const struct program_sweep *sweep)
 {
     return !sweep->goes_on
-           || sweep->goes_on(sweep->context, progress->done, progress->all);
+           || sweep->goes_on(sweep->context, sweep->done, sweep->all);
 }
 
 /* Warnings are the same for all values: those of the first run are told. */
@@ -47,9 +42,7 @@ static struct object *assemble_at(const struct program_sweep *sweep,
 }
 
 /* In slices, between which it is asked whether to go on. */
-static c205_stop run_slices(const struct program_sweep *sweep,
-                            const struct swept_progress *progress,
-                            c205 *machine)
+static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
 {
     static const uint64_t slice = 5000000; /* clocks */
     uint64_t limit = 0;
@@ -60,7 +53,7 @@ static c205_stop run_slices(const struct program_sweep *sweep,
                                                    : sweep->clocks_most;
         stop = c205_run(machine, limit);
     } while (stop.trap == C205_TRAP_CLOCK_LIMIT && limit < sweep->clocks_most
-             && goes_on(sweep, progress));
+             && goes_on(sweep));
     return stop;
 }
 
@@ -79,18 +72,18 @@ static bool take_account(const struct program_sweep *sweep,
 }
 
 static bool run_object(const struct program_sweep *sweep,
-                       const struct swept_progress *progress,
                        const struct object *object, c205_account *account,
                        c205_error *error)
 {
     c205 *machine = c205_new(sweep->model, error);
-    bool good = machine && c205_load(machine, &object->program, error);
+    c205_program program = object->program;
     c205_stop stop = { 0 };
+    bool good;
 
+    program.warm = sweep->warm || (program.warm && !sweep->cold);
+    good = machine && c205_load(machine, &program, error);
     if (good) {
-        if (sweep->warm)
-            c205_warm(machine);
-        stop = run_slices(sweep, progress, machine);
+        stop = run_slices(sweep, machine);
         good = stop.trap == C205_TRAP_NONE && stop.status == 0;
         if (good)
             good = take_account(sweep, machine, account, error);
@@ -104,19 +97,17 @@ static bool run_object(const struct program_sweep *sweep,
     return good;
 }
 
-static bool run_at(const struct program_sweep *sweep,
-                   struct swept_progress *progress, int which, uint64_t value,
+static bool run_at(struct program_sweep *sweep, int which, uint64_t value,
                    c205_account *account, c205_error *error)
 {
     const struct swept_program *program = &sweep->programs[which];
     c205_error reason = { "it cannot be assembled" };
     struct object *object = assemble_at(sweep, program, value);
-    bool good = object
-                && run_object(sweep, progress, object, account, &reason);
+    bool good = object && run_object(sweep, object, account, &reason);
 
     object_free(object);
-    progress->done += value;
-    if (!goes_on(sweep, progress)) {
+    sweep->done += value;
+    if (!goes_on(sweep)) {
         snprintf(reason.message, sizeof reason.message, "interrupted");
         good = false;
     }
@@ -127,15 +118,14 @@ static bool run_at(const struct program_sweep *sweep,
     return good;
 }
 
-static bool run_point(const struct program_sweep *sweep,
-                      struct swept_progress *progress, uint64_t value,
+static bool run_point(struct program_sweep *sweep, uint64_t value,
                       struct swept_point *point, c205_error *error)
 {
     bool good = true;
 
     *point = (struct swept_point){ .value = value };
     for (size_t i = 0; good && i < sweep->program_count; i++)
-        good = run_at(sweep, progress, (int)i, value, &point->runs[i], error);
+        good = run_at(sweep, (int)i, value, &point->runs[i], error);
     return good;
 }
 
@@ -147,81 +137,111 @@ static bool second_is_faster(const struct swept_point *point)
            < accounts_clocks(&point->runs[SWEPT_FIRST]);
 }
 
+/* Where there is a crossing behind the points that were looked at; false: there is none any
+ * more, or no memory, and then the error says so. */
+static bool find_crossing(struct program_sweep *sweep, c205_error *error)
+{
+    struct swept_crossing *grown;
+
+    *error->message = '\0';
+    while (++sweep->searched < sweep->count) {
+        const struct swept_point *points = &sweep
+                                                ->points[sweep->searched - 1];
+
+        if (second_is_faster(&points[0]) == second_is_faster(&points[1]))
+            continue;
+        grown = array_grow(sweep->crossings, sweep->crossing_count,
+                           sizeof *grown);
+        if (!grown)
+            return error_say(error, "no memory");
+        sweep->crossings = grown;
+        grown[sweep->crossing_count++] = (struct swept_crossing){
+            points[1], second_is_faster(&points[1])
+        };
+        sweep->low = points[0].value;
+        return true;
+    }
+    return false;
+}
+
 /* The range is halved as long as there is something in it; of several crossings between two
  * points one is found. */
-static bool find_crossing(const struct program_sweep *sweep,
-                          struct swept_progress *progress,
-                          const struct swept_point *before,
-                          const struct swept_point *behind,
-                          struct swept_point *found, c205_error *error)
+static bool halve(struct program_sweep *sweep, c205_error *error)
 {
     bool all = sweep->range.step == 0 && sweep->range.factor == 0;
-    uint64_t low = before->value;
+    struct swept_crossing
+        *crossing = &sweep->crossings[sweep->crossing_count - 1];
+    uint64_t value = sweep->low + (crossing->at.value - sweep->low) / 2;
     struct swept_point middle;
 
-    *found = *behind;
-    while (all && found->value - low > 1) {
-        uint64_t value = low + (found->value - low) / 2;
-
-        progress->all += 2 * value;
-        if (!run_point(sweep, progress, value, &middle, error))
-            return false;
-        if (second_is_faster(&middle) == second_is_faster(behind))
-            *found = middle;
-        else
-            low = value;
+    if (!all || value == sweep->low) {
+        sweep->inside = false;
+        return true;
     }
+    sweep->all += 2 * value;
+    if (!run_point(sweep, value, &middle, error))
+        return false;
+    if (second_is_faster(&middle) == crossing->faster)
+        crossing->at = middle;
+    else
+        sweep->low = value;
     return true;
 }
 
-static bool find_crossings(struct program_sweep *sweep,
-                           struct swept_progress *progress, c205_error *error)
+/* *over: there are no more. */
+static bool search(struct program_sweep *sweep, bool *over, c205_error *error)
 {
-    for (size_t i = 1; i < sweep->count; i++) {
-        const struct swept_point *points = &sweep->points[i - 1];
-        struct swept_crossing *crossings;
-        bool faster = second_is_faster(&points[1]);
-
-        if (second_is_faster(&points[0]) == faster)
-            continue;
-        crossings = array_grow(sweep->crossings, sweep->crossing_count,
-                               sizeof *crossings);
-        if (!crossings) {
-            snprintf(error->message, sizeof error->message, "no memory");
-            return false;
-        }
-        sweep->crossings = crossings;
-        crossings += sweep->crossing_count++;
-        crossings->faster = faster;
-        if (!find_crossing(sweep, progress, &points[0], &points[1],
-                           &crossings->at, error))
-            return false;
-    }
-    return true;
+    if (sweep->inside)
+        return halve(sweep, error);
+    sweep->inside = find_crossing(sweep, error);
+    *over = !sweep->inside;
+    return sweep->inside || !*error->message;
 }
 
 /* ---- All of it ------------------------------------------------------------- */
 
-bool swept_run(struct program_sweep *sweep, c205_error *error)
+static bool begin(struct program_sweep *sweep, c205_error *error)
 {
     uint64_t values[SWEPT_POINTS_MOST];
-    size_t count = swept_values(&sweep->range, sweep->asked, values);
-    struct swept_progress progress = { 0, 0 };
-    bool good = true;
 
-    sweep->points = calloc(count, sizeof *sweep->points);
-    if (!sweep->points) {
-        snprintf(error->message, sizeof error->message, "no memory");
-        return false;
+    sweep->point_count = swept_values(&sweep->range, sweep->asked, values);
+    sweep->points = calloc(sweep->point_count, sizeof *sweep->points);
+    if (!sweep->points)
+        return error_say(error, "no memory");
+    for (size_t i = 0; i < sweep->point_count; i++) {
+        sweep->points[i].value = values[i];
+        sweep->all += sweep->program_count * values[i];
     }
-    for (size_t i = 0; i < count; i++)
-        progress.all += sweep->program_count * values[i];
-    for (; good && sweep->count < count; sweep->count++)
-        good = run_point(sweep, &progress, values[sweep->count],
-                         &sweep->points[sweep->count], error);
-    return good
-           && (sweep->program_count < SWEPT_PROGRAMS
-               || find_crossings(sweep, &progress, error));
+    snprintf(sweep->per_element, sizeof sweep->per_element, "clk/%s",
+             sweep->constant);
+    return true;
+}
+
+bool swept_step(struct program_sweep *sweep, bool *over, c205_error *error)
+{
+    struct swept_point *point;
+
+    *over = false;
+    if (!sweep->points && !begin(sweep, error))
+        return false;
+    if (sweep->count < sweep->point_count) {
+        point = &sweep->points[sweep->count];
+        if (!run_point(sweep, point->value, point, error))
+            return false;
+        sweep->count++;
+        return true;
+    }
+    *over = sweep->program_count < SWEPT_PROGRAMS;
+    return *over || search(sweep, over, error);
+}
+
+bool swept_run(struct program_sweep *sweep, c205_error *error)
+{
+    bool over = false, good = true;
+
+    while (good && !over)
+        good = swept_step(sweep, &over, error);
+    return good;
 }
 
 void swept_free(struct program_sweep *sweep)

@@ -9,6 +9,7 @@
 
 #include "asm/assemble.h"
 #include "asm/straight_line.h"
+#include "base/table.h"
 #include "vm/c205.h"
 
 /* ---- Values ---------------------------------------------------------------- */
@@ -35,7 +36,7 @@ size_t swept_values(const struct swept_range *range, size_t points,
 
 /* ---- Runs ------------------------------------------------------------------ */
 
-enum { SWEPT_DEFINES_MOST = 100 };
+enum { SWEPT_DEFINES_MOST = 100, SWEPT_HEADING = 64 };
 enum { SWEPT_FIRST, SWEPT_SECOND, SWEPT_PROGRAMS };
 
 struct swept_point {
@@ -61,16 +62,24 @@ struct program_sweep {
     size_t program_count;
     const c205_model *model;
     const struct asm_options
-        *options;         /* the constant besides; so many defines */
-    bool warm;            /* pages are in memory at the start */
+        *options; /* the constant besides; so many defines */
+    bool warm,
+        cold; /* pages are in memory at the start, or not; neither: as the programs say */
     uint64_t clocks_most; /* of a run */
     struct sink report;   /* what the assembler says */
     /* Told now and then that so much of all is done.  False: stop.  NULL: nobody asks. */
     bool (*goes_on)(void *context, size_t done, size_t all);
     void *context;
 
+    /* How far it is, where each run takes as long as its value is large. */
+    size_t done, all;
+    size_t searched; /* points between which crossings were looked for */
+    bool inside;     /* a search, and there is none up to: */
+    uint64_t low;
+
     /* What was found. */
-    size_t count;
+    char per_element[SWEPT_HEADING]; /* "clk/n" */
+    size_t count, point_count;       /* so many of all */
     struct swept_point *points;
     size_t crossing_count;
     struct swept_crossing *crossings; /* rising */
@@ -79,6 +88,8 @@ struct program_sweep {
 /* Begin with what is asked for, the rest zero.  False: the error says which value it was,
  * and why. */
 bool swept_run(struct program_sweep *sweep, c205_error *error);
+/* The same a point at a time, or a step of the search for a crossing, until *over. */
+bool swept_step(struct program_sweep *sweep, bool *over, c205_error *error);
 void swept_free(struct program_sweep *sweep);
 
 /* ---- The line -------------------------------------------------------------- */
@@ -108,8 +119,21 @@ double swept_half_length(const struct swept_line *line);
 /* The clocks go with that power of the value, in the last octave. */
 double swept_power(const struct program_sweep *sweep, int which);
 
+/* ---- Tables --------------------------------------------------------------- */
+
+/* What the programs are called: "first", "second". */
+extern const char *const swept_names[SWEPT_PROGRAMS];
+
+/* NULL: no memory.  They borrow texts of the sweep. */
+struct table *swept_points(const struct program_sweep *sweep);
+struct table *swept_causes(const struct program_sweep *sweep);
+struct table *swept_lines(const struct program_sweep *sweep);
+struct table *swept_crossings(const struct program_sweep *sweep);
+
 /* ---- The picture ----------------------------------------------------------- */
 
+enum { SWEPT_TITLE = 160 };
+void swept_title(const struct program_sweep *sweep, char title[SWEPT_TITLE]);
 void swept_svg(const struct program_sweep *sweep, const char *title,
                const struct sink *sink);
 

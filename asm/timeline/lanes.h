@@ -1,6 +1,6 @@
 /* lanes.h - the spans of a timeline, each in a row of its own lane: spans of one row do not
  * overlap, as long as no more than 64 of a lane are at work at once, and the machine has no
- * more.  Not public. */
+ * more. */
 #ifndef ASM_TIMELINE_LANES_H
 #define ASM_TIMELINE_LANES_H
 

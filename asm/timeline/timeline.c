@@ -117,7 +117,8 @@ void timeline_listen(void *context, const c205 *machine,
     if (!event->record || event->record->arrived >= timeline->to
         || done_of(event) <= timeline->from)
         return;
-    if (timeline->insn_count == TIMELINE_MOST)
+    if (timeline->insn_count
+        == (timeline->most > 0 ? timeline->most : TIMELINE_MOST))
         timeline->full = true;
     else
         add_insn(timeline, machine, event);

@@ -40,7 +40,8 @@ struct timeline {
     struct timed_piece *pieces, *phases;
     size_t insn_capacity, piece_capacity, phase_capacity;
     struct arena kept;
-    bool full; /* there were more, which are left out */
+    size_t most; /* instructions that are kept; 0: TIMELINE_MOST */
+    bool full;   /* there were more, which are left out */
 };
 
 /* Begin with from and to, the rest zero. */
@@ -57,12 +58,22 @@ bool timeline_kanata(const struct timeline *timeline,
 bool timeline_trace_events(const struct timeline *timeline,
                            const struct sink *sink);
 
+/* "saxpy.s, clocks 0 to 1242 on cyber205-2pipe" */
+enum { TIMELINE_TITLE = 400 };
+void timeline_title(const struct timeline *timeline, const char *program,
+                    const char *model, char title[TIMELINE_TITLE]);
+
 /* Instructions, without what was in flight at the end. */
 size_t timeline_instructions(const struct timeline *timeline);
 /* It ends where the last of it was done, if that is before. */
 void timeline_settle(struct timeline *timeline);
-/* A file's name says which form it has: .svg, .kanata, .json; false: none of these. */
+/* A file's name says which form it has: .svg, .kanata, .json; NULL, false: none of these. */
+struct timeline_form;
+const struct timeline_form *timeline_form_of(const char *path);
 bool timeline_is_named(const char *path);
+bool timeline_write(const struct timeline *timeline,
+                    const struct timeline_form *form, const char *title,
+                    const struct sink *sink);
 /* As a file of such a name; whole, or not at all. */
 bool timeline_save(const struct timeline *timeline, const char *path,
                    const char *title, c205_error *error);

@@ -1,3 +1,5 @@
+#include <inttypes.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "asm/timeline/timeline.h"
@@ -32,8 +34,7 @@ static const struct timeline_form {
 };
 enum { FORMS = sizeof forms / sizeof *forms };
 
-/* NULL: it is none of these. */
-static const struct timeline_form *form_of(const char *path)
+const struct timeline_form *timeline_form_of(const char *path)
 {
     for (size_t i = 0; i < FORMS; i++)
         if (file_ends_with(path, forms[i].ending))
@@ -43,7 +44,14 @@ static const struct timeline_form *form_of(const char *path)
 
 bool timeline_is_named(const char *path)
 {
-    return form_of(path);
+    return timeline_form_of(path);
+}
+
+bool timeline_write(const struct timeline *timeline,
+                    const struct timeline_form *form, const char *title,
+                    const struct sink *sink)
+{
+    return form->write(timeline, title, sink);
 }
 
 bool timeline_save(const struct timeline *timeline, const char *path,
@@ -55,10 +63,18 @@ bool timeline_save(const struct timeline *timeline, const char *path,
     if (!whole)
         return false;
     sink = stream_sink(whole->file);
-    if (form_of(path)->write(timeline, title, &sink))
+    if (timeline_write(timeline, timeline_form_of(path), title, &sink))
         return whole_commit(whole, error);
     whole_discard(whole);
     return error_say(error, "no memory");
+}
+
+void timeline_title(const struct timeline *timeline, const char *program,
+                    const char *model, char title[TIMELINE_TITLE])
+{
+    snprintf(title, TIMELINE_TITLE,
+             "%.200s, clocks %" PRIu64 " to %" PRIu64 " on %.80s", program,
+             timeline->from, timeline->to, model);
 }
 
 void timeline_settle(struct timeline *timeline)

@@ -1,0 +1,266 @@
+/* cmd_check_folder.c - folders of lessons and of answers to them. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/command/cmd_check.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "base/folder.h"
+
+static bool join_path(struct text_buffer *path, const char *folder,
+                      const char *name)
+{
+    struct sink sink = text_buffer_sink(path);
+    sink_put(&sink, folder);
+    sink_put(&sink, "/");
+    sink_put(&sink, name);
+    return !path->failed;
+}
+
+/* ---- A lesson -------------------------------------------------------------- */
+
+static bool read_file(struct lesson *lesson, const char *folder,
+                      const char *name, c205_error *error)
+{
+    struct text_buffer path = { 0 };
+    c205_error reason;
+    size_t length;
+    char *text = join_path(&path, folder, name)
+                     ? file_read(path.text, FILE_LARGEST, &length, &reason)
+                     : NULL;
+    bool good = text ? lesson_take(lesson, name, text, length, error)
+                     : error_say(error, "%.160s: %.80s",
+                                 path.failed ? name : path.text,
+                                 path.failed ? "no memory" : reason.message);
+    text_buffer_free(&path);
+    free(text);
+    return good;
+}
+
+/* Of "a/b/" it is "b". */
+static bool begin_lesson(struct lesson *lesson, const char *path,
+                         c205_error *error)
+{
+    struct text_line name = { 0 };
+    struct sink sink = text_line_sink(&name);
+    size_t end = strlen(path), begin;
+    while (end > 1 && path[end - 1] == '/') {
+        end--;
+    }
+    for (begin = end; begin > 0 && path[begin - 1] != '/';) {
+        begin--;
+    }
+    sink_print(&sink, "%.*s", (int)(end - begin), path + begin);
+    return lesson_begin(lesson, name.text, error);
+}
+
+bool check_read_lesson(struct lesson *lesson, const char *path,
+                       c205_error *error)
+{
+    struct folder folder;
+    bool good = folder_read(&folder, path, error)
+                && begin_lesson(lesson, path, error);
+    for (size_t i = 0; good && i < folder.count; i++) {
+        const char *name = folder.names[i];
+        if (file_ends_with(name, ".s") || file_ends_with(name, ".md")) {
+            good = read_file(lesson, path, name, error);
+        }
+    }
+    folder_free(&folder);
+    return good && lesson_end(lesson, error);
+}
+
+/* ---- Answers --------------------------------------------------------------- */
+
+/* Of a class. */
+struct handed_in {
+    const struct check_command *check;
+    struct table *table;
+    size_t refused;
+    bool failed; /* no memory */
+};
+
+static void refuse(struct handed_in *all, const char *path, const char *why)
+{
+    cmd_failed(all->check->arguments->command, "%s: %s", path, why);
+    all->refused++;
+}
+
+static void add_row(struct handed_in *all, const char *student,
+                    const struct lesson_verdict *verdict)
+{
+    struct text_buffer report = { 0 };
+    check_join(&report, &verdict->report);
+    for (size_t i = 0; i < verdict->count; i++) {
+        check_join(&report, &verdict->trials[i].report);
+    }
+    table_text(all->table, student);
+    table_text(all->table, verdict->lesson->name);
+    table_text(all->table, verdict->passed ? "yes" : "no");
+    table_text(all->table, medal_name(verdict->medal));
+    table_count(all->table, verdict->clocks);
+    table_text(all->table, report.text ? report.text : "");
+    text_buffer_free(&report);
+}
+
+static void grade(struct handed_in *all, const char *student,
+                  const struct lesson *lesson, const char *path)
+{
+    struct json *json = all->check->results->json;
+    struct lesson_verdict verdict = { 0 };
+    c205_error error;
+    if (!check_grade(all->check, lesson, path, &verdict, &error)) {
+        refuse(all, path, error.message);
+    } else {
+        add_row(all, student, &verdict);
+        if (json) {
+            json_object(json, NULL);
+            json_text(json, "student", student);
+            lesson_verdict_json(&verdict, json);
+            json_end(json);
+        }
+    }
+    lesson_verdict_free(&verdict);
+}
+
+/* The name without ".s"; empty: it has not this ending. */
+static void stem_of(const char *name, struct text_line *stem)
+{
+    struct sink sink = text_line_sink(stem);
+    if (file_ends_with(name, ".s")) {
+        sink_print(&sink, "%.*s", (int)strlen(name) - 2, name);
+    }
+}
+
+/* The lesson that was asked for, by its name; or any. */
+static const struct lesson *lesson_named(const struct handed_in *all,
+                                         const char *name)
+{
+    const struct check_command *check = all->check;
+    c205_error error;
+    const struct lesson *own = &check->own;
+    if (own->folder
+        && (strcmp(own->name, name) == 0 || strcmp(own->folder, name) == 0)) {
+        return own;
+    }
+    return lessons_find(&check->lessons, name, &error);
+}
+
+/* STUDENT/LESSON.s, or LESSON.s of nobody; answers to lessons that were not asked for are left
+ * out. */
+static void take_answer(struct handed_in *all, const char *student,
+                        const char *name, const char *path)
+{
+    const struct lesson *asked = all->check->lesson, *lesson;
+    struct text_line stem = { 0 };
+    stem_of(name, &stem);
+    lesson = stem.length > 0 ? lesson_named(all, stem.text) : NULL;
+    if (!lesson) {
+        refuse(all, path, "not graded, as it has the name of no lesson");
+    } else if (!asked || lesson == asked) {
+        grade(all, student, lesson, path);
+    }
+}
+
+static void take_student(struct handed_in *all, const char *student,
+                         const char *path)
+{
+    struct folder folder;
+    c205_error error;
+    if (!folder_read(&folder, path, &error)) {
+        refuse(all, path, error.message);
+    }
+    for (size_t i = 0; i < folder.count; i++) {
+        struct text_buffer inner = { 0 };
+        if (join_path(&inner, path, folder.names[i])) {
+            take_answer(all, student, folder.names[i], inner.text);
+        }
+        all->failed = all->failed || inner.failed;
+        text_buffer_free(&inner);
+    }
+    folder_free(&folder);
+}
+
+static void take_entry(struct handed_in *all, const char *name,
+                       const char *path)
+{
+    struct text_line stem = { 0 };
+    stem_of(name, &stem);
+    if (folder_is(path)) {
+        take_student(all, name, path);
+    } else if (!all->check->lesson) {
+        take_answer(all, "", name, path);
+    } else if (stem.length > 0) {
+        grade(all, stem.text, all->check->lesson, path);
+    } else {
+        refuse(all, path, "not graded, as it is no program text");
+    }
+}
+
+static void take_all(struct handed_in *all, const char *path,
+                     const struct folder *folder)
+{
+    for (size_t i = 0; i < folder->count; i++) {
+        struct text_buffer inner = { 0 };
+        if (join_path(&inner, path, folder->names[i])) {
+            take_entry(all, folder->names[i], inner.text);
+        }
+        all->failed = all->failed || inner.failed;
+        text_buffer_free(&inner);
+    }
+}
+
+static struct table *new_table(void)
+{
+    static const struct table_column columns[] = {
+        { "student", "student", TABLE_TEXT, 0 },
+        { "lesson", "lesson", TABLE_TEXT, 0 },
+        { "passed", "passed", TABLE_TEXT, 0 },
+        { "medal", "medal", TABLE_TEXT, 0 },
+        { "clocks", "clocks", TABLE_COUNT, 0 },
+        { "report", "report", TABLE_TEXT, 0 },
+    };
+    return table_new(TABLE_COLUMNS(columns));
+}
+
+static int show(struct handed_in *all)
+{
+    const struct results *results = all->check->results;
+    const char *command = all->check->arguments->command;
+    if (all->failed
+        || (results->file
+            && !table_write(all->table, results_table_format(results),
+                            results->file))) {
+        return cmd_failed(command, "no memory");
+    }
+    return CMD_DONE;
+}
+
+int check_folder(const struct check_command *check)
+{
+    const char *path = check->arguments->folder;
+    const char *command = check->arguments->command;
+    struct json *json = check->results->json;
+    struct handed_in all = { .check = check, .table = new_table() };
+    struct folder folder;
+    c205_error error;
+    int code = CMD_FAILED;
+    if (!all.table) {
+        return cmd_failed(command, "no memory");
+    }
+    if (json) {
+        json_array(json, "hand_ins");
+    }
+    if (folder_read(&folder, path, &error)) {
+        take_all(&all, path, &folder);
+        code = show(&all);
+    } else {
+        cmd_failed(command, "%s", error.message);
+    }
+    if (json) {
+        json_end(json);
+    }
+    folder_free(&folder);
+    table_free(all.table);
+    return code == CMD_DONE && all.refused > 0 ? CMD_FAILED : code;
+}

@@ -1,0 +1,265 @@
+/* cmd_run_check.c - c205 run --check: test programs and what they expect.
+ *
+ * A program runs on the model that the user names; else on the one that it
+ * names itself, by expect-model; else on the default.
+ */
+#include <string.h>
+
+#include "asm/command/c205_command.h"
+#include "asm/expect.h"
+#include "asm/print.h"
+#include "asm/watch.h"
+
+/* A program that never ends is a failure, too. */
+static const uint64_t patience = 100000000;
+
+struct checker {
+    const struct c205_arguments *arguments;
+    const struct results *results;
+    struct table *table; /* where results are not text */
+    c205_model *model;   /* of the last program, kept for the next */
+    c205 *machine;
+    struct printer printer;
+    struct program_watch *watch; /* of this program, or NULL */
+    struct text_buffer printed;  /* by the program */
+    struct text_buffer report;   /* what is wrong */
+    size_t failures;
+};
+
+static bool fail(struct checker *checker, const char *reason)
+{
+    struct sink sink = text_buffer_sink(&checker->report);
+    sink_print(&sink, "%s\n", reason);
+    return false;
+}
+
+static bool meets(struct checker *checker, const struct object *object,
+                  const c205_stop *stop)
+{
+    struct sink sink = text_buffer_sink(&checker->report);
+    const char *printed = checker->printed.text;
+    warning_set warned = object->warned | watch_warned(checker->watch);
+    if (!expect_anything(object)) {
+        return fail(checker, "the program expects nothing");
+    }
+    return expect_check(object, checker->machine, stop,
+                        printed ? printed : "", warned, &sink)
+           && watch_errors(checker->watch) == 0;
+}
+
+/* ---- The machine for a program ------------------------------------------ */
+
+static void drop_machine(struct checker *checker)
+{
+    c205_free(checker->machine);
+    c205_model_free(checker->model);
+    checker->machine = NULL;
+    checker->model = NULL;
+}
+
+/* The machine stays, what watches the program does not. */
+static void listen(void *context, const c205 *machine,
+                   const c205_event *event)
+{
+    const struct checker *checker = context;
+    watch_listen(checker->watch, machine, event);
+}
+
+static bool make_machine(struct checker *checker, const char *model)
+{
+    c205_error error;
+    drop_machine(checker);
+    checker->model = c205_model_find(model, &error);
+    checker->machine = checker->model ? c205_new(checker->model, &error)
+                                      : NULL;
+    if (!checker->machine) {
+        drop_machine(checker);
+        return fail(checker, error.message);
+    }
+    return c205_listen(checker->machine, printer_listen, &checker->printer)
+           && c205_listen(checker->machine, listen, checker);
+}
+
+static const char *model_for(const struct checker *checker,
+                             const struct object *object)
+{
+    const char *given = checker->arguments->model;
+    const char *named = expect_model(object);
+    return given ? given : named ? named : C205_DEFAULT_MODEL;
+}
+
+static bool have_machine(struct checker *checker, const struct object *object)
+{
+    const char *model = model_for(checker, object);
+    return (checker->model
+            && strcmp(c205_model_name(checker->model), model) == 0)
+           || make_machine(checker, model);
+}
+
+static bool run_watched(struct checker *checker, const struct object *object)
+{
+    uint64_t limit = checker->arguments->limit;
+    watch_begin(checker->watch, checker->machine);
+    c205_stop stop = c205_run(checker->machine,
+                              limit != C205_NO_LIMIT ? limit : patience);
+    return meets(checker, object, &stop);
+}
+
+static bool run(struct checker *checker, const struct object *object,
+                const char *path)
+{
+    struct sink report = text_buffer_sink(&checker->report);
+    c205_error error;
+    if (!have_machine(checker, object)) {
+        return false;
+    }
+    if (!c205_load(checker->machine, &object->program, &error)) {
+        return fail(checker, error.message);
+    }
+    checker->watch = watch_new(object, path,
+                               &checker->arguments->warnings.choice, &report);
+    bool good = checker->watch ? run_watched(checker, object)
+                               : fail(checker, "no memory");
+    watch_free(checker->watch);
+    checker->watch = NULL;
+    return good;
+}
+
+/* ---- What is told of them ------------------------------------------------ */
+
+static const struct table_column columns[] = {
+    { "program", "program", TABLE_TEXT, 0 },
+    { "passed", "passed", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_TEXT, 0 },
+    { "report", "report", TABLE_TEXT, 0 },
+};
+
+/* What came of one program. */
+struct verdict {
+    const char *path;
+    bool good;
+    const char *other_model; /* its clocks are not of this one; or NULL */
+    const char *report;
+};
+
+static void tell_row(struct table *table, const struct verdict *verdict)
+{
+    table_text(table, verdict->path);
+    table_text(table, verdict->good ? "yes" : "no");
+    table_text(table, verdict->other_model ? "not compared" : "");
+    table_text(table, verdict->report);
+}
+
+/* The reasons stand a little to the right. */
+static void tell_text(const struct results *results,
+                      const struct verdict *verdict)
+{
+    const char *text = verdict->report;
+    const char *other = verdict->other_model;
+    results_say(results, "%s %s%s%s%s\n", verdict->good ? "PASS" : "FAIL",
+                verdict->path, other ? " (but for the clocks: not of " : "",
+                other ? other : "", other ? ")" : "");
+    while (*text) {
+        size_t length = strcspn(text, "\n");
+        results_say(results, "    %.*s\n", (int)length, text);
+        text += length + (text[length] != '\0');
+    }
+}
+
+static void tell_json(struct json *json, const c205_model *model,
+                      const struct verdict *verdict)
+{
+    json_object(json, NULL);
+    json_text(json, "program", verdict->path);
+    json_truth(json, "passed", verdict->good);
+    json_truth(json, "clocks_compared", !verdict->other_model);
+    json_text(json, "report", verdict->report);
+    if (model) {
+        provenance_json(model, json);
+    }
+    json_end(json);
+}
+
+static void check_one(struct checker *checker, const char *path)
+{
+    struct sink sink = text_buffer_sink(&checker->report);
+    struct object *object = cmd_read_program(checker->arguments, path, &sink);
+    struct verdict verdict = { path, object && run(checker, object, path),
+                               NULL, "" };
+    if (object && checker->machine
+        && expect_other_model(object, checker->machine)) {
+        verdict.other_model = c205_model_name(checker->model);
+    }
+    object_free(object);
+    if (checker->report.text) {
+        verdict.report = checker->report.text;
+    }
+    if (checker->printed.failed || checker->report.failed) {
+        verdict.good = false;
+        verdict.report = "no memory";
+    }
+    if (checker->table) {
+        tell_row(checker->table, &verdict);
+    } else {
+        tell_text(checker->results, &verdict);
+    }
+    if (checker->results->json) {
+        tell_json(checker->results->json, checker->model, &verdict);
+    }
+    checker->failures += !verdict.good;
+    text_buffer_free(&checker->printed);
+    text_buffer_free(&checker->report);
+}
+
+static int check_all(struct checker *checker)
+{
+    const struct c205_arguments *arguments = checker->arguments;
+    const struct results *results = checker->results;
+    bool tabular = results->file && results->format != RESULTS_TEXT;
+    if (tabular && !(checker->table = table_new(TABLE_COLUMNS(columns)))) {
+        return cmd_failed(arguments->command, "no memory");
+    }
+    if (results->json) {
+        json_array(results->json, "programs");
+    }
+    for (size_t i = 0; i < arguments->files.count; i++) {
+        check_one(checker, arguments->files.items[i]);
+    }
+    if (results->json) {
+        json_end(results->json);
+    }
+    bool good = !tabular
+                || table_write(checker->table, results_table_format(results),
+                               results->file);
+    table_free(checker->table);
+    results_say(results, "%zu passed, %zu failed\n",
+                arguments->files.count - checker->failures,
+                checker->failures);
+    return !good ? cmd_failed(arguments->command, "no memory")
+           : checker->failures > 0 ? CMD_FAILED
+                                   : CMD_DONE;
+}
+
+/* A model that the user names must be there. */
+static bool check_model(const struct c205_arguments *arguments)
+{
+    c205_model *model = model_open(arguments->command, arguments->model);
+    c205_model_free(model);
+    return model != NULL;
+}
+
+/* What failed is a result, too: the JSON is kept. */
+int cmd_run_check(const struct c205_arguments *arguments)
+{
+    struct results results = arguments->results;
+    struct checker checker = { .arguments = arguments, .results = &results };
+    checker.printer.sink = text_buffer_sink(&checker.printed);
+    if (!check_model(arguments)
+        || !results_open(&results, arguments->command, NULL)) {
+        return CMD_FAILED;
+    }
+    int code = check_all(&checker);
+    drop_machine(&checker);
+    int kept = results_close(&results, CMD_DONE);
+    return code == CMD_DONE ? kept : code;
+}

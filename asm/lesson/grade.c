@@ -1,0 +1,407 @@
+/* grade.c - an answer and the tests of its lesson. */
+#include <ctype.h>
+#include <inttypes.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/expect.h"
+#include "asm/lesson/parts.h"
+#include "asm/print.h"
+#include "asm/trap_report.h"
+#include "base/error.h"
+/* An answer that has not ended after so many clocks, and so many times those of bronze, is in an
+ * endless loop. */
+static const uint64_t patience_least = 20000000;
+enum { PATIENCE = 10 };
+
+/* An answer before a test. */
+struct sitting {
+    const char *name, *text;
+    size_t length;
+    struct lesson_trial *trial;
+    struct lesson_report *general; /* what all tests would say */
+    struct arena *kept;
+    c205_error *error; /* what is wrong with the lesson */
+
+    struct object *test, *answer;
+    c205_model *model;
+    c205 *data, *machine; /* the test's memory, and the answer's */
+    struct line_profile *profile;
+    struct lesson_exchange exchange;
+    struct text_buffer printed;
+};
+
+static bool no_memory(c205_error *error)
+{
+    return error_say(error, "no memory");
+}
+
+/* ---- The answer ------------------------------------------------------------ */
+
+/* A sentence, and below it those of one severity. */
+static void say_diagnostics(struct lesson_report *report,
+                            const char *sentence,
+                            const struct diagnostics *said,
+                            enum severity severity)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+
+    sink_put(&sink, sentence);
+    sink_put(&sink, "\n");
+    for (size_t i = 0; i < said->count; i++)
+        if (said->items[i].severity == severity)
+            diagnostic_put(&said->items[i], &sink);
+    report_text(report, text.text);
+    text_buffer_free(&text);
+}
+
+static bool is_constant(const struct asm_symbol *symbol)
+{
+    return !symbol->is_label && !symbol->is_word;
+}
+
+/* The test's constants. */
+static struct asm_define *make_defines(struct sitting *sitting)
+{
+    const struct object *test = sitting->test;
+    struct asm_define *defines = arena_take(sitting->kept,
+                                            (test->symbol_count + 1)
+                                                * sizeof *defines);
+    size_t count = 0;
+
+    for (size_t i = 0; defines && i < test->symbol_count; i++)
+        if (is_constant(&test->symbols[i]))
+            defines[count++] = (struct asm_define){ test->symbols[i].name,
+                                                    test->symbols[i].value };
+    return defines;
+}
+
+/* Whether a constant that the answer sets is why. */
+static bool tell_redefined(struct sitting *sitting,
+                           const struct diagnostics *said,
+                           const struct asm_define *defines)
+{
+    struct lesson_report *report = sitting->general;
+    size_t told = report->count;
+
+    for (; defines->name; defines++)
+        for (size_t i = 0; i < said->count; i++)
+            if (asm_is_redefined(&said->items[i], defines->name))
+                report_say(report,
+                           "Line %zu sets %s, which the tests set: put "
+                           "'.ifndef %s' before it and '.endif' behind it.",
+                           said->items[i].line, defines->name, defines->name);
+    return report->count > told;
+}
+
+/* With the constants of the test, which are told if that does not go. */
+static bool assemble_answer(struct sitting *sitting)
+{
+    struct asm_define *defines = make_defines(sitting);
+    struct asm_options options = { .defines = defines };
+    struct diagnostics said = { 0 };
+
+    if (!defines)
+        return no_memory(sitting->error);
+    sitting->answer = assemble_bytes(sitting->name, sitting->text,
+                                     sitting->length, &options, &said);
+    if (!sitting->answer && !tell_redefined(sitting, &said, defines))
+        say_diagnostics(&sitting->trial->report,
+                        "With the constants of this test it cannot be "
+                        "assembled:",
+                        &said, SEVERITY_ERROR);
+    diagnostics_free(&said);
+    return true;
+}
+
+
+/* ---- The machines ---------------------------------------------------------- */
+
+static bool load_test(struct sitting *sitting)
+{
+    const char *model = expect_model(sitting->test);
+
+    sitting->model = c205_model_find(model ? model : C205_DEFAULT_MODEL,
+                                     sitting->error);
+    if (!sitting->model)
+        return false;
+    sitting->data = c205_new(sitting->model, sitting->error);
+    return sitting->data
+           && c205_load(sitting->data, &sitting->test->program,
+                        sitting->error);
+}
+
+/* Whether pages are warm says the test. */
+static bool load_answer(struct sitting *sitting)
+{
+    c205_program program = sitting->answer->program;
+
+    program.warm = sitting->test->program.warm;
+    sitting->machine = c205_new(sitting->model, sitting->error);
+    sitting->profile = line_profile_new(sitting->answer);
+    if (!sitting->machine)
+        return false;
+    if (!sitting->profile)
+        return no_memory(sitting->error);
+    return c205_load(sitting->machine, &program, sitting->error)
+           && (c205_listen(sitting->machine, line_profile_listen,
+                           sitting->profile)
+               || no_memory(sitting->error));
+}
+
+/* ---- The run --------------------------------------------------------------- */
+
+static bool expects_trap(const struct object *test)
+{
+    for (size_t i = 0; i < test->expectation_count; i++)
+        if (test->expectations[i].kind == EXPECT_TRAP)
+            return true;
+    return false;
+}
+
+static void tell_endless(struct sitting *sitting, const c205_stop *stop)
+{
+    const struct asm_line *line = object_line(sitting->answer, stop->pc);
+    struct lesson_report *report = &sitting->trial->report;
+    const char *source = line ? line->call_source : "";
+
+    while (isspace((unsigned char)*source))
+        source++;
+    report_say(report,
+               "It had not ended after %" PRIu64
+               " clocks: is this an endless loop?",
+               c205_clock(sitting->machine));
+    if (line)
+        report_say(report, "It was in line %zu of %s then: %.200s",
+                   line->call_number, line->call_file, source);
+}
+
+static void tell_trap(struct sitting *sitting, const c205_stop *stop)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+
+    sink_put(&sink, "It was stopped by a trap:\n");
+    trap_report(sitting->answer, sitting->name, sitting->machine, stop,
+                &sink);
+    report_text(&sitting->trial->report, text.text);
+    text_buffer_free(&text);
+}
+
+/* False: it did not come to its end. */
+static bool check_stop(struct sitting *sitting, const c205_stop *stop)
+{
+    if (stop->trap == C205_TRAP_CLOCK_LIMIT)
+        tell_endless(sitting, stop);
+    else if (stop->trap != C205_TRAP_NONE && !expects_trap(sitting->test))
+        tell_trap(sitting, stop);
+    else if (stop->status != 0)
+        report_say(&sitting->trial->report,
+                   "It ended with the status %" PRId64 ", not with 0.",
+                   stop->status);
+    else
+        return true;
+    return false;
+}
+
+/* "test-small.s:7: expected ..": a sentence each, without where it stands in the test. */
+static void say_expectations(struct lesson_report *report, const char *text)
+{
+    static const char before[] = "expected ";
+
+    while (*text) {
+        size_t length = strcspn(text, "\n");
+        const char *what = strstr(text, before);
+        size_t skipped = what && what < text + length
+                             ? (size_t)(what - text) + sizeof before - 1
+                             : 0;
+
+        report_say(report, "Expected %.*s.", (int)(length - skipped),
+                   text + skipped);
+        text += length + (text[length] != '\0');
+    }
+}
+
+static bool check_expected(struct sitting *sitting, const c205_stop *stop)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    const char *printed = sitting->printed.text;
+    bool good = expect_check(sitting->test, sitting->machine, stop,
+                             printed ? printed : "", 0, &sink);
+
+    if (text.text)
+        say_expectations(&sitting->trial->report, text.text);
+    text_buffer_free(&text);
+    return good;
+}
+
+static enum medal medal_for(const struct lesson_test *test, uint64_t clocks)
+{
+    enum medal medal = MEDAL_NONE;
+
+    while (medal < MEDAL_GOLD && clocks <= test->goals[medal + 1])
+        medal++;
+    return medal;
+}
+
+static void judge(struct sitting *sitting, const c205_stop *stop)
+{
+    struct lesson_trial *trial = sitting->trial;
+
+    trial->clocks = c205_clock(sitting->machine);
+    if (!check_stop(sitting, stop))
+        return;
+    trial->right = exchange_end(&sitting->exchange);
+    trial->right = check_expected(sitting, stop) && trial->right;
+    trial->passed = trial->right;
+    if (!trial->right || !trial->test->has_goals)
+        return;
+    trial->medal = medal_for(trial->test, trial->clocks);
+    trial->passed = trial->medal != MEDAL_NONE;
+    if (trial->medal != MEDAL_GOLD)
+        slow_tell(trial, sitting->machine, sitting->profile, &trial->report);
+}
+
+static bool run(struct sitting *sitting)
+{
+    struct printer printer = { text_buffer_sink(&sitting->printed) };
+    struct lesson_trial *trial = sitting->trial;
+    uint64_t limit = patience_least
+                     + PATIENCE * trial->test->goals[MEDAL_BRONZE];
+    c205_stop stop;
+
+    if (!c205_listen(sitting->machine, printer_listen, &printer))
+        return no_memory(sitting->error);
+    stop = c205_run(sitting->machine, limit);
+    if (stop.trap == C205_TRAP_NO_MEMORY || sitting->printed.failed)
+        return no_memory(sitting->error);
+    judge(sitting, &stop);
+    return true;
+}
+
+/* ---- All tests ------------------------------------------------------------- */
+
+static bool sit(struct sitting *sitting)
+{
+    struct lesson_exchange *exchange = &sitting->exchange;
+
+    if (!(sitting->test = lesson_assemble_test(sitting->trial->test,
+                                               sitting->error))
+        || !load_test(sitting) || !assemble_answer(sitting))
+        return false;
+    if (!sitting->answer)
+        return true;
+    if (!load_answer(sitting))
+        return false;
+    *exchange = (struct lesson_exchange){ .test = sitting->test,
+                                          .answer = sitting->answer,
+                                          .data = sitting->data,
+                                          .machine = sitting->machine,
+                                          .notes = sitting->trial->test,
+                                          .report = &sitting->trial->report,
+                                          .general = sitting->general,
+                                          .kept = sitting->kept };
+    return !exchange_begin(exchange) || run(sitting);
+}
+
+static void leave(struct sitting *sitting)
+{
+    text_buffer_free(&sitting->printed);
+    line_profile_free(sitting->profile);
+    c205_free(sitting->machine);
+    c205_free(sitting->data);
+    c205_model_free(sitting->model);
+    object_free(sitting->answer);
+    object_free(sitting->test);
+}
+
+static void conclude(struct lesson_verdict *verdict)
+{
+    bool medals = false;
+
+    verdict->passed = true;
+    verdict->medal = MEDAL_GOLD;
+    for (size_t i = 0; i < verdict->count; i++) {
+        const struct lesson_trial *trial = &verdict->trials[i];
+
+        verdict->passed = verdict->passed && trial->passed;
+        if (!trial->test->has_goals)
+            continue;
+        medals = true;
+        if (trial->medal < verdict->medal)
+            verdict->medal = trial->medal;
+        if (trial->right && trial->clocks > verdict->clocks)
+            verdict->clocks = trial->clocks;
+    }
+    if (!medals || !verdict->passed)
+        verdict->medal = MEDAL_NONE;
+}
+
+static bool begin(struct lesson_verdict *verdict, const struct lesson *lesson,
+                  const char *name, c205_error *error)
+{
+    verdict->lesson = lesson;
+    verdict->answer = name;
+    verdict->count = lesson->test_count;
+    verdict->report.kept = &verdict->kept;
+    verdict->trials = arena_take(&verdict->kept,
+                                 lesson->test_count
+                                     * sizeof *verdict->trials);
+    if (!verdict->trials)
+        return no_memory(error);
+    for (size_t i = 0; i < verdict->count; i++) {
+        verdict->trials[i].test = &lesson->tests[i];
+        verdict->trials[i].report.kept = &verdict->kept;
+    }
+    return true;
+}
+
+/* Until one of them says what all would. */
+static bool try_tests(struct lesson_verdict *verdict, const char *text,
+                      size_t length, c205_error *error)
+{
+    for (size_t i = 0; i < verdict->count && verdict->report.count == 0;
+         i++) {
+        struct sitting sitting = { .name = verdict->answer,
+                                   .text = text,
+                                   .length = length,
+                                   .trial = &verdict->trials[i],
+                                   .general = &verdict->report,
+                                   .kept = &verdict->kept,
+                                   .error = error };
+        bool good = sit(&sitting);
+
+        leave(&sitting);
+        if (!good)
+            return false;
+    }
+    verdict->graded = verdict->report.count == 0;
+    if (verdict->graded)
+        conclude(verdict);
+    return true;
+}
+
+/* What the assembler warns of may be what is wrong. */
+bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
+                  const char *name, const char *text, size_t length,
+                  c205_error *error)
+{
+    struct diagnostics said = { 0 };
+    struct object *object;
+    bool good = begin(verdict, lesson, name, error);
+
+    object = assemble_bytes(name, text, length, NULL, &said);
+    if (!object)
+        say_diagnostics(&verdict->report, "It cannot be assembled:", &said,
+                        SEVERITY_ERROR);
+    good = good && (!object || try_tests(verdict, text, length, error));
+    if (good && object && !verdict->passed && said.count > 0)
+        say_diagnostics(&verdict->report, "The assembler warns:", &said,
+                        SEVERITY_WARNING);
+    diagnostics_free(&said);
+    object_free(object);
+    return good && (!verdict->kept.failed || no_memory(error));
+}

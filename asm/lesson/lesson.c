@@ -1,0 +1,222 @@
+/* lesson.c - lessons from their files. */
+#include "asm/lesson/lesson.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/lesson/parts.h"
+#include "base/error.h"
+#include "base/nearest.h"
+#include "vm/text.h"
+
+const char *medal_name(enum medal medal)
+{
+    static const char *const names[MEDALS] = { "", "bronze", "silver",
+                                               "gold" };
+
+    return names[medal];
+}
+
+/* ---- One ------------------------------------------------------------------- */
+
+/* The number is what a folder's name begins with. */
+bool lesson_begin(struct lesson *lesson, const char *folder,
+                  c205_error *error)
+{
+    char *end;
+    unsigned long number = strtoul(folder, &end, 10);
+    bool numbered = isdigit((unsigned char)*folder) && *end == '-';
+
+    lesson->folder = arena_text(&lesson->kept, folder, strlen(folder));
+    if (!lesson->folder)
+        return error_say(error, "no memory");
+    lesson->number = numbered ? (unsigned)number : 0;
+    lesson->name = lesson->folder + (numbered ? end + 1 - folder : 0);
+    return true;
+}
+
+/* The first line of the text: "# Title". */
+static bool take_title(struct lesson *lesson, c205_error *error)
+{
+    size_t length = strcspn(lesson->text, "\r\n");
+
+    if (strncmp(lesson->text, "# ", 2) != 0 || length == 2)
+        return error_say(error, "%.80s/lesson.md:1: expected '# Title'",
+                         lesson->folder);
+    lesson->title = arena_text(&lesson->kept, lesson->text + 2, length - 2);
+    return lesson->title || error_say(error, "no memory");
+}
+
+static bool take_test(struct lesson *lesson, const char *name,
+                      size_t name_length, const char *text, size_t length,
+                      c205_error *error)
+{
+    struct lesson_test *tests = arena_grow(&lesson->kept, lesson->tests,
+                                           lesson->test_count,
+                                           &lesson->test_capacity,
+                                           sizeof *tests);
+    struct lesson_test test = { .text = text, .length = length };
+
+    if (tests)
+        test.name = arena_text(&lesson->kept, name, name_length);
+    if (!test.name)
+        return error_say(error, "no memory");
+    lesson->tests = tests;
+    tests[lesson->test_count++] = test;
+    return lesson_read_notes(lesson, &tests[lesson->test_count - 1], error);
+}
+
+bool lesson_take(struct lesson *lesson, const char *file, const char *text,
+                 size_t length, c205_error *error)
+{
+    static const char before[] = "test-", behind[] = ".s";
+    size_t name = strlen(file), around = sizeof before + sizeof behind - 2;
+    bool is_test = name > around
+                   && strncmp(file, before, sizeof before - 1) == 0
+                   && strcmp(file + name - (sizeof behind - 1), behind) == 0;
+    bool is_text = strcmp(file, "lesson.md") == 0;
+    bool is_start = strcmp(file, "start.s") == 0;
+    const char *kept;
+
+    if (!is_test && !is_text && !is_start)
+        return true;
+    kept = arena_text(&lesson->kept, text, length);
+    if (!kept)
+        return error_say(error, "no memory");
+    if (is_test)
+        return take_test(lesson, file + sizeof before - 1, name - around,
+                         kept, length, error);
+    if (is_start) {
+        lesson->start = kept;
+        return true;
+    }
+    lesson->text = kept;
+    return take_title(lesson, error);
+}
+
+static int compare_tests(const void *a, const void *b)
+{
+    const struct lesson_test *one = a, *other = b;
+
+    return one->has_goals != other->has_goals
+               ? one->has_goals - other->has_goals
+               : strcmp(one->name, other->name);
+}
+
+bool lesson_end(struct lesson *lesson, c205_error *error)
+{
+    const char *missing = !lesson->text             ? "lesson.md"
+                          : !lesson->start          ? "start.s"
+                          : lesson->test_count == 0 ? "test-NAME.s"
+                                                    : NULL;
+
+    if (missing)
+        return error_say(error, "%.160s is no lesson: it has no %s",
+                         lesson->folder, missing);
+    qsort(lesson->tests, lesson->test_count, sizeof *lesson->tests,
+          compare_tests);
+    return true;
+}
+
+void lesson_free(struct lesson *lesson)
+{
+    arena_free(&lesson->kept);
+}
+
+/* ---- Those that are carried with us ---------------------------------------- */
+
+static bool join_lines(const char *const *lines, struct text_buffer *buffer)
+{
+    struct sink sink = text_buffer_sink(buffer);
+
+    for (; *lines; lines++)
+        sink_put(&sink, *lines);
+    return !buffer->failed;
+}
+
+/* A table's texts are "folder/file", those of a folder together. */
+static bool take_text(struct lesson *lesson, const struct text *text,
+                      c205_error *error)
+{
+    struct text_buffer joined = { 0 };
+    bool good = join_lines(text->lines, &joined)
+                    ? lesson_take(lesson, strchr(text->name, '/') + 1,
+                                  joined.text ? joined.text : "",
+                                  joined.length, error)
+                    : error_say(error, "no memory");
+
+    text_buffer_free(&joined);
+    return good;
+}
+
+static bool is_of(const struct text *text, const char *name, size_t length)
+{
+    return text->name && strncmp(text->name, name, length) == 0;
+}
+
+/* From a text on all of its folder; NULL: the error says why not. */
+static const struct text *
+open_next(struct lesson *lesson, const struct text *text, c205_error *error)
+{
+    const char *name = text->name;
+    size_t length = (size_t)(strchr(name, '/') + 1 - name);
+    struct text_line folder = { 0 };
+    struct sink sink = text_line_sink(&folder);
+
+    sink_print(&sink, "%.*s", (int)length - 1, name);
+    if (!lesson_begin(lesson, folder.text, error))
+        return NULL;
+    for (; is_of(text, name, length); text++)
+        if (!take_text(lesson, text, error))
+            return NULL;
+    return lesson_end(lesson, error) ? text : NULL;
+}
+
+bool lessons_open(struct lessons *lessons, c205_error *error)
+{
+    const struct text *text = lesson_texts;
+    size_t most = 0;
+
+    while (lesson_texts[most].name)
+        most++;
+    lessons->count = 0;
+    lessons->items = calloc(most + 1, sizeof *lessons->items);
+    if (!lessons->items)
+        return error_say(error, "no memory");
+    while (text && text->name)
+        text = open_next(&lessons->items[lessons->count++], text, error);
+    return text;
+}
+
+void lessons_free(struct lessons *lessons)
+{
+    for (size_t i = 0; i < lessons->count; i++)
+        lesson_free(&lessons->items[i]);
+    free(lessons->items);
+}
+
+const struct lesson *lessons_find(const struct lessons *lessons,
+                                  const char *name, c205_error *error)
+{
+    struct nearest nearest = { .word = name };
+    char *end;
+    unsigned long number = strtoul(name, &end, 10);
+    bool is_number = isdigit((unsigned char)*name) && !*end;
+
+    for (size_t i = 0; i < lessons->count; i++) {
+        const struct lesson *lesson = &lessons->items[i];
+
+        if (strcmp(lesson->name, name) == 0
+            || strcmp(lesson->folder, name) == 0
+            || (is_number && lesson->number == number))
+            return lesson;
+        nearest_try(&nearest, lesson->name);
+    }
+    error_say(error,
+              "there is no lesson '%.80s'%s%s%s; c205 check lists them", name,
+              nearest.name ? ": is it '" : "",
+              nearest.name ? nearest.name : "", nearest.name ? "'?" : "");
+    return NULL;
+}

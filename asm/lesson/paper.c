@@ -1,0 +1,100 @@
+/* paper.c - the text of a test, assembled. */
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/expect.h"
+#include "asm/lesson/parts.h"
+#include "base/error.h"
+
+const char *lesson_wanted(const char *label)
+{
+    static const char prefix[] = "want_";
+    size_t length = sizeof prefix - 1;
+
+    return strncmp(label, prefix, length) == 0 ? label + length : NULL;
+}
+
+/* What names an address of the test's own is wanted by a label instead. */
+static bool check_expectations(const struct object *object, c205_error *error)
+{
+    for (size_t i = 0; i < object->expectation_count; i++) {
+        const struct asm_expectation *expectation = &object->expectations[i];
+
+        if (expectation->kind == EXPECT_WORDS
+            || expectation->kind == EXPECT_HALVES
+            || expectation->kind == EXPECT_BITS
+            || expectation->kind == EXPECT_WARNING)
+            return error_say(error,
+                             "%.80s:%zu: a test cannot expect this; what is "
+                             "to be in memory stands at want_LABEL",
+                             expectation->file, expectation->line);
+    }
+    return true;
+}
+
+static bool is_wanted(const struct object *object, const char *label)
+{
+    size_t i = 0;
+
+    while (i < object->symbol_count) {
+        const struct asm_symbol *symbol = &object->symbols[i++];
+        const char *wanted = lesson_wanted(symbol->name);
+
+        if (symbol->is_label && wanted
+            && (!label || strcmp(wanted, label) == 0))
+            return true;
+    }
+    return false;
+}
+
+static bool check_labels(const struct lesson_test *test,
+                         const struct object *object, c205_error *error)
+{
+    const struct lesson_tolerance *tolerance = test->tolerances;
+
+    if (!is_wanted(object, NULL) && !expect_anything(object))
+        return error_say(error, "test-%.40s.s wants nothing", test->name);
+    while (tolerance && is_wanted(object, tolerance->label))
+        tolerance = tolerance->next;
+    return !tolerance
+           || error_say(error,
+                        "test-%.40s.s has a tolerance for %.40s, and no "
+                        "label want_%.40s",
+                        test->name, tolerance->label, tolerance->label);
+}
+
+static void say_first(const struct diagnostics *said, c205_error *error)
+{
+    const struct diagnostic *first = said->items;
+
+    while (first < said->items + said->count
+           && first->severity != SEVERITY_ERROR)
+        first++;
+    if (said->errors == 0 || first == said->items + said->count)
+        error_say(error, "no memory");
+    else
+        error_say(error, "%.80s:%zu:%zu: %.120s", first->file, first->line,
+                  first->column, first->message);
+}
+
+struct object *lesson_assemble_test(const struct lesson_test *test,
+                                    c205_error *error)
+{
+    struct diagnostics said = { 0 };
+    struct text_line name = { 0 };
+    struct sink sink = text_line_sink(&name);
+    struct object *object;
+
+    sink_print(&sink, "test-%s.s", test->name);
+    object = assemble_bytes(name.text, test->text, test->length, NULL, &said);
+    if (!object)
+        say_first(&said, error);
+    diagnostics_free(&said);
+    if (object
+        && (!check_expectations(object, error)
+            || !check_labels(test, object, error))) {
+        object_free(object);
+        return NULL;
+    }
+    return object;
+}

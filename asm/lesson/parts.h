@@ -1,0 +1,63 @@
+/* parts.h - what the parts of grading share.  Not public. */
+#ifndef ASM_LESSON_PARTS_H
+#define ASM_LESSON_PARTS_H
+
+#include "asm/lesson/lesson.h"
+#include "asm/line_profile.h"
+
+/* notes.c: what the comments of a test say; its name and text are there. */
+bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
+                       c205_error *error);
+
+/* A sentence of at most 1,023 bytes; or a text of any length. */
+void report_say(struct lesson_report *report, const char *format, ...)
+#if defined(__GNUC__)
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+/* Without the newlines at its end. */
+void report_text(struct lesson_report *report, const char *text);
+
+/* ---- exchange.c: data between a test and an answer ------------------------- */
+
+/* A label of both. */
+struct exchanged {
+    const char *label; /* of the answer */
+    enum asm_contents contents;
+    size_t count;
+    uint64_t here, there; /* where it begins, in the test and in the answer */
+    const struct lesson_tolerance *tolerance; /* NULL: the same words */
+    /* What is wanted, and what the answer has there before the run and behind it, an element
+     * at the left of each word; inputs have none. */
+    c205_word *wanted, *before, *found;
+};
+
+struct lesson_exchange {
+    const struct object *test, *answer;
+    const c205 *data; /* the test's, loaded */
+    c205 *machine;    /* the answer's, loaded */
+    size_t count;
+    struct exchanged *items;
+    const struct lesson_test *notes;
+    struct lesson_report *report, *general; /* of this test; of all */
+    struct arena *kept;
+};
+
+/* Lists what is wanted and puts the data.  False: labels are missing, too small or of another
+ * kind; each is told. */
+bool exchange_begin(struct lesson_exchange *exchange);
+/* Behind the run.  False: something is wrong; it is told. */
+bool exchange_end(struct lesson_exchange *exchange);
+
+/* ---- In words -------------------------------------------------------------- */
+
+/* wrong.c: false, and told, if what was found is not what was wanted. */
+bool wrong_tell(const struct exchanged *exchanged,
+                struct lesson_report *report);
+
+/* slow.c: why it takes more clocks than the next goal. */
+void slow_tell(const struct lesson_trial *trial, const c205 *machine,
+               const struct line_profile *profile,
+               struct lesson_report *report);
+
+#endif

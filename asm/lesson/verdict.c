@@ -1,0 +1,147 @@
+/* verdict.c - what an answer is worth, in words and as JSON. */
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "asm/lesson/parts.h"
+#include "base/fold.h"
+
+/* ---- Sentences ------------------------------------------------------------- */
+
+void report_text(struct lesson_report *report, const char *text)
+{
+    const char **sentences = arena_grow(report->kept, report->sentences,
+                                        report->count, &report->capacity,
+                                        sizeof *sentences);
+    size_t length = text ? strlen(text) : 0;
+    const char *copy;
+
+    while (length > 0 && text[length - 1] == '\n')
+        length--;
+    copy = arena_text(report->kept, text ? text : "", length);
+    if (!sentences || !copy)
+        return;
+    report->sentences = sentences;
+    sentences[report->count++] = copy;
+}
+
+void report_say(struct lesson_report *report, const char *format, ...)
+{
+    enum { SIZE = 1024 };
+    char text[SIZE];
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    report_text(report, text);
+}
+
+void lesson_verdict_free(struct lesson_verdict *verdict)
+{
+    arena_free(&verdict->kept);
+}
+
+/* ---- For the eye ----------------------------------------------------------- */
+
+/* Each a little to the right; a piece of a program's text is not folded. */
+static void put_report(const struct lesson_report *report,
+                       const struct sink *sink)
+{
+    enum { COLUMN = 4 };
+
+    for (size_t i = 0; i < report->count; i++) {
+        const char *text = report->sentences[i];
+
+        if (!strchr(text, '\n')) {
+            sink_print(sink, "%*s", COLUMN, "");
+            fold_put(text, COLUMN, sink);
+            continue;
+        }
+        while (*text) {
+            size_t length = strcspn(text, "\n");
+
+            sink_print(sink, "%*s%.*s\n", COLUMN, "", (int)length, text);
+            text += length + (text[length] != '\0');
+        }
+    }
+}
+
+static void put_trial(const struct lesson_trial *trial,
+                      const struct sink *sink)
+{
+    const struct lesson_test *test = trial->test;
+
+    sink_print(sink, "%s: %s", test->name,
+               trial->right ? "right" : "not right");
+    if (trial->right && test->has_goals)
+        sink_print(sink, ", %" PRIu64 " clocks: %s", trial->clocks,
+                   trial->medal ? medal_name(trial->medal) : "too slow");
+    sink_print(sink, " (%s)\n", test->tries);
+    put_report(&trial->report, sink);
+}
+
+void lesson_verdict_put(const struct lesson_verdict *verdict,
+                        const struct sink *sink)
+{
+    bool medal = verdict->medal != MEDAL_NONE;
+
+    if (verdict->graded)
+        for (size_t i = 0; i < verdict->count; i++)
+            put_trial(&verdict->trials[i], sink);
+    put_report(&verdict->report, sink);
+    sink_print(sink, "%s: %s%s%s\n", verdict->lesson->name,
+               verdict->passed ? "passed" : "not passed", medal ? ", " : "",
+               medal_name(verdict->medal));
+}
+
+/* ---- JSON ------------------------------------------------------------------ */
+
+static void write_report(const struct lesson_report *report,
+                         struct json *json)
+{
+    json_array(json, "report");
+    for (size_t i = 0; i < report->count; i++)
+        json_text(json, NULL, report->sentences[i]);
+    json_end(json);
+}
+
+static void write_goals(const struct lesson_test *test, struct json *json)
+{
+    json_object(json, "goals");
+    for (int medal = MEDAL_GOLD; test->has_goals && medal > MEDAL_NONE;
+         medal--)
+        json_count(json, medal_name((enum medal)medal), test->goals[medal]);
+    json_end(json);
+}
+
+static void write_trial(const struct lesson_trial *trial, struct json *json)
+{
+    json_object(json, NULL);
+    json_text(json, "name", trial->test->name);
+    json_text(json, "tries", trial->test->tries);
+    json_truth(json, "passed", trial->passed);
+    json_truth(json, "right", trial->right);
+    json_count(json, "clocks", trial->clocks);
+    json_text(json, "medal", medal_name(trial->medal));
+    write_goals(trial->test, json);
+    write_report(&trial->report, json);
+    json_end(json);
+}
+
+void lesson_verdict_json(const struct lesson_verdict *verdict,
+                         struct json *json)
+{
+    json_text(json, "lesson", verdict->lesson->name);
+    json_text(json, "title", verdict->lesson->title);
+    json_text(json, "answer", verdict->answer);
+    json_truth(json, "passed", verdict->passed);
+    json_text(json, "medal", medal_name(verdict->medal));
+    json_count(json, "clocks", verdict->clocks);
+    json_array(json, "tests");
+    for (size_t i = 0; i < verdict->count; i++)
+        write_trial(&verdict->trials[i], json);
+    json_end(json);
+    write_report(&verdict->report, json);
+}

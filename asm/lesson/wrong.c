@@ -1,0 +1,361 @@
+/* wrong.c - what is wrong with a result: which elements, and what they look like. */
+#include <inttypes.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/lesson/parts.h"
+
+/* ---- Elements -------------------------------------------------------------- */
+
+static double number_of(const struct exchanged *exchanged, c205_word element)
+{
+    switch (exchanged->contents) {
+    case ASM_WORDS: return c205_to_double(element);
+    case ASM_HALF_WORDS: return c205_half_to_double(element);
+    case ASM_BYTES: return (double)(element >> 56);
+    default: return (double)(element >> 63);
+    }
+}
+
+static bool is_same(const struct exchanged *exchanged, c205_word wanted,
+                    c205_word found)
+{
+    return wanted == found
+           || (exchanged->tolerance
+               && fabs(number_of(exchanged, found)
+                       - number_of(exchanged, wanted))
+                      <= exchanged->tolerance->most);
+}
+
+static bool is_right(const struct exchanged *exchanged, size_t i)
+{
+    return is_same(exchanged, exchanged->wanted[i], exchanged->found[i]);
+}
+
+static bool is_equal_number(const struct exchanged *exchanged, c205_word a,
+                            c205_word b)
+{
+    return number_of(exchanged, a) == number_of(exchanged, b);
+}
+
+/* ---- What they look like --------------------------------------------------- */
+
+/* Of a result of which something is wrong. */
+typedef bool looks_like(const struct exchanged *exchanged);
+
+static bool untouched(const struct exchanged *exchanged)
+{
+    return memcmp(exchanged->found, exchanged->before,
+                  exchanged->count * sizeof *exchanged->found)
+           == 0;
+}
+
+static bool all_zero(const struct exchanged *exchanged)
+{
+    size_t i = 0;
+
+    while (i < exchanged->count
+           && number_of(exchanged, exchanged->found[i]) == 0)
+        i++;
+    return i == exchanged->count;
+}
+
+static bool other_words(const struct exchanged *exchanged)
+{
+    size_t i = 0;
+
+    while (i < exchanged->count
+           && (is_right(exchanged, i)
+               || is_equal_number(exchanged, exchanged->wanted[i],
+                                  exchanged->found[i])))
+        i++;
+    return i == exchanged->count;
+}
+
+/* Elements that are all the same stand nowhere too early. */
+static bool is_constant(const struct exchanged *exchanged)
+{
+    size_t i = 1;
+
+    while (i < exchanged->count
+           && exchanged->wanted[i] == exchanged->wanted[0])
+        i++;
+    return i >= exchanged->count;
+}
+
+static bool too_late(const struct exchanged *exchanged)
+{
+    size_t i = 1;
+
+    while (
+        i < exchanged->count
+        && is_same(exchanged, exchanged->wanted[i - 1], exchanged->found[i]))
+        i++;
+    return i == exchanged->count && i > 2 && !is_constant(exchanged);
+}
+
+static bool too_early(const struct exchanged *exchanged)
+{
+    size_t i = 1;
+
+    while (
+        i < exchanged->count
+        && is_same(exchanged, exchanged->wanted[i], exchanged->found[i - 1]))
+        i++;
+    return i == exchanged->count && i > 2 && !is_constant(exchanged);
+}
+
+static bool backwards(const struct exchanged *exchanged)
+{
+    size_t i = 0, n = exchanged->count;
+
+    while (i < n
+           && is_same(exchanged, exchanged->wanted[n - 1 - i],
+                      exchanged->found[i]))
+        i++;
+    return i == n;
+}
+
+static int compare_words(const void *a, const void *b)
+{
+    const c205_word *one = a, *other = b;
+
+    return (*one > *other) - (*one < *other);
+}
+
+/* The same elements, each as often. */
+static bool other_order(const struct exchanged *exchanged)
+{
+    size_t size = exchanged->count * sizeof(c205_word);
+    c205_word *wanted = malloc(size), *found = malloc(size);
+    bool same = wanted && found;
+
+    if (same) {
+        memcpy(wanted, exchanged->wanted, size);
+        memcpy(found, exchanged->found, size);
+        qsort(wanted, exchanged->count, sizeof *wanted, compare_words);
+        qsort(found, exchanged->count, sizeof *found, compare_words);
+        same = memcmp(wanted, found, size) == 0;
+    }
+    free(wanted);
+    free(found);
+    return same;
+}
+
+static bool is_rising(const struct exchanged *exchanged)
+{
+    size_t i = 1;
+
+    while (i < exchanged->count
+           && number_of(exchanged, exchanged->wanted[i - 1])
+                  <= number_of(exchanged, exchanged->wanted[i]))
+        i++;
+    return i >= exchanged->count && !is_constant(exchanged);
+}
+
+static bool unsorted(const struct exchanged *exchanged)
+{
+    return is_rising(exchanged) && other_order(exchanged);
+}
+
+static bool is_opposite(const struct exchanged *exchanged, size_t i)
+{
+    double wanted = number_of(exchanged, exchanged->wanted[i]);
+    double found = number_of(exchanged, exchanged->found[i]);
+
+    return exchanged->contents == ASM_BITS ? wanted != found
+                                           : wanted == -found;
+}
+
+static bool opposite(const struct exchanged *exchanged)
+{
+    size_t i = 0;
+
+    while (i < exchanged->count && is_opposite(exchanged, i))
+        i++;
+    return i == exchanged->count;
+}
+
+static bool other_sign(const struct exchanged *exchanged)
+{
+    return exchanged->contents != ASM_BITS && opposite(exchanged);
+}
+
+static bool other_bit(const struct exchanged *exchanged)
+{
+    return exchanged->contents == ASM_BITS && exchanged->count > 1
+           && opposite(exchanged);
+}
+
+static bool last_bits(const struct exchanged *exchanged)
+{
+    static const double little = 1e-9;
+    size_t i = 0;
+
+    while (
+        i < exchanged->count
+        && (is_right(exchanged, i)
+            || fabs(number_of(exchanged, exchanged->found[i])
+                    - number_of(exchanged, exchanged->wanted[i]))
+                   <= little
+                          * fabs(number_of(exchanged, exchanged->wanted[i]))))
+        i++;
+    return i == exchanged->count;
+}
+
+static bool indefinite(const struct exchanged *exchanged)
+{
+    size_t i = 0;
+
+    while (i < exchanged->count
+           && (is_right(exchanged, i)
+               || isnan(number_of(exchanged, exchanged->found[i]))))
+        i++;
+    return i == exchanged->count;
+}
+
+/* Some at the beginning are right, none behind them. */
+static bool only_begun(const struct exchanged *exchanged)
+{
+    size_t i = 0;
+
+    while (i < exchanged->count && is_right(exchanged, i))
+        i++;
+    if (i == 0 || exchanged->count - i < 2)
+        return false;
+    while (i < exchanged->count && !is_right(exchanged, i))
+        i++;
+    return i == exchanged->count;
+}
+
+/* The first that fits is told. */
+static const struct likeness {
+    looks_like *fits;
+    const char *sentence;
+} likenesses[] = {
+    { untouched, "It holds what it held before the run: nothing was stored "
+                 "there, or nothing new." },
+    { all_zero, "All that stands there is zero." },
+    { other_words,
+      "The numbers are equal, but not their words: 5 is an integer word and "
+      "5.0 a normalised one, with other bits." },
+    { too_late, "The right elements stand one place too far behind: element "
+                "1 has what element 0 should have." },
+    { too_early, "The right elements stand one place too far in front: "
+                 "element 0 has what element 1 should have." },
+    { backwards, "The right elements stand there from back to front." },
+    { unsorted, "The right elements stand there, but they are not sorted." },
+    { other_order, "The right elements stand there, in another order." },
+    { other_sign, "All have the wrong sign." },
+    { other_bit, "Each bit is the opposite of the right one." },
+    { last_bits, "They are off in their last bits: other operations, or the "
+                 "same in another order, round otherwise." },
+    { indefinite, "Indefinite comes of a division by zero or a root of a "
+                  "negative number, and of all that is computed with it." },
+    { only_begun, "Those before are right and none behind them: is the rest "
+                  "done?" },
+};
+
+/* ---- In words -------------------------------------------------------------- */
+
+enum { TOLD = 3 };
+
+/* Words of equal numbers are told by their bits as well. */
+static void say_value(const struct exchanged *exchanged, c205_word element,
+                      bool with_bits, const struct sink *sink)
+{
+    char text[C205_TEXT_SIZE], bits[C205_TEXT_SIZE];
+    bool half = exchanged->contents == ASM_HALF_WORDS;
+
+    if (exchanged->contents == ASM_BITS || exchanged->contents == ASM_BYTES) {
+        sink_print(sink, "%.0f", number_of(exchanged, element));
+        return;
+    }
+    (half ? c205_half_to_text : c205_to_text)(element, text);
+    c205_to_hex(element, bits);
+    if (half)
+        bits[9] = '\0'; /* 8 digits and a blank */
+    if (with_bits)
+        sink_print(sink, "X'%s' (%s)", bits, text);
+    else
+        sink_put(sink, text);
+}
+
+static void say_element(const struct exchanged *exchanged, size_t i,
+                        const struct sink *sink)
+{
+    c205_word wanted = exchanged->wanted[i], found = exchanged->found[i];
+    bool with_bits = is_equal_number(exchanged, wanted, found);
+
+    sink_put(sink, " is ");
+    say_value(exchanged, found, with_bits, sink);
+    sink_put(sink, " and should be ");
+    say_value(exchanged, wanted, with_bits, sink);
+}
+
+static void say_elements(const struct exchanged *exchanged, size_t wrong,
+                         const struct sink *sink)
+{
+    size_t told = 0;
+
+    for (size_t i = 0; i < exchanged->count && told < TOLD; i++)
+        if (!is_right(exchanged, i)) {
+            sink_print(sink, "%s %zu", told == 0 ? "element" : ",", i);
+            say_element(exchanged, i, sink);
+            told++;
+        }
+    if (wrong > told)
+        sink_print(sink, ", and %zu more", wrong - told);
+}
+
+/* What single results are is told without counting. */
+static void say_wrong(const struct exchanged *exchanged, size_t wrong,
+                      const struct sink *sink)
+{
+    const char *label = exchanged->label;
+    size_t count = exchanged->count;
+
+    if (count == 1) {
+        sink_put(sink, label);
+        say_element(exchanged, 0, sink);
+        sink_put(sink, ".");
+        return;
+    }
+    if (wrong == count)
+        sink_print(sink, "All %zu elements of %s are wrong: ", count, label);
+    else
+        sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong,
+                   count, label, wrong == 1 ? "is" : "are");
+    say_elements(exchanged, wrong, sink);
+    sink_put(sink, " (counted from 0).");
+}
+
+static void say_likeness(const struct exchanged *exchanged,
+                         const struct sink *sink)
+{
+    size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
+
+    while (i < count && !likenesses[i].fits(exchanged))
+        i++;
+    if (i < count)
+        sink_print(sink, "  %s", likenesses[i].sentence);
+}
+
+bool wrong_tell(const struct exchanged *exchanged,
+                struct lesson_report *report)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    size_t wrong = 0;
+
+    for (size_t i = 0; i < exchanged->count; i++)
+        wrong += !is_right(exchanged, i);
+    if (wrong == 0)
+        return true;
+    say_wrong(exchanged, wrong, &sink);
+    say_likeness(exchanged, &sink);
+    report_text(report, text.text);
+    text_buffer_free(&text);
+    return false;
+}

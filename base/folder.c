@@ -1,0 +1,67 @@
+#include "base/folder.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "base/array.h"
+#include "base/error.h"
+
+bool folder_is(const char *path)
+{
+    struct stat is;
+
+    return stat(path, &is) == 0 && S_ISDIR(is.st_mode);
+}
+
+static bool add(struct folder *folder, const char *name)
+{
+    size_t size = strlen(name) + 1;
+    char *copy = malloc(size);
+    char **names = array_grow(folder->names, folder->count, sizeof *names);
+
+    if (names)
+        folder->names = names;
+    if (!names || !copy) {
+        free(copy);
+        return false;
+    }
+    memcpy(copy, name, size);
+    names[folder->count++] = copy;
+    return true;
+}
+
+static int compare_names(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+bool folder_read(struct folder *folder, const char *path, c205_error *error)
+{
+    DIR *open = opendir(path);
+    const struct dirent *entry;
+    bool good = true;
+
+    *folder = (struct folder){ 0, NULL };
+    if (!open)
+        return error_say(error, "%.160s: %.80s", path, strerror(errno));
+    while (good && (entry = readdir(open)))
+        if (*entry->d_name != '.')
+            good = add(folder, entry->d_name);
+    closedir(open);
+    if (!good)
+        return error_say(error, "no memory");
+    if (folder->count > 0)
+        qsort(folder->names, folder->count, sizeof *folder->names,
+              compare_names);
+    return true;
+}
+
+void folder_free(struct folder *folder)
+{
+    for (size_t i = 0; i < folder->count; i++)
+        free(folder->names[i]);
+    free(folder->names);
+}

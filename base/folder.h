@@ -1,0 +1,19 @@
+/* folder.h - what lies in a folder. */
+#ifndef BASE_FOLDER_H
+#define BASE_FOLDER_H
+
+#include "vm/c205.h"
+
+/* Whether a path names one. */
+bool folder_is(const char *path);
+
+/* The names in it, sorted, without those that begin with a point. */
+struct folder {
+    size_t count;
+    char **names;
+};
+/* False: it cannot be read; to be freed in either case. */
+bool folder_read(struct folder *folder, const char *path, c205_error *error);
+void folder_free(struct folder *folder);
+
+#endif

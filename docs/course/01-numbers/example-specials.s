@@ -1,0 +1,19 @@
+; example-specials.s - machine zero, and what is no number.
+
+        .include "print.s"
+        .regs   r10, one, zero, nothing, sum, text
+
+        load_constant one, 1.0
+        SUBN    one, one, zero
+        DIVS    one, zero, nothing
+        ADDN    nothing, one, sum
+        print_text "1 - 1:        ", text
+        print_hex zero
+        newline
+        print_text "1 / 0:        ", text
+        print_hex nothing
+        newline
+        print_text "1 / 0 + 1:    ", text
+        print_hex sum
+        newline
+        EXIT

@@ -1,0 +1,16 @@
+; example-third.s - three thirds are not one.
+
+        .include "print.s"
+        .regs   r10, one, three, third, all
+
+        load_constant one, 1.0
+        load_constant three, 3.0
+        DIVS    one, three, third
+        MPYS    third, three, all
+        print_number third
+        newline
+        print_number all
+        newline
+        print_hex all
+        newline
+        EXIT

@@ -1,0 +1,38 @@
+; start.s - clean := (raw - dark) gain, for all pixels of a picture.
+
+        .include "core.s"
+
+        .ifndef rows
+        .equ    rows, 3                 ; the tests have others
+        .endif
+        .ifndef columns
+        .equ    columns, 4
+        .endif
+
+        .equ    n, rows * columns
+
+        .data
+raw:
+        .rept   n
+        .word   10.0 + float(\+)
+        .endr
+dark:
+        .rept   n
+        .word   float(\+ % 2)
+        .endr
+gain:
+        .rept   n
+        .word   0.5
+        .endr
+clean:  .space  n
+        .code
+
+        .regs   r10, raws, darks, gains, cleans
+
+        descriptor raws, raw, n
+        descriptor darks, dark, n
+
+        ; your code here
+
+        EXIT
+; expect: [clean] = 5.0, 5.0, 6.0, 6.0, 7.0

@@ -1,0 +1,41 @@
+; solution.s - a step of time: v := v + h f, then x := x + h v, as two linked triads.
+
+        .include "core.s"
+
+        .ifndef n
+        .equ    n, 10                   ; the tests have others
+        .endif
+
+        .data
+h:      .word   0.5                     ; the time step
+f:
+        .rept   n
+        .word   1.0 + float(\+)
+        .endr
+v:
+        .rept   n
+        .word   2.0
+        .endr
+x:
+        .rept   n
+        .word   10.0
+        .endr
+        .code
+
+        .regs   r10, address, step, fs, vs, xs, link
+
+        EX      address, h
+        LOD     [address], step
+        descriptor fs, f, n
+        descriptor vs, v, n
+        descriptor xs, x, n
+        descriptor link, v, n           ; only a name, as long as the results
+        LINKV
+        MPYSV   [fs], step, [link]
+        ADDNV   [link], [vs], [vs]
+        LINKV
+        MPYSV   [vs], step, [link]
+        ADDNV   [link], [xs], [xs]
+        EXIT
+; expect: [v] = 2.5, 3.0, 3.5
+; expect: [x] = 11.25, 11.5, 11.75

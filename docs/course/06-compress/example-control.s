@@ -1,0 +1,33 @@
+; example-control.s - roots of what is positive, under a control vector.
+
+        .include "core.s"
+
+        .ifndef n
+        .equ    n, 4000
+        .endif
+        .ifndef m                       ; so many of them are positive
+        .equ    m, 400
+        .endif
+
+        .data
+x:
+        .rept   n
+        .if     \+ * m % n < m
+        .word   float(\+ + 1)
+        .else
+        .word   -1.0
+        .endif
+        .endr
+y:      .space  n
+
+        .bitvector z, n
+        .code
+
+        .regs   r10, xs, ys, zs
+
+        descriptor xs, x, n
+        descriptor ys, y, n
+        descriptor zs, z, n
+        CMPGEV  [xs], r0, [zs]
+        SQRTV   [xs], [ys] ? [zs]
+        EXIT

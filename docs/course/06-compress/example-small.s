@@ -1,0 +1,34 @@
+; example-small.s - compress a vector, work on what is left, put it back in its places.
+
+        .include "print.s"
+
+        .equ    n, 8
+
+        .data
+        .vector x, n, 4.0, -1.0, 9.0, -1.0, -5.0, 16.0, -2.0, 25.0
+        .vector few, n
+        .vector y, n
+        .bitvector z, n
+        .code
+
+        .regs   r10, xs, fews, ys, zs, count
+
+        descriptor xs, x, n
+        descriptor fews, few, n         ; room for all: nobody knows how many come
+        descriptor ys, y, n
+        descriptor zs, z, n
+
+        CMPGEV  [xs], r0, [zs]
+        CPSV    [xs], [fews] ? [zs]     ; those where the bit is one, close together
+        print_vector fews
+        newline
+        LTOR    fews, count             ; how many they are
+        print_integer count
+        newline
+        SQRTV   [fews], [fews]          ; the length is that of fews: four
+        print_vector fews
+        newline
+        MRGV    [fews], r0, [ys] ? [zs] ; back to their places; 0 elsewhere
+        print_vector ys
+        newline
+        EXIT

@@ -1,0 +1,81 @@
+; solution.s - the mean of 20 frames, and how many are above it.  The second pass begins with
+; the frames that are still in memory; the first ones, which are not, were copied side by side.
+
+        .include "core.s"
+
+        .ifndef n
+        .equ    n, 10                   ; numbers of a frame
+        .endif
+        .equ    COUNT, 20
+        .equ    PAGE, 65536
+        .equ    LOST, 5                 ; frames that the others will have driven out
+
+        .data
+mean:   .space  n
+above:  .space  n
+copies: .space  LOST * n
+        .bitvector higher, n
+frames: .rept   COUNT
+        .rept   n
+        .word   1.0 * (\+ % 7)
+        .endr
+        .space  PAGE - n
+        .endr
+        .code
+
+        .regs   r10, frame, copy, means, counts, bits, page, row, left, next_at
+        .regs   r20, one, share
+
+        descriptor frame, frames, n
+        descriptor copy, copies, n
+        descriptor means, mean, n
+        descriptor counts, above, n
+        descriptor bits, higher, n
+        EX      page, 64 * PAGE
+        EX      row, 64 * n
+        load_constant one, 1.0
+        load_constant share, 1.0 / COUNT
+
+; Do what stands between repeat and again so many times.
+        .macro  repeat count
+        ES      left, \count
+        EX      next_at, repeat\@
+repeat\@:
+        .endm
+
+        .macro  again
+        DBNZ    left, [next_at]
+        .endm
+
+        .macro  count_above frame
+        CMPLTV  [means], [\frame], [bits]
+        ADDNV   [counts], one, [counts] ? [bits]
+        .endm
+
+        .kernel mean
+        VTOV    r0, [means]
+        repeat  LOST
+        ADDNV   [means], [frame], [means]
+        VTOV    [frame], [copy]
+        ADDX    frame, page, frame
+        ADDX    copy, row, copy
+        again
+        repeat  COUNT - LOST
+        ADDNV   [means], [frame], [means]
+        ADDX    frame, page, frame
+        again
+        MPYSV   [means], share, [means]
+        .endkernel
+
+        .kernel above
+        VTOV    r0, [counts]
+        repeat  COUNT - LOST
+        SUBX    frame, page, frame
+        count_above frame
+        again
+        repeat  LOST
+        SUBX    copy, row, copy
+        count_above copy
+        again
+        .endkernel
+        EXIT

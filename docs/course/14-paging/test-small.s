@@ -1,0 +1,15 @@
+; test-small.s
+; test: 20 frames of 5 numbers
+; tolerance: mean 1e-9
+        .equ    n, 5
+
+; Frame k: k, 20 - k, k times k, -k times k, 1 every fifth time.
+        .data
+frames: .rept   20
+        .word   \+.0, 20.0 - \+, 1.0 * \+ * \+, -1.0 * \+ * \+, 1.0 * (\+ % 5 == 0)
+        .space  65536 - 5
+        .endr
+want_mean:
+        .word   9.5, 10.5, 123.5, -123.5, 0.2
+want_above:
+        .word   10.0, 10.0, 8.0, 12.0, 4.0

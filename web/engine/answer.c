@@ -1,0 +1,301 @@
+/* answer.c - what an engine is asked, who answers, and in what slices. */
+#include <inttypes.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "web/engine/parts.h"
+
+/* ---- What is wrong ----------------------------------------------------------- */
+
+bool refuse(c205_error *error, const char *format, ...)
+{
+    va_list arguments;
+
+    va_start(arguments, format);
+    vsnprintf(error->message, sizeof error->message, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool refuse_of(c205_error *error, const char *name)
+{
+    c205_error why = *error;
+
+    return refuse(error, "%.80s: %.160s", name, why.message);
+}
+
+/* Without what a line of a dialogue has besides; NULL: nothing was said. */
+static const char *said_text(struct engine *engine)
+{
+    static const char error[] = "error: ";
+    struct text_buffer *said = &engine->said;
+
+    if (said->length == 0)
+        return NULL;
+    if (said->text[said->length - 1] == '\n')
+        said->text[--said->length] = '\0';
+    return strncmp(said->text, error, sizeof error - 1) == 0
+               ? said->text + sizeof error - 1
+               : said->text;
+}
+
+static void forget_said(struct engine *engine)
+{
+    text_buffer_free(&engine->said);
+    engine->said = (struct text_buffer){ .text = NULL };
+}
+
+bool refuse_as_said(struct engine *engine, c205_error *error)
+{
+    const char *said = said_text(engine);
+
+    refuse(error, "%s", said ? said : "no memory");
+    forget_said(engine);
+    return false;
+}
+
+void put_said(struct engine *engine, struct json *reply, const char *key)
+{
+    const char *said = said_text(engine);
+
+    json_text(reply, key, said ? said : "");
+    forget_said(engine);
+}
+
+bool needs_program(const struct engine *engine, c205_error *error)
+{
+    return engine->debugger || refuse(error, "no program is loaded");
+}
+
+char *copy_of(const char *text)
+{
+    char *copy = malloc(strlen(text) + 1);
+
+    return copy ? strcpy(copy, text) : NULL;
+}
+
+/* ---- Members of a request ------------------------------------------------------ */
+
+bool take_text_or(const struct json_value *request, const char *key,
+                  const char **text, c205_error *error)
+{
+    const struct json_value *value = json_member(request, key);
+
+    if (value && value->kind != JSON_TEXT)
+        return refuse(error, "\"%s\" is no text", key);
+    if (value)
+        *text = value->text;
+    return true;
+}
+
+bool take_text(const struct json_value *request, const char *key,
+               const char **text, c205_error *error)
+{
+    *text = NULL;
+    return take_text_or(request, key, text, error)
+           && (*text || refuse(error, "\"%s\" is missing", key));
+}
+
+bool take_count(const struct json_value *request, const char *key,
+                uint64_t *count, c205_error *error)
+{
+    int64_t value = 0;
+
+    if (!json_member(request, key))
+        return true;
+    if (!json_member_whole(request, key, &value) || value < 0)
+        return refuse(error, "\"%s\" is no integer from 0 on", key);
+    *count = (uint64_t)value;
+    return true;
+}
+
+/* ---- Slices ---------------------------------------------------------------------- */
+
+static double milliseconds(void)
+{
+    struct timespec now = { 0, 0 };
+
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return 1e3 * (double)now.tv_sec + 1e-6 * (double)now.tv_nsec;
+}
+
+bool take_slice(struct engine *engine, const struct json_value *request,
+                c205_error *error)
+{
+    uint64_t ms = UINT64_MAX;
+    struct slice *slice = &engine->slice;
+
+    slice->clocks = 0;
+    if (!take_count(request, "ms", &ms, error)
+        || !take_count(request, "clocks", &slice->clocks, error))
+        return false;
+    slice->ms = ms == UINT64_MAX ? -1 : (double)ms;
+    slice->begun = milliseconds();
+    slice->from = engine->debugger ? c205_clock(engine_machine(engine)) : 0;
+    slice->spent = 0;
+    slice->to_the_limit = false;
+    return true;
+}
+
+static bool time_is_over(const struct slice *slice)
+{
+    return slice->ms >= 0 && milliseconds() - slice->begun >= slice->ms;
+}
+
+bool slice_is_over(void *given)
+{
+    struct engine *engine = given;
+    struct slice *slice = &engine->slice;
+    uint64_t clock = c205_clock(engine_machine(engine));
+
+    slice->to_the_limit = clock >= slice->ends_at;
+    return slice->to_the_limit
+           || (slice->clocks > 0 && clock >= slice->from
+               && clock - slice->from >= slice->clocks)
+           || time_is_over(slice);
+}
+
+bool slice_is_full(const struct engine *engine)
+{
+    const struct slice *slice = &engine->slice;
+
+    return (slice->clocks > 0 && slice->spent >= slice->clocks)
+           || time_is_over(slice);
+}
+
+/* ---- Requests ---------------------------------------------------------------------- */
+
+static void drop_work(struct engine *engine)
+{
+    replay_drop(engine);
+    sweep_drop(engine);
+    compare_drop(engine);
+    engine->goes_on = NULL;
+}
+
+static bool answer_more(struct engine *engine,
+                        const struct json_value *request, struct json *reply,
+                        c205_error *error)
+{
+    engine_slice *goes_on = engine->goes_on;
+
+    if (!goes_on)
+        return refuse(error, "nothing is left to be done");
+    return take_slice(engine, request, error)
+           && goes_on(engine, reply, error);
+}
+
+/* What becomes of work that waits for `more`. */
+enum keeps { KEEPS_NOTHING, KEEPS_MOVEMENT, KEEPS_ALL };
+
+static const struct {
+    const char *name;
+    engine_request *answer;
+    enum keeps keeps;
+} requests[] = {
+    { "about", answer_about, KEEPS_ALL },
+    { "load", answer_load, KEEPS_NOTHING },
+    { "breaks", answer_breaks, KEEPS_NOTHING },
+    { "go", answer_go, KEEPS_NOTHING },
+    { "view", answer_view, KEEPS_MOVEMENT },
+    { "timeline", answer_timeline, KEEPS_NOTHING },
+    { "profile", answer_profile, KEEPS_NOTHING },
+    { "accounts", answer_accounts, KEEPS_MOVEMENT },
+    { "say", answer_say, KEEPS_NOTHING },
+    { "sweep", answer_sweep, KEEPS_NOTHING },
+    { "compare", answer_compare, KEEPS_NOTHING },
+    { "more", answer_more, KEEPS_ALL },
+};
+enum { REQUESTS = sizeof requests / sizeof *requests };
+
+static bool answer(struct engine *engine, const struct json_value *request,
+                   struct json *reply, c205_error *error)
+{
+    const char *name;
+    size_t i = 0;
+
+    if (request->kind != JSON_OBJECT)
+        return refuse(error, "a request is an object");
+    if (!take_text(request, "do", &name, error))
+        return false;
+    while (i < REQUESTS && strcmp(requests[i].name, name) != 0)
+        i++;
+    if (i == REQUESTS)
+        return refuse(error, "there is no request \"%.60s\"", name);
+    if (requests[i].keeps == KEEPS_NOTHING
+        || (requests[i].keeps == KEEPS_MOVEMENT && engine->replay.begun))
+        drop_work(engine);
+    return requests[i].answer(engine, request, reply, error);
+}
+
+/* NULL: no memory. */
+static char *put_refusal(const struct engine *engine, const char *why)
+{
+    struct text_buffer text = { .text = NULL };
+    c205_error error;
+    struct json *reply = json_open_line(&text, &error);
+
+    if (!reply)
+        return NULL;
+    json_truth(reply, "ok", false);
+    json_text(reply, "error", why);
+    if (engine->diagnostics.count > 0)
+        put_diagnostics(&engine->diagnostics, reply);
+    if (json_close(reply, &error))
+        return text.text;
+    text_buffer_free(&text);
+    return NULL;
+}
+
+static char *answer_read(struct engine *engine,
+                         const struct json_value *request)
+{
+    struct text_buffer text = { .text = NULL };
+    c205_error error = { "no memory" };
+    struct json *reply = json_open_line(&text, &error);
+
+    if (!reply)
+        return NULL;
+    json_truth(reply, "ok", true);
+    if (!answer(engine, request, reply, &error))
+        json_discard(reply);
+    else if (json_close(reply, &error))
+        return text.text;
+    text_buffer_free(&text);
+    return put_refusal(engine, error.message);
+}
+
+char *engine_answer(struct engine *engine, const char *request, size_t length)
+{
+    struct arena arena = { 0 };
+    c205_error error;
+    const struct json_value *read = json_read(&arena, request, length,
+                                              &error);
+    char *text = read ? answer_read(engine, read)
+                      : put_refusal(engine, error.message);
+
+    diagnostics_free(&engine->diagnostics);
+    engine->diagnostics = (struct diagnostics){ 0 };
+    arena_free(&arena);
+    return text;
+}
+
+/* ---- To begin and to end -------------------------------------------------------------- */
+
+struct engine *engine_new(void)
+{
+    return calloc(1, sizeof(struct engine));
+}
+
+void engine_free(struct engine *engine)
+{
+    if (!engine)
+        return;
+    drop_work(engine);
+    program_drop(engine);
+    forget_said(engine);
+    free(engine);
+}

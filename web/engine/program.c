@@ -1,0 +1,453 @@
+/* program.c - the program of an engine: from its text to a debugger that has it. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/expect.h"
+#include "base/array.h"
+#include "vm/text.h"
+#include "web/engine/parts.h"
+
+/* ---- What is said of a text ------------------------------------------------------ */
+
+static const char *severity_name(enum severity severity)
+{
+    switch (severity) {
+    case SEVERITY_ERROR: return "error";
+    case SEVERITY_WARNING: return "warning";
+    case SEVERITY_REPORT: return "report";
+    default: return "said";
+    }
+}
+
+/* Of the word at its place, for an editor to underline. */
+static size_t length_of(const struct diagnostic *diagnostic)
+{
+    const char *source = diagnostic->source;
+    size_t column = diagnostic->column, length;
+
+    if (!source || column == 0 || column > strlen(source))
+        return 1;
+    length = strcspn(source + column - 1, " \t\n,;[]()+-*/\"");
+    return length > 0 ? length : 1;
+}
+
+void put_diagnostics(const struct diagnostics *diagnostics,
+                     struct json *reply)
+{
+    json_array(reply, "diagnostics");
+    for (size_t i = 0; i < diagnostics->count; i++) {
+        const struct diagnostic *diagnostic = &diagnostics->items[i];
+
+        json_object(reply, NULL);
+        json_text(reply, "severity", severity_name(diagnostic->severity));
+        json_text(reply, "file", diagnostic->file ? diagnostic->file : "");
+        json_count(reply, "line", diagnostic->line);
+        json_count(reply, "column", diagnostic->column);
+        json_count(reply, "length", length_of(diagnostic));
+        json_text(reply, "message",
+                  diagnostic->message ? diagnostic->message : "");
+        json_end(reply);
+    }
+    json_end(reply);
+}
+
+/* ---- From a text ------------------------------------------------------------------- */
+
+static size_t count_of(const struct json_value *list)
+{
+    size_t count = 0;
+
+    for (const struct json_value *item = list ? list->first : NULL; item;
+         item = item->next)
+        count++;
+    return count;
+}
+
+static bool is_object(const struct json_value *value)
+{
+    return !value || value->kind == JSON_OBJECT;
+}
+
+enum { DEFINES_MOST = 100 }; /* as many as a sweep takes */
+
+/* "defines": { "n": 100 } */
+static bool take_defines(const struct json_value *request,
+                         struct arena *arena, struct asm_options *options,
+                         c205_error *error)
+{
+    const struct json_value *defines = json_member(request, "defines");
+    struct asm_define *list = arena_take(arena, (count_of(defines) + 1)
+                                                    * sizeof *list);
+    size_t count = 0;
+
+    options->defines = list;
+    if (count_of(defines) > DEFINES_MOST)
+        return refuse(error, "more than %d names are defined", DEFINES_MOST);
+    for (const struct json_value *item =
+             is_object(defines) && defines ? defines->first : NULL;
+         list && item; item = item->next) {
+        if (item->kind != JSON_NUMBER
+            || !json_member_whole(defines, item->key, &list[count].value))
+            return refuse(error, "\"defines\" has names with integers");
+        list[count++].name = arena_text(arena, item->key, strlen(item->key));
+    }
+    return is_object(defines)
+           || refuse(error, "\"defines\" has names with integers");
+}
+
+/* "files": { "data.inc": "..." }, for .include */
+static bool take_files(const struct json_value *request, struct arena *arena,
+                       struct asm_options *options, c205_error *error)
+{
+    const struct json_value *files = json_member(request, "files");
+    size_t count = is_object(files) ? count_of(files) : 0;
+    struct text *texts = arena_take(arena, (count + 1) * sizeof *texts);
+    const struct text **tables = arena_take(arena, 2 * sizeof *tables);
+    const char **lines = arena_take(arena, (2 * count + 1) * sizeof *lines);
+
+    if (!is_object(files))
+        return refuse(error, "\"files\" has names with texts");
+    if (!texts || !tables || !lines)
+        return refuse(error, "no memory");
+    tables[0] = texts;
+    options->texts = tables;
+    for (const struct json_value *item = files ? files->first : NULL; item;
+         item = item->next, texts++, lines += 2) {
+        if (item->kind != JSON_TEXT)
+            return refuse(error, "\"files\" has names with texts");
+        lines[0] = arena_text(arena, item->text, strlen(item->text));
+        texts->name = arena_text(arena, item->key, strlen(item->key));
+        texts->lines = lines;
+    }
+    return true;
+}
+
+bool take_options(const struct json_value *request, struct arena *arena,
+                  struct asm_options *options, c205_error *error)
+{
+    return take_defines(request, arena, options, error)
+           && take_files(request, arena, options, error)
+           && (!arena->failed || refuse(error, "no memory"));
+}
+
+struct object *program_assemble(struct engine *engine, const char *name,
+                                const char *text,
+                                const struct asm_options *options,
+                                c205_error *error)
+{
+    struct object *object = assemble_text(name, text, options,
+                                          &engine->diagnostics);
+
+    if (!object && engine->diagnostics.errors == 0)
+        refuse(error, "no memory");
+    else if (!object)
+        refuse(error, "%.100s cannot be assembled: %zu error%s", name,
+               engine->diagnostics.errors,
+               engine->diagnostics.errors == 1 ? "" : "s");
+    return object;
+}
+
+/* Of files there are none here. */
+c205_model *program_model(const char *name, const struct object *object,
+                          c205_error *error)
+{
+    const char *own = expect_model(object);
+
+    name = name && *name ? name : own ? own : C205_DEFAULT_MODEL;
+    if (c205_model_is_file(name)) {
+        refuse(error, "there is no model '%.60s' among those built in", name);
+        return NULL;
+    }
+    return c205_model_find(name, error);
+}
+
+/* ---- What it prints ------------------------------------------------------------------ */
+
+static void keep_mark(struct printed *printed, uint64_t step)
+{
+    struct printed_mark *grown;
+
+    if (printed->count > 0
+        && printed->marks[printed->count - 1].step == step) {
+        printed->marks[printed->count - 1].length = printed->text.length;
+        return;
+    }
+    grown = array_grow(printed->marks, printed->count, sizeof *grown);
+    if (!grown) {
+        printed->cut = true;
+        return;
+    }
+    printed->marks = grown;
+    grown[printed->count++] = (struct printed_mark){ step,
+                                                     printed->text.length };
+}
+
+/* By the instruction behind the steps so far. */
+static void print(void *context, const char *text, size_t length)
+{
+    struct engine *engine = context;
+    struct printed *printed = &engine->printed;
+    struct sink sink = text_buffer_sink(&printed->text);
+    size_t room = PRINTED_MOST - printed->text.length;
+
+    printed->cut |= length > room;
+    if (printed->cut)
+        return;
+    sink.put(sink.context, text, length);
+    keep_mark(printed, debugger_step(engine->debugger) + 1);
+}
+
+size_t printed_until(const struct printed *printed, uint64_t step)
+{
+    size_t low = 0, high = printed->count;
+
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+
+        if (printed->marks[middle].step <= step)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low > 0 ? printed->marks[low - 1].length : 0;
+}
+
+static void forget_printed(struct printed *printed)
+{
+    text_buffer_free(&printed->text);
+    free(printed->marks);
+    *printed = (struct printed){ .count = 0 };
+}
+
+/* ---- Its debugger ------------------------------------------------------------------------ */
+
+enum { HISTORY_MOST = 64 << 20 }; /* bytes: it lives in a page of a browser */
+
+/* With an ear for who wants to hear a run again. */
+static c205 *make_machine(void *context, c205_error *error)
+{
+    struct engine *engine = context;
+    c205 *machine = c205_new(engine->model, error);
+
+    if (machine && c205_load(machine, &engine->object->program, error)
+        && c205_listen(machine, replay_listen, engine))
+        return machine;
+    c205_free(machine);
+    return NULL;
+}
+
+static bool make_debugger(struct engine *engine, c205_error *error)
+{
+    struct debugger_setup setup = { .object = engine->object,
+                                    .name = engine->name,
+                                    .model = engine->model,
+                                    .out = text_buffer_sink(&engine->said),
+                                    .printed = { print, engine },
+                                    .clocks_most = UINT64_MAX,
+                                    .history = HISTORY_MOST,
+                                    .interrupted = slice_is_over,
+                                    .asked = engine,
+                                    .machine = make_machine,
+                                    .context = engine };
+
+    engine->debugger = debugger_new(&setup, error);
+    return engine->debugger;
+}
+
+void program_drop(struct engine *engine)
+{
+    debugger_free(engine->debugger);
+    object_free(engine->object);
+    c205_model_free(engine->model);
+    free(engine->name);
+    forget_printed(&engine->printed);
+    engine->debugger = NULL;
+    engine->object = NULL;
+    engine->model = NULL;
+    engine->name = NULL;
+}
+
+/* ---- load ---------------------------------------------------------------------------------- */
+
+size_t program_line(const struct engine *engine, uint64_t address)
+{
+    const struct asm_line *line = object_line(engine->object, address);
+
+    return line && strcmp(line->call_file, engine->name) == 0
+               ? line->call_number
+               : 0;
+}
+
+static const char *contents_name(enum asm_contents contents)
+{
+    static const char *const names[] = {
+        [ASM_NOTHING] = "",    [ASM_CODE] = "code",
+        [ASM_WORDS] = "words", [ASM_HALF_WORDS] = "half words",
+        [ASM_BITS] = "bits",   [ASM_BYTES] = "bytes",
+    };
+
+    return names[contents];
+}
+
+static void put_symbols(const struct object *object, struct json *reply)
+{
+    json_array(reply, "symbols");
+    for (size_t i = 0; i < object->symbol_count; i++) {
+        const struct asm_symbol *symbol = &object->symbols[i];
+
+        json_object(reply, NULL);
+        json_text(reply, "name", symbol->name);
+        json_truth(reply, "label", symbol->is_label);
+        if (symbol->is_word)
+            put_hex(reply, "hex", (c205_word)symbol->value);
+        else
+            json_number(reply, "value", (double)symbol->value);
+        json_text(reply, "contents", contents_name(symbol->contents));
+        json_count(reply, "count", symbol->count);
+        json_end(reply);
+    }
+    json_end(reply);
+}
+
+static int compare_lines(const void *a, const void *b)
+{
+    size_t one = *(const size_t *)a, other = *(const size_t *)b;
+
+    return (one > other) - (one < other);
+}
+
+/* Those of the text itself, rising. */
+static bool put_lines(const struct engine *engine, struct json *reply,
+                      c205_error *error)
+{
+    const struct object *object = engine->object;
+    size_t *lines = calloc(object->line_count + 1, sizeof *lines);
+    size_t count = 0;
+
+    if (!lines)
+        return refuse(error, "no memory");
+    for (size_t i = 0; i < object->line_count; i++) {
+        size_t line = program_line(engine, object->lines[i].address);
+
+        if (object->lines[i].is_code && line > 0)
+            lines[count++] = line;
+    }
+    qsort(lines, count, sizeof *lines, compare_lines);
+    json_array(reply, "lines");
+    for (size_t i = 0; i < count; i++)
+        if (i == 0 || lines[i] != lines[i - 1])
+            json_count(reply, NULL, lines[i]);
+    json_end(reply);
+    free(lines);
+    return true;
+}
+
+bool take_warm(const struct json_value *request, struct object *object,
+               c205_error *error)
+{
+    const struct json_value *warm = json_member(request, "warm");
+
+    if (warm && warm->kind != JSON_TRUTH)
+        return refuse(error, "\"warm\" is true or false");
+    if (warm)
+        object->program.warm = warm->truth;
+    return true;
+}
+
+/* A new program in place of what there was, which goes in any case. */
+static bool begin_program(struct engine *engine, const char *name,
+                          struct object *object, c205_model *model,
+                          c205_error *error)
+{
+    program_drop(engine);
+    engine->object = object;
+    engine->model = model;
+    engine->name = copy_of(name);
+    if (engine->name ? make_debugger(engine, error)
+                     : refuse(error, "no memory"))
+        return true;
+    program_drop(engine);
+    return false;
+}
+
+static bool load(struct engine *engine, const struct json_value *request,
+                 const char *name, struct object *object, c205_error *error)
+{
+    const char *wanted = NULL;
+    c205_model *model = NULL;
+
+    if (take_text_or(request, "model", &wanted, error)
+        && take_warm(request, object, error))
+        model = program_model(wanted, object, error);
+    if (model)
+        return begin_program(engine, name, object, model, error);
+    object_free(object);
+    return false;
+}
+
+bool answer_load(struct engine *engine, const struct json_value *request,
+                 struct json *reply, c205_error *error)
+{
+    const char *name = "program.s", *text;
+    struct asm_options options = { .defines = NULL };
+    struct arena arena = { 0 };
+    struct object *object = NULL;
+
+    if (take_text_or(request, "name", &name, error)
+        && take_text(request, "text", &text, error)
+        && take_options(request, &arena, &options, error))
+        object = program_assemble(engine, name, text, &options, error);
+    arena_free(&arena);
+    if (!object || !load(engine, request, name, object, error))
+        return false;
+    json_text(reply, "name", name);
+    json_text(reply, "model", c205_model_name(engine->model));
+    json_truth(reply, "warm", object->program.warm);
+    put_diagnostics(&engine->diagnostics, reply);
+    put_symbols(object, reply);
+    return put_lines(engine, reply, error);
+}
+
+/* ---- breaks -------------------------------------------------------------------------------- */
+
+/* Each of them, and where it really stands; what cannot be is told with it. */
+static void put_break(struct engine *engine, struct json *reply,
+                      int64_t wanted)
+{
+    size_t line = 0;
+    bool good = wanted > 0
+                && debugger_break_line(engine->debugger, engine->name,
+                                       (size_t)wanted, &line);
+
+    json_object(reply, NULL);
+    json_number(reply, "wanted", (double)wanted);
+    if (good)
+        json_count(reply, "line", line);
+    else
+        put_said(engine, reply, "message");
+    json_end(reply);
+}
+
+bool answer_breaks(struct engine *engine, const struct json_value *request,
+                   struct json *reply, c205_error *error)
+{
+    const struct json_value *lines = json_member(request, "lines");
+
+    if (!needs_program(engine, error))
+        return false;
+    if (!lines || lines->kind != JSON_ARRAY)
+        return refuse(error, "\"lines\" is a list of line numbers");
+    for (const struct json_value *line = lines->first; line;
+         line = line->next)
+        if (line->kind != JSON_NUMBER || line->number != floor(line->number)
+            || fabs(line->number) > 1e9)
+            return refuse(error, "\"lines\" is a list of line numbers");
+    debugger_forget_lines(engine->debugger);
+    json_array(reply, "lines");
+    for (const struct json_value *line = lines->first; line;
+         line = line->next)
+        put_break(engine, reply, (int64_t)line->number);
+    json_end(reply);
+    return true;
+}

@@ -1,0 +1,274 @@
+/* registers.c - registers and vectors in memory, as numbers and as bits. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/vector_view.h"
+#include "web/engine/parts.h"
+
+/* ---- Words ------------------------------------------------------------------------ */
+
+void put_hex(struct json *json, const char *key, c205_word word)
+{
+    char text[C205_TEXT_SIZE];
+
+    c205_to_hex(word, text);
+    json_text(json, key, text);
+}
+
+void put_word(struct json *json, const char *key, c205_word word)
+{
+    char text[C205_TEXT_SIZE];
+
+    c205_to_text(word, text);
+    json_text(json, key, text);
+}
+
+void put_half(struct json *json, const char *key, c205_word half)
+{
+    char text[C205_TEXT_SIZE];
+
+    c205_half_to_text(half, text);
+    json_text(json, key, text);
+}
+
+/* ---- Registers -------------------------------------------------------------------- */
+
+static bool is_written(const struct engine *engine, unsigned number)
+{
+    const c205_event *last = debugger_last(engine->debugger);
+
+    return last && last->written[number / 64] >> number % 64 & 1;
+}
+
+/* The label at which a vector begins; "": none. */
+static const char *label_of(const struct engine *engine, uint64_t address)
+{
+    const struct object *object = engine->object;
+
+    for (size_t i = 0; i < object->symbol_count; i++)
+        if (object->symbols[i].is_label
+            && (uint64_t)object->symbols[i].value == address)
+            return object->symbols[i].name;
+    return "";
+}
+
+static void put_descriptor(const struct engine *engine, c205_word word,
+                           struct json *reply)
+{
+    struct vector_view vector;
+
+    if (!vector_recognise(engine_machine(engine), word, &vector))
+        return;
+    json_object(reply, "descriptor");
+    json_count(reply, "address", vector.address);
+    json_count(reply, "count", vector.length);
+    json_text(reply, "kind", vector_elements(vector.width));
+    json_text(reply, "label", label_of(engine, vector.address));
+    json_end(reply);
+}
+
+/* The name that a half register was given last; NULL: none. */
+static const char *half_name(const struct engine *engine, unsigned number)
+{
+    const struct object *object = engine->object;
+
+    for (size_t i = object->register_count; i-- > 0;)
+        if (object->registers[i].half
+            && object->registers[i].number == number)
+            return object->registers[i].name;
+    return NULL;
+}
+
+static void put_halves(const struct engine *engine, unsigned number,
+                       c205_word word, struct json *reply)
+{
+    static const char *const keys[] = { "left", "right" };
+
+    for (unsigned side = 0; side < 2; side++) {
+        const char *name = half_name(engine, 2 * number + side);
+
+        if (!name)
+            continue;
+        json_object(reply, keys[side]);
+        json_count(reply, "number", 2 * number + side);
+        json_text(reply, "name", name);
+        put_half(reply, "text", word << 32 * side & ~(c205_word)UINT32_MAX);
+        json_end(reply);
+    }
+}
+
+static void put_register(const struct engine *engine, unsigned number,
+                         struct json *reply)
+{
+    c205_word word = c205_register(engine_machine(engine), number);
+
+    json_object(reply, NULL);
+    json_count(reply, "number", number);
+    json_text(reply, "name", debug_register_name(engine->debugger, number));
+    put_hex(reply, "hex", word);
+    put_word(reply, "text", word);
+    json_number(reply, "integer", (double)c205_to_integer(word));
+    put_descriptor(engine, word, reply);
+    put_halves(engine, number, word, reply);
+    json_truth(reply, "changed", is_written(engine, number));
+    json_end(reply);
+}
+
+static bool is_shown(const struct engine *engine, unsigned number)
+{
+    return c205_register(engine_machine(engine), number) != 0
+           || *debug_register_name(engine->debugger, number)
+           || half_name(engine, 2 * number)
+           || half_name(engine, 2 * number + 1) || is_written(engine, number);
+}
+
+void put_registers(const struct engine *engine, bool all, struct json *reply)
+{
+    json_array(reply, "registers");
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        if (all || is_shown(engine, i))
+            put_register(engine, i, reply);
+    json_end(reply);
+}
+
+/* ---- Vectors ------------------------------------------------------------------------ */
+
+enum { VECTORS_MOST = 256, ELEMENTS_MOST = 65536 };
+
+/* 0: that is no data, or of no kind with elements. */
+static unsigned width_of(const struct asm_symbol *symbol)
+{
+    if (!symbol->is_label || symbol->count == 0)
+        return 0;
+    switch (symbol->contents) {
+    case ASM_WORDS: return 64;
+    case ASM_HALF_WORDS: return 32;
+    case ASM_BITS: return 1;
+    default: return 0;
+    }
+}
+
+/* Which elements the last instruction stored into, of so many ranges. */
+static bool put_stored(const struct engine *engine,
+                       const struct vector_view *vector, struct json *reply)
+{
+    const c205_event *last = debugger_last(engine->debugger);
+    uint64_t from = vector->address;
+    uint64_t end = from + (uint64_t)vector->length * vector->width;
+    bool any = false;
+
+    json_array(reply, "stored");
+    for (size_t i = 0; last && i < last->store_count; i++) {
+        uint64_t low = last->store[i].address;
+        uint64_t high = low + last->store[i].bits;
+
+        low = low < from ? from : low;
+        high = high > end ? end : high;
+        if (low >= high)
+            continue;
+        any = true;
+        json_object(reply, NULL);
+        json_count(reply, "first", (low - from) / vector->width);
+        json_count(reply, "count",
+                   (high - 1 - from) / vector->width
+                       - (low - from) / vector->width + 1);
+        json_end(reply);
+    }
+    json_end(reply);
+    return any;
+}
+
+/* Numbers are texts in a list, bits one text. */
+static bool put_values(const struct engine *engine,
+                       const struct vector_view *vector, size_t first,
+                       size_t count, struct json *reply)
+{
+    c205_word *words = malloc((count + 1) * sizeof *words);
+    char *bits = vector->width == 1 ? calloc(count + 1, 1) : NULL;
+    bool good = words && (bits || vector->width != 1);
+    bool mapped = good
+                  && vector_get(engine_machine(engine), vector, first, count,
+                                words);
+
+    if (good && !bits)
+        json_array(reply, "values");
+    for (size_t i = 0; mapped && i < count; i++)
+        if (bits)
+            bits[i] = words[i] & 1 ? '1' : '0';
+        else
+            (vector->width == 32 ? put_half : put_word)(reply, NULL,
+                                                        words[i]);
+    if (bits)
+        json_text(reply, "values", bits);
+    else if (good)
+        json_end(reply);
+    free(words);
+    free(bits);
+    return good;
+}
+
+struct window {
+    uint64_t first, most;
+};
+
+static bool put_symbol(const struct engine *engine,
+                       const struct asm_symbol *symbol,
+                       const struct window *window, struct json *reply)
+{
+    struct vector_view vector = { .address = (uint64_t)symbol->value,
+                                  .length = (size_t)symbol->count,
+                                  .width = width_of(symbol) };
+    uint64_t first = window->first < symbol->count ? window->first : 0;
+    uint64_t left = symbol->count - first;
+    bool good;
+
+    json_object(reply, NULL);
+    json_text(reply, "label", symbol->name);
+    json_text(reply, "kind", vector_elements(vector.width));
+    json_count(reply, "address", vector.address);
+    json_count(reply, "count", symbol->count);
+    json_count(reply, "first", first);
+    good = put_values(engine, &vector, (size_t)first,
+                      (size_t)(left < window->most ? left : window->most),
+                      reply);
+    json_truth(reply, "changed", put_stored(engine, &vector, reply));
+    json_end(reply);
+    return good;
+}
+
+/* "first": { "x": 100 } */
+static bool take_window(const struct json_value *request, const char *label,
+                        struct window *window, c205_error *error)
+{
+    window->first = 0;
+    return take_count(json_member(request, "first"), label, &window->first,
+                      error);
+}
+
+bool put_vectors(const struct engine *engine,
+                 const struct json_value *request, struct json *reply,
+                 c205_error *error)
+{
+    const struct object *object = engine->object;
+    struct window window = { 0, 64 };
+    size_t count = 0;
+    bool good = true;
+
+    if (!take_count(request, "elements", &window.most, error))
+        return false;
+    if (window.most > ELEMENTS_MOST)
+        return refuse(error, "\"elements\" is %d at the most", ELEMENTS_MOST);
+    json_array(reply, "vectors");
+    for (size_t i = 0; good && i < object->symbol_count; i++) {
+        const struct asm_symbol *symbol = &object->symbols[i];
+
+        if (width_of(symbol) == 0 || count++ >= VECTORS_MOST)
+            continue;
+        good = take_window(request, symbol->name, &window, error)
+               && (put_symbol(engine, symbol, &window, reply)
+                   || refuse(error, "no memory"));
+    }
+    json_end(reply);
+    return good;
+}

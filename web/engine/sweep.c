@@ -1,0 +1,217 @@
+/* sweep.c - a program, or two, against a constant: the laboratory for n-half. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "asm/sweep/swept.h"
+#include "base/accounts.h"
+#include "web/engine/parts.h"
+
+/* All that it is made of lives as long as it does. */
+struct laboratory {
+    struct arena arena;
+    struct asm_options options;
+    c205_model *model;
+    struct text_buffer report; /* nobody reads it: the first values have been
+                                  assembled before */
+    struct program_sweep sweep;
+};
+
+void sweep_drop(struct engine *engine)
+{
+    struct laboratory *laboratory = engine->laboratory;
+
+    if (!laboratory)
+        return;
+    swept_free(&laboratory->sweep);
+    c205_model_free(laboratory->model);
+    text_buffer_free(&laboratory->report);
+    arena_free(&laboratory->arena);
+    free(laboratory);
+    engine->laboratory = NULL;
+}
+
+/* ---- The reply ------------------------------------------------------------------ */
+
+static bool put_picture(const struct program_sweep *sweep, struct json *reply,
+                        c205_error *error)
+{
+    struct text_buffer text = { .text = NULL };
+    struct sink sink = text_buffer_sink(&text);
+    char title[SWEPT_TITLE];
+    bool good;
+
+    swept_title(sweep, title);
+    swept_svg(sweep, title, &sink);
+    good = !text.failed;
+    if (good)
+        json_text(reply, "svg", text.text);
+    text_buffer_free(&text);
+    return good || refuse(error, "no memory");
+}
+
+/* As c205 sweep has it in its JSON, and its picture. */
+static bool put_sweep(const struct program_sweep *sweep, struct json *reply,
+                      c205_error *error)
+{
+    json_text(reply, "constant", sweep->constant);
+    json_text(reply, "model", c205_model_name(sweep->model));
+    return put_table(swept_points(sweep), "points", reply, error)
+           && put_table(swept_lines(sweep), "lines", reply, error)
+           && put_table(swept_causes(sweep), "causes", reply, error)
+           && (sweep->program_count < SWEPT_PROGRAMS
+               || put_table(swept_crossings(sweep), "crossings", reply,
+                            error))
+           && put_picture(sweep, reply, error);
+}
+
+static bool slice(struct engine *engine, struct json *reply,
+                  c205_error *error)
+{
+    struct program_sweep *sweep = &engine->laboratory->sweep;
+    bool over = false, good = true;
+
+    do {
+        good = swept_step(sweep, &over, error);
+        engine->slice.spent++;
+    } while (good && !over && !slice_is_full(engine));
+    engine->goes_on = good && !over ? slice : NULL;
+    if (good)
+        json_truth(reply, "done", over);
+    if (good && !over)
+        json_number(reply, "part", (double)sweep->done / (double)sweep->all);
+    if (good && over)
+        good = put_sweep(sweep, reply, error);
+    if (!engine->goes_on)
+        sweep_drop(engine);
+    return good;
+}
+
+/* ---- The request ------------------------------------------------------------------ */
+
+static bool take_values(const struct json_value *request,
+                        struct program_sweep *sweep, c205_error *error)
+{
+    struct swept_range *range = &sweep->range;
+    uint64_t values[SWEPT_POINTS_MOST], points = 0;
+
+    if (!take_count(request, "from", &range->from, error)
+        || !take_count(request, "to", &range->to, error)
+        || !take_count(request, "step", &range->step, error)
+        || !take_count(request, "factor", &range->factor, error)
+        || !take_count(request, "points", &points, error)
+        || !take_count(request, "limit", &sweep->clocks_most, error))
+        return false;
+    sweep->asked = (size_t)points;
+    if (range->from < 1 || range->from >= range->to
+        || range->to > SWEPT_LARGEST || range->factor == 1
+        || (range->step > 0 && range->factor > 0))
+        return refuse(error, "the range goes from 1 or more up, by a "
+                             "\"step\", a \"factor\" or neither");
+    if (points == 1 || points > SWEPT_POINTS_MOST
+        || swept_values(range, sweep->asked, values) < 2)
+        return refuse(error, "a sweep has 2 to %d points", SWEPT_POINTS_MOST);
+    return true;
+}
+
+/* The options with the constant's first value; NULL: no memory. */
+static struct asm_options *at_first(struct laboratory *laboratory)
+{
+    struct arena *arena = &laboratory->arena;
+    const struct asm_define *defines = laboratory->options.defines;
+    struct asm_options *options = arena_take(arena, sizeof *options);
+    struct asm_define *list;
+    size_t count = 0;
+
+    while (defines[count].name)
+        count++;
+    list = arena_take(arena, (count + 2) * sizeof *list);
+    if (!options || !list)
+        return NULL;
+    memcpy(list, defines, count * sizeof *list);
+    list[count].name = laboratory->sweep.constant;
+    list[count].value = (int64_t)laboratory->sweep.range.from;
+    *options = laboratory->options;
+    options->defines = list;
+    return options;
+}
+
+/* The first value of it is assembled for what there is to be said of the text. */
+static bool take_program(struct engine *engine,
+                         const struct json_value *request, const char *key,
+                         const char *name, c205_error *error)
+{
+    struct laboratory *laboratory = engine->laboratory;
+    struct program_sweep *sweep = &laboratory->sweep;
+    const char *text = NULL, *model = NULL;
+    struct asm_options *first;
+    struct object *object;
+
+    if (!take_text_or(request, key, &text, error)
+        || !take_text_or(request, "model", &model, error))
+        return false;
+    if (!text)
+        return true;
+    first = at_first(laboratory);
+    if (!first)
+        return refuse(error, "no memory");
+    object = program_assemble(engine, name, text, first, error);
+    if (object && !laboratory->model)
+        laboratory->model = program_model(model, object, error);
+    if (!object || !laboratory->model) {
+        object_free(object);
+        return false;
+    }
+    object_free(object);
+    sweep->programs[sweep->program_count++] = (struct swept_program){
+        name, arena_text(&laboratory->arena, text, strlen(text)), strlen(text)
+    };
+    return !laboratory->arena.failed || refuse(error, "no memory");
+}
+
+static bool take_sweep(struct engine *engine,
+                       const struct json_value *request, c205_error *error)
+{
+    struct laboratory *laboratory = engine->laboratory;
+    struct program_sweep *sweep = &laboratory->sweep;
+    const struct json_value *warm = json_member(request, "warm");
+    const char *constant;
+
+    if (!take_text(request, "constant", &constant, error)
+        || !take_values(request, sweep, error)
+        || !take_options(request, &laboratory->arena, &laboratory->options,
+                         error))
+        return false;
+    if (warm && warm->kind != JSON_TRUTH)
+        return refuse(error, "\"warm\" is true or false");
+    sweep->warm = warm && warm->truth;
+    sweep->cold = warm && !warm->truth;
+    sweep->constant = arena_text(&laboratory->arena, constant,
+                                 strlen(constant));
+    sweep->options = &laboratory->options;
+    sweep->report = text_buffer_sink(&laboratory->report);
+    if (!sweep->constant)
+        return refuse(error, "no memory");
+    if (!take_program(engine, request, "text", swept_names[SWEPT_FIRST],
+                      error)
+        || !take_program(engine, request, "other", swept_names[SWEPT_SECOND],
+                         error))
+        return false;
+    sweep->model = laboratory->model;
+    return sweep->program_count > 0 || refuse(error, "\"text\" is missing");
+}
+
+bool answer_sweep(struct engine *engine, const struct json_value *request,
+                  struct json *reply, c205_error *error)
+{
+    struct laboratory *laboratory = calloc(1, sizeof *laboratory);
+
+    if (!laboratory)
+        return refuse(error, "no memory");
+    engine->laboratory = laboratory;
+    laboratory->sweep.clocks_most = ENGINE_SWEEP_LIMIT;
+    if (take_slice(engine, request, error)
+        && take_sweep(engine, request, error))
+        return slice(engine, reply, error);
+    sweep_drop(engine);
+    return false;
+}

@@ -1,0 +1,72 @@
+// engine.js - the engine of the page, in a worker, a page or node: requests are objects,
+// and so are replies; web/engine/engine.h says which there are.
+
+const SUCCESS = 0, NO_FILE = 8; // of WASI: ebadf
+
+// What the module wants of its host: it has a clock, and no files but those that
+// what it prints when it fails goes to.
+function imports(memory, complain) {
+  const view = () => new DataView(memory().buffer);
+  const noFile = () => NO_FILE;
+
+  function clock_time_get(_clock, _precision, time) {
+    view().setBigUint64(time, BigInt(Math.round(performance.now() * 1e6)), true);
+    return SUCCESS;
+  }
+
+  function fd_write(_file, parts, count, written) {
+    let length = 0;
+    for (let i = 0; i < count; i++) {
+      const at = view().getUint32(parts + 8 * i, true);
+      const size = view().getUint32(parts + 8 * i + 4, true);
+      complain(new TextDecoder().decode(new Uint8Array(memory().buffer, at, size)));
+      length += size;
+    }
+    view().setUint32(written, length, true);
+    return SUCCESS;
+  }
+
+  function proc_exit(code) {
+    throw new Error(`the engine has ended with ${code}`);
+  }
+
+  return {
+    clock_time_get, fd_write, proc_exit,
+    fd_close: noFile, fd_fdstat_get: noFile, fd_fdstat_set_flags: noFile,
+    fd_prestat_get: noFile, fd_prestat_dir_name: noFile, fd_read: noFile,
+    fd_seek: noFile, fd_sync: noFile,
+    path_open: noFile, path_rename: noFile, path_unlink_file: noFile,
+  };
+}
+
+/** An engine from the bytes of engine.wasm, or from a module compiled of them. */
+export async function startEngine(wasm, complain = (text) => console.error(text)) {
+  const module = wasm instanceof WebAssembly.Module ? wasm : await WebAssembly.compile(wasm);
+  const instance = await WebAssembly.instantiate(module, {
+    wasi_snapshot_preview1: imports(() => instance.exports.memory, complain),
+  });
+  const { memory, room, answer, free, _initialize } = instance.exports;
+  const encoder = new TextEncoder(), decoder = new TextDecoder();
+  _initialize();
+
+  /** The reply to a request as text. */
+  function answerText(text) {
+    const request = encoder.encode(text);
+    const at = room(request.length);
+    if (at === 0) throw new Error("the engine has no memory left");
+    new Uint8Array(memory.buffer, at, request.length).set(request);
+    const reply = answer(at, request.length);
+    if (reply === 0) throw new Error("the engine has no memory left");
+    const bytes = new Uint8Array(memory.buffer, reply);
+    const words = decoder.decode(bytes.subarray(0, bytes.indexOf(0)));
+    free(reply);
+    return words;
+  }
+
+  return {
+    answerText,
+    answer: (request) => JSON.parse(answerText(JSON.stringify(request))),
+    /** Bytes that it has taken. */
+    size: () => memory.buffer.byteLength,
+  };
+}
