@@ -8,7 +8,7 @@ const needs = /\bttf\b|\bimage_map\b|\bbump_map\b/;
 
 // What its first line says it is.
 function title(path, text) {
-  const words = /^\/\/ *(?:[\w.]+ - )?([^:.]*)/.exec(text)?.[1] ?? "";
+  const words = /^\/\/ *(?:[\w.]+ - )?([^:;,.\n]*)/.exec(text)?.[1] ?? "";
   return `${basename(path, ".pov")}: ${words.replace(/^(A|An|The) (?=[a-z])/, (article) => article.toLowerCase())}`;
 }
 
