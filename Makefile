@@ -465,7 +465,7 @@ npm_done = web/node_modules/.package-lock.json
 web:
 	@sh .ci/need $(web_packages)
 	@command -v node npm >/dev/null || sh .ci/need nodejs npm
-	@$(MAKE) --no-print-directory web-engine $(npm_done)
+	@$(MAKE) --no-print-directory web-engine web-tracer $(npm_done)
 	node web/build.mjs $(BUILD)
 $(npm_done): web/package.json web/package-lock.json
 	cd web && npm ci --ignore-scripts

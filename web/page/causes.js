@@ -1,6 +1,6 @@
 // causes.js - where the clocks went: a bar and a table of causes, and the regions.
 
-import { colour, count, draw, el, fixed, heading, table } from "./dom.js";
+import { colour, count, draw, el, fill, fixed, heading, table } from "./dom.js";
 
 /** A bar of {cause, clocks}, each as wide as its share. */
 export function bar(causes) {
@@ -19,29 +19,24 @@ export function bar(causes) {
 export const named = (cause) => el("span", { class: "cause" },
   el("i", { class: `patch ${colour(cause)}`, "aria-hidden": "true" }), cause);
 
+const figure = (value, what) => el("span", {}, el("b", {}, value), ` ${what}`);
+
 export function makeCauses(panel, session) {
-  session.on("view", ({ accounts }) => {
-    const causes = accounts.causes.filter(({ clocks }) => clocks > 0);
-    const regions = accounts.regions ?? [];
-    panel.replaceChildren(
-      heading("causes", "Where the clocks went"),
-      ...(causes.length === 0 ? [el("p", { class: "empty" }, "No clock has passed yet.")] : [
-        bar(causes),
-        table("Clocks by cause",
-          [["cause"], ["clocks", "number"], ["%", "number"]],
-          [...causes.map(({ cause, clocks, percent }) => ({
-            cells: [named(cause), count(clocks), fixed(percent, 1)] })),
-          { class: "sum", cells: ["all", count(accounts.clocks), "100.0"] }]),
-        regions.length < 2 ? null : table("Clocks by region",
-          [["region"], ["instr.", "number"], ["vector", "number"], ["elements", "number"],
-            ["clocks", "number"]],
-          regions.map((row) => ({ cells: [row.region, count(row.instructions),
-            count(row.vector), count(row.elements), count(row.clocks)] }))),
-        el("p", { class: "figures" },
-          figure(fixed(accounts.mflops, 1), "Mflop/s"),
-          figure(fixed(accounts.mean_length, 1), "mean vector length")),
-      ].filter(Boolean)));
-  });
+  session.on("view", ({ accounts }) => fill(panel, heading("causes", "Where the clocks went"),
+    accounts.clocks === 0 ? el("p", { class: "empty" }, "No clock has passed yet.") : told(accounts)));
 }
 
-const figure = (value, what) => el("span", {}, el("b", {}, value), ` ${what}`);
+function told({ causes, regions, clocks, mflops, mean_length: meanLength }) {
+  return [
+    bar(causes),
+    table("Clocks by cause", [["cause"], ["clocks", "number"], ["%", "number"]], [
+      ...causes.map((row) => ({ cells: [named(row.cause), count(row.clocks), fixed(row.percent, 1)] })),
+      { class: "sum", cells: ["all", count(clocks), fixed(100, 1)] }]),
+    regions.length > 1 && table("Clocks by region",
+      [["region"], ...["instr.", "vector", "elements", "clocks"].map((title) => [title, "number"])],
+      regions.map((row) => ({ cells: [row.region,
+        ...[row.instructions, row.vector, row.elements, row.clocks].map(count)] }))),
+    el("p", { class: "figures" }, mflops > 0 && figure(fixed(mflops, 1), "Mflop/s"),
+      meanLength > 0 && figure(fixed(meanLength, 1), "mean vector length")),
+  ];
+}

@@ -1,14 +1,14 @@
 // compare.js - two programs side by side, and the one or two causes that make the
 // difference, in words.
 
-import { choices, count, el, fixed, heading, table } from "./dom.js";
+import { choices, count, el, fill, fixed, heading, table } from "./dom.js";
 import { named } from "./causes.js";
 
 export function makeCompare(panel, session, others) {
   const first = el("select", { id: "compare-first" });
   const second = el("select", { id: "compare-second" });
   const result = el("div", { class: "result", role: "group", "aria-live": "polite", "aria-label": "Result" });
-  panel.replaceChildren(el("section", { class: "panel", "aria-labelledby": "compare-heading" },
+  fill(panel, el("section", { class: "panel", "aria-labelledby": "compare-heading" },
     heading("compare", "Two programs side by side"),
     el("form", { class: "fields", submit: (event) => { event.preventDefault(); run(); } },
       el("div", { class: "field" }, el("label", { for: "compare-first" }, "First"), first),
@@ -30,7 +30,7 @@ export function makeCompare(panel, session, others) {
   function keep() {
     session.keep();
     offer();
-    result.replaceChildren(el("p", {}, "Kept: it stands in both lists as “kept”."));
+    fill(result, el("p", {}, "Kept: it stands in both lists as “kept”."));
   }
 
   async function run() {
@@ -40,25 +40,28 @@ export function makeCompare(panel, session, others) {
     const chosen = [first, second].map(({ value }) => list.find((one) => one.value === value));
     const reply = await session.longer({ do: "compare", ...session.setting,
       texts: chosen.map(({ title, text }) => ({ name: title, text })) });
-    result.replaceChildren(...(reply.ok && !reply.stopped ? told(reply, chosen)
+    fill(result, ...(reply.ok && !reply.stopped ? told(reply, chosen)
       : [el("p", { class: "fault" }, reply.error ?? "Stopped.")]));
   }
 
   function told(reply, chosen) {
-    const beside = (caption, key, rows, name, places) => table(caption,
-      [[key], [chosen[0].title, "number"], [chosen[1].title, "number"], ["difference", "number"], ["ratio", "number"]],
+    const beside = (caption, key, rows, name = String) => table(caption,
+      [[key], ...[...chosen.map(({ title }) => title), "second - first", "first / second"].map((one) => [one, "number"])],
       rows.map((row) => ({ class: row[key] === "all" ? "sum" : null, cells: [name(row[key]),
-        fixed(row.first, places), fixed(row.second, places),
-        row.difference === undefined ? fixed(row.second - row.first, places) : count(row.difference),
+        figure(row.first), figure(row.second), row.difference === undefined ? "" : count(row.difference),
         row.ratio == null ? "-" : fixed(row.ratio, 3)] })));
     return [
       el("p", { class: "verdict-words" }, reply.sentence),
       beside("Clocks by cause", "cause", reply.causes.filter(({ first: a, second: b }) => a || b),
-        (cause) => cause === "all" ? cause : named(cause), 0),
-      reply.regions.length > 1 && beside("Clocks by region", "region", reply.regions, String, 0),
-      beside("Figures", "figure", reply.figures, String, 2),
+        (cause) => cause === "all" ? cause : named(cause)),
+      reply.regions.length > 1 && beside("Clocks by region", "region", reply.regions),
+      beside("Figures", "figure", reply.figures),
     ].filter(Boolean);
   }
+
+  // Four digits, or all of an integer.
+  const figure = (x) => x == null ? "-" : Number.isInteger(x) ? count(x)
+    : x.toLocaleString("en", { maximumSignificantDigits: 4 });
 
   offer();
   return { offer, run };

@@ -1,6 +1,6 @@
 // console.js - the debugger's own verbs, as on a terminal.
 
-import { el, heading } from "./dom.js";
+import { el, fill, heading } from "./dom.js";
 
 const KEEP = 400; // entries on the page
 
@@ -15,7 +15,7 @@ export function makeConsole(panel, session) {
     el("label", { for: "console-line" }, "(c205)"), line,
     el("button", { type: "submit" }, "Say"));
 
-  panel.replaceChildren(el("section", { class: "panel", "aria-labelledby": "console-heading" },
+  fill(panel, el("section", { class: "panel", "aria-labelledby": "console-heading" },
     heading("console", "The debugger's own verbs"),
     el("p", { class: "verbs" },
       ["help", "why", "account", "info registers", "where"].map((verb) =>

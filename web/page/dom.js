@@ -2,14 +2,21 @@
 
 export const $ = (id) => document.getElementById(id);
 
+const there = (children) => children.flat(Infinity).filter((child) => child != null && child !== false);
+
 function furnish(node, attributes, children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (typeof value === "function") node.addEventListener(name, value);
     else if (value === true) node.setAttribute(name, "");
     else if (value !== false && value != null) node.setAttribute(name, value);
   }
-  node.append(...children.flat(Infinity).filter((child) => child != null && child !== false));
+  node.append(...there(children));
   return node;
+}
+
+/** Children in place of those that a node has. */
+export function fill(node, ...children) {
+  node.replaceChildren(...there(children));
 }
 
 /** An element; an attribute that is a function listens, a child that is null is none. */
@@ -52,9 +59,9 @@ export function choices(select, list) {
     : option(entry)));
 }
 
-export const count = (n) => Math.round(n).toLocaleString("en");
-export const fixed = (x, places) => Number.isFinite(x)
-  ? x.toLocaleString("en", { minimumFractionDigits: places, maximumFractionDigits: places }) : "-";
+export const count = (n) => n.toLocaleString("en");
+export const fixed = (x, places) => Number.isFinite(x) ? x.toLocaleString("en",
+  { minimumFractionDigits: places, maximumFractionDigits: places, signDisplay: "negative" }) : "-";
 /** "1 clock", "2 clocks". */
 export const some = (n, what) => `${count(n)} ${what}${n === 1 ? "" : "s"}`;
 /** A time in the unit that suits it. */

@@ -9,7 +9,7 @@ import { EditorState, RangeSet, StateEffect, StateField } from "@codemirror/stat
 import { Decoration, EditorView, GutterMarker, drawSelection, gutter, highlightActiveLine,
   hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
-import { el } from "./dom.js";
+import { count, el, fixed, some } from "./dom.js";
 
 const TAB = 8;
 
@@ -76,6 +76,20 @@ const BREAK = new Mark("break", "a breakpoint");
 const HERE = new Mark("here", "the next instruction");
 const ROOM = new Mark("room", "");
 
+// Clocks of a line, on a ground that is the darker the larger their share is.
+class Clocks extends GutterMarker {
+  constructor({ clocks, percent, executions }) {
+    super();
+    this.clocks = clocks;
+    this.share = percent / 100;
+    this.title = `${some(clocks, "clock")}, ${fixed(percent, 1)} %, in ${some(executions, "execution")}`;
+  }
+  eq(other) { return other.title === this.title; }
+  toDOM() {
+    return el("span", { class: "clocks", style: `--share: ${this.share}`, title: this.title }, count(this.clocks));
+  }
+}
+
 const lineStart = (doc, line) => doc.line(Math.min(Math.max(line, 1), doc.lines)).from;
 
 const breaks = StateField.define({
@@ -87,6 +101,19 @@ const breaks = StateField.define({
         marks = RangeSet.of([...new Set(effect.value)]
           .map((line) => BREAK.range(lineStart(change.state.doc, line))), true);
     return marks;
+  },
+});
+
+const setClocks = StateEffect.define();
+
+const clocks = StateField.define({
+  create: () => RangeSet.empty,
+  update(marks, change) {
+    for (const effect of change.effects)
+      if (effect.is(setClocks))
+        return RangeSet.of(effect.value.map((row) =>
+          new Clocks(row).range(lineStart(change.state.doc, row.line))), true);
+    return change.docChanged ? RangeSet.empty : marks;
   },
 });
 
@@ -166,7 +193,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
     parent,
     state: EditorState.create({
       extensions: [
-        breaks, here,
+        breaks, here, clocks,
         gutter({
           class: "cm-breaks",
           markers: (editor) => [editor.state.field(breaks), hereMarks(editor)],
@@ -177,6 +204,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
         }),
         lineNumbers({ domEventHandlers: {
           mousedown: (editor, block) => toggle(editor, block.from) } }),
+        gutter({ class: "cm-clocks", markers: (editor) => editor.state.field(clocks) }),
         history(), drawSelection(), highlightActiveLine(), bracketMatching(), tooltip,
         EditorState.tabSize.of(TAB),
         language(about), syntaxHighlighting(colours),
@@ -221,6 +249,10 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
       const effects = [setHere.of(line)];
       if (line) effects.push(EditorView.scrollIntoView(lineStart(view.state.doc, line), { y: "nearest", yMargin: 40 }));
       view.dispatch({ effects });
+    },
+    /** Clocks beside lines: {line, clocks, percent, executions}. */
+    charge(rows) {
+      view.dispatch({ effects: setClocks.of(rows) });
     },
     toLine(line, column = 1) {
       const { from, to } = view.state.doc.line(Math.min(Math.max(line, 1), view.state.doc.lines));

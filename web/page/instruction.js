@@ -1,7 +1,7 @@
 // instruction.js - the last instruction: its time as a sum with numbers in it, what it
 // waited for, and how sure the constants are.
 
-import { colour, count, el, heading, some } from "./dom.js";
+import { colour, count, el, fill, heading, some } from "./dom.js";
 
 // How a constant came into the model (docs/timing.md).
 const SOURCES = {
@@ -13,10 +13,11 @@ const SOURCES = {
 };
 
 export function makeInstruction(panel, session) {
-  session.on("view", ({ last, next }) => panel.replaceChildren(
+  session.on("view", ({ last, next }) => fill(panel,
     heading("instruction", "This instruction",
       last && `arrived at clock ${count(last.arrived)}, issued at ${count(last.issued)}`),
-    ...(last ? told(last, sourceLine(session.text, last.line)) : [el("p", { class: "empty" }, "Nothing has been done yet.")]),
+    last ? told(last, sourceLine(session.text, last.line))
+      : el("p", { class: "empty" }, "Nothing has been done yet."),
     next && el("p", { class: "next" }, "Next: ", el("code", {}, next))));
 }
 
@@ -46,6 +47,6 @@ function told(last, written) {
       ({ name, value, unit, source }) => el("li", {}, el("code", {}, name), ` = ${value} ${unit}`,
         el("abbr", { class: "source-letter", title: SOURCES[source] }, source), SOURCES[source]))),
     last.in_flight?.length > 0 && el("p", { class: "formula" },
-      "At the end what was under way came in: ", sum(last.in_flight)),
-  ].filter(Boolean);
+      "Until the last result was there: ", sum(last.in_flight.map(({ clocks, cause }) => ({ clocks, cause })))),
+  ];
 }

@@ -1,8 +1,9 @@
 // laboratory.js - one or two programs against a constant: Mflop/s of every length, the
 // straight line through their clocks, n-half.  All figures are the engine's.
 
-import { choices, count, draw, el, fixed, heading, some, table } from "./dom.js";
+import { choices, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
 
+const POINTS = 25;
 const WIDTH = 720, HEIGHT = 300, LEFT = 56, RIGHT = 96, TOP = 16, BOTTOM = 40;
 
 export function makeLaboratory(panel, session, others) {
@@ -16,19 +17,20 @@ export function makeLaboratory(panel, session, others) {
   const constant = el("input", { id: "lab-constant", value: "n", size: 8, spellcheck: "false" });
   const from = el("input", { id: "lab-from", type: "number", min: 1, value: 1 });
   const to = el("input", { id: "lab-to", type: "number", min: 2, max: 65535, value: 1000 });
+  const warm = el("input", { id: "lab-warm", type: "checkbox", checked: true });
   const start = el("button", { type: "submit", class: "main" }, "Measure");
   const stop = el("button", { type: "button", hidden: true, click: () => session.stop() }, "Stop");
   const progress = el("p", { class: "note", role: "status" });
   const result = el("div", { class: "result" });
 
-  panel.replaceChildren(el("section", { class: "panel", "aria-labelledby": "laboratory-heading" },
+  fill(panel, el("section", { class: "panel", "aria-labelledby": "laboratory-heading" },
     heading("laboratory", "Laboratory: speed against length"),
     el("p", { class: "note" }, "A program is assembled and run for many values of one of its constants. Where it ",
       "has a value of its own, that stands between ", el("code", {}, ".ifndef n"), " and ", el("code", {}, ".endif"), "."),
     el("form", { class: "fields", submit: measure },
       field("lab-first", "Program", first), field("lab-second", "beside", second),
       field("lab-constant", "constant", constant), field("lab-from", "from", from), field("lab-to", "to", to),
-      el("div", { class: "field" }, start, stop)),
+      field("lab-warm", "pages in memory", warm), el("div", { class: "field" }, start, stop)),
     progress, result));
 
   function offer() {
@@ -54,8 +56,9 @@ export function makeLaboratory(panel, session, others) {
     progress.textContent = "Measuring ..";
     const reply = await session.longer({ do: "sweep", text: chosen[0].text,
       ...(chosen[1] && { other: chosen[1].text }), constant: constant.value.trim(),
-      from: Number(from.value), to: Number(to.value), points: 25, ...session.setting },
-    (part) => { progress.textContent = `Measuring .. ${part.points ? some(part.points.length, "point") : ""}`; });
+      from: Number(from.value), to: Number(to.value), points: POINTS, model: session.model,
+      warm: warm.checked },
+    ({ part }) => { progress.textContent = `Measuring .. ${Math.round(100 * part)} %`; });
     start.hidden = false;
     stop.hidden = true;
     if (!reply.ok || reply.stopped) {
@@ -77,20 +80,27 @@ export function makeLaboratory(panel, session, others) {
     const said = el("output", { for: "lab-at", class: "said-at" });
     const chart = el("div", { class: "chart" });
     const mark = () => {
-      chart.replaceChildren(drawing());
+      fill(chart, drawing());
       const point = told.points[at];
-      said.replaceChildren(el("b", {}, `${told.constant} = ${count(point.value)}`), ...series().map((one, i) =>
+      fill(said, el("b", {}, `${told.constant} = ${count(point.value)}`), ...series().map((one, i) =>
         el("span", {}, el("i", { class: `patch series-${i}`, "aria-hidden": "true" }),
           `${some(point[`${one}_clocks`], "clock")}, ${fixed(point[`${one}_mflops`], 1)} Mflop/s`)));
       slider.setAttribute("aria-valuetext", `${told.constant} = ${point.value}`);
     };
-    result.replaceChildren(
+    fill(result,
       el("p", { class: "legend" }, names.map((name, i) => el("span", {},
         el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), name))),
       chart, el("div", { class: "field slide" }, el("label", { for: "lab-at" }, told.constant), slider), said,
-      lines(), ...(told.sentences ?? []).map((sentence) => el("p", {}, sentence)),
+      ...(told.crossings ?? []).map(crossing), lines(),
       el("details", {}, el("summary", {}, "All points"), points()));
     mark();
+  }
+
+  // Where the two change places.
+  function crossing({ value, faster, first_clocks: a, second_clocks: b }) {
+    const [mine, other] = faster === "first" ? [0, 1] : [1, 0];
+    return el("p", {}, `From ${told.constant} = ${count(value)} on ${names[mine]} is faster: `
+      + `${some([a, b][mine], "clock")}, and ${names[other]} ${count([a, b][other])}.`);
   }
 
   function lines() {
@@ -141,7 +151,7 @@ export function makeLaboratory(panel, session, others) {
       const half = told.lines[i]?.n_half;
       if (half > low && half < high)
         svg.append(draw("line", { x1: x(half), x2: x(half), y1: y(told.lines[i].mflops / 2), y2: HEIGHT - BOTTOM, class: `half half-${i}` }),
-          text(x(half) + 5, HEIGHT - BOTTOM - 6 - 14 * i, "half-name", `n½ = ${fixed(half, 0)}`));
+          text(x(half) + 6, y(told.lines[i].mflops / 2) + 14, "half-name", `n½ = ${fixed(half, 0)}`));
     });
     return svg;
   }

@@ -1,7 +1,7 @@
 // lesson.js - the text of a lesson, its goals, the verdict; and what has been reached
 // so far, kept between visits where the browser lets us.
 
-import { $, count, el, kept, some } from "./dom.js";
+import { $, count, el, fill, kept, some } from "./dom.js";
 
 const MEDALS = ["", "bronze", "silver", "gold"];
 
@@ -42,7 +42,7 @@ export function showVerdict(reply) {
   const verdict = $("verdict");
   verdict.hidden = false;
   verdict.className = `verdict ${reply.passed ? `passed ${reply.medal || "plain"}` : "failed"}`;
-  verdict.replaceChildren(
+  fill(verdict,
     el("h3", {}, reply.passed ? "Passed" : "Not yet",
       reply.medal && el("span", { class: `medal ${reply.medal}` }, reply.medal),
       el("button", { type: "button", class: "quiet close", "aria-label": "Close the verdict",

@@ -1,7 +1,7 @@
 // main.js - the page: puts the panels together and ties the bar and the keys to them.
 
-import { course, engineBytes, notice, workerSource } from "./parts.js";
-import { $, choices, count, el, kept, some } from "./dom.js";
+import { course, engineBytes, notice, scenes, tracerBytes, tracerSource, workerSource } from "./parts.js";
+import { $, choices, count, el, fill, kept, some } from "./dom.js";
 import { makeCauses } from "./causes.js";
 import { makeCompare } from "./compare.js";
 import { makeConsole } from "./console.js";
@@ -15,11 +15,13 @@ import { Session } from "./session.js";
 import { fromHash, toHash } from "./share.js";
 import { makeTabs } from "./tabs.js";
 import { makeTimeline } from "./timeline.js";
+import { tracerPanel } from "./tracer.js";
 import { makeVectors } from "./vectors.js";
 
 const PAUSE = 300; // milliseconds of no typing before the text is assembled
 const OWN = "own"; // the learner's own program, of no lesson
 const DEFAULT_MODEL = "cyber205-2pipe";
+const PROJECTED = /^(cdc|cyber7)/; // models on which nothing runs
 
 const session = new Session(new Machine(workerSource(), engineBytes()));
 const [about, { lessons: texts, examples }] = await Promise.all([
@@ -41,7 +43,7 @@ const editor = makeEditor($("source"), about, {
   },
   breaks: (lines) => session.setBreaks(lines),
   at(told) {
-    $("source-note").replaceChildren(...(told ? [el("code", {}, told.name), ` ${told.effect}`] : []));
+    fill($("source-note"), told && [el("code", {}, told.name), ` ${told.effect}`]);
   },
 });
 makeTimeline($("timeline"), session);
@@ -55,7 +57,15 @@ const comparison = makeCompare($("compare"), session, others);
 const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {
   if (name === "laboratory") laboratory.offer();
   if (name === "compare") comparison.offer();
+  if (name === "tracer") openTracer();
 });
+
+// When it is first looked at.
+async function openTracer() {
+  if ($("tracer").hasChildNodes()) return;
+  tracerPanel($("tracer"), { source: tracerSource(), wasm: tracerBytes, scenes: await scenes(),
+    models: about.models.filter(({ name }) => !PROJECTED.test(name)) });
+}
 
 /** All programs that another can be held beside. */
 function others() {
@@ -81,7 +91,7 @@ session.on("loaded", (reply) => {
   editor.tell(told.filter(({ file }) => !file || file === session.name));
   editor.stand(0);
   $("faults").hidden = told.length === 0;
-  $("faults").replaceChildren(...told.map((one) => el("li", { class: one.severity },
+  fill($("faults"), told.map((one) => el("li", { class: one.severity },
     el("button", { type: "button", click: () => editor.toLine(one.line, one.column) },
       `line ${one.line}`), " ", one.message)));
   const errors = told.filter(({ severity }) => severity !== "warning").length;
@@ -118,6 +128,7 @@ session.on("view", (view) => {
   editor.stand(view.ended ? 0 : view.line ?? 0);
 });
 
+session.on("profile", (rows) => editor.charge(rows));
 session.on("breaks", (lines) => editor.setBreaks(lines));
 
 // The bar and the output, of a view or of no program.

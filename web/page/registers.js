@@ -1,13 +1,13 @@
 // registers.js - what the registers hold; what the last instruction changed is marked.
 
-import { count, el, heading, table } from "./dom.js";
+import { count, el, fill, heading, table } from "./dom.js";
 
 const MOST = 64; // rows; a program that uses more is rare
 
 export function makeRegisters(panel, session) {
   session.on("view", ({ registers }) => {
     const shown = registers.slice(0, MOST);
-    panel.replaceChildren(
+    fill(panel,
       heading("registers", "Registers"),
       shown.length === 0
         ? el("p", { class: "empty" }, "The program has named none.")

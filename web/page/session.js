@@ -1,6 +1,6 @@
 // session.js - the program at hand: what is loaded and where it stands.  Panels hear
-// of it: "loaded" (the engine's reply), "view" (what all panels show), "moved" (how a
-// movement ended), "busy", "progress".
+// of it: "loaded" (the engine's reply), "view" (what all panels show), "profile" (clocks
+// by lines), "moved" (how a movement ended), "busy", "progress", "breaks".
 
 const PATIENCE = 2000; // milliseconds that a line of the debugger may take
 const ELEMENTS = 64, ELEMENTS_MOST = 4096; // of each vector that are looked at
@@ -98,6 +98,16 @@ export class Session {
     if (turn !== this.#turn || !view.ok) return;
     this.view = view;
     this.#tell("view", view);
+    this.#lookAtLines(view);
+  }
+
+  // Clocks by lines of the text itself, "program.s:12" being line 12.
+  async #lookAtLines(view) {
+    const profile = await this.machine.ask({ do: "profile", idle: true });
+    if (view !== this.view || !profile.ok || profile.stopped) return;
+    const start = `${this.name}:`;
+    this.#tell("profile", profile.lines.filter(({ line }) => line.startsWith(start))
+      .map((row) => ({ ...row, line: Number(row.line.slice(start.length)) })));
   }
 
   /** More elements of vectors, up to a most. */

@@ -2,7 +2,7 @@
 // what each clock was charged to, below it a lane for each unit.  A click on an
 // instruction goes to it; + - and the arrow keys change the stretch that is shown.
 
-import { colour, count, draw, duration, el, some } from "./dom.js";
+import { colour, count, draw, duration, el, fill, some } from "./dom.js";
 import { named } from "./causes.js";
 
 const MOST = 600; // instructions in a picture
@@ -23,7 +23,7 @@ export function makeTimeline(panel, session) {
   const note = el("p", { class: "note", hidden: true });
   const button = (text, name, click) =>
     el("button", { type: "button", class: "quiet", "aria-label": name, title: name, click }, text);
-  panel.replaceChildren(
+  fill(panel,
     el("div", { class: "heading" }, el("h2", { id: "timeline-heading" }, "Time line"), aside,
       el("div", { class: "zoom" },
         button("←", "Earlier", () => shift(-0.5)), button("→", "Later", () => shift(0.5)),
@@ -78,19 +78,22 @@ export function makeTimeline(panel, session) {
 
   async function ask() {
     const mine = ++turn;
-    const reply = await session.machine.ask({ do: "timeline", from, to, most: MOST });
-    if (mine !== turn) return;
-    told = reply.ok ? reply : null;
+    const reply = await session.machine.ask({ do: "timeline", from, to, most: MOST, idle: true });
+    if (mine !== turn || !reply.ok || reply.stopped) return;
+    told = reply;
     show();
   }
 
-  function show() {
+  function sayClock() {
     aside.textContent = `${some(clock(), "clock")} = ${duration(session.view?.microseconds ?? 0)}`;
+  }
+
+  function show() {
     if (!told) return picture.replaceChildren();
     picture.setAttribute("aria-label", `${some(told.insns.length, "instruction")} from clock ${count(from)} to ${count(to)}`);
     picture.replaceChildren(drawing());
     const causes = new Set(told.spans.map(({ cause }) => cause).filter(Boolean));
-    legend.replaceChildren(...[...causes].map((cause) => el("li", {}, named(cause))));
+    fill(legend, ...[...causes].map((cause) => el("li", {}, named(cause))));
     note.hidden = !told.full;
     note.textContent = `The first ${MOST} instructions of this stretch; a shorter one shows all.`;
   }
@@ -130,7 +133,7 @@ export function makeTimeline(panel, session) {
 
   session.on("loaded"
 , () => { whole = true; from = 0; to = FIRST; told = null; show(); });
-  session.on("view", () => { follow(); ask(); });
+  session.on("view", () => { follow(); sayClock(); ask(); });
   new ResizeObserver(() => { if (told && picture.clientWidth > 0) show(); }).observe(picture);
 }
 

@@ -24,8 +24,7 @@ class Tracer {
 
   /** { code, files, stdout, stderr } or { stopped } or { lost }; TOLD hears of all before. */
   async run(args, files, told) {
-    this.#bytes ??= this.#wasm();
-    const wasm = await this.#bytes;
+    const wasm = await (this.#bytes ??= this.#wasm());
     return new Promise((resolve) => {
       this.#end = resolve;
       if (!this.#worker) {
@@ -155,7 +154,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   function look({ width, rows, first, rgba, clocks: sum, seconds, causes }) {
     const list = Object.entries(causes).map(([cause, of]) => ({ cause, clocks: of }));
     canvas.getContext("2d").putImageData(new ImageData(rgba, width, rows), 0, first);
-    fill(clocks, el("p", { class: "figures" }, el("span", {}, el("b", {}, count(sum)), " clocks, "),
+    fill(clocks, el("p", { class: "figures" }, el("span", {}, el("b", {}, count(sum)), " clocks,"),
       el("span", {}, el("b", {}, duration(1e6 * seconds)), " on the machine")),
     bar(list),
     table("Clocks by cause so far", [["cause"], ["clocks", "number"], ["%", "number"]],

@@ -1,7 +1,7 @@
 // vectors.js - the data of the program, label by label, with the bits of a control
 // vector beside the elements that they let through.
 
-import { count, el, heading, some } from "./dom.js";
+import { count, el, fill, heading, some } from "./dom.js";
 
 export function makeVectors(panel, session) {
   let chosen = null; // the label of the bits beside the elements; "": none
@@ -22,7 +22,7 @@ export function makeVectors(panel, session) {
 
   function show() {
     const top = panel.querySelector(".vectors")?.scrollTop ?? 0;
-    panel.replaceChildren(
+    fill(panel,
       heading("vectors", "Memory", bits().length > 0 ? picker() : null),
       shown.length === 0 ? el("p", { class: "empty" }, "The program has no data of its own.")
         : el("div", { class: "vectors scroll", tabindex: 0, role: "group", "aria-label": "Labels and their elements" },

@@ -1,5 +1,6 @@
 // worker.js - the engine behind the page: takes requests in turn, goes on with long
-// ones in slices and looks at its messages in between, so that each can be stopped.
+// ones in slices and looks at its messages in between, so that each can be stopped.  One
+// that is only of use while nobody wants anything else ("idle") gives way to the next.
 
 import { startEngine } from "./engine.js";
 
@@ -18,8 +19,8 @@ async function answer({ id, request }) {
   stopped = false;
   for (let first = true; ; first = false) {
     const reply = engine.answer(first ? { ms: SLICE, ...request } : { do: "more", ms: SLICE });
-    if (reply.done !== false || stopped) {
-      postMessage({ id, reply: { ...reply, stopped } });
+    if (reply.done !== false || stopped || (request.idle && waiting.length > 1)) {
+      postMessage({ id, reply: reply.done === false ? { ...reply, stopped: true } : reply });
       return;
     }
     postMessage({ id, progress: reply });

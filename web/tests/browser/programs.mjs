@@ -36,7 +36,7 @@ export const tests = {
     await visit.page.waitForSelector("#laboratory .chart svg");
     const text = await visit.look("editor.text");
     const other = await visit.look("window.c205.example('saxpy_scalar.s')");
-    const told = native.json(["sweep", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000", "--points", "25"],
+    const told = native.json(["sweep", "--warm", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000", "--points", "25"],
       { "a.s": text, "b.s": other });
     const rows = await visit.page.$$eval("#laboratory details tbody tr", (list) => list.map((row) =>
       [...row.children].map((cell) => cell.textContent.replaceAll(",", ""))));
