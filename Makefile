@@ -491,15 +491,16 @@ web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) 
 	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
 web-tracer:
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/web/rt205.wasm
+		AR=llvm-ar $(BUILD)/wasm/rt205.wasm
 	@mkdir -p $(BUILD)/web
-	cp $(BUILD)/wasm/web/rt205.wasm $(BUILD)/web/
-	@wc -c <$(BUILD)/web/rt205.wasm; gzip -9 -c $(BUILD)/web/rt205.wasm | wc -c
-$(BUILD)/web/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o \
-		$(BUILD)/rt/scene_texts.o $(filter-out %librt205.a,$(libraries))
-	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) -Wl,--stack-first -Wl,-z,stack-size=1048576 -Wl,--strip-all \
-		-o $@ $^ -lm
+	@cp $(BUILD)/wasm/rt205.wasm $(BUILD)/web
+	@wc -c $(BUILD)/web/rt205.wasm
+	@gzip -9 <$(BUILD)/web/rt205.wasm | wc -c | sed 's/$$/ gzipped/'
+$(BUILD)/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o \
+		$(BUILD)/rt/scene_texts.o $(addprefix $(BUILD)/,\
+		libc205asm.a libbase.a libc205.a)
+	$(CC) -Wl,--stack-first -Wl,-z,stack-size=1048576 \
+		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
 
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.
@@ -639,7 +640,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-course check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web docs san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web check-web-tracer docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -1,5 +1,5 @@
 // build.mjs BUILD - the page, in BUILD/web: c205.html, one file that has everything in
-// it, and site/, the same as a small folder.  It needs BUILD/web/engine.wasm.  With
+// it, and site/, the same as a small folder.  It needs BUILD/web/engine.wasm and rt205.wasm.  With
 // --write the notice of all that npm brings into the page is written, else checked.
 
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -9,6 +9,7 @@ import { gzipSync } from "node:zlib";
 import * as esbuild from "esbuild";
 import { readCourse, readExamples } from "./course.mjs";
 import { notice } from "./notice.mjs";
+import { readScenes } from "./scenes.mjs";
 
 const MOST = 1 << 20; // bytes of the one file, without the tracer
 
@@ -45,9 +46,13 @@ const fill = (html, parts) => Object.entries(parts).reduce(
   (text, [name, part]) => text.replace(`<!-- build: ${name} -->`, () => part), html);
 
 const worker = await bundle("worker.js", "iife");
-const script = await bundle("main.js", "esm", { "c205:worker": worker.text });
+const tracerWorker = await bundle("tracer-worker.js", "iife");
+const script = await bundle("main.js", "esm",
+  { "c205:worker": worker.text, "c205:tracer-worker": tracerWorker.text });
 const style = await bundle("page.css");
 const engine = readFileSync(join(out, "web/engine.wasm"));
+const tracer = readFileSync(join(out, "web/rt205.wasm"));
+const scenes = Buffer.from(JSON.stringify(readScenes(join(root, "scenes"))));
 const course = Buffer.from(JSON.stringify({
   lessons: readCourse(join(root, "docs/course")),
   examples: readExamples(join(root, "asm/examples")),
@@ -65,6 +70,7 @@ const html = page("index.html");
 const one = fill(html, {
   style: `<style>${style.text}</style>`,
   script: [data("engine", engine), data("course", course), data("notice", licences),
+    data("scenes", scenes), data("rt205", tracer),
     `<script type="module">${script.text}</script>`].join("\n"),
 });
 const site = join(out, "web/site");
@@ -74,12 +80,12 @@ writeFileSync(join(out, "web/c205.html"), one);
 const files = {
   "index.html": fill(html, { style: '<link rel="stylesheet" href="page.css">',
     script: '<script type="module" src="page.js"></script>' }),
-  "page.css": style.text, "page.js": script.text, "engine.wasm": engine,
-  "course.json": course, "NOTICE.md": licences,
+  "page.css": style.text, "page.js": script.text, "engine.wasm": engine, "rt205.wasm": tracer,
+  "course.json": course, "scenes.json": scenes, "NOTICE.md": licences,
 };
 for (const [name, text] of Object.entries(files)) writeFileSync(join(site, name), text);
 
-const size = Buffer.byteLength(one);
+const size = Buffer.byteLength(one) - packed(tracer).length;
 const kb = (bytes) => `${(bytes / 1024).toFixed(0)} KB`;
 console.log(`${basename(out)}/web/c205.html ${kb(size)}, ${kb(gzipSync(one).length)} gzipped: `
   + `script ${kb(script.text.length)}, style ${kb(style.text.length)}, engine ${kb(engine.length)} `

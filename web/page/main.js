@@ -1,6 +1,6 @@
 // main.js - the page: puts the panels together and ties the bar and the keys to them.
 
-import { course, engineBytes, notice, workerSource } from "./parts.js";
+import { course, engineBytes, notice, scenes, tracerBytes, tracerSource, workerSource } from "./parts.js";
 import { $, choices, count, el, fill, kept, some } from "./dom.js";
 import { makeCauses } from "./causes.js";
 import { makeCompare } from "./compare.js";
@@ -15,6 +15,7 @@ import { Session } from "./session.js";
 import { fromHash, toHash } from "./share.js";
 import { makeTabs } from "./tabs.js";
 import { makeTimeline } from "./timeline.js";
+import { tracerPanel } from "./tracer.js";
 import { makeVectors } from "./vectors.js";
 
 const PAUSE = 300; // milliseconds of no typing before the text is assembled
@@ -54,7 +55,15 @@ const comparison = makeCompare($("compare"), session, others);
 const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {
   if (name === "laboratory") laboratory.offer();
   if (name === "compare") comparison.offer();
+  if (name === "tracer") openTracer();
 });
+
+// When it is first looked at.
+async function openTracer() {
+  if ($("tracer").hasChildNodes()) return;
+  tracerPanel($("tracer"), { source: tracerSource(), wasm: tracerBytes, scenes: await scenes(),
+    models: about.models });
+}
 
 /** All programs that another can be held beside. */
 function others() {

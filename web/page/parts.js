@@ -2,8 +2,10 @@
 // site's folder, as files beside it.
 
 import worker from "c205:worker"; // bundled by the build
+import tracerWorker from "c205:tracer-worker";
 
 export const workerSource = () => worker;
+export const tracerSource = () => tracerWorker;
 
 async function part(id, file) {
   const inlined = document.getElementById(id);
@@ -12,7 +14,9 @@ async function part(id, file) {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
-/** Promises: the engine's bytes, lessons and examples, and what others wrote of the page. */
+/** Promises: the engine's and the tracer's bytes, scenes, lessons and examples, and what others wrote of the page. */
 export const engineBytes = async () => (await part("engine", "engine.wasm")).arrayBuffer();
+export const tracerBytes = async () => (await part("rt205", "rt205.wasm")).arrayBuffer();
+export const scenes = async () => (await part("scenes", "scenes.json")).json();
 export const course = async () => (await part("course", "course.json")).json();
 export const notice = async () => (await part("notice", "NOTICE.md")).text();

@@ -55,7 +55,7 @@ export const tests = {
         await visit.page.type("#console-line", "info registers\n");
         await visit.quiet();
         await look("the console");
-        await visit.press("tab-raytracer");
+        await visit.press("tab-tracer");
         await look("the ray tracer");
         await visit.press("tab-machine");
         await visit.write(WRONG);
@@ -73,7 +73,7 @@ export const tests = {
       await visit.choose("lesson", "example:saxpy_vector.s");
       await visit.press("run");
       assert.deepEqual(await beyond(visit), [], `${width}: a run`);
-      for (const view of ["laboratory", "compare", "console", "raytracer"]) {
+      for (const view of ["laboratory", "compare", "console", "tracer"]) {
         await visit.press(`tab-${view}`);
         assert.deepEqual(await beyond(visit), [], `${width}: ${view}`);
       }
@@ -112,7 +112,7 @@ export const tests = {
     await visit.key("ArrowRight");
     assert.equal(await visit.shown("#laboratory"), true);
     await visit.key("End");
-    assert.equal(await visit.shown("#raytracer"), true);
+    assert.equal(await visit.shown("#tracer"), true);
     await visit.close();
   },
 
