@@ -95,7 +95,7 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-course check-commands check-install check-fit wasm-check
+	check-library check-course check-commands check-install check-fit check-web-engine
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -443,15 +443,14 @@ check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 check-install: all
 	sh tests/check_install.sh $(BUILD) "$(MAKE)"
 
-# vm and asm, and the c205 command, for the browser's kind of machine.
+# For the browser's kind of machine: vm and asm, the c205 command, and the engine of the
+# page; how large that is.
+in_wasm = @$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+	AR=llvm-ar $(addprefix $(BUILD)/wasm/,$(1))
 wasm-check:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/c205
-
-# The engine of the page, and how large it is.
+	$(call in_wasm,c205 engine.wasm)
 web-engine:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/engine.wasm
+	$(call in_wasm,engine.wasm)
 	@mkdir -p $(BUILD)/web
 	@cp $(BUILD)/wasm/engine.wasm $(BUILD)/web
 	@wc -c $(BUILD)/web/engine.wasm
@@ -461,6 +460,11 @@ $(BUILD)/engine.wasm: $(BUILD)/web/engine/wasm.o $(addprefix $(BUILD)/,\
 		libengine.a libc205asm.a libbase.a libc205.a)
 	$(CC) -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=262144 \
 		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
+
+# The engine in node beside c205, where there is node.
+check-web-engine: $(BUILD)/c205 wasm-check
+	@$(MAKE) --no-print-directory web-engine
+	sh tests/check_web_engine.sh $(BUILD) $(JOBS)
 
 # The page: one file, and a small site.  node and npm are Debian's where there are none.
 web_packages = clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
@@ -640,7 +644,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-course check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web check-web-tracer docs san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web check-web-engine docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -24,22 +24,37 @@ static uint64_t below(uint64_t end)
 
 struct fresh {
     c205 *machine;
+    bool has_last;
+    c205_event last; /* without its record */
     struct text_buffer printed;
     struct printer printer;
 };
 
-/* So many steps from the beginning, and one more that cannot be done if it is to halt. */
+static void keep_last(void *context, const c205 *machine,
+                      const c205_event *event)
+{
+    struct fresh *fresh = context;
+
+    (void)machine;
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST)
+        return;
+    fresh->has_last = true;
+    fresh->last = *event;
+}
+
+/* So many steps from the beginning. */
 static void fresh_run(struct fresh *fresh, const struct object *object,
                       uint64_t steps)
 {
     c205_error error;
     c205_stop stop;
 
-    fresh->printed = (struct text_buffer){ .text = NULL };
+    *fresh = (struct fresh){ .machine = c205_new(prior_model, &error) };
     fresh->printer.sink = text_buffer_sink(&fresh->printed);
-    fresh->machine = c205_new(prior_model, &error);
     assert_true(c205_load(fresh->machine, &object->program, &error));
     assert_true(c205_listen(fresh->machine, printer_listen, &fresh->printer));
+    assert_true(c205_listen(fresh->machine, keep_last, fresh));
     for (; steps > 0; steps--)
         c205_step(fresh->machine, &stop);
 }
@@ -51,8 +66,9 @@ static void fresh_end(struct fresh *fresh)
 }
 
 static void check_registers(const struct json_value *view,
-                            const c205 *machine)
+                            const struct fresh *fresh)
 {
+    const c205 *machine = fresh->machine;
     const struct json_value *item = json_member_first(view, "registers");
     unsigned i = 0;
 
@@ -67,8 +83,30 @@ static void check_registers(const struct json_value *view,
         assert_string_equal(text_of(item, "text"), text);
         assert_true(number_of(item, "integer")
                     == (double)c205_to_integer(word));
+        assert_int_equal(json_member_truth(item, "changed", false),
+                         fresh->last.written[i / 64] >> i % 64 & 1);
     }
     assert_int_equal(i, C205_REGISTERS);
+}
+
+static void check_last(const struct json_value *view,
+                       const struct fresh *fresh)
+{
+    const struct json_value *last = json_member(view, "last");
+    const struct json_value *piece = json_member_first(last, "pieces");
+    double clocks = 0;
+
+    assert_int_equal(last != NULL, fresh->has_last);
+    if (!last)
+        return;
+    for (; piece; piece = piece->next)
+        clocks += number_of(piece, "clocks");
+    assert_true(clocks == (double)fresh->last.clocks);
+    assert_true(number_of(last, "clocks") == clocks);
+    assert_true(number_of(last, "issued") == (double)fresh->last.issued);
+    assert_true(number_of(last, "elements") == (double)fresh->last.elements);
+    assert_string_equal(text_of(last, "mnemonic"),
+                        fresh->last.insn->mnemonic);
 }
 
 static uint64_t clocks_of(const struct json_value *causes, const char *name)
@@ -173,7 +211,8 @@ static void check_place(struct walk *walk, const char *asked)
                      walk->step == walk->plain.end);
     assert_string_equal(text_of(view, "printed"),
                         fresh.printed.text ? fresh.printed.text : "");
-    check_registers(view, fresh.machine);
+    check_registers(view, &fresh);
+    check_last(view, &fresh);
     check_accounts(view, fresh.machine);
     check_vectors(view, walk->plain.object, fresh.machine);
     fresh_end(&fresh);

@@ -131,6 +131,7 @@
  * ---- sweep: a program, or two, against a constant
  *
  *   text, other   programs; the second may be missing
+ *   name, other-name  of their files ("first", "second")
  *   constant      its name
  *   from, to      its values; step, or factor: only those; points: so many (8 an octave, at the
  *                 most 25)

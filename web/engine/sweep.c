@@ -139,15 +139,17 @@ static struct asm_options *at_first(struct laboratory *laboratory)
 /* The first value of it is assembled for what there is to be said of the text. */
 static bool take_program(struct engine *engine,
                          const struct json_value *request, const char *key,
-                         const char *name, c205_error *error)
+                         const char *name_key, c205_error *error)
 {
     struct laboratory *laboratory = engine->laboratory;
     struct program_sweep *sweep = &laboratory->sweep;
     const char *text = NULL, *model = NULL;
+    const char *name = swept_names[sweep->program_count];
     struct asm_options *first;
     struct object *object;
 
     if (!take_text_or(request, key, &text, error)
+        || !take_text_or(request, name_key, &name, error)
         || !take_text_or(request, "model", &model, error))
         return false;
     if (!text)
@@ -164,7 +166,8 @@ static bool take_program(struct engine *engine,
     }
     object_free(object);
     sweep->programs[sweep->program_count++] = (struct swept_program){
-        name, arena_text(&laboratory->arena, text, strlen(text)), strlen(text)
+        arena_text(&laboratory->arena, name, strlen(name)),
+        arena_text(&laboratory->arena, text, strlen(text)), strlen(text)
     };
     return !laboratory->arena.failed || refuse(error, "no memory");
 }
@@ -192,10 +195,8 @@ static bool take_sweep(struct engine *engine,
     sweep->report = text_buffer_sink(&laboratory->report);
     if (!sweep->constant)
         return refuse(error, "no memory");
-    if (!take_program(engine, request, "text", swept_names[SWEPT_FIRST],
-                      error)
-        || !take_program(engine, request, "other", swept_names[SWEPT_SECOND],
-                         error))
+    if (!take_program(engine, request, "text", "name", error)
+        || !take_program(engine, request, "other", "other-name", error))
         return false;
     sweep->model = laboratory->model;
     return sweep->program_count > 0 || refuse(error, "\"text\" is missing");
