@@ -2,8 +2,8 @@
 #                 emulated machine and prints the speedup table
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | card | slides | site | mpi | bench | san | fuzz | cover | check-long |
-#      wasm-check | format | lint | install | clean
+# make all | docs | card | slides | site | web | mpi | bench | san | fuzz | cover |
+#      check-long | check-web | wasm-check | format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -33,7 +33,7 @@ asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap asm
 c205_c = $(call c_of,asm/command)
 # Not the call of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
-rt_c = $(call c_of,$(addprefix rt/,adapter farm scene scene/language shapes layout \
+rt_c = $(call c_of,$(addprefix rt/,host farm scene scene/language shapes layout \
 	trace view picture roots study study/sweep study/plot heat mass))
 rt205_c = $(filter-out %/fit205.c,$(call c_of,rt/command))
 # What knows observations, and what fits them.
@@ -71,6 +71,7 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_mass $(BUILD)/tests/oracle/check_heat \
 	$(BUILD)/tests/oracle/digest \
 	$(BUILD)/tests/oracle/check_language_scenes \
+	$(BUILD)/tests/oracle/draw_scenes \
 	$(BUILD)/tests/oracle/draw_words
 fuzz_targets = $(patsubst tests/fuzz/%.c,$(BUILD)/tests/fuzz/%,\
 	$(wildcard tests/fuzz/fuzz_*.c))
@@ -511,6 +512,46 @@ check-web-engine: $(BUILD)/c205 wasm-check
 	@$(MAKE) --no-print-directory web-engine
 	sh tests/check_web_engine.sh $(BUILD) $(JOBS)
 
+# The page: one file, and a small site.  node and npm are Debian's where there are none.
+web_packages = clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
+npm_done = web/node_modules/.package-lock.json
+web:
+	@sh .ci/need $(web_packages)
+	@command -v node npm >/dev/null || sh .ci/need nodejs npm
+	@$(MAKE) --no-print-directory web-engine
+	@$(MAKE) --no-print-directory web-tracer $(npm_done)
+	node web/build.mjs $(BUILD)
+$(npm_done): web/package.json web/package-lock.json
+	cd web && npm ci --ignore-scripts
+	@touch $@
+
+# The page in real browsers, beside c205; BROWSERS="chromium": that one; WEB_TESTS=text:
+# those of which the name says so.
+browser_packages = chromium firefox-esr
+BROWSERS ?= chromium firefox
+check-web:
+	@sh .ci/need $(build_packages) $(browser_packages)
+	@$(MAKE) --no-print-directory web $(programs)
+	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
+
+# rt205 for the page: web/tracer/host/ has what its machine does otherwise, in the
+# place of the files of rt of that name.
+web_tracer_own = $(wildcard web/tracer/host/*.c)
+web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
+	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
+web-tracer:
+	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+		AR=llvm-ar $(BUILD)/wasm/rt205.wasm
+	@mkdir -p $(BUILD)/web
+	@cp $(BUILD)/wasm/rt205.wasm $(BUILD)/web
+	@wc -c $(BUILD)/web/rt205.wasm
+	@gzip -9 <$(BUILD)/web/rt205.wasm | wc -c | sed 's/$$/ gzipped/'
+$(BUILD)/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o \
+		$(BUILD)/rt/scene_texts.o $(addprefix $(BUILD)/,\
+		libc205asm.a libbase.a libc205.a)
+	$(CC) -Wl,--stack-first -Wl,-z,stack-size=1048576 \
+		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
+
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.
 san: export ASAN_OPTIONS = intercept_tls_get_addr=0
@@ -644,15 +685,9 @@ install: all $(installed) $(installed_pc) $(pages)
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: all mpi demo tests check check-long check-rooms check-unit check-programs \
-	check-bugs check-docs check-isa check-arithmetic check-narrow \
-	check-random check-quartic check-planted check-faces check-regions \
-	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
-	check-library \
-	check-samples check-course check-commands check-install \
-	check-site check-card check-slides check-hosts check-poison check-points check-stream \
-	check-emission check-timing check-fit fit cover cover-tests wasm-check web-engine \
-	check-web-engine docs site card slides san bench \
-	fuzz fuzz-targets format lint install clean
+.PHONY: $(check_parts) all mpi demo tests check check-long check-planted check-mpi \
+	check-samples check-poison check-points check-stream check-emission check-timing \
+	check-site check-card check-slides check-web fit cover cover-tests web web-engine \
+	web-tracer docs site card slides san bench fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

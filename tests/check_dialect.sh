@@ -6,7 +6,7 @@
 set -u
 cd "$(dirname "$0")/.."
 
-find vm base asm web/engine rt tests -name '*.[ch]' ! -path '*/kernels/*' | sort |
+find vm base asm web/engine web/tracer/host rt tests -name '*.[ch]' ! -path '*/kernels/*' | sort |
     xargs awk '
     function complain(text) {
         print FILENAME ":" FNR ": " text

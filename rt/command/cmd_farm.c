@@ -4,8 +4,8 @@
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
+
+#include "rt/host/processes.h"
 
 /* ---- Shares -------------------------------------------------------------- */
 
@@ -54,44 +54,19 @@ static int check_share(const struct rt205_arguments *arguments)
 
 /* ---- Ranks --------------------------------------------------------------- */
 
-/* The words of this process's own command line. */
-static char **own_words(char *text, size_t size)
-{
-    FILE *file = fopen("/proc/self/cmdline", "rb");
-    size_t length = file ? fread(text, 1, size - 1, file) : 0, count = 0;
-    char **words = calloc(length + 1, sizeof *words);
-
-    if (file)
-        fclose(file);
-    text[length] = '\0';
-    for (size_t at = 0; words && at < length; at += strlen(text + at) + 1)
-        words[count++] = text + at;
-    return words;
-}
-
 /* Become mpirun, which begins as many of this program. */
 static int begin_ranks(const struct rt205_arguments *arguments)
 {
-    enum { BEFORE = 8 };
-    static char text[1 << 17], program[4096], count[24];
-    char **own = own_words(text, sizeof text);
-    size_t words = 0, at = 0;
-    char *all[BEFORE + 1024] = {
-        "mpirun", "--oversubscribe", "--bind-to", "none", "-n", count, program
+    char count[24];
+    char *const words[] = {
+        "mpirun", "--oversubscribe", "--bind-to", "none", "-n", count, NULL
     };
-    ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
 
     snprintf(count, sizeof count, "%zu", arguments->units.ranks);
-    program[length > 0 ? length : 0] = '\0';
-    for (words = 7; own && own[at] && own[at + 1] && words < 1024; at++)
-        all[words++] = own[at + 1];
-    all[words] = NULL;
-    free(own);
-    if (geteuid() == 0) {
-        setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
-        setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
-    }
-    execvp("mpirun", all);
+    /* Where root is at work mpirun wants to be allowed to be. */
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    process_become(words);
     return cmd_failed(arguments->command,
                       errno == ENOENT
                           ? "mpirun is not there: the package openmpi-bin "

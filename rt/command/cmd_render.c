@@ -81,7 +81,7 @@ static struct result result_of(const struct rt205_arguments *arguments,
                              .model = accounts->model,
                              .clocks = accounts->clocks,
                              .samples = trace_samples(trace),
-                             .rays = trace_rays(trace, RAY_PRIMARY),
+                             .rays = (size_t)trace_rays(trace, RAY_PRIMARY),
                              .hits = trace_hits(trace) };
 
     snprintf(result.checksum, sizeof result.checksum, "%016llX",

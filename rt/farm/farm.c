@@ -1,11 +1,11 @@
 #include "rt/farm/farm.h"
 
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "rt/host/threads.h"
 
 /* ---- Files and keys ------------------------------------------------------ */
 
@@ -68,7 +68,7 @@ uint64_t farm_key(const char *kind, const c205 *machine,
 
 struct pool {
     const struct farm_work *work;
-    pthread_mutex_t lock; /* of all below */
+    struct lock *lock; /* of all below */
     bool *begun;
     size_t next;   /* all before it are begun */
     size_t done;   /* and taken, if they are */
@@ -81,7 +81,7 @@ struct pool {
 struct hand {
     struct pool *pool;
     size_t number;
-    pthread_t thread;
+    struct thread *thread; /* NULL: the caller's */
 };
 
 static bool is_mine(const struct farm *farm, size_t unit)
@@ -196,16 +196,16 @@ static void do_unit(struct hand *hand, size_t unit)
     c205_error why = { "no memory" };
     bool good = work->run(work->context, hand->number, unit, &words, &why);
 
-    pthread_mutex_lock(&pool->lock);
+    lock_take(pool->lock);
     if (good)
         take_unit(pool, unit, &words);
     else
         fail_unit(pool, unit, &why);
-    pthread_mutex_unlock(&pool->lock);
+    lock_give_back(pool->lock);
     words_free(&words);
 }
 
-static void *do_units(void *context)
+static void do_units(void *context)
 {
     struct hand *hand = context;
     struct pool *pool = hand->pool;
@@ -213,24 +213,21 @@ static void *do_units(void *context)
     bool more = true;
 
     while (more) {
-        pthread_mutex_lock(&pool->lock);
+        lock_take(pool->lock);
         more = take_next(pool, &unit);
         pool->active -= !more;
-        pthread_mutex_unlock(&pool->lock);
+        lock_give_back(pool->lock);
         if (more)
             do_unit(hand, unit);
     }
-    return NULL;
 }
 
 static size_t begin_hands(struct hand *hands, size_t first, size_t count)
 {
     size_t begun = first;
 
-    while (
-        begun < count
-        && pthread_create(&hands[begun].thread, NULL, do_units, &hands[begun])
-               == 0)
+    while (begun < count
+           && (hands[begun].thread = thread_begin(do_units, &hands[begun])))
         begun++;
     return begun;
 }
@@ -325,13 +322,13 @@ static void serve(struct service *service)
     while (busy) {
         bool heard = ranks_hear(service->ranks, &from, &message);
 
-        pthread_mutex_lock(&pool->lock);
+        lock_take(pool->lock);
         if (heard)
             answer(service, from, &message);
         else
             ask(pool);
         busy = service->left > 0 || pool->active > 0;
-        pthread_mutex_unlock(&pool->lock);
+        lock_give_back(pool->lock);
         if (heard)
             pause = (struct ranks_pause){ 0 };
         else if (busy)
@@ -403,15 +400,15 @@ static void do_all(struct pool *pool, struct hand *hands, size_t count)
 
     pool->active = count;
     begun = begin_hands(hands, first, count);
-    pthread_mutex_lock(&pool->lock);
+    lock_take(pool->lock);
     pool->active -= count - begun;
-    pthread_mutex_unlock(&pool->lock);
+    lock_give_back(pool->lock);
     if (ranks)
         serve_ranks(pool, ranks);
     else
         do_units(&hands[0]);
     for (size_t i = first; i < begun; i++)
-        pthread_join(hands[i].thread, NULL);
+        thread_end(hands[i].thread);
 }
 
 static bool run_all(struct pool *pool, c205_error *error)
@@ -422,16 +419,17 @@ static bool run_all(struct pool *pool, c205_error *error)
     struct hand *hands = calloc(count, sizeof *hands);
 
     pool->begun = calloc(work->count + 1, sizeof *pool->begun);
-    if (!hands || !pool->begun) {
+    pool->lock = lock_new();
+    if (!hands || !pool->begun || !pool->lock) {
         free(hands);
+        lock_free(pool->lock);
         return error_say(error, "no memory");
     }
     for (size_t i = 0; i < count; i++)
         hands[i] = (struct hand){ .pool = pool, .number = i };
-    pthread_mutex_init(&pool->lock, NULL);
     take_kept(pool);
     do_all(pool, hands, count);
-    pthread_mutex_destroy(&pool->lock);
+    lock_free(pool->lock);
     free(hands);
     if (pool->stopped || pool->failed < work->count)
         *error = pool->error;

@@ -1,12 +1,11 @@
 #include "rt/farm/ranks.h"
 
-#include <dlfcn.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
 #include "base/error.h"
-#include "rt/adapter/adapter.h"
+#include "rt/host/adapter.h"
 
 bool ranks_are_many(void)
 {
@@ -20,7 +19,6 @@ static const struct ranks_adapter *find_adapter(c205_error *error)
 {
     char path[ADAPTER_PATH];
     c205_error why;
-    void *object;
     const void *table;
 
     if (!adapter_find(RANKS_FILE, path, &why)) {
@@ -30,13 +28,12 @@ static const struct ranks_adapter *find_adapter(c205_error *error)
                   why.message);
         return NULL;
     }
-    object = dlopen(path, RTLD_LAZY | RTLD_GLOBAL);
-    table = object ? dlsym(object, RANKS_SYMBOL) : NULL;
+    table = adapter_open(path, RANKS_SYMBOL, true, &why);
     if (!table)
         error_say(error,
                   "ranks: %.160s: the package openmpi-bin has what is "
                   "missing",
-                  dlerror());
+                  why.message);
     return table;
 }
 

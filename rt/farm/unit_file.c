@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "rt/host/processes.h"
 
 /* A file is a list of 64-bit words, the highest byte first: the magic word and the key;
  * then for each unit its number, how many words it has, a checksum of these two, the
@@ -227,11 +228,9 @@ static bool is_there(const struct unit_file *file)
  * ends. */
 static FILE *open_locked(const char *path, c205_error *error)
 {
-    struct flock lock = { .l_type = F_WRLCK, .l_whence = SEEK_SET };
     int file = open(path, O_RDWR | O_CREAT, 0666);
-    bool locked = file >= 0 && fcntl(file, F_SETLK, &lock) == 0;
-    bool in_use = file >= 0 && !locked
-                  && (errno == EAGAIN || errno == EACCES);
+    bool locked = file >= 0 && process_lock(file, true);
+    bool in_use = file >= 0 && !locked && process_lock_is_held();
     FILE *stream = locked ? fdopen(file, "r+b") : NULL;
 
     if (!stream) {
@@ -340,7 +339,6 @@ static bool add_units(struct unit_file *file, FILE *stream, c205_error *error)
 static FILE *open_other(const struct unit_file *file, const char *path,
                         c205_error *error)
 {
-    struct flock lock = { .l_type = F_RDLCK, .l_whence = SEEK_SET };
     struct stat kept, named;
     FILE *stream;
 
@@ -352,7 +350,7 @@ static FILE *open_other(const struct unit_file *file, const char *path,
     stream = fopen(path, "rb");
     if (!stream)
         error_say(error, "%s", strerror(errno));
-    else if (fcntl(fileno(stream), F_SETLK, &lock) == 0)
+    else if (process_lock(fileno(stream), false))
         return stream;
     else
         error_say(error, "another run is using it");

@@ -392,7 +392,8 @@ static bool run_unit(void *context, size_t job, size_t unit,
 static void add_gaps(const struct global_work *work, size_t unit,
                      uint64_t cell, uint64_t count)
 {
-    size_t width = width_of(work), i = cell / width, j = cell % width;
+    size_t width = width_of(work), i = (size_t)cell / width,
+           j = (size_t)cell % width;
     uint64_t *ends = work->found->ends
                      + unit / work->packets * cells_of(work);
 

@@ -30,7 +30,7 @@ struct global_lines_options {
     size_t lines_log; /* 2^lines_log lines of each repeat */
     size_t repeats;   /* 2 or more: their spread gives the errors */
     bool lattice;     /* or random */
-    size_t seed;
+    uint64_t seed;
     size_t jobs;       /* packets at a time; 0: one */
     struct farm *farm; /* as in farm_work */
     /* Asked now and then, with packets; false: stop.  NULL: nobody wants to know. */

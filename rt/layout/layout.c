@@ -32,7 +32,9 @@ static void layout_levels(struct record_layout *layout,
 
     layout_word(layout, "scene_levels",
                 layout_reserve(layout,
-                               levels * layout_symbol(layout, "LEVEL_SIZE")));
+                               levels
+                                   * (size_t)layout_symbol(layout,
+                                                           "LEVEL_SIZE")));
     layout_word(layout, "scene_level_count",
                 c205_from_integer((int64_t)levels));
     layout_word(layout, "scene_bailout",
@@ -103,7 +105,7 @@ static void layout_adaptive(struct record_layout *layout, double gamma,
     size_t samples = frame->samples * frame->samples;
     size_t rays = count_rays(grid);
     size_t pixels = rays > samples ? rays / samples : 1;
-    size_t strings = layout_symbol(layout, "FINE_STRINGS")
+    size_t strings = (size_t)layout_symbol(layout, "FINE_STRINGS")
                      * (frame->width / 64 + 4);
 
     layout_word(layout, "scene_threshold",
@@ -115,7 +117,8 @@ static void layout_adaptive(struct record_layout *layout, double gamma,
                 c205_from_double((double)grid->columns));
     layout_word(layout, "scene_fine",
                 layout_reserve(layout,
-                               layout_symbol(layout, "FINE_PLANES") * rays
+                               (size_t)layout_symbol(layout, "FINE_PLANES")
+                                       * rays
                                    + strings));
     layout_word(layout, "scene_sampled_pixels",
                 c205_from_integer((int64_t)pixels));

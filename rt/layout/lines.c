@@ -106,8 +106,9 @@ static void layout_packet(struct record_layout *layout,
         layout_word(layout, "lines_inside",
                     layout_reserve(layout,
                                    objects
-                                       * layout_symbol(layout,
-                                                       "INSIDE_SIZE")));
+                                       * (size_t)
+                                           layout_symbol(layout,
+                                                         "INSIDE_SIZE")));
 }
 
 bool lines_layout_put(const struct lines_layout *whole, c205 *machine,

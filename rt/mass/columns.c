@@ -309,7 +309,7 @@ static uint64_t give_crossed(const struct columns_packet *packet,
     single_run_room(run, "crossed_planes", planes, CROSSED_SIZE * count);
     single_run_word(run, "crossed_totals", totals);
     single_run_room(run, "crossed_lanes", NULL,
-                    totals * layout_symbol(&run->layout, "LANES"));
+                    totals * (size_t)layout_symbol(&run->layout, "LANES"));
     return single_run_room(run, "crossed_sums", NULL, totals);
 }
 

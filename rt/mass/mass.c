@@ -104,7 +104,7 @@ static bool sum_columns(struct mass *mass, c205_error *error)
         .points = request->points,
         .rays_log = mass->rays_log,
         .repeats = request->repeats,
-        .seed = request->seed,
+        .seed = (size_t)request->seed,
         .jobs = request->jobs,
         .overlaps = &mass->overlaps,
         .part_count = mass->parts.count,

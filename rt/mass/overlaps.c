@@ -364,7 +364,7 @@ static void give_tables(struct tables *tables, struct single_run *run)
     give_parts(tables);
     single_run_word(run, "overlap_groups", tables->group_count);
     single_run_room(run, "overlap_carries", NULL, tables->group_count);
-    bits = layout_symbol(&run->layout, "LEVEL_BITS");
+    bits = (size_t)layout_symbol(&run->layout, "LEVEL_BITS");
     single_run_room(run, "overlap_bits", NULL,
                     tables->level_count * bits / 64);
 }

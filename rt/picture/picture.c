@@ -4,12 +4,11 @@
 
 #include "base/file.h"
 #include "base/whole.h"
-#include "rt/adapter/adapter.h"
+#include "rt/host/adapter.h"
+#include "rt/host/threads.h"
 
-#include <dlfcn.h>
 #include <errno.h>
 #include <math.h>
-#include <pthread.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -70,9 +69,8 @@ static const struct picture_kind *kind_of(const char *path)
 
 /* --- colours ----------------------------------------------------------- */
 
-/* IEC 61966-2-1, for linear light between 0 and 1; beyond is clipped, and
- * what is not a number is black. */
-static double srgb_encode(double linear)
+/* IEC 61966-2-1. */
+double picture_srgb(double linear)
 {
     if (!(linear > 0))
         return 0;
@@ -132,7 +130,7 @@ static void interleave(const struct frame *frame,
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
             double value = plane_of(frame, channel)[i];
-            *sample++ = (float)(image->srgb ? srgb_encode(value) : value);
+            *sample++ = (float)(image->srgb ? picture_srgb(value) : value);
         }
 }
 
@@ -161,45 +159,30 @@ static bool adapter_path(char path[ADAPTER_PATH], struct picture_error *error)
            || fail(error, "pictures: %s", cause.message);
 }
 
-static const struct picture_adapter *find_adapter(struct picture_error *error)
+/* Opened once: then it is there, for the library does not bear to be closed. */
+static const struct picture_adapter *adapter(struct picture_error *error)
 {
     char path[ADAPTER_PATH];
     if (!adapter_path(path, error))
         return NULL;
-    /* Lazily: a third of the time that it takes goes for names that nobody
-     * calls. */
-    void *object = dlopen(path, RTLD_LAZY | RTLD_LOCAL);
-    const void *table = object ? dlsym(object, PICTURE_ADAPTER_SYMBOL) : NULL;
+    c205_error cause;
+    const void *table = adapter_open(path, PICTURE_ADAPTER_SYMBOL, false,
+                                     &cause);
     if (!table)
-        fail(error, "pictures: %s", dlerror());
+        fail(error, "pictures: %s", cause.message);
     return table;
-}
-
-/* Loaded once and kept: the library does not bear unloading. */
-static const struct picture_adapter *adapter(struct picture_error *error)
-{
-    static pthread_mutex_t loading = PTHREAD_MUTEX_INITIALIZER;
-    static const struct picture_adapter *loaded;
-    pthread_mutex_lock(&loading);
-    if (!loaded)
-        loaded = find_adapter(error);
-    const struct picture_adapter *found = loaded;
-    pthread_mutex_unlock(&loading);
-    return found;
 }
 
 /* A thread that loads, if one could be had. */
 struct picture_loader {
-    pthread_t thread;
-    bool begun;
+    struct thread *thread;
 };
 
-static void *load(void *context)
+static void load(void *context)
 {
     struct picture_error error;
     (void)context;
     adapter(&error); /* whoever writes asks again, and is told */
-    return NULL;
 }
 
 struct picture_loader *picture_load(struct picture_error *error)
@@ -211,15 +194,14 @@ struct picture_loader *picture_load(struct picture_error *error)
     if (!loader)
         fail(error, "out of memory");
     else
-        loader->begun = pthread_create(&loader->thread, NULL, load, NULL)
-                        == 0;
+        loader->thread = thread_begin(load, NULL);
     return loader;
 }
 
 void picture_loaded(struct picture_loader *loader)
 {
-    if (loader && loader->begun)
-        pthread_join(loader->thread, NULL);
+    if (loader)
+        thread_end(loader->thread);
     free(loader);
 }
 

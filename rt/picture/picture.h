@@ -105,6 +105,10 @@ bool picture_read_layer(const char *path, const char *layer,
 bool picture_read_note(const char *path, const char *name, char *text,
                        size_t size, struct picture_error *error);
 
+/* Linear light, between 0 and 1, encoded as the 8-bit pictures have it; beyond is
+ * clipped, and what is not a number is black. */
+double picture_srgb(double linear);
+
 /* A file's bytes as they are, for the reader of scenes. */
 raster_reader picture_read_raster;
 

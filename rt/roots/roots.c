@@ -135,10 +135,11 @@ static bool lay_out(struct root_search *search,
         plane_address(search, search->inputs, search->planes.inputs));
     if (count > 0
         && (!c205_map(search->machine, search->inputs,
-                      search->planes.inputs * count, C205_READ_ONLY, error)
+                      (size_t)search->planes.inputs * count, C205_READ_ONLY,
+                      error)
             || !c205_map(search->machine, search->results,
-                         search->planes.results * count, C205_READ_WRITE,
-                         error)))
+                         (size_t)search->planes.results * count,
+                         C205_READ_WRITE, error)))
         return false;
     if (count > 0 && !write_planes(search, polynomials))
         return error_say(error, "no memory for the polynomials");

@@ -11,7 +11,6 @@
  */
 #include "rt/scene/font.h"
 
-#include <dlfcn.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,6 +19,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include "rt/host/adapter.h"
 #include "rt/scene/vector.h"
 
 #define FLATNESS 1e-5 /* em */
@@ -48,27 +48,18 @@ struct font {
     FT_Face face;
 };
 
-/* Function pointers are no objects in C99; POSIX lets this be done. */
-static bool find_call(void *object, const char *name, void *call)
-{
-    void *found = dlsym(object, name);
-
-    memcpy(call, &found, sizeof found);
-    return found != NULL;
-}
-
 static bool open_library(struct freetype *calls)
 {
-    void *object = dlopen("libfreetype.so.6", RTLD_LAZY | RTLD_LOCAL);
+    void *library = adapter_library("libfreetype.so.6");
 
-    return object && find_call(object, "FT_Init_FreeType", &calls->init)
-           && find_call(object, "FT_Done_FreeType", &calls->done)
-           && find_call(object, "FT_New_Memory_Face", &calls->new_face)
-           && find_call(object, "FT_Done_Face", &calls->done_face)
-           && find_call(object, "FT_Get_Char_Index", &calls->char_index)
-           && find_call(object, "FT_Load_Glyph", &calls->load_glyph)
-           && find_call(object, "FT_Outline_Decompose", &calls->decompose)
-           && find_call(object, "FT_Get_Kerning", &calls->kerning);
+    return library && adapter_call(library, "FT_Init_FreeType", &calls->init)
+           && adapter_call(library, "FT_Done_FreeType", &calls->done)
+           && adapter_call(library, "FT_New_Memory_Face", &calls->new_face)
+           && adapter_call(library, "FT_Done_Face", &calls->done_face)
+           && adapter_call(library, "FT_Get_Char_Index", &calls->char_index)
+           && adapter_call(library, "FT_Load_Glyph", &calls->load_glyph)
+           && adapter_call(library, "FT_Outline_Decompose", &calls->decompose)
+           && adapter_call(library, "FT_Get_Kerning", &calls->kerning);
 }
 
 static const char *open_face(struct font *font, const char *bytes,

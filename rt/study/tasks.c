@@ -1,9 +1,10 @@
 #include "rt/study/tasks.h"
 
-#include <pthread.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include "rt/host/threads.h"
 
 /* Progress of all is told in so many steps. */
 enum { STEPS = 1000000 };
@@ -17,12 +18,12 @@ struct state {
 
 struct crew {
     const struct tasks *tasks;
-    pthread_mutex_t lock; /* of all below */
-    size_t next;          /* the run to begin next */
-    bool cancelled;       /* by who watches */
-    size_t failed;        /* the lowest run that failed; SIZE_MAX: none */
-    c205_error error;     /* of that one, whichever failed first in time */
-    double weight;        /* of all */
+    struct lock *lock; /* of all below */
+    size_t next;       /* the run to begin next */
+    bool cancelled;    /* by who watches */
+    size_t failed;     /* the lowest run that failed; SIZE_MAX: none */
+    c205_error error;  /* of that one, whichever failed first in time */
+    double weight;     /* of all */
     struct state *states;
 };
 
@@ -51,14 +52,14 @@ static bool tell(void *context, size_t done, size_t all)
     bool go_on;
     size_t steps;
 
-    pthread_mutex_lock(&crew->lock);
+    lock_take(crew->lock);
     state->share = (double)done / (double)all;
     steps = steps_done(crew);
     if (!tasks->progress(tasks->progress_context,
                          steps < STEPS ? steps : STEPS - 1, STEPS))
         crew->cancelled = true;
     go_on = wanted(crew, state->number);
-    pthread_mutex_unlock(&crew->lock);
+    lock_give_back(crew->lock);
     return go_on;
 }
 
@@ -67,11 +68,11 @@ static bool take_next(struct crew *crew, size_t *number)
 {
     bool more;
 
-    pthread_mutex_lock(&crew->lock);
+    lock_take(crew->lock);
     more = crew->next < crew->tasks->count && wanted(crew, crew->next);
     if (more)
         *number = crew->next++;
-    pthread_mutex_unlock(&crew->lock);
+    lock_give_back(crew->lock);
     return more;
 }
 
@@ -83,23 +84,22 @@ static void run_one(struct crew *crew, size_t number)
     c205_error error;
     bool good = tasks->run(tasks->context, &task, &error);
 
-    pthread_mutex_lock(&crew->lock);
+    lock_take(crew->lock);
     state->share = 1;
     if (!good && number < crew->failed) {
         crew->failed = number;
         crew->error = error;
     }
-    pthread_mutex_unlock(&crew->lock);
+    lock_give_back(crew->lock);
 }
 
-static void *work(void *context)
+static void work(void *context)
 {
     struct crew *crew = context;
     size_t number;
 
     while (take_next(crew, &number))
         run_one(crew, number);
-    return NULL;
 }
 
 /* The caller's thread works, too; where no other can be had, alone. */
@@ -107,14 +107,14 @@ static void work_together(struct crew *crew)
 {
     size_t jobs = crew->tasks->jobs, count = 0;
     size_t most = jobs < crew->tasks->count ? jobs : crew->tasks->count;
-    pthread_t *threads = most > 1 ? calloc(most, sizeof *threads) : NULL;
+    struct thread **threads = most > 1 ? calloc(most, sizeof *threads) : NULL;
 
     while (threads && count + 1 < most
-           && pthread_create(&threads[count], NULL, work, crew) == 0)
+           && (threads[count] = thread_begin(work, crew)))
         count++;
     work(crew);
     while (count > 0)
-        pthread_join(threads[--count], NULL);
+        thread_end(threads[--count]);
     free(threads);
 }
 
@@ -139,12 +139,15 @@ bool tasks_run(const struct tasks *tasks, c205_error *error)
 
     crew.states = calloc(tasks->count + 1, sizeof *crew.states);
     snprintf(error->message, sizeof error->message, "no memory");
-    if (!crew.states)
+    crew.lock = lock_new();
+    if (!crew.states || !crew.lock) {
+        free(crew.states);
+        lock_free(crew.lock);
         return false;
-    pthread_mutex_init(&crew.lock, NULL);
+    }
     weigh(&crew);
     work_together(&crew);
-    pthread_mutex_destroy(&crew.lock);
+    lock_free(crew.lock);
     good = crew.failed == SIZE_MAX && crew.next == tasks->count;
     snprintf(error->message, sizeof error->message, "stopped");
     if (crew.failed != SIZE_MAX)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rt/host/threads.h"
 #include "rt/layout/program.h"
 
 static const struct {
@@ -125,7 +126,7 @@ static bool begin_watches(struct band_tracer *tracer, c205_error *error)
 {
     bool good = true;
 
-    pthread_mutex_lock(tracer->lock);
+    lock_take(tracer->lock);
     for (size_t i = 0; i < tracer->watch_count; i++) {
         struct band_watch *watch = &tracer->watches[i];
 
@@ -135,13 +136,13 @@ static bool begin_watches(struct band_tracer *tracer, c205_error *error)
                            : NULL;
         good = watch->band;
     }
-    pthread_mutex_unlock(tracer->lock);
+    lock_give_back(tracer->lock);
     return good;
 }
 
 static void end_watches(struct band_tracer *tracer, bool merge)
 {
-    pthread_mutex_lock(tracer->lock);
+    lock_take(tracer->lock);
     for (size_t i = 0; i < tracer->watch_count; i++) {
         const struct band_watch *watch = &tracer->watches[i];
 
@@ -150,7 +151,7 @@ static void end_watches(struct band_tracer *tracer, bool merge)
         if (watch->band)
             watch->observer->end(watch->band);
     }
-    pthread_mutex_unlock(tracer->lock);
+    lock_give_back(tracer->lock);
 }
 
 static bool read_integer(const struct band_work *work, const c205 *machine,
@@ -238,21 +239,34 @@ bool band_trace(struct band_tracer *tracer, struct band *band,
                 void *progress_context, bool *stopped, c205_error *error)
 {
     const struct band_work *work = tracer->work;
-    struct frame_layout layout;
+    struct frame_layout *layout = &tracer->layout;
     bool good;
 
     good = ready(tracer, error) && begin_watches(tracer, error)
-           && load(work, tracer->machine, band->first_row, band->rows,
-                   &layout, error)
+           && load(work, tracer->machine, band->first_row, band->rows, layout,
+                   error)
            && run(work, tracer->machine, band->rows * work->width,
                   progress_context, stopped, error)
-           && collect(work, tracer->machine, &layout, band, error);
+           && collect(work, tracer->machine, layout, band, error);
     end_watches(tracer, good);
     if (*stopped)
-        collect_rows(work, tracer->machine, &layout, band);
+        collect_rows(work, tracer->machine, layout, band);
     else if (!good)
         band_free(band);
     return good;
+}
+
+bool band_look(const struct band_tracer *tracer, struct band *band)
+{
+    const struct frame_layout *layout = &tracer->layout;
+    c205_error error;
+
+    *band = (struct band){ .first_row = layout->first_row,
+                           .rows = layout->rows };
+    if (collect(tracer->work, tracer->machine, layout, band, &error))
+        return true;
+    band_free(band);
+    return false;
 }
 
 void band_free(struct band *band)

@@ -8,8 +8,6 @@
 #ifndef RT_BAND_H
 #define RT_BAND_H
 
-#include <pthread.h>
-
 #include "base/accounts.h"
 #include "rt/layout/layout.h"
 #include "rt/picture/picture.h"
@@ -67,7 +65,8 @@ struct band_tracer {
         void *band; /* its state of the band that the tracer is at */
     } watches[BAND_OBSERVERS_MOST];
     size_t watch_count;
-    pthread_mutex_t *lock; /* held while observers begin, merge and end */
+    struct frame_layout layout; /* of the band that it is at */
+    struct lock *lock; /* held while observers begin, merge and end */
 };
 
 /* Trace the rows that the band names and fill in the rest, which the caller
@@ -75,6 +74,10 @@ struct band_tracer {
  * the band holds the words of the rows that are done, and no accounts. */
 bool band_trace(struct band_tracer *tracer, struct band *band,
                 void *progress_context, bool *stopped, c205_error *error);
+/* The band that the tracer is at, as it stands in the machine's memory: of
+ * pixels that are not done their colour so far, and of a frame of samples
+ * nothing before its end.  False: no memory.  The caller frees it. */
+bool band_look(const struct band_tracer *tracer, struct band *band);
 void band_free(struct band *band);
 
 #endif

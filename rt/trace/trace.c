@@ -1,15 +1,15 @@
 #include "rt/trace/trace.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "rt/farm/farm.h"
+#include "rt/host/planes.h"
+#include "rt/host/threads.h"
 #include "rt/trace/band_words.h"
 #include "rt/trace/form.h"
-#include "rt/trace/planes.h"
 #include "base/error.h"
 #include "base/hash.h"
 
@@ -31,7 +31,7 @@ struct trace {
     struct farm alone, *farm; /* alone: if there is no other one */
 
     /* While it runs, all of the above that changes is under the lock. */
-    pthread_mutex_t lock, watching;
+    struct lock *lock, *watching;
     struct job *jobs;
     size_t job_count;
     bool stop;
@@ -75,9 +75,9 @@ static bool go_on(void *context)
     struct trace *trace = context;
     bool going;
 
-    pthread_mutex_lock(&trace->lock);
+    lock_take(trace->lock);
     going = ask(trace);
-    pthread_mutex_unlock(&trace->lock);
+    lock_give_back(trace->lock);
     return going;
 }
 
@@ -210,8 +210,8 @@ struct trace *trace_new(const struct scene *scene,
         snprintf(error->message, sizeof error->message, "no memory");
         return NULL;
     }
-    pthread_mutex_init(&trace->lock, NULL);
-    pthread_mutex_init(&trace->watching, NULL);
+    trace->lock = lock_new();
+    trace->watching = lock_new();
     trace->options = *options;
     trace->farm = options->farm ? options->farm : &trace->alone;
     trace->options.samples = samples_across(options, scene);
@@ -233,8 +233,10 @@ struct trace *trace_new(const struct scene *scene,
         .observers = options->observers,
     };
     divide(trace);
-    if (check_threshold(options, scene, error)
-        && prepare(trace, scene, error))
+    if (!trace->lock || !trace->watching)
+        snprintf(error->message, sizeof error->message, "no memory");
+    else if (check_threshold(options, scene, error)
+             && prepare(trace, scene, error))
         return trace;
     trace_free(trace);
     return NULL;
@@ -245,8 +247,8 @@ void trace_free(struct trace *trace)
     if (!trace)
         return;
     farm_end(trace->farm, false);
-    pthread_mutex_destroy(&trace->lock);
-    pthread_mutex_destroy(&trace->watching);
+    lock_free(trace->lock);
+    lock_free(trace->watching);
     accounts_free(&trace->accounts);
     layout_free(trace->layout);
     object_free(trace->program);
@@ -306,11 +308,11 @@ static bool take_band(void *context, size_t number, struct unit_words *words,
                          .accounts = { .model = trace->options.model } };
     bool good;
 
-    pthread_mutex_lock(&trace->lock);
+    lock_take(trace->lock);
     good = (band_take(&band, trace->options.width, words)
             && add_band(trace, &band))
            || error_say(error, "no memory");
-    pthread_mutex_unlock(&trace->lock);
+    lock_give_back(trace->lock);
     band_free(&band);
     return good;
 }
@@ -333,25 +335,36 @@ void trace_forget(struct trace *trace)
 
 /* ---- Jobs ---------------------------------------------------------------- */
 
+/* Under the lock. */
+static void look(const struct job *job, bool done)
+{
+    const struct trace_options *options = &job->trace->options;
+
+    if (options->look)
+        options->look(options->context, job->trace, &job->tracer, done);
+}
+
 static bool tell_progress(void *context, size_t pixels)
 {
     struct job *job = context;
     bool going;
 
-    pthread_mutex_lock(&job->trace->lock);
+    lock_take(job->trace->lock);
     job->pixels = pixels;
     going = ask(job->trace);
-    pthread_mutex_unlock(&job->trace->lock);
+    if (going)
+        look(job, false);
+    lock_give_back(job->trace->lock);
     return going;
 }
 
 static void keep_part(struct trace *trace, const struct band *band)
 {
-    pthread_mutex_lock(&trace->lock);
+    lock_take(trace->lock);
     if (band->rows_done > 0)
         copy_rows(trace, band);
     trace->rows_of_parts += band->rows_done;
-    pthread_mutex_unlock(&trace->lock);
+    lock_give_back(trace->lock);
 }
 
 /* Why this band is not done: of all that are stopped the reason is one. */
@@ -378,9 +391,11 @@ static bool run_band(void *context, size_t number, size_t unit,
     else if (stopped)
         end_stopped(trace, &band, error);
     band_free(&band);
-    pthread_mutex_lock(&trace->lock);
+    lock_take(trace->lock);
+    if (good)
+        look(job, true);
     job->pixels = 0;
-    pthread_mutex_unlock(&trace->lock);
+    lock_give_back(trace->lock);
     return good;
 }
 
@@ -404,7 +419,7 @@ static bool begin_jobs(struct trace *trace)
     for (size_t i = 0; trace->jobs && i < trace->job_count; i++)
         trace->jobs[i] = (struct job){
             .trace = trace,
-            .tracer = { .work = &trace->work, .lock = &trace->watching }
+            .tracer = { .work = &trace->work, .lock = trace->watching }
         };
     return trace->jobs;
 }
@@ -465,21 +480,38 @@ static void make_linear(double *samples, size_t count, double gamma)
         samples[i] = samples[i] > 0 ? pow(samples[i], gamma) : 0;
 }
 
+static void read_channel(const struct trace *trace, int channel,
+                         const c205_word *words, struct frame *part)
+{
+    size_t pixels = part->height * trace->options.width;
+    double *samples = part->channel[channel];
+
+    for (size_t i = 0; i < pixels; i++)
+        samples[i] = c205_to_double(words[i]);
+    if (channel <= CHANNEL_BLUE)
+        make_linear(samples, pixels, trace->gamma);
+}
+
 void trace_read(const struct trace *trace, size_t first_row,
                 struct frame *part)
 {
-    size_t width = trace->options.width, pixels = part->height * width;
+    size_t width = trace->options.width;
 
     for (int i = 0; i < FRAME_CHANNELS; i++) {
         size_t first = (size_t)i * pixels_of(trace) + first_row * width;
-        const c205_word *words = trace->planes.words + first;
 
-        for (size_t k = 0; k < pixels; k++)
-            part->channel[i][k] = c205_to_double(words[k]);
-        planes_leave(&trace->planes, first, pixels);
-        if (i <= CHANNEL_BLUE)
-            make_linear(part->channel[i], pixels, trace->gamma);
+        read_channel(trace, i, trace->planes.words + first, part);
+        planes_leave(&trace->planes, first, part->height * width);
     }
+}
+
+void trace_read_band(const struct trace *trace, const struct band *band,
+                     struct frame *part)
+{
+    size_t pixels = band->rows * trace->options.width;
+
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        read_channel(trace, i, band->words + (size_t)i * pixels, part);
 }
 
 uint64_t trace_checksum(const struct trace *trace)

@@ -49,6 +49,7 @@ enum { TRACE_SAMPLES_MOST = 16 };
 #define TRACE_PIXELS_MOST ((size_t)1 << 26)
 
 struct farm;
+struct trace;
 
 struct trace_options {
     enum trace_mode mode;
@@ -76,6 +77,11 @@ struct trace_options {
      * returns false to stop.  Never twice at a time.  NULL if nobody wants to
      * know. */
     bool (*progress)(void *context, size_t done, size_t pixels);
+    /* Called after progress while a band is under way, and with a band that is done
+     * before it is the frame's: its tracer shows it (band_look).  Never twice at a
+     * time.  NULL if nobody looks. */
+    void (*look)(void *context, const struct trace *trace,
+                 const struct band_tracer *tracer, bool done);
     void *context;
     struct farm
         *farm; /* that does the bands (rt/farm/farm.h), and outlives the
@@ -84,8 +90,6 @@ struct trace_options {
 
 /* The order that a stage takes, told or not. */
 enum trace_order trace_order(const struct trace_options *options);
-
-struct trace;
 
 struct trace *trace_new(const struct scene *scene,
                         const struct trace_options *options,
@@ -119,6 +123,9 @@ size_t trace_rows_done(const struct trace *trace);
  * the power of the scene's assumed_gamma. */
 void trace_read(const struct trace *trace, size_t first_row,
                 struct frame *part);
+/* The same of a band (band_look). */
+void trace_read_band(const struct trace *trace, const struct band *band,
+                     struct frame *part);
 /* A channel's samples as the machine holds them, pixel by pixel. */
 const c205_word *trace_channel(const struct trace *trace,
                                enum frame_channel channel);

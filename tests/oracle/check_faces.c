@@ -12,6 +12,7 @@
  * fails, printed, and written to faces_N.pov; after --first nothing more is done, not
  * even that.  Exit code 1: some failed.
  */
+#include "rt/host/threads.h"
 #include "rt/layout/bumps.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/lights.h"
@@ -179,12 +180,13 @@ static void trace_form(struct form *form, const struct scene *scene,
                                     .tiles = form->tiles,
                                     .rays_a_call = form->queue };
     struct band band = { .rows = HEIGHT };
-    pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
     bool stopped;
     form->tracer.work = &work;
-    form->tracer.lock = &lock;
-    if (!layout || !band_trace(&form->tracer, &band, NULL, &stopped, &error))
+    form->tracer.lock = lock_new();
+    if (!layout || !form->tracer.lock
+        || !band_trace(&form->tracer, &band, NULL, &stopped, &error))
         give_up(error.message);
+    lock_free(form->tracer.lock);
     memcpy(words, band.words, WORDS * sizeof *words);
     band_free(&band);
     layout_free(layout);

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "rt/trace/planes.h"
+#include "rt/host/planes.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,11 +1,12 @@
 #include "rt/study/fit/fit.h"
 
 #include <math.h>
-#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/error.h"
+#include "rt/host/threads.h"
 #include "rt/study/fit/ceres_fit.h"
 
 /* A difference that tells a derivative, in prior widths. */
@@ -32,7 +33,7 @@ struct work {
     const bool *needed; /* of each timing */
     struct point *points;
     size_t count, next; /* of points x timings */
-    pthread_mutex_t lock;
+    struct lock *lock;
     bool failed;
     c205_error error;
 };
@@ -57,42 +58,39 @@ static bool time_one(const struct work *work, size_t i, c205_error *error)
     return point->timed[which];
 }
 
-static void *do_work(void *context)
+static void do_work(void *context)
 {
     struct work *work = context;
     c205_error error = { "" };
 
-    pthread_mutex_lock(&work->lock);
+    lock_take(work->lock);
     while (work->next < work->count && !work->failed) {
         size_t i = work->next++;
         bool good;
 
-        pthread_mutex_unlock(&work->lock);
+        lock_give_back(work->lock);
         good = time_one(work, i, &error);
-        pthread_mutex_lock(&work->lock);
+        lock_take(work->lock);
         if (!good) {
             work->failed = true;
             work->error = error;
         }
     }
-    pthread_mutex_unlock(&work->lock);
-    return NULL;
+    lock_give_back(work->lock);
 }
 
 /* The first thread is this one. */
 static void share_out(struct work *work)
 {
-    pthread_t threads[FIT_JOBS_MOST];
+    struct thread *threads[FIT_JOBS_MOST];
     size_t begun = 1;
 
-    pthread_mutex_init(&work->lock, NULL);
     while (begun < work->fit->jobs && begun < FIT_JOBS_MOST
-           && pthread_create(&threads[begun], NULL, do_work, work) == 0)
+           && (threads[begun] = thread_begin(do_work, work)))
         begun++;
     do_work(work);
     for (size_t i = 1; i < begun; i++)
-        pthread_join(threads[i], NULL);
-    pthread_mutex_destroy(&work->lock);
+        thread_end(threads[i]);
 }
 
 /* What an idle constant leaves as it was at the first point. */
@@ -111,9 +109,13 @@ static bool time_points(const struct fit *fit, const bool *needed,
     struct work work = { .fit = fit,
                          .needed = needed,
                          .points = points,
-                         .count = count * fit->observations->timing_count };
+                         .count = count * fit->observations->timing_count,
+                         .lock = lock_new() };
 
+    if (!work.lock)
+        return error_say(error, "no memory");
     share_out(&work);
+    lock_free(work.lock);
     fill_in(fit, points, count);
     if (work.failed)
         *error = work.error;

@@ -6,8 +6,8 @@
  * says so, whereupon they cost no memory until they are looked at again.
  * Where there is no room for such a file, memory is taken after all.
  */
-#ifndef RT_PLANES_H
-#define RT_PLANES_H
+#ifndef RT_HOST_PLANES_H
+#define RT_HOST_PLANES_H
 
 #include "vm/c205.h"
 

@@ -1,4 +1,4 @@
-#include "rt/trace/planes.h"
+#include "rt/host/planes.h"
 
 #include <fcntl.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* progress.c - a line on the terminal while the machine works, and Ctrl-C. */
+/* watch.c - a line on the terminal while the machine works, and Ctrl-C. */
 #include "base/interrupt.h"
 #include "rt/command/rt205_command.h"
 

@@ -1,5 +1,6 @@
-#include "rt/adapter/adapter.h"
+#include "rt/host/adapter.h"
 
+#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -44,4 +45,32 @@ bool adapter_find(const char *file, char path[ADAPTER_PATH],
            || is_in(installed, file, path)
            || error_say(error, "no %s in %.80s or %.80s", file, beside,
                         installed);
+}
+
+const void *adapter_open(const char *path, const char *table, bool shared,
+                         c205_error *error)
+{
+    /* Lazily: a third of the time that a large one takes goes for names that
+     * nobody calls. */
+    void *object = dlopen(path,
+                          RTLD_LAZY | (shared ? RTLD_GLOBAL : RTLD_LOCAL));
+    const void *found = object ? dlsym(object, table) : NULL;
+
+    if (!found)
+        error_say(error, "%s", dlerror());
+    return found;
+}
+
+void *adapter_library(const char *name)
+{
+    return dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+}
+
+/* Function pointers are no objects in C99; POSIX lets this be done. */
+bool adapter_call(void *library, const char *name, void *call)
+{
+    void *found = dlsym(library, name);
+
+    memcpy(call, &found, sizeof found);
+    return found != NULL;
 }

@@ -1,0 +1,77 @@
+// course.mjs - the texts that the page carries: lessons as HTML, programs beside them.
+
+import { existsSync, readFileSync, readdirSync } from "node:fs";
+import { basename, dirname, join, normalize } from "node:path";
+import { Marked } from "marked";
+
+const read = (path) => readFileSync(path, "utf8");
+const escaped = (text) => text.replace(/[&<>"]/g, (letter) =>
+  ({ "&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;" })[letter]);
+const folderName = /^\d\d-(.*)$/;
+
+// A picture's text, as an address.
+function inlined(path) {
+  if (!path.endsWith(".svg")) throw new Error(`${path}: only .svg is carried in the page`);
+  return `data:image/svg+xml;base64,${Buffer.from(read(path)).toString("base64")}`;
+}
+
+// HTML of a lesson in FOLDER.  Its title and what its blocks are printed by are not shown;
+// the page's own headings stand above it.  Links lead to other lessons, or are none.
+function lessonHtml(folder) {
+  const text = read(join(folder, "lesson.md"))
+    .replace(/^# .*\n/, "").replace(/^<!--[^]*?-->\n/gm, "");
+  const marked = new Marked({
+    renderer: {
+      heading({ tokens, depth }) {
+        const level = Math.min(depth + 1, 6);
+        return `<h${level}>${this.parser.parseInline(tokens)}</h${level}>\n`;
+      },
+      image({ href, text: alternative }) {
+        return `<img src="${inlined(normalize(join(folder, href)))}" alt="${escaped(alternative)}">`;
+      },
+      link({ href, tokens }) {
+        const words = this.parser.parseInline(tokens);
+        const lesson = folderName.exec(basename(dirname(normalize(join(folder, href)))));
+        if (lesson && /lesson\.md(#.*)?$/.test(href))
+          return `<a href="#lesson=${lesson[1]}" data-lesson="${lesson[1]}">${words}</a>`;
+        if (/^https?:/.test(href)) return `<a href="${escaped(href)}" rel="noreferrer">${words}</a>`;
+        return `<cite title="${escaped(basename(href))}">${words}</cite>`;
+      },
+      code({ text: words }) {
+        return `<pre tabindex="0"><code>${escaped(words)}</code></pre>\n`;
+      },
+      table({ header, rows }) {
+        const cells = (row, name) => row.map(({ tokens, align }) =>
+          `<${name}${align === "right" ? ' class="number"' : ""}>${this.parser.parseInline(tokens)}</${name}>`).join("");
+        return `<div class="scroll" tabindex="0"><table><thead><tr>${cells(header, "th")}</tr></thead><tbody>`
+          + `${rows.map((row) => `<tr>${cells(row, "td")}</tr>`).join("")}</tbody></table></div>\n`;
+      },
+    },
+  });
+  return marked.parse(text);
+}
+
+// A program with the .inc files beside it, or above, in their places; null: it needs
+// other files.
+function program(path) {
+  const text = read(path).replace(/^[ \t]*\.include\s+"([^"]+)".*\n/gm, (line, name) => {
+    const found = [dirname(path), dirname(dirname(path))].map((folder) => join(folder, name)).find(existsSync);
+    return found ? read(found) : line;
+  });
+  return /^[^;\n]*\.incfile\b/m.test(text) ? null : { name: basename(path), text };
+}
+
+const programs = (folder, wanted) => readdirSync(folder).filter((name) => wanted.test(name)).sort()
+  .map((name) => program(join(folder, name))).filter(Boolean);
+
+/** By name: {html, examples} of each lesson. */
+export function readCourse(folder) {
+  if (!existsSync(folder)) return {};
+  return Object.fromEntries(readdirSync(folder).filter((name) => folderName.test(name)
+    && existsSync(join(folder, name, "lesson.md"))).sort().map((name) => [folderName.exec(name)[1],
+    { html: lessonHtml(join(folder, name)), examples: programs(join(folder, name), /^example-.*\.s$/) }]));
+}
+
+/** The assembler's examples. */
+export const readExamples = (folder) => ["", "debugging", "profiling"]
+  .flatMap((part) => programs(join(folder, part), /\.s$/));

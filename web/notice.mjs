@@ -1,0 +1,39 @@
+// notice.mjs - of which packages something is in the page, with versions and licences.
+
+import { readFileSync, readdirSync } from "node:fs";
+import { join } from "node:path";
+
+const ALLOWED = ["MIT", "ISC", "BSD-2-Clause", "BSD-3-Clause", "Apache-2.0"];
+
+function licenceText(folder) {
+  const name = readdirSync(folder).find((one) => /^licen[cs]e/i.test(one));
+  return name ? readFileSync(join(folder, name), "utf8").trim() : null;
+}
+
+/** The notice of the packages that INPUTS, paths from WEB on, come from. */
+export function notice(web, inputs) {
+  const names = new Set(inputs.map((path) => /^node_modules\/((?:@[^/]+\/)?[^/]+)\//.exec(path)?.[1])
+    .filter(Boolean));
+  const packages = [...names].sort().map((name) => {
+    const folder = join(web, "node_modules", name);
+    const { version, license } = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+    const text = licenceText(folder);
+    if (!ALLOWED.includes(license) || !text)
+      throw new Error(`${name} ${version}: the licence ${license} is none that is allowed, or has no text`);
+    return { name, version, license, text };
+  });
+  const texts = byText(packages);
+  return ["# What others wrote of the page", "",
+    "The page has these packages in it. Written by `node web/build.mjs BUILD --write`, checked by `make web`.", "",
+    "| package | version | licence |", "|---|---|---|",
+    ...packages.map(({ name, version, license }) => `| ${name} | ${version} | ${license} |`),
+    ...[...texts].flatMap(([text, of]) => ["", `## ${of.map(({ name }) => name).join(", ")}`, "",
+      ...text.split("\n").map((line) => `    ${line}`.trimEnd())]), ""].join("\n");
+}
+
+// Packages that share a licence to the letter share its text.
+function byText(packages) {
+  const texts = new Map();
+  for (const one of packages) texts.set(one.text, [...(texts.get(one.text) ?? []), one]);
+  return texts;
+}

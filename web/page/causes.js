@@ -1,0 +1,42 @@
+// causes.js - where the clocks went: a bar and a table of causes, and the regions.
+
+import { colour, count, draw, el, fill, fixed, heading, table } from "./dom.js";
+
+/** A bar of {cause, clocks}, each as wide as its share. */
+export function bar(causes) {
+  const all = causes.reduce((sum, { clocks }) => sum + clocks, 0);
+  let at = 0;
+  const parts = causes.filter(({ clocks }) => clocks > 0).map(({ cause, clocks }) => {
+    const x = 100 * at / all;
+    at += clocks;
+    return draw("rect", { x: `${x}%`, y: 0, width: `${100 * clocks / all}%`, height: "100%",
+      class: colour(cause) }, draw("title", {}, `${cause}: ${count(clocks)} clocks`));
+  });
+  return draw("svg", { class: "bar-of-causes", "aria-hidden": "true" }, parts);
+}
+
+/** The name of a cause, behind a patch of its colour. */
+export const named = (cause) => el("span", { class: "cause" },
+  el("i", { class: `patch ${colour(cause)}`, "aria-hidden": "true" }), cause);
+
+const figure = (value, what) => el("span", {}, el("b", {}, value), ` ${what}`);
+
+export function makeCauses(panel, session) {
+  session.on("view", ({ accounts }) => fill(panel, heading("causes", "Where the clocks went"),
+    accounts.clocks === 0 ? el("p", { class: "empty" }, "No clock has passed yet.") : told(accounts)));
+}
+
+function told({ causes, regions, clocks, mflops, mean_length: meanLength }) {
+  return [
+    bar(causes),
+    table("Clocks by cause", [["cause"], ["clocks", "number"], ["%", "number"]], [
+      ...causes.map((row) => ({ cells: [named(row.cause), count(row.clocks), fixed(row.percent, 1)] })),
+      { class: "sum", cells: ["all", count(clocks), fixed(100, 1)] }]),
+    regions.length > 1 && table("Clocks by region",
+      [["region"], ...["instr.", "vector", "elements", "clocks"].map((title) => [title, "number"])],
+      regions.map((row) => ({ cells: [row.region,
+        ...[row.instructions, row.vector, row.elements, row.clocks].map(count)] }))),
+    el("p", { class: "figures" }, mflops > 0 && figure(fixed(mflops, 1), "Mflop/s"),
+      meanLength > 0 && figure(fixed(meanLength, 1), "mean vector length")),
+  ];
+}

@@ -1,0 +1,69 @@
+// compare.js - two programs side by side, and the one or two causes that make the
+// difference, in words.
+
+import { choices, count, el, fill, fixed, heading, table } from "./dom.js";
+import { named } from "./causes.js";
+
+export function makeCompare(panel, session, others) {
+  const first = el("select", { id: "compare-first" });
+  const second = el("select", { id: "compare-second" });
+  const result = el("div", { class: "result", role: "group", "aria-live": "polite", "aria-label": "Result" });
+  fill(panel, el("section", { class: "panel", "aria-labelledby": "compare-heading" },
+    heading("compare", "Two programs side by side"),
+    el("form", { class: "fields", submit: (event) => { event.preventDefault(); run(); } },
+      el("div", { class: "field" }, el("label", { for: "compare-first" }, "First"), first),
+      el("div", { class: "field" }, el("label", { for: "compare-second" }, "second"), second),
+      el("div", { class: "field" }, el("button", { type: "submit", class: "main" }, "Compare"),
+        el("button", { type: "button", click: keep }, "Keep my program for later"))),
+    result));
+
+  function offer() {
+    const list = others();
+    const [one, two] = [first.value, second.value];
+    choices(first, list);
+    choices(second, list);
+    const has = (value) => list.some((entry) => entry.value === value);
+    first.value = has(one) && one ? one : list[1]?.value ?? list[0].value;
+    second.value = has(two) && two ? two : list[0].value;
+  }
+
+  function keep() {
+    session.keep();
+    offer();
+    fill(result, el("p", {}, "Kept: it stands in both lists as “kept”."));
+  }
+
+  async function run() {
+    if (session.busy) return;
+    offer();
+    const list = others();
+    const chosen = [first, second].map(({ value }) => list.find((one) => one.value === value));
+    const reply = await session.longer({ do: "compare", ...session.setting,
+      texts: chosen.map(({ title, text }) => ({ name: title, text })) });
+    fill(result, reply.ok && !reply.stopped ? told(reply, chosen)
+      : el("p", { class: "fault" }, reply.error ?? "Stopped."));
+  }
+
+  function told(reply, chosen) {
+    const beside = (caption, key, rows, name = String) => table(caption,
+      [[key], ...[...chosen.map(({ title }) => title), "second - first", "first / second"].map((one) => [one, "number"])],
+      rows.map((row) => ({ class: row[key] === "all" ? "sum" : null, cells: [name(row[key]),
+        figure(row.first), figure(row.second), row.difference === undefined ? "" : count(row.difference),
+        row.ratio == null ? "-" : fixed(row.ratio, 3)] })));
+    return [
+      el("p", { class: "verdict-words" }, reply.sentence),
+      el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Tables" },
+        beside("Clocks by cause", "cause", reply.causes.filter((row) => row.first || row.second),
+          (cause) => cause === "all" ? cause : named(cause)),
+        reply.regions.length > 1 && beside("Clocks by region", "region", reply.regions),
+        beside("Figures", "figure", reply.figures)),
+    ];
+  }
+
+  // Four digits, or all of an integer.
+  const figure = (x) => x == null ? "-" : Number.isInteger(x) ? count(x)
+    : x.toLocaleString("en", { maximumSignificantDigits: 4 });
+
+  offer();
+  return { offer, run };
+}

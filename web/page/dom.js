@@ -1,0 +1,87 @@
+// dom.js - elements of the page: found, made, filled; numbers as they are shown.
+
+export const $ = (id) => document.getElementById(id);
+
+const there = (children) => children.flat(Infinity).filter((child) => child != null && child !== false);
+
+function furnish(node, attributes, children) {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (typeof value === "function") node.addEventListener(name, value);
+    else if (value === true) node.setAttribute(name, "");
+    else if (value !== false && value != null) node.setAttribute(name, value);
+  }
+  node.append(...there(children));
+  return node;
+}
+
+/** Children in place of those that a node has. */
+export function fill(node, ...children) {
+  node.replaceChildren(...there(children));
+}
+
+/** An element; an attribute that is a function listens, a child that is null is none. */
+export function el(name, attributes = {}, ...children) {
+  return furnish(document.createElement(name), attributes, children);
+}
+
+/** The same of a drawing. */
+export function draw(name, attributes = {}, ...children) {
+  return furnish(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, children);
+}
+
+export function icon(name) {
+  return draw("svg", { "aria-hidden": "true" }, draw("use", { href: `#icon-${name}` }));
+}
+
+/** What a panel has on top: its heading and what is said beside it. */
+export function heading(panel, title, ...aside) {
+  return el("div", { class: "heading" },
+    el("h2", { id: `${panel}-heading` }, title), el("div", { class: "aside" }, ...aside));
+}
+
+/** A table: columns of [title, class], rows of cells (texts or elements). */
+export function table(caption, columns, rows) {
+  return el("table", {},
+    el("caption", { class: "unseen" }, caption),
+    el("thead", {}, el("tr", {},
+      columns.map(([title, kind]) => el("th", { scope: "col", class: kind }, title)))),
+    el("tbody", {}, rows.map(({ cells, ...attributes }) => el("tr", attributes,
+      cells.map((cell, i) => i === 0
+        ? el("th", { scope: "row", class: columns[0][1] }, cell)
+        : el("td", { class: columns[i][1] }, cell))))));
+}
+
+/** Choices of a select: a list of {value, title}, or of {group, choices}. */
+export function choices(select, list) {
+  const option = ({ value, title }) => el("option", { value }, title);
+  select.replaceChildren(...list.map((entry) => entry.choices
+    ? el("optgroup", { label: entry.group }, entry.choices.map(option))
+    : option(entry)));
+}
+
+export const count = (n) => n.toLocaleString("en");
+export const fixed = (x, places) => Number.isFinite(x) ? x.toLocaleString("en",
+  { minimumFractionDigits: places, maximumFractionDigits: places, signDisplay: "negative" }) : "-";
+/** "1 clock", "2 clocks". */
+export const some = (n, what) => `${count(n)} ${what}${n === 1 ? "" : "s"}`;
+/** A time in the unit that suits it. */
+export function duration(microseconds) {
+  const [unit, by] = microseconds < 1000 ? ["µs", 1] : microseconds < 1e6 ? ["ms", 1e3] : ["s", 1e6];
+  return `${fixed(microseconds / by, 2)} ${unit}`;
+}
+
+/** The class that has the colour of a cause: vector start-up, vector_startup .. */
+export const colour = (cause) => `cause-${cause.toLowerCase().replace(/[^a-z]/g, "")}`;
+
+/** What is kept between visits, where the browser lets us. */
+export const kept = {
+  get(name) {
+    try { return JSON.parse(localStorage.getItem(`c205.${name}`)); } catch { return null; }
+  },
+  set(name, value) {
+    try { localStorage.setItem(`c205.${name}`, JSON.stringify(value)); } catch { /* not let */ }
+  },
+  drop(name) {
+    try { localStorage.removeItem(`c205.${name}`); } catch { /* not let */ }
+  },
+};

@@ -1,0 +1,274 @@
+// editor.js - the program's text: CodeMirror with the assembler's words, breakpoints
+// in the gutter, the line at which the program stands, errors where they are.
+
+import { defaultKeymap, history, historyKeymap, indentMore } from "@codemirror/commands";
+import { HighlightStyle, StreamLanguage, bracketMatching, syntaxHighlighting }
+  from "@codemirror/language";
+import { setDiagnostics } from "@codemirror/lint";
+import { EditorState, RangeSet, StateEffect, StateField } from "@codemirror/state";
+import { Decoration, EditorView, GutterMarker, drawSelection, gutter, highlightActiveLine,
+  hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+import { count, el, fixed, some } from "./dom.js";
+
+const TAB = 8;
+
+// --- the language -----------------------------------------------------------
+
+const NAME = /^[A-Za-z_$][\w$.]*/;
+
+// One statement a line: labels, the operation, operands, a comment.
+function language(about) {
+  const mnemonics = new Set(about.instructions.map((row) => row.mnemonic.toUpperCase()));
+  const directives = new Set(about.directives.map((name) => name.toLowerCase()));
+  const operation = (word) => mnemonics.has(word.replace(/,h$/i, "").toUpperCase())
+    ? "keyword" : "macroName";
+
+  return StreamLanguage.define({
+    name: "c205",
+    startState: () => ({ operands: false }),
+    token(stream, state) {
+      if (stream.sol()) state.operands = false;
+      if (stream.eatSpace()) return null;
+      if (stream.match(/^;\s*(expect|test|goals|tolerance)\b.*/)) return "docComment";
+      if (stream.match(/^;.*/)) return "lineComment";
+      if (stream.match(/^"(\\.|[^"\\])*"?/)) return "string";
+      if (!state.operands) {
+        if (stream.match(/^[A-Za-z_$][\w$.]*:/)) return "labelName";
+        const directive = stream.match(/^\.[A-Za-z]+/);
+        const word = directive ?? stream.match(/^[A-Za-z_$][\w$.]*(,[Hh]\b)?/);
+        if (word) {
+          state.operands = true;
+          if (!directive) return operation(word[0]);
+          return directives.has(word[0].toLowerCase()) ? "processingInstruction" : "invalid";
+        }
+      }
+      if (stream.match(/^X'[0-9A-Fa-f ]*'?/)) return "number";
+      if (stream.match(/^(0x[0-9A-Fa-f]+|\d+(\.\d*)?([eE][-+]?\d+)?)/)) return "number";
+      if (stream.match(/^\\[\w.+@]*/)) return "variableName.special";
+      const word = stream.match(NAME);
+      if (word) return /^[rh]\d+$/.test(word[0]) ? "atom" : "variableName";
+      return stream.match(/^[[\](){}]/) ? "bracket" : (stream.next(), "operator");
+    },
+    languageData: { commentTokens: { line: ";" } },
+    tokenTable: { docComment: tags.docComment },
+  });
+}
+
+const colours = HighlightStyle.define([
+  [tags.lineComment, "comment"], [tags.docComment, "expect"], [tags.string, "string"],
+  [tags.labelName, "label"], [tags.keyword, "mnemonic"], [tags.macroName, "macro"],
+  [tags.processingInstruction, "directive"], [tags.number, "number"], [tags.atom, "register"],
+  [tags.special(tags.variableName), "register"], [tags.invalid, "unknown"],
+].map(([tag, name]) => ({ tag, class: `word-${name}` })));
+
+// --- the gutter: breakpoints and where the program stands ----------------------
+
+const setBreaks = StateEffect.define();
+const setHere = StateEffect.define();
+
+class Mark extends GutterMarker {
+  constructor(kind, title) { super(); this.kind = kind; this.title = title; }
+  eq(other) { return other.kind === this.kind; }
+  toDOM() { return el("span", { class: `mark-${this.kind}`, title: this.title }); }
+}
+const BREAK = new Mark("break", "a breakpoint");
+const HERE = new Mark("here", "the next instruction");
+const ROOM = new Mark("room", "");
+
+// Clocks of a line, on a ground that is the darker the larger their share is.
+class Clocks extends GutterMarker {
+  constructor({ clocks, percent, executions }) {
+    super();
+    this.clocks = clocks;
+    this.share = percent / 100;
+    this.title = `${some(clocks, "clock")}, ${fixed(percent, 1)} %, in ${some(executions, "execution")}`;
+  }
+  eq(other) { return other.title === this.title; }
+  toDOM() {
+    return el("span", { class: "clocks", style: `--share: ${this.share}`, title: this.title }, count(this.clocks));
+  }
+}
+
+const lineStart = (doc, line) => doc.line(Math.min(Math.max(line, 1), doc.lines)).from;
+
+const breaks = StateField.define({
+  create: () => RangeSet.empty,
+  update(marks, change) {
+    marks = marks.map(change.changes);
+    for (const effect of change.effects)
+      if (effect.is(setBreaks))
+        marks = RangeSet.of([...new Set(effect.value)]
+          .map((line) => BREAK.range(lineStart(change.state.doc, line))), true);
+    return marks;
+  },
+});
+
+const setClocks = StateEffect.define();
+
+const clocks = StateField.define({
+  create: () => RangeSet.empty,
+  update(marks, change) {
+    for (const effect of change.effects)
+      if (effect.is(setClocks))
+        return RangeSet.of(effect.value.map((row) =>
+          new Clocks(row).range(lineStart(change.state.doc, row.line))), true);
+    return change.docChanged ? RangeSet.empty : marks;
+  },
+});
+
+const here = StateField.define({
+  create: () => 0,
+  update(line, change) {
+    for (const effect of change.effects) if (effect.is(setHere)) return effect.value;
+    return change.docChanged ? 0 : line;
+  },
+  provide: (field) => [
+    EditorView.decorations.from(field, (line) => (view) => line
+      ? Decoration.set(Decoration.line({ class: "here" }).range(lineStart(view.state.doc, line)))
+      : Decoration.none),
+  ],
+});
+
+function hereMarks(view) {
+  const line = view.state.field(here);
+  return line ? RangeSet.of(HERE.range(lineStart(view.state.doc, line))) : RangeSet.empty;
+}
+
+// --- the editor ---------------------------------------------------------------
+
+// Spaces to the next column of eight; of a selection, all its lines.
+function tab(view) {
+  if (!view.state.selection.main.empty) return indentMore(view);
+  const at = view.state.selection.main.head;
+  const column = at - view.state.doc.lineAt(at).from;
+  view.dispatch(view.state.replaceSelection(" ".repeat(TAB - column % TAB)),
+    { userEvent: "input", scrollIntoView: true });
+  return true;
+}
+
+/** What the table says of a word. */
+export function explain(about, word) {
+  const row = about.instructions.find(({ mnemonic }) =>
+    mnemonic.toUpperCase() === word.replace(/,h$/i, "").toUpperCase());
+  return row && { name: `${row.mnemonic} ${row.operands}`.trim(), effect: row.effect };
+}
+
+/**
+ * The editor in PARENT.  CHANGED hears of the text, BREAKS of the lines with
+ * breakpoints, AT of what the table says of the word under the cursor.
+ */
+export function makeEditor(parent, about, { changed, breaks: broken, at }) {
+  const lines = (state) => {
+    const found = [];
+    state.field(breaks).between(0, state.doc.length, (from) => {
+      found.push(state.doc.lineAt(from).number);
+    });
+    return found;
+  };
+  const toggle = (view, position) => {
+    const line = view.state.doc.lineAt(position).number;
+    const now = lines(view.state);
+    const next = now.includes(line) ? now.filter((one) => one !== line) : [...now, line];
+    view.dispatch({ effects: setBreaks.of(next) });
+    broken(next);
+    return true;
+  };
+  const wordAt = (state, position) => {
+    const { from, text } = state.doc.lineAt(position);
+    const statement = /^\s*(?:[A-Za-z_$][\w$.]*:\s*)*([A-Za-z_$][\w$.]*)/.exec(text);
+    return statement && { from: from + statement[0].length - statement[1].length,
+      to: from + statement[0].length, word: statement[1] };
+  };
+  const tooltip = hoverTooltip((view, position) => {
+    const found = wordAt(view.state, position);
+    if (!found || position < found.from || position > found.to) return null;
+    const told = explain(about, found.word);
+    return told && { pos: found.from, end: found.to, create: () => ({
+      dom: el("div", { class: "effect" }, el("code", {}, told.name), " ", told.effect) }) };
+  });
+
+  let quiet = false; // what we set ourselves is no change of the learner's
+  const view = new EditorView({
+    parent,
+    state: EditorState.create({
+      extensions: [
+        breaks, here, clocks,
+        gutter({
+          class: "cm-breaks",
+          markers: (editor) => [editor.state.field(breaks), hereMarks(editor)],
+          lineMarkerChange: (update) =>
+            update.startState.field(here) !== update.state.field(here),
+          initialSpacer: () => ROOM,
+          domEventHandlers: { mousedown: (editor, block) => toggle(editor, block.from) },
+        }),
+        lineNumbers({ domEventHandlers: {
+          mousedown: (editor, block) => toggle(editor, block.from) } }),
+        gutter({ class: "cm-clocks", markers: (editor) => editor.state.field(clocks) }),
+        history(), drawSelection(), highlightActiveLine(), bracketMatching(), tooltip,
+        EditorState.tabSize.of(TAB),
+        language(about), syntaxHighlighting(colours),
+        keymap.of([
+          { key: "F9", run: (editor) => toggle(editor, editor.state.selection.main.head) },
+          { key: "Tab", run: tab },
+          ...defaultKeymap, ...historyKeymap]),
+        EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "Text of the program",
+          "aria-description": "F9 sets a breakpoint at the line; Escape, then Tab leaves the text" }),
+        EditorView.updateListener.of((update) => {
+          if (update.docChanged && !quiet) changed(update.state.doc.toString());
+          if (update.docChanged || update.selectionSet) {
+            const found = wordAt(update.state, update.state.selection.main.head);
+            at(found && explain(about, found.word));
+          }
+        }),
+      ],
+    }),
+  });
+
+  return {
+    view,
+    get text() { return view.state.doc.toString(); },
+    get breaks() { return lines(view.state); },
+    /** Another text, of which there is no way back to the one before. */
+    set(text) {
+      quiet = true;
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text },
+        selection: { anchor: 0 }, effects: [setBreaks.of([]), setHere.of(0)],
+        scrollIntoView: true });
+      quiet = false;
+    },
+    /** As if it had been typed. */
+    type(text) {
+      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text }, userEvent: "input" });
+    },
+    setBreaks(list) {
+      view.dispatch({ effects: setBreaks.of(list) });
+    },
+    /** Marks the line, and brings it into sight. */
+    stand(line) {
+      const effects = [setHere.of(line)];
+      if (line) effects.push(EditorView.scrollIntoView(lineStart(view.state.doc, line), { y: "nearest", yMargin: 40 }));
+      view.dispatch({ effects });
+    },
+    /** Clocks beside lines: {line, clocks, percent, executions}. */
+    charge(rows) {
+      view.dispatch({ effects: setClocks.of(rows) });
+    },
+    toLine(line, column = 1) {
+      const { from, to } = view.state.doc.line(Math.min(Math.max(line, 1), view.state.doc.lines));
+      const anchor = Math.min(from + Math.max(column, 1) - 1, to);
+      view.dispatch({ selection: { anchor }, scrollIntoView: true });
+      view.focus();
+    },
+    /** Errors and warnings: {severity, line, column, length, message}. */
+    tell(diagnostics) {
+      const { doc } = view.state;
+      view.dispatch(setDiagnostics(view.state, diagnostics.filter((one) => one.line).map((one) => {
+        const { from, to } = doc.line(Math.min(one.line, doc.lines));
+        const begin = Math.min(from + Math.max((one.column ?? 1) - 1, 0), to);
+        return { from: begin, to: one.length ? Math.min(begin + one.length, to) : to,
+          severity: one.severity === "warning" ? "warning" : "error", message: one.message };
+      })));
+    },
+  };
+}

@@ -1,0 +1,161 @@
+// laboratory.js - one or two programs against a constant: Mflop/s of every length, the
+// straight line through their clocks, n-half.  All figures are the engine's.
+
+import { choices, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
+
+const POINTS = 25;
+const WIDTH = 720, HEIGHT = 300, LEFT = 56, RIGHT = 96, TOP = 16, BOTTOM = 40;
+
+export function makeLaboratory(panel, session, others) {
+  let told = null;
+  let names = [];
+  let at = 0; // the point that the slider stands at
+
+  const first = el("select", { id: "lab-first" });
+  const second = el("select", { id: "lab-second" });
+  const field = (id, label, input) => el("div", { class: "field" }, el("label", { for: id }, label), input);
+  const constant = el("input", { id: "lab-constant", value: "n", size: 8, spellcheck: "false" });
+  const from = el("input", { id: "lab-from", type: "number", min: 1, value: 1 });
+  const to = el("input", { id: "lab-to", type: "number", min: 2, max: 65535, value: 1000 });
+  const warm = el("input", { id: "lab-warm", type: "checkbox", checked: true });
+  const start = el("button", { type: "submit", class: "main" }, "Measure");
+  const stop = el("button", { type: "button", hidden: true, click: () => session.stop() }, "Stop");
+  const progress = el("p", { class: "note", role: "status" });
+  const result = el("div", { class: "result" });
+
+  fill(panel, el("section", { class: "panel", "aria-labelledby": "laboratory-heading" },
+    heading("laboratory", "Laboratory: speed against length"),
+    el("p", { class: "note" }, "A program is assembled and run for many values of one of its constants. Where it ",
+      "has a value of its own, that stands between ", el("code", {}, ".ifndef n"), " and ", el("code", {}, ".endif"), "."),
+    el("form", { class: "fields", submit: measure },
+      field("lab-first", "Program", first), field("lab-second", "beside", second),
+      field("lab-constant", "constant", constant), field("lab-from", "from", from), field("lab-to", "to", to),
+      field("lab-warm", "pages in memory", warm), el("div", { class: "field" }, start, stop)),
+    progress, result));
+
+  function offer() {
+    const list = others();
+    const [one, two] = [first.value, second.value];
+    choices(first, list);
+    choices(second, [{ value: "", title: "nothing else" }, ...list]);
+    first.value = one || list[0].value;
+    second.value = two;
+  }
+  panel.addEventListener("focusin", (event) => {
+    if (event.target === first || event.target === second) offer();
+  });
+  offer();
+
+  async function measure(event) {
+    event.preventDefault();
+    if (session.busy) return;
+    const pick = (value) => others().find((one) => one.value === value);
+    const chosen = [pick(first.value), pick(second.value)].filter(Boolean);
+    start.hidden = true;
+    stop.hidden = false;
+    progress.textContent = "Measuring ..";
+    const reply = await session.longer({ do: "sweep", text: chosen[0].text,
+      ...(chosen[1] && { other: chosen[1].text }), constant: constant.value.trim(),
+      from: Number(from.value), to: Number(to.value), points: POINTS, model: session.model,
+      warm: warm.checked },
+    ({ part }) => { progress.textContent = `Measuring .. ${Math.round(100 * part)} %`; });
+    start.hidden = false;
+    stop.hidden = true;
+    if (!reply.ok || reply.stopped) {
+      progress.textContent = reply.error ?? "Stopped.";
+      return;
+    }
+    progress.textContent = "";
+    told = reply;
+    names = chosen.map(({ title }) => title);
+    at = Math.floor(reply.points.length / 2);
+    show();
+  }
+
+  // As c205 sweep names them: "first_clocks" beside another program, else "clocks".
+  const series = () => names.length > 1 ? ["first_", "second_"] : [""];
+
+  function show() {
+    const slider = el("input", { type: "range", id: "lab-at", min: 0, max: told.points.length - 1, value: at,
+      input: () => { at = Number(slider.value); mark(); } });
+    const said = el("output", { for: "lab-at", class: "said-at" });
+    const chart = el("div", { class: "chart" });
+    const mark = () => {
+      fill(chart, drawing());
+      const point = told.points[at];
+      fill(said, el("b", {}, `${told.constant} = ${count(point.value)}`), ...series().map((one, i) =>
+        el("span", {}, el("i", { class: `patch series-${i}`, "aria-hidden": "true" }),
+          `${some(point[`${one}clocks`], "clock")}, ${fixed(point[`${one}mflops`], 1)} Mflop/s`)));
+      slider.setAttribute("aria-valuetext", `${told.constant} = ${point.value}`);
+    };
+    fill(result,
+      el("p", { class: "legend" }, names.map((name, i) => el("span", {},
+        el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), name))),
+      chart, el("div", { class: "field slide" }, el("label", { for: "lab-at" }, told.constant), slider), said,
+      ...(told.crossings ?? []).map(crossing), lines(),
+      el("details", {}, el("summary", {}, "All points"), points()));
+    mark();
+  }
+
+  // Where the two change places.
+  function crossing({ value, faster, first_clocks: a, second_clocks: b }) {
+    const [mine, other] = faster === "first" ? [0, 1] : [1, 0];
+    return el("p", {}, `From ${told.constant} = ${count(value)} on ${names[mine]} is faster: `
+      + `${some([a, b][mine], "clock")}, and ${names[other]} ${count([a, b][other])}.`);
+  }
+
+  function lines() {
+    return table("The straight line through the clocks",
+      [["program"], ["start-up, clk", "number"], ["clk/n", "number"], ["r∞, Mflop/s", "number"],
+        ["n½", "number"], ["off, %", "number"]],
+      told.lines.map((line, i) => ({ cells: [
+        [el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), names[i]], fixed(line.startup, 1),
+        fixed(line.per_element, 4), fixed(line.mflops, 2), fixed(line.n_half, 1), fixed(line.off_percent, 2)] })));
+  }
+
+  function points() {
+    return table("All points", [[told.constant, "number"],
+      ...names.flatMap((name) => [[`${name}, clk`, "number"], ["Mflop/s", "number"]])],
+    told.points.map((point) => ({ cells: [count(point.value), ...series().flatMap((one) =>
+      [count(point[`${one}clocks`]), fixed(point[`${one}mflops`], 2)])] })));
+  }
+
+  // Mflop/s against the constant, that on a scale of factors.
+  function drawing() {
+    const { points } = told;
+    const [low, high] = [points[0].value, points.at(-1).value];
+    const top = 1.08 * Math.max(...points.flatMap((point) => series().map((one) => point[`${one}mflops`])), 1e-9);
+    const x = (n) => LEFT + (WIDTH - LEFT - RIGHT) * Math.log(n / low) / Math.log(high / low || 2);
+    const y = (rate) => HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * rate / top;
+    const text = (px, py, kind, words) => draw("text", { x: px, y: py, class: kind }, words);
+    const svg = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img",
+      "aria-label": `Mflop/s of ${names.join(" and ")} against ${told.constant}` });
+
+    for (let power = 1; power <= high; power *= 10)
+      for (const n of [power, 2 * power, 5 * power].filter((one) => one >= low && one <= high))
+        svg.append(draw("line", { x1: x(n), x2: x(n), y1: TOP, y2: HEIGHT - BOTTOM, class: "tick" }),
+          text(x(n), HEIGHT - BOTTOM + 16, "clock", count(n)));
+    const rough = 10 ** Math.floor(Math.log10(top / 4));
+    const step = [1, 2, 5, 10].map((by) => by * rough).find((by) => top / by <= 6);
+    for (let rate = 0; rate <= top; rate += step)
+      svg.append(draw("line", { x1: LEFT, x2: WIDTH - RIGHT, y1: y(rate), y2: y(rate), class: "tick" }),
+        text(LEFT - 8, y(rate) + 4, "lane", String(Number(rate.toPrecision(6)))));
+    svg.append(text(LEFT, HEIGHT - 6, "axis", `${told.constant} →`), text(LEFT + 6, TOP + 2, "axis", "Mflop/s"));
+
+    const here = points[at].value;
+    svg.append(draw("line", { x1: x(here), x2: x(here), y1: TOP, y2: HEIGHT - BOTTOM, class: "now" }));
+    series().forEach((one, i) => {
+      const rate = (point) => point[`${one}mflops`];
+      svg.append(draw("polyline", { class: `curve curve-${i}`,
+        points: points.map((point) => `${x(point.value)},${y(rate(point))}`).join(" ") }),
+      draw("circle", { cx: x(here), cy: y(rate(points[at])), r: 4, class: `dot dot-${i}` }));
+      const half = told.lines[i]?.n_half;
+      if (half > low && half < high)
+        svg.append(draw("line", { x1: x(half), x2: x(half), y1: y(told.lines[i].mflops / 2), y2: HEIGHT - BOTTOM, class: `half half-${i}` }),
+          text(x(half) + 6, y(told.lines[i].mflops / 2) + 14, "half-name", `n½ = ${fixed(half, 0)}`));
+    });
+    return svg;
+  }
+
+  return { offer };
+}

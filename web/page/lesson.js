@@ -1,0 +1,70 @@
+// lesson.js - the text of a lesson, its goals, the verdict; and what has been reached
+// so far, kept between visits where the browser lets us.
+
+import { $, count, el, fill, kept, some } from "./dom.js";
+
+const MEDALS = ["", "bronze", "silver", "gold"];
+
+/** What is kept of a lesson: {text, medal, passed}. */
+export const progress = (name) => kept.get(`lesson.${name}`) ?? {};
+export const note = (name, more) => kept.set(`lesson.${name}`, { ...progress(name), ...more });
+
+/** "3 First vector", with a sign of what was reached. */
+export function title({ number, title: words, name }) {
+  const { passed, medal } = progress(name);
+  return `${number} ${words}${passed ? ` ✓${medal ? ` ${medal}` : ""}` : ""}`;
+}
+
+export function showLesson(lesson, html) {
+  const panel = $("lesson-panel");
+  panel.hidden = !lesson;
+  document.body.classList.toggle("has-lesson", Boolean(lesson));
+  $("check").disabled = !lesson;
+  if (!lesson) return;
+  $("lesson-heading").textContent = `${lesson.number} ${lesson.title}`;
+  $("lesson-text").innerHTML = html ?? "";
+  $("lesson-text").scrollTop = 0;
+  const goals = lesson.tests.map(({ goals: one }) => one).filter((one) => one && Object.keys(one).length > 0);
+  $("goals").textContent = goals.length === 0 ? "" : goals.map((one) =>
+    MEDALS.slice(1).reverse().filter((medal) => one[medal]).map((medal) => `${medal} ${count(one[medal])}`).join(", ")).join("; ");
+  hideVerdict();
+}
+
+export function setFolded(folded) {
+  $("lesson-panel").classList.toggle("folded", folded);
+  $("fold").textContent = folded ? "Show" : "Hide";
+  $("fold").setAttribute("aria-expanded", String(!folded));
+}
+
+// A verdict stands where the text was.
+function judged(so) {
+  $("verdict").hidden = !so;
+  $("lesson-panel").classList.toggle("judged", so);
+}
+
+export const hideVerdict = () => judged(false);
+
+/** The engine's verdict in its own words. */
+export function showVerdict(reply) {
+  const best = progress(reply.lesson);
+  const better = MEDALS.indexOf(reply.medal) > MEDALS.indexOf(best.medal ?? "");
+  if (reply.passed && (!best.passed || better)) note(reply.lesson, { passed: true, medal: reply.medal });
+  const verdict = $("verdict");
+  setFolded(false);
+  judged(true);
+  verdict.className = `verdict ${reply.passed ? `passed ${reply.medal || "plain"}` : "failed"}`;
+  fill(verdict,
+    el("h3", {}, reply.passed ? "Passed" : "Not yet",
+      reply.medal && el("span", { class: `medal ${reply.medal}` }, reply.medal),
+      el("button", { type: "button", class: "quiet close", click: hideVerdict }, "Back to the lesson")),
+    ...sentences(reply.report),
+    ...(reply.tests ?? []).map((test) => el("section", {},
+      el("h4", {}, `${test.passed ? "✓" : "✗"} ${test.name}`,
+        el("small", {}, test.clocks ? some(test.clocks, "clock") : "", test.medal && ` · ${test.medal}`)),
+      test.tries && el("p", { class: "tries" }, test.tries),
+      ...sentences(test.report))));
+  verdict.scrollTop = 0;
+  verdict.scrollIntoView({ block: "nearest" });
+}
+
+const sentences = (report) => (report ?? []).map((sentence) => el("p", {}, sentence));

@@ -1,0 +1,74 @@
+// machine.js - the page's side of the worker: asks the engine, and begins with a new
+// one when the old one does not answer any more.
+
+const PATIENCE = 3000; // milliseconds from a stop to a worker that has to go
+
+export class Machine {
+  #source; #wasm; #worker; #ready;
+  #asked = new Map();
+  #next = 1;
+  #watch = 0;
+
+  /** SOURCE: the worker's text; WASM: a promise of the engine's bytes. */
+  constructor(source, wasm) {
+    this.#source = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+    this.#wasm = wasm;
+    this.#start();
+  }
+
+  #start() {
+    const worker = new Worker(this.#source);
+    this.#worker = worker;
+    this.#ready = new Promise((resolve, reject) => {
+      worker.onmessage = ({ data }) => {
+        if (data.ready) resolve();
+        else this.#told(data);
+      };
+      worker.onerror = (event) => { reject(new Error(event.message)); this.#lose(event.message); };
+    });
+    this.#wasm.then((wasm) => worker.postMessage({ wasm }));
+  }
+
+  #told({ id, reply, progress, lost }) {
+    const asked = this.#asked.get(id);
+    if (!asked) return;
+    if (progress) return void asked.progress?.(progress);
+    this.#asked.delete(id);
+    clearTimeout(this.#watch);
+    if (lost === undefined) return asked.resolve(reply);
+    asked.resolve({ ok: false, lost: true, error: `The engine has failed: ${lost}.` });
+    this.#lose("it was started anew");
+  }
+
+  // A new worker; what was asked of the old one is answered with an error.
+  #lose(why) {
+    this.#worker.terminate();
+    for (const { resolve } of this.#asked.values())
+      resolve({ ok: false, lost: true, error: `The engine has stopped: ${why}.` });
+    this.#asked.clear();
+    this.#start();
+  }
+
+  /** The engine's reply; PROGRESS hears of what takes longer than a slice. */
+  async ask(request, progress) {
+    await this.#ready;
+    return new Promise((resolve) => {
+      const id = this.#next++;
+      this.#asked.set(id, { resolve, progress });
+      this.#worker.postMessage({ id, request });
+    });
+  }
+
+  /** Nothing is asked that is not answered. */
+  get idle() {
+    return this.#asked.size === 0;
+  }
+
+  /** Whatever is going on ends soon, with what it has so far. */
+  stop() {
+    this.#worker.postMessage({ stop: true });
+    clearTimeout(this.#watch);
+    if (this.#asked.size > 0)
+      this.#watch = setTimeout(() => this.#lose("it did not answer in time"), PATIENCE);
+  }
+}

@@ -1,0 +1,22 @@
+// parts.js - what the page carries beside its script: packed in the page itself or, in the
+// site's folder, as files beside it.
+
+import worker from "c205:worker"; // bundled by the build
+import tracerWorker from "c205:tracer-worker";
+
+export const workerSource = () => worker;
+export const tracerSource = () => tracerWorker;
+
+async function part(id, file) {
+  const inlined = document.getElementById(id);
+  if (!inlined) return fetch(file);
+  const packed = Uint8Array.from(atob(inlined.textContent), (letter) => letter.charCodeAt(0));
+  return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
+}
+
+/** Promises: the engine's and the tracer's bytes, scenes, lessons and examples, and what others wrote of the page. */
+export const engineBytes = async () => (await part("engine", "engine.wasm")).arrayBuffer();
+export const tracerBytes = async () => (await part("rt205", "rt205.wasm")).arrayBuffer();
+export const scenes = async () => (await part("scenes", "scenes.json")).json();
+export const course = async () => (await part("course", "course.json")).json();
+export const notice = async () => (await part("notice", "NOTICE.md")).text();

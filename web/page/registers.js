@@ -1,0 +1,34 @@
+// registers.js - what the registers hold; what the last instruction changed is marked.
+
+import { count, el, fill, heading, table } from "./dom.js";
+
+const MOST = 64; // rows; a program that uses more is rare
+
+export function makeRegisters(panel, session) {
+  session.on("view", ({ registers }) => {
+    const shown = registers.slice(0, MOST);
+    fill(panel,
+      heading("registers", "Registers"),
+      shown.length === 0
+        ? el("p", { class: "empty" }, "The program has named none.")
+        : el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Registers and what they hold" },
+          table("Registers", [["register"], ["hexadecimal", "hex"], ["is", "number"]],
+            shown.map((one) => ({
+              class: one.changed ? "changed" : "",
+              cells: [title(one), el("code", {}, one.hex), meaning(one)],
+            })))));
+  });
+}
+
+const title = ({ number, name, changed }) => [
+  el("code", {}, `r${number}`), name && el("b", {}, ` ${name}`),
+  changed && el("span", { class: "unseen" }, " changed")];
+
+// A descriptor is told as one, halves by their names; else it is a number.
+function meaning({ text, descriptor, left, right }) {
+  if (descriptor) return `${count(descriptor.count)} ${descriptor.kind} ${descriptor.label
+    ? `of ${descriptor.label}` : `from ${descriptor.address.toString(16).toUpperCase()}`}`;
+  const halves = [left, right].filter(Boolean);
+  if (halves.length > 0) return halves.map((half) => `${half.name} ${half.text}`).join(", ");
+  return text;
+}

@@ -1,0 +1,148 @@
+// timeline.js - what each unit did at each clock, as the engine recorded it: on top
+// what each clock was charged to, below it a lane for each unit.  A click on an
+// instruction goes to it; + - and the arrow keys change the stretch that is shown.
+
+import { colour, count, draw, duration, el, fill, some } from "./dom.js";
+import { named } from "./causes.js";
+
+const MOST = 600; // instructions in a picture
+const BOX = 17, GAP = 6, TOP = 22, LEFT = 116; // pixels
+const FIRST = 240; // clocks, at first
+const NEAREST = 16; // clocks, the least that are shown
+
+export function makeTimeline(panel, session) {
+  let from = 0;
+  let to = FIRST;
+  let whole = true; // the stretch is all of the run, as long as that is short
+  let told = null; // the engine's reply
+  let turn = 0;
+
+  const aside = el("p", { class: "aside" });
+  const picture = el("div", { class: "picture", tabindex: 0, role: "img", keydown: keys });
+  const legend = el("ul", { class: "legend", "aria-label": "Colours of the causes" });
+  const note = el("p", { class: "note", hidden: true });
+  const button = (text, name, click) =>
+    el("button", { type: "button", class: "quiet", "aria-label": name, title: name, click }, text);
+  fill(panel,
+    el("div", { class: "heading" }, el("h2", { id: "timeline-heading" }, "Time line"), aside,
+      el("div", { class: "zoom" },
+        button("←", "Earlier", () => shift(-0.5)), button("→", "Later", () => shift(0.5)),
+        button("−", "A longer stretch", () => zoom(2)), button("+", "A shorter stretch", () => zoom(0.5)),
+        button("All", "All of the run", all))),
+    picture, note, legend);
+
+  function keys(event) {
+    const act = { ArrowLeft: () => shift(-0.25), ArrowRight: () => shift(0.25), "+": () => zoom(0.5),
+      "=": () => zoom(0.5), "-": () => zoom(2), Home: all }[event.key];
+    if (!act || event.ctrlKey || event.altKey || event.metaKey) return;
+    event.preventDefault();
+    act();
+  }
+
+  const clock = () => session.view?.clock ?? 0;
+
+  function zoom(by) {
+    const length = Math.max(Math.round((to - from) * by), NEAREST);
+    const middle = clock() >= from && clock() <= to ? clock() : (from + to) / 2;
+    const share = (middle - from) / (to - from);
+    stretch(Math.round(middle - share * length), length);
+  }
+
+  const shift = (by) => stretch(from + Math.round((to - from) * by), to - from);
+
+  function stretch(begin, length) {
+    whole = false;
+    from = Math.max(begin, 0);
+    to = from + length;
+    ask();
+  }
+
+  function all() {
+    whole = true;
+    from = 0;
+    to = Math.max(clock(), NEAREST);
+    ask();
+  }
+
+  // Where the program stands is always in sight.
+  function follow() {
+    if (whole && clock() <= 2 * FIRST) {
+      from = 0;
+      to = Math.max(clock(), 2 * NEAREST);
+    } else if (clock() > to || clock() < from || to - from > 4 * FIRST) {
+      const length = Math.min(to - from, FIRST);
+      from = Math.max(Math.round(clock() - 0.9 * length), 0);
+      to = from + length;
+    }
+  }
+
+  async function ask() {
+    const mine = ++turn;
+    const reply = await session.machine.ask({ do: "timeline", from, to, most: MOST, idle: true });
+    if (mine !== turn || !reply.ok || reply.stopped) return;
+    told = reply;
+    show();
+  }
+
+  function sayClock() {
+    aside.textContent = `${some(clock(), "clock")} = ${duration(session.view?.microseconds ?? 0)}`;
+  }
+
+  function show() {
+    if (!told) return picture.replaceChildren();
+    picture.setAttribute("aria-label", `${some(told.insns.length, "instruction")} from clock ${count(from)} to ${count(to)}`);
+    picture.replaceChildren(drawing());
+    const causes = new Set(told.spans.map(({ cause }) => cause).filter(Boolean));
+    fill(legend, ...[...causes].map((cause) => el("li", {}, named(cause))));
+    note.hidden = !told.full;
+    note.textContent = `The first ${MOST} instructions of this stretch; a shorter one shows all.`;
+  }
+
+  function drawing() {
+    const width = Math.max(picture.clientWidth, 320);
+    const tops = [];
+    let height = TOP;
+    for (const { rows } of told.lanes) {
+      tops.push(height);
+      height += Math.max(rows, 1) * (BOX + 2) + GAP;
+    }
+    const x = (at) => LEFT + (width - LEFT - 8) * (Math.min(Math.max(at, from), to) - from) / (to - from);
+    const svg = draw("svg", { width, height, viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" });
+    const upright = (at, kind) => draw("line", { x1: x(at), x2: x(at), y1: TOP - 4, y2: height - GAP, class: kind });
+
+    for (const at of ticks(from, to, (width - LEFT) / 70))
+      svg.append(upright(at, "tick"), draw("text", { x: x(at), y: TOP - 9, class: "clock" }, count(at)));
+    told.lanes.forEach(({ name }, i) => svg.append(
+      draw("text", { x: LEFT - 10, y: tops[i] + BOX - 4, class: "lane" }, name)));
+    for (const span of told.spans) {
+      const insn = told.insns[span.insn];
+      const mnemonic = insn.text.split(/\s/)[0];
+      const y = tops[span.lane] + span.row * (BOX + 2);
+      const wide = x(span.end) - x(span.begin);
+      svg.append(draw("g", { class: "insn", click: () => session.go("clock-to", insn.arrived + 1) },
+        draw("rect", { x: x(span.begin), y, width: Math.max(wide, 1), height: BOX, rx: Math.min(2, wide / 4),
+          class: span.cause ? colour(span.cause) : "work" },
+        draw("title", {}, [`${span.cause ?? "at work"}: ${some(span.end - span.begin, "clock")}, ${span.begin} .. ${span.end}`,
+          insn.text, `arrived ${insn.arrived}, issued ${insn.issued}, result ${insn.ready}`].join("\n"))),
+        span.lane > 0 && wide > 7.5 * mnemonic.length + 8
+          && draw("text", { x: x(span.begin) + 5, y: y + BOX - 5, class: "name" }, mnemonic)));
+    }
+    if (clock() >= from && clock() <= to) svg.append(upright(clock(), "now"));
+    return svg;
+  }
+
+  session.on("loaded"
+, () => { whole = true; from = 0; to = FIRST; told = null; show(); });
+  session.on("view", () => { follow(); sayClock(); ask(); });
+  new ResizeObserver(() => { if (told && picture.clientWidth > 0) show(); }).observe(picture);
+}
+
+/** Round numbers between two clocks, about so many. */
+export function ticks(from, to, most) {
+  const least = (to - from) / Math.max(most, 2);
+  const power = 10 ** Math.floor(Math.log10(Math.max(least, 1)));
+  const step = [1, 2, 5, 10].map((by) => by * power).find((by) => by >= least) ?? power;
+  const found = [];
+  for (let at = Math.ceil(from / step) * step; at <= to; at += step) found.push(at);
+  return found;
+}

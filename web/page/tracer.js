@@ -1,0 +1,186 @@
+// tracer.js - the ray tracer: a scene, drawn by the machine while one looks on, with
+// the clocks that it takes.  All figures are rt205's.
+
+import { bar, named } from "./causes.js";
+import { choices, count, duration, el, fill, fixed, heading, table } from "./dom.js";
+
+const OWN = "own"; // a scene of the learner's
+const SCENE = "scenes/bracket.pov";
+const SIZES = [[80, 60], [160, 120], [320, 240], [640, 480]];
+const STAGES = [["vector", "vector: a queue of rays at a time"], ["scalar", "scalar: ray by ray"],
+  ["kernels", "kernels: the paper's, of 1984"]];
+const QUEUE = 2000, LONGEST = 65535; // rays
+const MODEL = "cyber205-2pipe";
+const VIEW = ["-W", "80", "-H", "50"]; // of Table 1: rays enough for two queues
+
+/** rt205 in a worker of its own, which begins with the first run and ends with a stop. */
+class Tracer {
+  #source; #wasm; #bytes; #worker; #end;
+
+  constructor(source, wasm) {
+    this.#source = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
+    this.#wasm = wasm;
+  }
+
+  /** { code, files, stdout, stderr } or { stopped } or { lost }; TOLD hears of all before. */
+  async run(args, files, told) {
+    const wasm = await (this.#bytes ??= this.#wasm());
+    return new Promise((resolve) => {
+      this.#end = resolve;
+      if (!this.#worker) {
+        this.#worker = new Worker(this.#source);
+        this.#worker.postMessage({ wasm });
+      }
+      this.#worker.onmessage = ({ data }) => {
+        if (data.ended) resolve(data.ended);
+        else if (data.lost) this.stop({ lost: data.lost });
+        else told(data);
+      };
+      this.#worker.onerror = ({ message }) => this.stop({ lost: message });
+      this.#worker.postMessage({ args, files });
+    });
+  }
+
+  stop(how = { stopped: true }) {
+    this.#worker?.terminate();
+    this.#worker = null;
+    this.#end?.(how);
+  }
+}
+
+/**
+ * The panel.  source: the worker's text; wasm: gives a promise of rt205's bytes, asked for at
+ * the first run; scenes: { files: texts by path, list: [{ path, title }] }; models: those
+ * that programs run on, [{ name, title }].
+ */
+export function tracerPanel(panel, { source, wasm, scenes, models }) {
+  const tracer = new Tracer(source, wasm);
+  let busy = false;
+  let picture = null; // the address of the last one
+
+  const field = (id, label, input) => el("div", { class: "field" }, el("label", { for: id }, label), input);
+  const scene = el("select", { id: "tracer-scene", change: () => show(scene.value) });
+  const stage = el("select", { id: "tracer-stage", change: () => { queue.disabled = stage.value === "scalar"; } });
+  const queue = el("input", { id: "tracer-queue", type: "number", min: 1, max: LONGEST, value: QUEUE, required: true });
+  const model = el("select", { id: "tracer-model" });
+  const size = el("select", { id: "tracer-size" });
+  const start = el("button", { type: "submit", class: "main" }, "Draw");
+  const stop = el("button", { type: "button", hidden: true, click: () => tracer.stop() }, "Stop");
+  const text = el("textarea", { id: "tracer-text", rows: 16, spellcheck: "false", "aria-label": "Text of the scene",
+    input: () => { scene.value = OWN; } });
+  const said = el("p", { class: "note", role: "status" });
+  const canvas = el("canvas", { width: 160, height: 120, role: "img", "aria-label": "The picture" });
+  const part = el("progress", { max: 1, value: 0, "aria-label": "Part of the picture that is done" });
+  const save = el("a", { class: "button", download: "picture.png", hidden: true }, "Download picture");
+  const clocks = el("div", { class: "clocks" });
+  const output = el("pre", { tabindex: 0, role: "group", "aria-label": "What rt205 has printed", hidden: true });
+  const paper = el("button", { type: "button", click: measure }, "Table 1 with this queue and model");
+  const result = el("div", { class: "result" });
+
+  choices(scene, [...scenes.list.map(({ path, title }) => ({ value: path, title })),
+    { value: OWN, title: "my own scene" }]);
+  choices(stage, STAGES.map(([value, title]) => ({ value, title })));
+  choices(model, models.map(({ name, title }) => ({ value: name, title: title ?? name })));
+  choices(size, SIZES.map(([across, down]) => ({ value: `${across}x${down}`, title: `${across} × ${down}` })));
+  model.value = MODEL;
+  size.value = "160x120";
+  scene.value = scenes.list.some(({ path }) => path === SCENE) ? SCENE : scenes.list[0].path;
+  show(scene.value);
+
+  fill(panel, el("section", { class: "panel", "aria-labelledby": "tracer-heading" },
+    heading("tracer", "Ray tracer: a picture by the machine"),
+    el("p", { class: "note" }, "Every ray goes through programs of the 205; the picture is shown as it stands in the ",
+      "machine's memory, and each clock that it took is charged to a cause."),
+    el("form", { class: "fields", submit: draw },
+      field("tracer-scene", "Scene", scene), field("tracer-stage", "stage", stage),
+      field("tracer-queue", "queue, rays", queue), field("tracer-model", "model", model),
+      field("tracer-size", "size", size), el("div", { class: "field" }, start, stop)),
+    el("details", {}, el("summary", {}, "Text of the scene"), text),
+    said,
+    el("div", { class: "pair" },
+      el("div", { class: "drawn" }, canvas, part, el("p", {}, save)), clocks),
+    output,
+    el("div", { class: "fields" }, paper), result));
+
+  function show(path) {
+    if (path !== OWN) text.value = scenes.files[path];
+  }
+
+  const options = () => ["--model", model.value, ...(stage.value === "scalar" ? [] : ["--queue", queue.value])];
+
+  // A run from its beginning to its end; null: another one is under way.
+  async function run(args, files, words, told) {
+    if (busy) return null;
+    busy = true;
+    start.hidden = paper.disabled = true;
+    stop.hidden = false;
+    if (document.activeElement === start) stop.focus();
+    said.textContent = words;
+    const ended = await tracer.run([...args, "--jobs", "1"], files, told);
+    busy = false;
+    if (document.activeElement === stop) start.focus();
+    start.hidden = paper.disabled = false;
+    stop.hidden = true;
+    said.textContent = ended.lost ? `rt205 has failed: ${ended.lost}.` : ended.stopped ? "Stopped."
+      : ended.code === 0 ? "Done." : "rt205 could not do it.";
+    return ended;
+  }
+
+  async function draw(event) {
+    event.preventDefault();
+    const [across, down] = size.value.split("x");
+    const path = scene.value === OWN ? "my.pov" : scene.value;
+    clear(Number(across), Number(down));
+    const ended = await run(["render", path, "-o", "picture.png", "-W", across, "-H", down, "--accounts",
+      "--mode", stage.value, ...options()], { ...scenes.files, [path]: text.value }, "Drawing ..",
+    ({ view, part: done }) => {
+      if (view) look(view);
+      else part.value = done;
+    });
+    if (!ended) return;
+    output.textContent = (ended.stderr ?? "") + (ended.stdout ?? "");
+    output.hidden = output.textContent === "";
+    if (ended.code === 0) offer(ended.files["picture.png"]);
+  }
+
+  function clear(across, down) {
+    canvas.width = across;
+    canvas.height = down;
+    part.value = 0;
+    output.hidden = save.hidden = true;
+    fill(clocks);
+  }
+
+  function look({ width, rows, first, rgba, clocks: sum, seconds, causes }) {
+    const list = Object.entries(causes).map(([cause, of]) => ({ cause, clocks: of }));
+    canvas.getContext("2d").putImageData(new ImageData(rgba, width, rows), 0, first);
+    fill(clocks, el("p", { class: "figures" }, el("span", {}, el("b", {}, count(sum)), " clocks,"),
+      el("span", {}, el("b", {}, duration(1e6 * seconds)), " on the machine")),
+    bar(list),
+    table("Clocks by cause so far", [["cause"], ["clocks", "number"], ["%", "number"]],
+      list.map(({ cause, clocks: of }) => ({ cells: [named(cause), count(of), fixed(100 * of / sum, 1)] }))));
+  }
+
+  function offer(bytes) {
+    URL.revokeObjectURL(picture);
+    picture = URL.createObjectURL(new Blob([bytes], { type: "image/png" }));
+    save.href = picture;
+    save.hidden = false;
+    part.value = 1;
+  }
+
+  // The paper's comparison, of which there is a row for each primitive and kind of figure.
+  async function measure() {
+    const ended = await run(["speedup", ...VIEW, "--format", "json", "--queue", queue.value, "--model", model.value],
+      {}, "Measuring Table 1 ..", ({ part: done }) => { part.value = done ?? part.value; });
+    if (!ended) return;
+    if (ended.code !== 0) return void fill(result, ended.stderr && el("pre", { class: "fault" }, ended.stderr));
+    fill(result, table(`Table 1, a queue of ${queue.value}`,
+      [["primitive"], ["figures"], ["205 scalar, s", "number"], ["205 vector, s", "number"], ["720, s", "number"],
+        ["over scalar", "number"], ["over 720", "number"]],
+      JSON.parse(ended.stdout).table1.map((row) => ({ cells: [row.primitive, row.figures,
+        fixed(row.scalar, 3), fixed(row.vector, 4), fixed(row.cyber720, 2),
+        fixed(row.vector_over_scalar, 2), fixed(row.vector_over_720, 0)] }))),
+    el("p", { class: "note" }, "CPU seconds for 100,000 rays, and how much faster the vector form of the 205 is."));
+  }
+}

@@ -1,0 +1,56 @@
+// vectors.js - the data of the program, label by label, with the bits of a control
+// vector beside the elements that they let through.
+
+import { count, el, fill, heading, some } from "./dom.js";
+
+export function makeVectors(panel, session) {
+  let chosen = null; // the label of the bits beside the elements; "": none
+  let shown = [];
+
+  const bits = () => shown.filter(({ kind }) => kind === "bits");
+  const control = () => chosen === "" ? undefined
+    : bits().find(({ label }) => label === chosen) ?? bits()[0];
+
+  function picker() {
+    const select = el("select", { "aria-label": "Control bits beside the elements",
+      change: () => { chosen = select.value; show(); panel.querySelector("select").focus(); } },
+    el("option", { value: "" }, "without control bits"),
+    bits().map(({ label }) => el("option", { value: label, selected: control()?.label === label },
+      `bits of ${label} beside`)));
+    return select;
+  }
+
+  function show() {
+    const top = panel.querySelector(".vectors")?.scrollTop ?? 0;
+    fill(panel,
+      heading("vectors", "Memory", bits().length > 0 ? picker() : null),
+      shown.length === 0 ? el("p", { class: "empty" }, "The program has no data of its own.")
+        : el("div", { class: "vectors scroll", tabindex: 0, role: "group", "aria-label": "Labels and their elements" },
+          shown.map((one) => row(one, control(), () => session.lookFurther()))));
+    const scroll = panel.querySelector(".vectors");
+    if (scroll) scroll.scrollTop = top;
+  }
+
+  session.on("loaded", (reply) => { if (reply.ok) chosen = null; });
+  session.on("view", ({ vectors }) => { shown = vectors; show(); });
+}
+
+// One label: its name, how much there is, its elements, and a way to MORE of them.
+function row(vector, control, more) {
+  const { label, kind, count: length, first, values, stored } = vector;
+  const beside = control && kind !== "bits" && control.count === length ? control.values : "";
+  const changed = (i) => stored.some(({ first: from, count: n }) => i >= from && i < from + n);
+  const cells = [...values].map((value, i) => {
+    const bit = beside[i];
+    const kinds = [changed(first + i) && "changed", bit === "0" && "masked"].filter(Boolean);
+    return el("li", { class: kinds.join(" ") || null, title: `${label}, element ${first + i}` },
+      bit && el("span", { class: `bit bit-${bit}` }, el("span", { class: "unseen" }, "control bit "), bit),
+      value);
+  });
+  const left = length - first - values.length;
+  return el("div", { class: `vector${vector.changed ? " changed" : ""}` },
+    el("div", { class: "vector-name" }, el("code", {}, label),
+      el("small", {}, some(length, kind.replace(/s$/, "")))),
+    el("div", {}, el("ol", { class: `cells${kind === "bits" ? " bits" : ""}` }, cells),
+      left > 0 && el("button", { type: "button", class: "quiet", click: more }, `${count(left)} more of ${label}`)));
+}

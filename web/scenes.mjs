@@ -1,0 +1,26 @@
+// scenes.mjs - the scenes that the page's ray tracer offers: those of a folder that need
+// no fonts and no pictures, which the page cannot read.
+
+import { readFileSync, readdirSync } from "node:fs";
+import { basename, join } from "node:path";
+
+const needs = /\bttf\b|\bimage_map\b|\bbump_map\b/;
+
+// What its first line says it is.
+function title(path, text) {
+  const words = /^\/\/ *(?:[\w.]+ - )?([^:;,.\n]*)/.exec(text)?.[1] ?? "";
+  return `${basename(path, ".pov")}: ${words.replace(/^(A|An|The) (?=[a-z])/, (article) => article.toLowerCase())}`;
+}
+
+/** { files: texts by path, list: [{ path, title }] }. */
+export function readScenes(folder, as = "scenes") {
+  const files = {}, list = [];
+  for (const name of readdirSync(folder).filter((one) => /\.(pov|inc)$/.test(one)).sort()) {
+    const text = readFileSync(join(folder, name), "utf8");
+    if (needs.test(text.replace(/\/\/.*|\/\*[^]*?\*\//g, ""))) continue;
+    const path = `${as}/${name}`;
+    files[path] = text;
+    if (name.endsWith(".pov")) list.push({ path, title: title(path, text) });
+  }
+  return { files, list };
+}

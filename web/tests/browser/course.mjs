@@ -1,0 +1,82 @@
+// course.mjs - every lesson: its text is there, its solution passes and what it begins
+// with fails, with the words and clocks of c205 check.
+
+import assert from "node:assert/strict";
+import { Visit } from "./visit.mjs";
+
+// The page's verdict, and c205's, of one answer.
+async function verdict(visit, native, { name }, answer) {
+  await visit.write(answer);
+  await visit.press("check");
+  await visit.page.waitForFunction("!document.getElementById('verdict').hidden");
+  const told = native.json(["check", name, `${name}.s`], { [`${name}.s`]: answer });
+  const words = await visit.page.$eval("#verdict", (node) => [...node.querySelectorAll("p:not(.tries)")].map((p) => p.textContent));
+  assert.deepEqual(words, [...told.report, ...told.tests.flatMap(({ report }) => report)], name);
+  const clocks = await visit.page.$eval("#verdict", (node) => [...node.querySelectorAll("h4 small")]
+    .map((small) => parseInt(small.textContent.replaceAll(",", ""), 10)));
+  assert.deepEqual(clocks.filter((n) => n > 0), told.tests.map((test) => test.clocks).filter((n) => n > 0), name);
+  assert.equal(await visit.page.$eval("#verdict", (node) => node.classList.contains("passed")), told.passed, name);
+  const reply = await visit.ask({ do: "grade", lesson: name, text: answer });
+  for (const [key, value] of Object.entries(told))
+    if (!["status", "answer"].includes(key)) assert.deepEqual(reply[key], value, `${name}: ${key}`);
+  return told;
+}
+
+export const tests = {
+  async "every lesson: solution and start are graded as by c205 check"({ browser, page, native, say }) {
+    const visit = await Visit.open(browser, page);
+    const offered = await visit.page.$$eval("#lesson optgroup[label=Course] option",
+      (options) => options.map(({ value }) => value.slice("lesson:".length)));
+    assert.deepEqual(offered, native.lessons.map(({ name }) => name));
+    for (const lesson of native.lessons) {
+      await visit.choose("lesson", `lesson:${lesson.name}`);
+      assert.equal(await visit.look("editor.text"), lesson.start, lesson.name);
+      assert.ok((await visit.page.$$("#lesson-text details")).length >= 3, `${lesson.name}: hints`);
+      const begun = await verdict(visit, native, lesson, lesson.start);
+      assert.equal(begun.passed, false, lesson.name);
+      const done = await verdict(visit, native, lesson, lesson.solution);
+      assert.equal(done.passed, true, lesson.name);
+    }
+    const titles = await visit.page.$$eval("#lesson optgroup[label=Course] option", (options) =>
+      options.map(({ textContent }) => textContent));
+    for (const title of titles) assert.match(title, /✓/);
+    say(`${titles.length} lessons`);
+    await visit.close();
+  },
+
+  async "pictures and links of lessons"({ browser, page }) {
+    const visit = await Visit.open(browser, page);
+    const lessons = await visit.page.$$eval("#lesson optgroup[label=Course] option", (options) =>
+      options.map(({ value }) => value));
+    for (const lesson of lessons) {
+      await visit.choose("lesson", lesson);
+      const bad = await visit.page.$eval("#lesson-text", async (text) => {
+        const pictures = [...text.querySelectorAll("img")];
+        await Promise.all(pictures.map((picture) => picture.decode().catch(() => {})));
+        return pictures.filter((picture) => picture.naturalWidth === 0 || !picture.alt).length;
+      });
+      assert.equal(bad, 0, lesson);
+      assert.deepEqual(await visit.page.$$eval("#lesson-text a", (links) => links.map((link) => link.dataset.lesson)
+        .filter((name) => name && !window.c205.about.lessons.some((one) => one.name === name))), [], lesson);
+    }
+    await visit.close();
+  },
+
+  async "what was written is kept"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page);
+    const [first, second] = native.lessons;
+    await visit.choose("lesson", `lesson:${first.name}`);
+    await visit.write(`${first.start}; mine\n`);
+    await visit.choose("lesson", `lesson:${second.name}`);
+    await visit.page.reload();
+    await visit.page.waitForSelector("body.ready");
+    await visit.quiet();
+    assert.equal(await visit.text("#lesson-heading"), await visit.look(
+      `((l) => l.number + ' ' + l.title)(about.lessons.find(({ name }) => name === '${second.name}'))`));
+    await visit.choose("lesson", `lesson:${first.name}`);
+    assert.equal(await visit.look("editor.text"), `${first.start}; mine\n`);
+    await visit.press("again");
+    assert.equal(await visit.look("editor.text"), first.start);
+    await visit.close();
+  },
+};

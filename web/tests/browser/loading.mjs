@@ -1,0 +1,73 @@
+// loading.mjs - the page comes up: from a file, from a server, and works without one.
+
+import assert from "node:assert/strict";
+import { serve } from "./server.mjs";
+import { Visit } from "./visit.mjs";
+import { LOOP, PRINTS } from "./texts.mjs";
+
+const FIRST_RUN = 1000; // milliseconds from the beginning of loading to the end of a run
+
+async function runs(visit) {
+  await visit.write(PRINTS);
+  await visit.press("run");
+  assert.equal(await visit.text("#output"), "42\n");
+}
+
+export const tests = {
+  async "the one file, from a file: address"({ browser, page, say }) {
+    const visit = await Visit.open(browser, page);
+    await runs(visit);
+    // Once more, with nothing in the way, and timed: a page that was loaded before.
+    await visit.choose("lesson", "example:saxpy_vector.s");
+    await visit.page.reload();
+    await visit.page.waitForSelector("body.ready");
+    await visit.page.click("#run");
+    await visit.quiet();
+    const time = await visit.page.evaluate("performance.now()");
+    assert.equal((await visit.view()).ended, true);
+    say(`first run ${Math.round(time)} ms after loading began`);
+    assert.ok(time < FIRST_RUN, `${time} ms`);
+    await visit.close();
+  },
+
+  async "the site's folder, from a server; offline when that has gone"({ browser, site }) {
+    const server = await serve(site);
+    const visit = await Visit.open(browser, server.address);
+    await runs(visit);
+    const asked = server.asked.length;
+    await server.end();
+    await visit.write(PRINTS.replace("42", "43"));
+    await visit.press("run");
+    assert.equal(await visit.text("#output"), "43\n");
+    await visit.press("back");
+    assert.equal(server.asked.length, asked);
+    await visit.close();
+  },
+
+  async "a program without an end leaves the page alive, and is stopped"({ browser, page }) {
+    const visit = await Visit.open(browser, page);
+    await visit.write(LOOP);
+    await visit.page.click("#run");
+    await visit.page.waitForFunction("/^Running: step [1-9]/.test(document.getElementById('status').textContent)");
+    const first = await visit.text("#status");
+    // The page does other things in the meantime.
+    await visit.page.click("#tab-console");
+    assert.equal(await visit.shown("#console"), true);
+    await visit.page.click("#tab-machine");
+    await visit.page.waitForFunction((words) => document.getElementById("status").textContent !== words, {}, first);
+    await visit.page.click("#stop");
+    await visit.quiet();
+    const view = await visit.view();
+    assert.ok(view.step > 0 && !view.ended);
+    assert.equal(await visit.text("#status"), "Stopped by you.");
+    await visit.press("step");
+    assert.equal((await visit.view()).step, view.step + 1);
+    // Whoever types while it runs stops it, too.
+    await visit.page.click("#run");
+    await visit.page.waitForFunction("document.body.classList.contains('busy')");
+    await visit.write(PRINTS);
+    await visit.press("run");
+    assert.equal(await visit.text("#output"), "42\n");
+    await visit.close();
+  },
+};

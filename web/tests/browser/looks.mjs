@@ -1,0 +1,130 @@
+// looks.mjs - light and dark, narrow and wide, by keys alone, for those who listen.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { Visit } from "./visit.mjs";
+import { PRINTS, WRONG } from "./texts.mjs";
+
+const axe = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+
+async function faults(visit) {
+  const found = await visit.page.evaluate(async () => {
+    const { violations } = await window.axe.run(document, { resultTypes: ["violations"] });
+    return violations.map(({ id, nodes }) => `${id}: ${nodes.slice(0, 3)
+      .map(({ html, any }) => `${html.slice(0, 160)} ${any[0]?.message ?? ""}`).join(" | ")}`);
+  });
+  return found;
+}
+
+const wide = { width: 1440, height: 900 };
+const narrow = { width: 390, height: 844 };
+
+// What reaches beyond the page's width.
+const beyond = (visit) => visit.page.evaluate(() => {
+  const width = document.documentElement.clientWidth;
+  return [document.documentElement.scrollWidth > width && "the page scrolls sideways",
+    ...[...document.querySelectorAll("button, select, h2, h3, label, p, input")]
+      .filter((node) => node.checkVisibility() && !node.closest(".unseen, .scroll, .result, pre, .cm-editor, .skip, .source .aside"))
+      .filter((node) => { const { left, right } = node.getBoundingClientRect(); return left < -1 || right > width + 1; })
+      .map((node) => node.outerHTML.slice(0, 120))].filter(Boolean);
+});
+
+export const tests = {
+  async "axe finds nothing, in light and dark, wide and narrow, in each view"({ browser, page }) {
+    for (const scheme of ["light", "dark"])
+      for (const size of [wide, narrow]) {
+        const visit = await Visit.open(browser, page, { ...size, scheme });
+        if (visit.scheme === "dark") await visit.press("theme");
+        await visit.page.evaluate(axe);
+        const look = async (where) => assert.deepEqual(await faults(visit), [], `${scheme}, ${size.width}: ${where}`);
+        await look("a lesson");
+        if (await visit.page.$eval("#check", (button) => !button.disabled)) {
+          await visit.press("check");
+          await look("a verdict");
+        }
+        await visit.choose("lesson", "example:saxpy_vector.s");
+        await visit.press("run");
+        await look("a run");
+        await visit.press("tab-laboratory");
+        await visit.press("laboratory button[type=submit]");
+        await look("the laboratory");
+        await visit.press("to-compare");
+        await look("a comparison");
+        await visit.press("tab-console");
+        await visit.page.type("#console-line", "info registers\n");
+        await visit.quiet();
+        await look("the console");
+        await visit.press("tab-tracer");
+        await look("the ray tracer");
+        await visit.press("tab-machine");
+        await visit.write(WRONG);
+        await look("errors");
+        await visit.press("keys");
+        await look("the keys");
+        await visit.close();
+      }
+  },
+
+  async "nothing is cut off on narrow and wide screens"({ browser, page }) {
+    for (const width of [320, 390, 600, 800, 960, 1100, 1440, 1920]) {
+      const visit = await Visit.open(browser, page, { width, height: 800 });
+      assert.deepEqual(await beyond(visit), [], `${width}: a lesson`);
+      await visit.choose("lesson", "example:saxpy_vector.s");
+      await visit.press("run");
+      assert.deepEqual(await beyond(visit), [], `${width}: a run`);
+      for (const view of ["laboratory", "compare", "console", "tracer"]) {
+        await visit.press(`tab-${view}`);
+        assert.deepEqual(await beyond(visit), [], `${width}: ${view}`);
+      }
+      await visit.close();
+    }
+  },
+
+  async "by keys alone: everything is reached, and seen to be"({ browser, page }) {
+    const visit = await Visit.open(browser, page);
+    await visit.write(PRINTS);
+    await visit.key("F4");
+    const reached = [];
+    for (let i = 0; i < 80; i++) {
+      // The text of the program takes Tab for itself until Escape is pressed.
+      if (await visit.page.evaluate("document.activeElement.classList.contains('cm-content')"))
+        await visit.page.keyboard.press("Escape");
+      await visit.page.keyboard.press("Tab");
+      const { name, seen } = await visit.page.evaluate(() => {
+        const node = document.activeElement;
+        const { outlineStyle, outlineWidth } = getComputedStyle(node);
+        return { name: node.id || node.className || node.tagName,
+          seen: node === document.body || node.closest("#source") !== null
+            || (outlineStyle !== "none" && parseFloat(outlineWidth) >= 1) };
+      });
+      if (name === "BODY" || name === reached[0]) break;
+      assert.ok(seen, `${name} has the focus, and it is not seen`);
+      reached.push(name);
+    }
+    for (const id of ["lesson", "model", "warm", "share", "keys", "theme", "run", "reset", "back", "step", "on",
+      "slider", "check", "to-compare", "fold", "lesson-text", "cm-content", "output", "tab-machine", "machine"])
+      assert.ok(reached.some((name) => name.split(" ").includes(id)) || id === "check"
+        || ["fold", "lesson-text"].includes(id), `${id} is not reached: ${reached}`);
+    // Tabs go by arrows.
+    await visit.page.focus("#tab-machine");
+    await visit.key("ArrowRight");
+    assert.equal(await visit.shown("#laboratory"), true);
+    await visit.key("End");
+    assert.equal(await visit.shown("#tracer"), true);
+    await visit.close();
+  },
+
+  async "light and dark, by the system and by the switch"({ browser, page }) {
+    const visit = await Visit.open(browser, page, { scheme: "dark" });
+    const paper = () => visit.page.evaluate("getComputedStyle(document.body).backgroundColor");
+    const first = await paper();
+    await visit.press("theme");
+    const second = await paper();
+    assert.notEqual(first, second);
+    await visit.page.reload();
+    await visit.page.waitForSelector("body.ready");
+    assert.equal(await paper(), second);
+    await visit.close();
+  },
+};

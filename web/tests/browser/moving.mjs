@@ -1,0 +1,197 @@
+// moving.mjs - forth and back: steps, the slider, breakpoints, the console, links.
+
+import assert from "node:assert/strict";
+import { Visit } from "./visit.mjs";
+import { SUM, SUM_LOOP, WRONG } from "./texts.mjs";
+
+const open = async ({ browser, page }, text = SUM) => {
+  const visit = await Visit.open(browser, page);
+  await visit.write(text);
+  return visit;
+};
+
+// What the page shows of where the program stands.
+const shown = (visit) => visit.page.evaluate(() => ["where", "instruction", "causes", "registers", "vectors", "output"]
+  .map((id) => document.getElementById(id).textContent));
+
+async function slide(visit, step) {
+  await visit.page.$eval("#slider", (slider, value) => {
+    slider.value = value;
+    slider.dispatchEvent(new Event("input"));
+  }, step);
+  await visit.quiet();
+}
+
+// Numbers below N, the same for the same seed.
+function dice(seed) {
+  let state = seed;
+  return (n) => {
+    state = (Math.imul(state, 1103515245) + 12345) & 0x7fffffff;
+    return (state >>> 8) % n;
+  };
+}
+
+export const tests = {
+  async "steps forth and back show the same"(world) {
+    const visit = await open(world);
+    const seen = [];
+    for (let i = 0; i < 12; i++) {
+      seen.push(await shown(visit));
+      await visit.press("step");
+    }
+    for (let i = 11; i >= 0; i--) {
+      await visit.press("back");
+      // How many steps are known differs, and what is not known at the beginning.
+      const now = await shown(visit);
+      assert.deepEqual(now.slice(1), seen[i].slice(1));
+      assert.equal((await visit.view()).step, i);
+    }
+    assert.equal(await visit.page.$eval("#back", (button) => button.disabled), true);
+    await visit.close();
+  },
+
+  async "a walk by chance shows each step as the way there did"(world) {
+    const visit = await open(world);
+    const seed = Math.floor(Math.random() * 2 ** 31);
+    const random = dice(seed);
+    await visit.look(`editor.toLine(${SUM_LOOP})`);
+    await visit.key("F9");
+    const seen = [];
+    for (let ended = false; !ended; { ended } = await visit.view()) {
+      seen.push(await shown(visit));
+      await visit.press("step");
+    }
+    seen.push(await shown(visit));
+    for (let i = 0; i < 60; i++) {
+      const way = ["run", "reset", "before", "back", "step", "on", "slider"][random(7)];
+      if (way === "slider") await slide(visit, random(seen.length));
+      else if (await visit.page.$eval(`#${way}`, (button) => !button.disabled)) await visit.press(way);
+      const { step } = await visit.view();
+      assert.deepEqual((await shown(visit)).slice(1), seen[step].slice(1),
+        `seed ${seed}, move ${i}, ${way}: step ${step}`);
+    }
+    await visit.close();
+  },
+
+  async "what an instruction changed is marked"(world) {
+    const visit = await open(world);
+    await visit.press("step");
+    await visit.press("step");
+    assert.equal(await visit.text("#registers tr.changed th"), "r17 one changed");
+    await visit.close();
+  },
+
+  async "the slider goes to any step"(world) {
+    const visit = await open(world);
+    await visit.press("run");
+    const { steps } = await visit.view();
+    assert.equal(await visit.page.$eval("#slider", (slider) => Number(slider.max)), steps);
+    for (const step of [3, steps - 1, 0, 7]) {
+      await slide(visit, step);
+      assert.equal((await visit.view()).step, step);
+    }
+    await visit.page.focus("#slider");
+    await visit.key("ArrowRight");
+    assert.equal((await visit.view()).step, 8);
+    await visit.close();
+  },
+
+  async "breakpoints: in the gutter, by a key, both ways"(world) {
+    const visit = await open(world);
+    const lines = await visit.page.$$(".cm-lineNumbers .cm-gutterElement");
+    for (const line of lines)
+      if (await line.evaluate((node) => node.textContent) === String(SUM_LOOP)) await line.click();
+    await visit.quiet();
+    assert.equal((await visit.page.$$(".mark-break")).length, 1);
+    await visit.press("on");
+    const first = await visit.view();
+    assert.equal(first.line, SUM_LOOP);
+    await visit.press("on");
+    const second = await visit.view();
+    assert.equal(second.line, SUM_LOOP);
+    assert.ok(second.step > first.step);
+    await visit.press("before");
+    assert.equal((await visit.view()).step, first.step);
+    await visit.look(`editor.toLine(${SUM_LOOP})`);
+    await visit.key("F9");
+    assert.equal((await visit.page.$$(".mark-break")).length, 0);
+    await visit.press("on");
+    assert.equal((await visit.view()).ended, true);
+    await visit.close();
+  },
+
+  async "keys do what the buttons do"(world) {
+    const visit = await open(world);
+    const at = async () => (await visit.view()).step;
+    await visit.key("F4");
+    await visit.key("F4");
+    assert.equal(await at(), 2);
+    await visit.key("Shift+F4");
+    assert.equal(await at(), 1);
+    await visit.key("F8");
+    assert.equal((await visit.view()).ended, true);
+    await visit.key("Shift+F8");
+    assert.equal(await at(), 0);
+    await visit.key("F1");
+    assert.equal(await visit.shown("#keys-dialog"), true);
+    await visit.key("Escape");
+    assert.equal(await visit.shown("#keys-dialog"), false);
+    await visit.close();
+  },
+
+  async "a click in the time line goes to the instruction"(world) {
+    const visit = await open(world);
+    await visit.press("run");
+    await visit.page.$eval("#timeline .insn", (group) => group.dispatchEvent(new MouseEvent("click")));
+    await visit.quiet();
+    assert.equal((await visit.view()).step, 1);
+    await visit.close();
+  },
+
+  async "the console has the debugger's verbs"(world) {
+    const visit = await open(world);
+    await visit.press("tab-console");
+    await visit.page.type("#console-line", "step 3\n");
+    await visit.page.waitForSelector(".transcript pre");
+    await visit.quiet();
+    assert.equal((await visit.view()).step, 3);
+    await visit.page.type("#console-line", "nonsense\n");
+    await visit.page.waitForFunction("document.querySelectorAll('.transcript pre').length === 2");
+    assert.match(await visit.text(".transcript"), /nonsense/);
+    await visit.page.focus("#console-line");
+    await visit.key("ArrowUp");
+    assert.equal(await visit.page.$eval("#console-line", (line) => line.value), "nonsense");
+    await visit.close();
+  },
+
+  async "errors stand where they are"(world) {
+    const visit = await open(world, WRONG);
+    assert.match(await visit.text("#status"), /^2 errors/);
+    assert.equal((await visit.page.$$("#faults .error")).length, 2);
+    assert.equal(await visit.page.$eval("#run", (button) => button.disabled), true);
+    await visit.page.click("#faults li:nth-child(2) button");
+    assert.equal(await visit.look("editor.view.state.doc.lineAt(editor.view.state.selection.main.head).number"), 3);
+    await visit.write(SUM);
+    assert.equal(await visit.shown("#faults"), false);
+    await visit.close();
+  },
+
+  async "a link has all in it"(world) {
+    const visit = await open(world, `${SUM}; naïve Ωmega — "quoted" <tags> & more\n`);
+    await visit.choose("model", "cyber205-4pipe");
+    await visit.choose("warm", "cold");
+    await visit.page.click("#share");
+    await visit.page.waitForFunction("location.hash.length > 1");
+    const address = visit.page.url();
+    const text = await visit.look("editor.text");
+    await visit.close();
+
+    const other = await Visit.open(world.browser, address);
+    assert.equal(await other.look("editor.text"), text);
+    assert.equal(await other.look("session.model"), "cyber205-4pipe");
+    assert.equal(await other.look("session.warm"), "cold");
+    await other.close();
+    const spoilt = await Visit.open(world.browser, `${world.page}#model=x&program=!!`);
+    await spoilt.close();
+  },
+};

@@ -1,0 +1,62 @@
+// programs.mjs - what programs print and take in the page is what c205 run says.
+
+import assert from "node:assert/strict";
+import { Visit } from "./visit.mjs";
+
+const PLAIN = ["--model", "cyber205-2pipe"];
+
+export const tests = {
+  async "examples print and take what they do natively"({ browser, page, native, say }) {
+    const visit = await Visit.open(browser, page);
+    const examples = await visit.page.$$eval("#lesson optgroup[label=Examples] option",
+      (options) => options.map(({ value }) => value));
+    assert.ok(examples.length > 5);
+    for (const example of examples) {
+      await visit.choose("lesson", example);
+      await visit.press("run");
+      const text = await visit.look("editor.text");
+      const { out } = native.c205(["run", ...PLAIN, "example.s"], { "example.s": text });
+      const view = await visit.view();
+      const printed = await visit.text("#output");
+      const clocks = /^(\d+) clocks/m.exec(out.slice(printed.length))[1];
+      assert.equal(out.slice(0, printed.length), printed, example);
+      assert.equal(view.clock, Number(clocks), example);
+    }
+    say(`${examples.length} programs`);
+    await visit.close();
+  },
+
+  async "the laboratory shows the figures of c205 sweep"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page);
+    await visit.choose("lesson", "example:saxpy_vector.s");
+    await visit.press("tab-laboratory");
+    await visit.page.focus("#lab-second");
+    await visit.page.select("#lab-second", "saxpy_scalar.s");
+    await visit.press("laboratory button[type=submit]");
+    await visit.page.waitForSelector("#laboratory .chart svg");
+    const text = await visit.look("editor.text");
+    const other = await visit.look("window.c205.example('saxpy_scalar.s')");
+    const told = native.json(["sweep", "--warm", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000", "--points", "25"],
+      { "a.s": text, "b.s": other });
+    const rows = await visit.page.$$eval("#laboratory details tbody tr", (list) => list.map((row) =>
+      [...row.children].map((cell) => cell.textContent.replaceAll(",", ""))));
+    assert.deepEqual(rows.map(([n, first, , second]) => [n, first, second].map(Number)),
+      told.points.map((point) => [point.value, point.first_clocks, point.second_clocks]));
+    await visit.close();
+  },
+
+  async "the comparison says what c205 compare says"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page);
+    await visit.choose("lesson", "example:saxpy_linked.s");
+    await visit.press("tab-compare");
+    await visit.page.focus("#compare-first");
+    await visit.page.select("#compare-first", "saxpy_vector.s");
+    await visit.page.select("#compare-second", "mine");
+    await visit.press("compare button[type=submit]");
+    await visit.page.waitForSelector("#compare .verdict-words");
+    const { out } = native.c205(["compare", ...PLAIN, "a.s", "b.s"], {
+      "a.s": await visit.look("window.c205.example('saxpy_vector.s')"), "b.s": await visit.look("editor.text") });
+    assert.equal(await visit.text("#compare .verdict-words"), /^The second .*$/m.exec(out)[0]);
+    await visit.close();
+  },
+};

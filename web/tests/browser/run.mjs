@@ -1,0 +1,44 @@
+// run.mjs BUILD [BROWSERS [TEXT]] - the page's tests in real browsers: all, or those of
+// which the name has the text in it.  Exit status 1 if one fails.
+
+import { resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+import { startBrowser } from "./browsers.mjs";
+import { Native } from "./native.mjs";
+import { tests as course } from "./course.mjs";
+import { tests as loading } from "./loading.mjs";
+import { tests as looks } from "./looks.mjs";
+import { tests as moving } from "./moving.mjs";
+import { tests as programs } from "./programs.mjs";
+import { tests as tracer } from "./tracer.mjs";
+
+const [build, browsers = "chromium firefox", only = ""] = process.argv.slice(2);
+if (!build) {
+  console.error("usage: node web/tests/browser/run.mjs BUILD [BROWSERS [TEXT]]");
+  process.exit(2);
+}
+const all = { ...loading, ...moving, ...programs, ...course, ...looks, ...tracer };
+let passed = 0, failed = 0;
+
+for (const kind of browsers.split(" ")) {
+  const { browser, end } = await startBrowser(kind);
+  const world = { browser, kind, native: new Native(resolve(build)), site: resolve(build, "web/site"),
+    page: pathToFileURL(resolve(build, "web/c205.html")).href,
+    say: (words) => console.log(`    ${kind}: ${words}`) };
+  for (const [name, test] of Object.entries(all)) {
+    if (!name.includes(only)) continue;
+    const begun = performance.now();
+    try {
+      await test(world);
+      passed++;
+      console.log(`ok ${kind}: ${name} (${Math.round(performance.now() - begun)} ms)`);
+    } catch (fault) {
+      failed++;
+      console.log(`not ok ${kind}: ${name}\n${fault.stack.replace(/^/gm, "    ")}`);
+      for (const context of browser.browserContexts().slice(1)) await context.close().catch(() => {});
+    }
+  }
+  await end();
+}
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed > 0 ? 1 : 0);

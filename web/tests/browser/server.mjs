@@ -1,0 +1,28 @@
+// server.mjs - the site's folder behind a small server on this machine.
+
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { extname, join, normalize } from "node:path";
+
+const TYPES = { ".html": "text/html; charset=utf-8", ".css": "text/css", ".js": "text/javascript",
+  ".wasm": "application/wasm", ".json": "application/json", ".md": "text/markdown" };
+
+/** {address, asked (paths so far), end}. */
+export async function serve(folder) {
+  const asked = [];
+  const server = createServer(async ({ url }, response) => {
+    const path = normalize(decodeURIComponent(new URL(url, "http://localhost").pathname));
+    asked.push(path);
+    try {
+      const bytes = await readFile(join(folder, path.endsWith("/") ? `${path}index.html` : path));
+      response.writeHead(200, { "content-type": TYPES[extname(path)] ?? TYPES[".html"] }).end(bytes);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve) => { server.listen(0, "127.0.0.1", resolve); });
+  return {
+    address: `http://127.0.0.1:${server.address().port}/`, asked,
+    end: () => new Promise((resolve) => { server.close(resolve); server.closeAllConnections(); }),
+  };
+}

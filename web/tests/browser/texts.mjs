@@ -1,0 +1,33 @@
+// texts.mjs - programs that several tests want.
+
+export const PRINTS = `        .include "print.s"
+        .reg    x, r16
+        ES      x, 42
+        print_integer x
+        newline
+        EXIT
+`;
+
+export const LOOP = `        .reg    i, r16
+        ES      i, 0
+loop:   IS      i, 1
+        BIM     loop
+`;
+
+/** A loop of so many turns, with a sum. */
+export const SUM = `        .regs   r16, i, one, count, sum
+        ES      i, 0
+        ES      one, 1
+        ES      count, 10
+        ES      sum, 0
+loop:   ADDX    sum, i, sum
+        IBXLT   i, one, count, loop, i
+        EXIT
+`;
+export const SUM_LOOP = 6; // its line
+
+export const WRONG = `        .reg    x, r16
+        ADNV    x, x, x
+        ES      y, 1
+        EXIT
+`;

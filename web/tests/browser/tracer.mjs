@@ -1,0 +1,105 @@
+// tracer.mjs - the ray tracer of the page, beside rt205.
+
+import assert from "node:assert/strict";
+import { Visit } from "./visit.mjs";
+
+const PATIENCE = 120000; // milliseconds, of a run
+
+/** What rt205 prints. */
+function rt205(native, args, files) {
+  const { out, told } = native.rt205([...args, "--jobs", "1"], files);
+  return told + out;
+}
+
+const scene = `camera { location <0, 1, -4> look_at 0 }
+light_source { <3, 5, -6> rgb 1 }
+sphere { 0, 1 pigment { rgb <1, .5, .2> } finish { reflection .3 } }
+plane { y, -1 pigment { checker rgb .2, rgb .9 } }
+`;
+
+async function openTracer(browser, page) {
+  const visit = await Visit.open(browser, page);
+  await visit.press("tab-tracer");
+  await visit.page.waitForSelector("#tracer form");
+  return visit;
+}
+
+const said = (visit, words) => visit.page.waitForFunction(
+  `document.querySelector("#tracer [role=status]").textContent === ${JSON.stringify(words)}`,
+  { timeout: PATIENCE });
+
+async function write(visit, text) {
+  await visit.page.$eval("#tracer-text", (area, words) => {
+    area.value = words;
+    area.dispatchEvent(new Event("input"));
+  }, text);
+}
+
+/** How many colours the picture has, and whether that to download has the same. */
+const picture = (visit) => visit.page.evaluate(async () => {
+  const pixels = async (image) => {
+    const bitmap = await createImageBitmap(image);
+    const canvas = new OffscreenCanvas(bitmap.width, bitmap.height).getContext("2d");
+    canvas.drawImage(bitmap, 0, 0);
+    return canvas.getImageData(0, 0, bitmap.width, bitmap.height).data;
+  };
+  const shown = await pixels(document.querySelector("#tracer canvas"));
+  const saved = await pixels(await (await fetch(document.querySelector("#tracer a.button").href)).blob());
+  return { colours: new Set(new Uint32Array(shown.buffer)).size,
+    same: shown.length === saved.length && shown.every((byte, i) => byte === saved[i]) };
+});
+
+export const tests = {
+  async "a picture is drawn, with what rt205 prints"({ browser, page, native }) {
+    const visit = await openTracer(browser, page);
+    for (const stage of ["vector", "scalar"]) {
+      await visit.page.select("#tracer-size", "80x60");
+      await visit.page.select("#tracer-stage", stage);
+      await write(visit, scene);
+      await visit.page.click("#tracer button[type=submit]");
+      await said(visit, "Done.");
+      const queue = stage === "scalar" ? [] : ["--queue", "2000"];
+      assert.equal(await visit.text("#tracer pre"), rt205(native, ["render", "my.pov", "-o", "picture.png",
+        "-W", "80", "-H", "60", "--accounts", "--mode", stage, "--model", "cyber205-2pipe", ...queue],
+      { "my.pov": scene }));
+      const { colours, same } = await picture(visit);
+      assert.ok(colours > 50, `${colours} colours`);
+      assert.ok(same, "the picture to download is another one");
+    }
+    await visit.close();
+  },
+
+  async "a scene with a fault is told, and a run can be stopped"({ browser, page, native }) {
+    const visit = await openTracer(browser, page);
+    const broken = scene.replace("sphere", "spere");
+    await write(visit, broken);
+    await visit.page.click("#tracer button[type=submit]");
+    await said(visit, "rt205 could not do it.");
+    assert.equal(await visit.text("#tracer pre"), rt205(native, ["render", "my.pov", "--no-picture"],
+      { "my.pov": broken }));
+    await visit.page.select("#tracer-scene", "scenes/bracket.pov");
+    await visit.page.select("#tracer-size", "640x480");
+    await visit.page.click("#tracer button[type=submit]");
+    await visit.page.waitForSelector("#tracer .clocks table", { timeout: PATIENCE });
+    await visit.page.click("#tracer form button[type=button]");
+    await said(visit, "Stopped.");
+    await visit.page.select("#tracer-size", "80x60");
+    await visit.page.click("#tracer button[type=submit]");
+    await said(visit, "Done.");
+    await visit.close();
+  },
+
+  async "Table 1 is that of rt205"({ browser, page, native }) {
+    const visit = await openTracer(browser, page);
+    await visit.page.$eval("#tracer-queue", (input) => { input.value = "500"; });
+    await visit.page.click("#tracer div.fields button");
+    await said(visit, "Done.");
+    const rows = await visit.page.$$eval("#tracer .result tbody tr", (list) =>
+      list.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    const { table1 } = JSON.parse(rt205(native, ["speedup", "-W", "80", "-H", "50", "--queue", "500",
+      "--format", "json"]));
+    assert.deepEqual(rows.map(([primitive, figures, , vector]) => [primitive, figures, vector]),
+      table1.map(({ primitive, figures, vector }) => [primitive, figures, vector.toFixed(4)]));
+    await visit.close();
+  },
+};

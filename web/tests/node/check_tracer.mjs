@@ -1,0 +1,254 @@
+// check_tracer.mjs - rt205.wasm is rt205: what both print, write and end with is
+// the same, byte for byte; of pictures the pixels are.
+//
+//     node check_tracer.mjs BUILD DRAWN [TEXT]
+//
+// In the project's folder.  BUILD has rt205 and web/rt205.wasm, DRAWN scenes by
+// chance.  TEXT: only the runs whose command lines have it.  Runs: every scene of scenes/
+// and tests/scenes, and those of DRAWN, each in a way that its number chooses among stages,
+// queues, models and what is asked for; the other commands; scene texts that are
+// damaged by chance; wrong usage.  At last, how long a picture takes.
+//
+// What only OpenImageIO and FreeType can read the page cannot: then the
+// one error that says so is asked for.
+import { spawnSync } from "node:child_process";
+import fs from "node:fs";
+import path from "node:path";
+import zlib from "node:zlib";
+
+import { loadTracer } from "../../tracer/tracer.js";
+
+const [build, drawn, only = ""] = process.argv.slice(2);
+const out = path.join(build, "web/checked"); // where both write
+const run = await loadTracer(fs.readFileSync(path.join(build, "web/rt205.wasm")));
+let passed = 0, failed = 0, unread = 0;
+
+// ---- The same in both ------------------------------------------------------
+
+const cannotRead = /there is no (OpenImageIO|FreeType) in the page to read|no such file(?=[^]*\bttf\b)/;
+
+const filesOf = (folder, names = /./) => Object.fromEntries(
+  fs.readdirSync(folder).filter((name) => names.test(name)).sort()
+    .map((name) => path.join(folder, name))
+    .filter((name) => fs.statSync(name).isFile())
+    .map((name) => [name, fs.readFileSync(name)]));
+
+const given = {
+  ...filesOf("scenes"), ...filesOf("tests/scenes"), ...filesOf(drawn),
+  [path.join(out, "folder")]: "",
+};
+
+/** The pixels of an 8-bit RGB picture (ISO/IEC 15948). */
+function pixels(png) {
+  const chunks = {};
+  for (let at = 8; at < png.length;) {
+    const length = png.readUInt32BE(at);
+    const type = png.toString("latin1", at + 4, at + 8);
+    const sum = png.readUInt32BE(at + 8 + length);
+    if (zlib.crc32 && zlib.crc32(png.subarray(at + 4, at + 8 + length)) !== sum)
+      throw new Error(`${type}: its sum is wrong`);
+    (chunks[type] ??= []).push(png.subarray(at + 8, at + 8 + length));
+    at += 12 + length;
+  }
+  const width = chunks.IHDR[0].readUInt32BE(0), row = 3 * width;
+  const lines = zlib.inflateSync(Buffer.concat(chunks.IDAT));
+  const all = Buffer.alloc(lines.length / (row + 1) * row);
+  for (let y = 0; y * (row + 1) < lines.length; y++)
+    for (let i = 0; i < row; i++) {
+      const left = i < 3 ? 0 : all[y * row + i - 3];
+      const up = y ? all[(y - 1) * row + i] : 0;
+      const corner = y && i >= 3 ? all[(y - 1) * row + i - 3] : 0;
+      const [a, b, c] = [left, up, corner]
+        .map((from) => Math.abs(left + up - corner - from));
+      const nearest = a <= b && a <= c ? left : b <= c ? up : corner;
+      all[y * row + i] = lines[y * (row + 1) + 1 + i]
+        + [0, left, up, left + up >> 1, nearest][lines[y * (row + 1)]];
+    }
+  return Buffer.concat([chunks.IHDR[0], all]);
+}
+
+function native(args) {
+  fs.rmSync(out, { recursive: true, force: true });
+  fs.mkdirSync(out, { recursive: true });
+  const ended = spawnSync(path.join(build, "rt205"), [...args, "--jobs", "1"],
+    { input: "", maxBuffer: 1 << 28 });
+  return {
+    code: ended.status, stdout: ended.stdout.toString(),
+    stderr: ended.stderr.toString(), files: filesOf(out),
+  };
+}
+
+function inPage(args, more = {}) {
+  const printed = { stdout: "", stderr: "" };
+  const ended = run([...args, "--jobs", "1"], { ...given, ...more }, {
+    stdout: (text) => printed.stdout += text,
+    stderr: (text) => printed.stderr += text,
+  });
+  return { ...ended, ...printed };
+}
+
+/** What differs; "" nothing does. */
+function difference(one, other) {
+  for (const key of ["code", "stderr", "stdout"])
+    if (one[key] !== other[key])
+      return `${key}: ${one[key]}\nbut in the page: ${other[key]}`;
+  for (const name of new Set([...Object.keys(one.files), ...Object.keys(other.files)])) {
+    const [a, b] = [one.files[name], other.files[name]];
+    if (!a || !b)
+      return `${name} is ${a ? "not written in the page" : "written there alone"}`;
+    const of = name.endsWith(".png") ? pixels : (bytes) => bytes;
+    if (!of(a).equals(of(Buffer.from(b))))
+      return `${name} is another one`;
+  }
+  return "";
+}
+
+function check(args, more) {
+  const line = `rt205 ${args.join(" ")}`;
+  if (!line.includes(only))
+    return;
+  let why;
+  try {
+    const other = inPage(args, more);
+    if (cannotRead.test(other.stderr)) {
+      unread++;
+      why = other.code === 1 && other.stdout === "" ? "" : "it goes on without a file";
+    } else {
+      why = difference(native(args), other);
+    }
+  } catch (fault) {
+    why = fault.stack;
+  }
+  if (!why) {
+    passed++;
+    return;
+  }
+  failed++;
+  console.log(`FAIL ${line}\n${why.slice(0, 2000)}`);
+}
+
+// ---- By chance -------------------------------------------------------------
+
+let state = 205;
+const draw = (most) => { // 0 .. most - 1; Knuth's numbers for modulus 2^31
+  state = (Math.imul(state, 1103515245) + 12345) & 0x7fffffff;
+  return (state >>> 8) % most;
+};
+const one = (list) => list[draw(list.length)];
+
+const ways = [
+  [], ["--flat"], ["--no-bounds"], ["--order", "rows"], ["--order", "tiles"],
+  ["--samples", "2"], ["--samples", "2", "--threshold", "0.1"], ["--visible", "every"],
+  ["--visible", "stepping"], ["--historical"],
+];
+const asked = [
+  [], ["--accounts"], ["--profile"], ["--profile", "--in-order"],
+  ["--accounts", "--format", "csv"], ["--accounts", "--format", "json"],
+  ["--format", "md"], ["--provenance"],
+];
+const models = [
+  "cyber205-2pipe", "cyber205-2pipe", "cyber205-1pipe", "cyber205-4pipe",
+  "cyber205-2pipe-32bit", "cyber205-2pipe-small", "cyber205-4pipe-prior", "eta10g",
+];
+const size = () => ["-W", `${1 + draw(24)}`, "-H", `${1 + draw(18)}`];
+const anyWay = () => [
+  "--mode", one(["scalar", "vector", "vector", "kernels"]),
+  "--queue", `${one([1, 2, 7, 64, 77, 500, 2000, 65535])}`,
+  "--model", one(models), ...one(ways), ...one(asked), ...size(),
+];
+
+// ---- The runs --------------------------------------------------------------
+
+const scenes = Object.keys(given).filter((name) => name.endsWith(".pov"));
+for (const scene of scenes)
+  check(["render", scene, "-o", path.join(out, "a.png"),
+    "--json", path.join(out, "a.json"), ...anyWay()]);
+
+const json = ["--json", path.join(out, "a.json")];
+const small = ["-W", "24", "-H", "16"];
+for (const args of [
+  ["speedup", "-W", "20", "-H", "12", "--details"],
+  ["speedup", "-W", "20", "-H", "12", "--queue", "100", "--passes", "--model", "cyber205-4pipe"],
+  ["profile", "scenes/bracket.pov", ...small],
+  ["profile", "scenes/glass.pov", "--queue", "300", ...small],
+  ["sweep", "queue", "sphere", "--points", "3,64,2000", ...small],
+  ["sweep", "length", "torus", "--points", "10,1000", ...small],
+  ["sweep", "hits", "cylinder", ...small],
+  ["sweep", "pipes", "scenes/first.pov", ...small],
+  ["mass", "scenes/pipe_flange.pov", "--density", "default=7.85", "--rays", "1024"],
+  ["mass", "scenes/bracket.pov", "--density", "default=2.7", "--rays", "1024",
+    "--mode", "scalar", "--overlaps"],
+  ["heat", "scenes/tube_row.pov", "--rays", "64", "--repeats", "2"],
+  ["heat", "scenes/burner.pov", "--rays", "64", "--repeats", "2", "--mode", "scalar"],
+  ["timeline", "scenes/first.pov", "--pixel", "5,4", "-W", "12", "-H", "9",
+    "-o", path.join(out, "a.svg")],
+  ["quartic", path.join(out, "p.csv"), "--first"],
+  ["quartic", path.join(out, "p.csv"), "--falsi", "all"],
+])
+  check([...args, ...(args[0] === "timeline" ? [] : json)]);
+
+// Wrong usage, and what is not there.
+for (const args of [
+  [], ["--help"], ["--version"], ["render"], ["render", "--help"], ["paint", "a.pov"],
+  ["render", "scenes/none.pov", "--no-picture"], ["render", "scenes", "--no-picture"],
+  ["render", "scenes/first.pov", "--no-picture", "--queue", "0"],
+  ["render", "scenes/first.pov", "--no-picture", "--model", "cyber206"],
+  ["render", "scenes/first.pov", "--no-picture", "--model", "cyber720"],
+  ["render", "scenes/first.pov", "-o", "none/a.png"],
+  ["render", "scenes/first.pov", "-o", "a.bmp"],
+  ["render", "scenes/first.pov", "-o", "a.png", "--no-picture"],
+  ["render", "scenes/first.pov", "--no-picture", ...small, "--json", "none/a.json"],
+  ["render", "scenes/first.pov", "--debug", "1,2", ...small],
+])
+  check(args);
+
+// A text with some of its bytes gone, twice there, or another's.
+function damaged(text) {
+  const at = draw(text.length), length = 1 + draw(one([2, 20, 400]));
+  const from = draw(text.length);
+  return one([
+    () => text.slice(0, at),
+    () => text.slice(0, at) + text.slice(at + length),
+    () => text.slice(0, at + length) + text.slice(at),
+    () => text.slice(0, at) + text.slice(from, from + length) + text.slice(at),
+    () => text.slice(0, at) + one(["{", "}", "#end", "<", "\"", "1e999", "\u00e9", "#while (1)"])
+      + text.slice(at),
+  ])();
+}
+const broken = path.join(drawn, "broken.pov");
+for (let i = 0; i < 60; i++) {
+  const text = damaged(given[one(scenes)].toString());
+  fs.writeFileSync(broken, text);
+  check(["render", broken, "--no-picture", "-W", "6", "-H", "5"], { [broken]: text });
+}
+// Nested as deep as the reader goes, and deeper.
+for (const [open, close] of [["union { ", " }"], ["(", ")"], ["#if (1) ", " #end"], ["{", "}"]]) {
+  const text = `#declare A = ${open.repeat(100000)} 1 ${close.repeat(100000)};`;
+  fs.writeFileSync(broken, text);
+  check(["render", broken, "--no-picture", "-W", "6", "-H", "5"], { [broken]: text });
+}
+fs.rmSync(broken, { force: true });
+
+// ---- How long it takes -----------------------------------------------------
+
+if (only === "") {
+  const begin = performance.now();
+  let views = 0, last;
+  const { files } = run(["render", "scenes/bracket.pov", "-o", "a.png", "-W", "160",
+    "-H", "120"], given, { rows: (view) => { views++; last = view; } });
+  const seconds = (performance.now() - begin) / 1000;
+  const whole = last?.first + last?.rows === 120;
+  const seen = whole && pixels(Buffer.from(files["a.png"])).subarray(13)
+    .equals(Buffer.from(last.rgba.filter((byte, i) => i % 4 !== 3)));
+  console.log(`scenes/bracket.pov, 160 x 120: ${seconds.toFixed(2)} s, ${views} views`);
+  if (seen)
+    passed++;
+  else
+    console.log("FAIL what is shown last is not the picture"), failed++;
+}
+fs.rmSync(out, { recursive: true, force: true });
+if (passed === 0)
+  failed++;
+console.log(`${unread} with files that the page cannot read`);
+console.log(`${passed} passed, ${failed} failed`);
+process.exitCode = failed > 0 ? 1 : 0;

@@ -1,0 +1,31 @@
+/* processes.c - in the page there are no other processes: none can be begun, and
+ * a file is always this one's alone.
+ */
+#include "rt/host/processes.h"
+
+#include <errno.h>
+
+int process_run(const char *folder, char *const words[], FILE *output,
+                size_t *written, FILE **messages)
+{
+    (void)folder, (void)words, (void)output, (void)written, (void)messages;
+    errno = ENOSYS;
+    return -1;
+}
+
+void process_become(char *const words[])
+{
+    (void)words;
+    errno = ENOENT;
+}
+
+bool process_lock(int file, bool alone)
+{
+    (void)file, (void)alone;
+    return true;
+}
+
+bool process_lock_is_held(void)
+{
+    return false;
+}

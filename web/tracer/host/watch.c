@@ -1,0 +1,103 @@
+/* watch.c - in the page who waits sees how far the machines are, and the picture as
+ * it stands in their memory.
+ */
+#include <stdlib.h>
+
+#include "base/json.h"
+#include "base/sink.h"
+#include "rt/command/rt205_command.h"
+#include "web/tracer/host/png.h"
+
+/* What web/tracer/tracer.js gives. */
+#define OF_PAGE(name) \
+    __attribute__((import_module("rt205"), import_name(#name)))
+/* False: stop. */
+OF_PAGE(progress) bool page_progress(size_t done, size_t all);
+/* Whether to show the picture now, of which a band is done or is not. */
+OF_PAGE(wants_rows) bool page_wants_rows(bool done);
+/* Rows of a frame, as sRGB, 4 bytes a pixel, and a text of JSON: the clocks so far. */
+OF_PAGE(rows)
+void page_rows(size_t width, size_t height, size_t first_row, size_t rows,
+               const unsigned char *rgba, const char *clocks, size_t length);
+
+static bool tell(void *context, size_t done, size_t all)
+{
+    (void)context;
+    return page_progress(done, all);
+}
+
+/* Of the bands that are done, and of this one so far. */
+static bool put_clocks(const struct trace *trace, const struct band *band,
+                       struct text_buffer *text)
+{
+    struct accounts sum = { .model = trace_how(trace)->model };
+    c205_error error;
+    struct json *json = json_open_line(text, &error);
+    bool good = json && accounts_add_all(&sum, trace_accounts(trace))
+                && accounts_add_all(&sum, &band->accounts);
+    c205_account all = accounts_together(&sum);
+
+    if (good) {
+        json_count(json, "clocks", sum.clocks);
+        json_number(json, "seconds", accounts_seconds(sum.model, sum.clocks));
+        json_object(json, "causes");
+        for (int cause = 0; cause < C205_CAUSES; cause++)
+            if (all.clocks[cause] > 0)
+                json_count(json, c205_cause_name((c205_cause)cause),
+                           all.clocks[cause]);
+        json_end(json);
+    }
+    accounts_free(&sum);
+    return json && json_close(json, &error) && good;
+}
+
+static unsigned char *bytes_of(const struct frame *part)
+{
+    size_t pixels = part->width * part->height;
+    unsigned char *rgba = malloc(4 * pixels), *to = rgba;
+
+    for (size_t i = 0; rgba && i < pixels; i++) {
+        for (int color = CHANNEL_RED; color <= CHANNEL_BLUE; color++)
+            *to++ = png_byte((float)picture_srgb(part->channel[color][i]));
+        *to++ = 255;
+    }
+    return rgba;
+}
+
+static void show(const struct trace *trace, const struct band *band)
+{
+    const struct trace_options *how = trace_how(trace);
+    struct text_buffer clocks = { .text = NULL };
+    unsigned char *rgba;
+    struct frame part;
+
+    if (!frame_allocate(&part, how->width, band->rows))
+        return;
+    trace_read_band(trace, band, &part);
+    rgba = bytes_of(&part);
+    if (rgba && put_clocks(trace, band, &clocks))
+        page_rows(how->width, how->height, band->first_row, band->rows, rgba,
+                  clocks.text, clocks.length);
+    text_buffer_free(&clocks);
+    free(rgba);
+    frame_free(&part);
+}
+
+/* Without memory nothing is shown, and the work goes on. */
+static void look(void *context, const struct trace *trace,
+                 const struct band_tracer *tracer, bool done)
+{
+    struct band band;
+
+    (void)context;
+    if (!page_wants_rows(done) || !band_look(tracer, &band))
+        return;
+    show(trace, &band);
+    band_free(&band);
+}
+
+void cmd_watch(struct rt205_arguments *arguments)
+{
+    arguments->trace.progress = tell;
+    arguments->trace.look = look;
+}
