@@ -338,7 +338,7 @@ static bool meets_table(const struct table_place *table,
 {
     const c205_word *low = table->page->word + table->low % C205_PAGE_WORDS;
     return direct_meets(words, n * sizeof *words, low,
-                        (table->high - table->low + 1) * sizeof *low);
+                        (size_t)(table->high - table->low + 1) * sizeof *low);
 }
 
 static inline size_t place_in(const struct table_place *table,

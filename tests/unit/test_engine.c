@@ -535,6 +535,33 @@ static void test_changed(void **state)
     talk_end(&talk);
 }
 
+/* What is printed then is what that run prints. */
+static void test_changed_prints(void **state)
+{
+    static const char text[] = "        ES r10, 9\n        EX r11, on\n"
+                               "on:     EXIT r10, r0, 2\n"
+                               "        EXIT r0, r0, 5\n"
+                               "        DBNZ r10, [r11]\n        EXIT\n";
+    struct talk talk;
+
+    (void)state;
+    talk_begin(&talk);
+    talk_load(&talk, text, ON_PRIOR);
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step-to\", \"n\": 6}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_string_equal(text_of(talk.reply, "printed"), "9\n8");
+    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 2\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step\"}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_string_equal(text_of(talk.reply, "printed"), "9\n8\n");
+    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 2\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_string_equal(text_of(talk.reply, "printed"), "9\n8\n1\n");
+    talk_end(&talk);
+}
+
 /* ---- Slices ----------------------------------------------------------------------------- */
 
 /* Some 200,000 steps, calls among them. */
@@ -817,7 +844,7 @@ static void test_bad(void **state)
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"a/b\"}",
           "built in" },
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"cdc6600\"}",
-          "" },
+          "only tells times" },
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"warm\": 1}",
           "true or false" },
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": [1]}",
@@ -969,12 +996,13 @@ static void test_chance(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_walks),        cmocka_unit_test(test_replays),
-        cmocka_unit_test(test_changed),      cmocka_unit_test(test_slices),
-        cmocka_unit_test(test_other_work),   cmocka_unit_test(test_limit),
-        cmocka_unit_test(test_about),        cmocka_unit_test(test_load),
-        cmocka_unit_test(test_instructions), cmocka_unit_test(test_trap),
-        cmocka_unit_test(test_bad),          cmocka_unit_test(test_chance),
+        cmocka_unit_test(test_walks),   cmocka_unit_test(test_replays),
+        cmocka_unit_test(test_changed), cmocka_unit_test(test_changed_prints),
+        cmocka_unit_test(test_slices),  cmocka_unit_test(test_other_work),
+        cmocka_unit_test(test_limit),   cmocka_unit_test(test_about),
+        cmocka_unit_test(test_load),    cmocka_unit_test(test_instructions),
+        cmocka_unit_test(test_trap),    cmocka_unit_test(test_bad),
+        cmocka_unit_test(test_chance),
     };
 
     return cmocka_run_group_tests(tests, set_up_model, tear_down_model);

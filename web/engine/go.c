@@ -195,6 +195,7 @@ bool answer_say(struct engine *engine, const struct json_value *request,
         return refuse(error, "\"line\" is one line");
     engine->slice.ends_at = plus(c205_clock(engine_machine(engine)), limit);
     debugger_obey(engine->debugger, line);
+    printed_forget(&engine->printed, debugger_known(engine->debugger));
     put_place(engine, reply);
     return put_said(engine, reply, "text", error);
 }

@@ -42,7 +42,7 @@ struct printed_mark {
 
 struct printed {
     struct text_buffer text;
-    size_t count, capacity;
+    size_t count;
     struct printed_mark *marks;
     bool cut; /* there was more */
 };
@@ -171,7 +171,9 @@ c205_model *program_model(const char *name, const struct object *object,
  * known. */
 size_t program_line(const struct engine *engine, uint64_t address);
 
-/* What had been printed when the program stood at a step. */
+/* What was printed behind a step was of another run. */
+void printed_forget(struct printed *printed, uint64_t step);
+/* How much had been printed when the program stood at a step. */
 size_t printed_until(const struct printed *printed, uint64_t step);
 
 /* ---- Views (view.c, registers.c, instruction.c) ----------------------------------- */

@@ -77,23 +77,23 @@ static bool take_defines(const struct json_value *request,
                          c205_error *error)
 {
     const struct json_value *defines = json_member(request, "defines");
-    struct asm_define *list = arena_take(arena, (count_of(defines) + 1)
-                                                    * sizeof *list);
-    size_t count = 0;
+    size_t count = count_of(defines);
+    struct asm_define *list = arena_take(arena, (count + 1) * sizeof *list);
 
     options->defines = list;
-    if (count_of(defines) > DEFINES_MOST)
-        return refuse(error, "more than %d names are defined", DEFINES_MOST);
-    for (const struct json_value *item =
-             is_object(defines) && defines ? defines->first : NULL;
-         list && item; item = item->next) {
+    if (!list)
+        return refuse(error, "no memory");
+    if (!is_object(defines) || count > DEFINES_MOST)
+        return refuse(error, "\"defines\" has at most %d names with integers",
+                      DEFINES_MOST);
+    for (const struct json_value *item = defines ? defines->first : NULL;
+         item; item = item->next, list++) {
         if (item->kind != JSON_NUMBER
-            || !json_member_whole(defines, item->key, &list[count].value))
+            || !json_member_whole(defines, item->key, &list->value))
             return refuse(error, "\"defines\" has names with integers");
-        list[count++].name = arena_text(arena, item->key, strlen(item->key));
+        list->name = arena_text(arena, item->key, strlen(item->key));
     }
-    return is_object(defines)
-           || refuse(error, "\"defines\" has names with integers");
+    return true;
 }
 
 /* "files": { "data.inc": "..." }, for .include */
@@ -153,13 +153,20 @@ c205_model *program_model(const char *name, const struct object *object,
                           c205_error *error)
 {
     const char *own = expect_model(object);
+    c205_model *model;
 
     name = name && *name ? name : own ? own : C205_DEFAULT_MODEL;
     if (c205_model_is_file(name)) {
         refuse(error, "there is no model '%.60s' among those built in", name);
         return NULL;
     }
-    return c205_model_find(name, error);
+    model = c205_model_find(name, error);
+    if (!model || !c205_model_is_projection(model))
+        return model;
+    c205_model_free(model);
+    refuse(error, "programs do not run on '%.60s', which only tells times",
+           name);
+    return NULL;
 }
 
 /* ---- What it prints ------------------------------------------------------------------ */
@@ -183,20 +190,31 @@ static void keep_mark(struct printed *printed, uint64_t step)
                                                      printed->text.length };
 }
 
-/* By the instruction behind the steps so far. */
+void printed_forget(struct printed *printed, uint64_t step)
+{
+    while (printed->count > 0
+           && printed->marks[printed->count - 1].step > step)
+        printed->count--;
+    printed->text.length = printed->count > 0
+                               ? printed->marks[printed->count - 1].length
+                               : 0;
+}
+
+/* By the instruction behind the steps so far; in another run there was more. */
 static void print(void *context, const char *text, size_t length)
 {
     struct engine *engine = context;
     struct printed *printed = &engine->printed;
     struct sink sink = text_buffer_sink(&printed->text);
-    size_t room = PRINTED_MOST - printed->text.length;
+    uint64_t step = debugger_step(engine->debugger) + 1;
 
-    printed->cut |= length > room;
+    printed_forget(printed, step);
+    printed->cut |= length > PRINTED_MOST - printed->text.length;
     if (printed->cut)
         return;
     sink.put(sink.context, text, length);
     printed->cut = printed->text.failed;
-    keep_mark(printed, debugger_step(engine->debugger) + 1);
+    keep_mark(printed, step);
 }
 
 size_t printed_until(const struct printed *printed, uint64_t step)
@@ -356,7 +374,7 @@ bool take_warm(const struct json_value *request, struct object *object,
     return true;
 }
 
-/* A new program in place of what there was, which goes in any case. */
+/* In place of the one before. */
 static bool begin_program(struct engine *engine, const char *name,
                           struct object *object, c205_model *model,
                           c205_error *error)
