@@ -23,6 +23,10 @@ check 0
 check 0 "$lesson"
 tells out '^# Twice a vector$'
 tells out '^large  *25000  *40000  *300000  *n = 10000  *x  *above, y  *ten'
+! grep -q -e "First hint" -e "<" out
+verdict $? "hints are printed, or tags"
+check 0 "$lesson" --hints
+tells out "^First hint$"
 check 0 "$lesson" --format json
 tells out '"start": "; y := 2 x'
 check 0 "$lesson" --start
@@ -33,6 +37,8 @@ cmp -s begun.s "$lesson/start.s"
 verdict $? "the program to complete is written otherwise"
 check 1 "$lesson" --start -o missing/begun.s
 check 2 --start
+check 2 --hints
+check 2 "$lesson" begun.s --hints
 check 2 "$lesson" begun.s --start
 check 2 "$lesson" -o begun.s
 check 2 "$lesson" begun.s --folder .
@@ -144,7 +150,7 @@ check 0 --folder few "$lesson"
 cp out known
 mkdir few/anna/old
 touch few/anna/other.s few/notes.txt one/notes.txt
-check 1 --folder few "$lesson"
+check 1 --folder few "$lesson" --json few.json
 cmp -s out known
 verdict $? "strange files change the marks"
 for name in anna/old anna/other.s notes.txt; do
@@ -152,6 +158,8 @@ for name in anna/old anna/other.s notes.txt; do
 done
 [ "$(wc -l <err)" -eq 3 ]
 verdict $? "more is told"
+[ "$(grep -c '"student": "' few.json)" -eq 2 ]
+verdict $? "the JSON is not kept"
 check 1 --folder one "$lesson" --format csv
 tells err '^c205 check: one/notes.txt: not graded'
 tells out '^anna,scale,yes,gold,'

@@ -623,12 +623,13 @@ static void test_said_of_all(void **state)
                  drawn.tests[0].n - 1);
         check_said(&drawn, ".vector y, n\n", ".vector y, n - 1\n", false,
                    wanted);
+        snprintf(wanted, sizeof wanted,
+                 "With n = %zu it cannot be assembled:\nmy.s:",
+                 drawn.tests[0].n);
         check_said(&drawn, "        EXIT\n",
                    "        .if n == 5\n        EXIT\n        .else\n"
                    "        NOPE\n        .endif\n",
-                   false,
-                   "With the constants of this test it cannot be "
-                   "assembled:\nmy.s:");
+                   false, wanted);
         check_said(&drawn, "        EXIT\n",
                    "        ES      value, 3\n        EXIT    value\n", false,
                    "It ended with the status 3, not with 0.");

@@ -1,28 +1,39 @@
-/* test_lesson_texts.c - what is expected of a run; lessons that are none, and their names. */
+/* test_lesson_texts.c - what is expected of a run; what results look like; lessons that are none,
+ * and their names; any texts. */
+#include "asm/lesson/parts.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/drawn_lesson.h"
 
 static size_t tries = 5000;
 
+/* A lesson with one test; false: it is refused. */
+static bool open_with(struct lesson *lesson, const char *test,
+                      c205_error *error)
+{
+    static const char title[] = "# A\n";
+
+    *lesson = (struct lesson){ 0 };
+    return lesson_begin(lesson, "12-it", error)
+           && lesson_take(lesson, "lesson.md", title, strlen(title), error)
+           && lesson_take(lesson, "start.s", "", 0, error)
+           && lesson_take(lesson, "test-a.s", test, strlen(test), error)
+           && lesson_end(lesson, error);
+}
+
 /* ---- What is expected of a run --------------------------------------------- */
 
 static void check_run(const char *test, const char *answer,
                       const char *wanted)
 {
-    struct lesson lesson = { 0 };
+    struct lesson lesson;
     struct lesson_verdict verdict;
     const struct lesson_report *report;
     c205_error error;
 
-    assert_true(lesson_begin(&lesson, "it", &error));
-    assert_true(lesson_take(&lesson, "lesson.md", "# A\n", 4, &error));
-    assert_true(lesson_take(&lesson, "start.s", "", 0, &error));
-    assert_true(lesson_take(&lesson, "test-a.s", test, strlen(test), &error));
-    assert_true(lesson_end(&lesson, &error));
+    assert_true(open_with(&lesson, test, &error));
     grade_well(&verdict, &lesson, answer);
-    report = &verdict.trials[0].report;
-    assert_true(verdict.graded);
+    report = verdict.graded ? &verdict.trials[0].report : &verdict.report;
     assert_int_equal(verdict.passed, wanted == NULL);
     assert_int_equal(report->count, wanted != NULL);
     if (wanted)
@@ -50,6 +61,11 @@ static void test_runs(void **state)
     check_run(reg, "        EXIT\n",
               "Expected r10 = X'0000 0000 0000 0005' (5), found X'0000 0000 "
               "0000 0000' (0).");
+    check_run("; test: a\n        .equ    five, 3\n; expect: r10 = 5\n",
+              "        .reg    five, r10\n        ES      five, 5\n"
+              "        EXIT\n",
+              "Line 1 uses the name five, which is that of a constant that "
+              "the tests set: take another one.");
     check_run(print, prints, NULL);
     check_run(print, five, "Expected '5' printed, found ''.");
     check_run(print, endless,
@@ -68,10 +84,7 @@ static void check_notes(const char *notes, const char *wanted)
     struct lesson lesson = { 0 };
     c205_error error = { "" };
 
-    assert_true(lesson_begin(&lesson, "12-it", &error));
-    assert_int_equal(lesson_take(&lesson, "test-a.s", notes, strlen(notes),
-                                 &error),
-                     *wanted == '\0');
+    assert_int_equal(open_with(&lesson, notes, &error), *wanted == '\0');
     assert_string_equal(error.message, wanted);
     lesson_free(&lesson);
 }
@@ -116,12 +129,7 @@ static void check_refused(const char *test, const char *wanted)
     static const char answer[] = "        EXIT\n";
     c205_error error = { "" };
 
-    assert_true(lesson_begin(&lesson, "it", &error));
-    assert_true(lesson_take(&lesson, "lesson.md", "# A\n", 4, &error));
-    assert_true(lesson_take(&lesson, "start.s", "", 0, &error));
-    assert_true(lesson_take(&lesson, "test-a.s", test, strlen(test), &error));
-    assert_true(lesson_end(&lesson, &error));
-    assert_int_equal(lesson.number, 0);
+    assert_true(open_with(&lesson, test, &error));
     assert_false(lesson_grade(&verdict, &lesson, "my.s", answer,
                               strlen(answer), &error));
     assert_string_equal(error.message, wanted);
@@ -185,12 +193,7 @@ static void grade_any(const char *test, const char *answer)
     struct lesson lesson = { 0 };
     struct lesson_verdict verdict = { 0 };
     c205_error error = { "" };
-    bool good = lesson_begin(&lesson, "1-any", &error)
-                && lesson_take(&lesson, "lesson.md", "# A\n", 4, &error)
-                && lesson_take(&lesson, "start.s", "", 0, &error)
-                && lesson_take(&lesson, "test-a.s", test, strlen(test),
-                               &error)
-                && lesson_end(&lesson, &error)
+    bool good = open_with(&lesson, test, &error)
                 && lesson_grade(&verdict, &lesson, "my.s", answer,
                                 strlen(answer), &error);
 
@@ -239,12 +242,95 @@ static void test_any(void **state)
     }
 }
 
+/* ---- What results look like ------------------------------------------------- */
+
+enum { ELEMENTS = 8 };
+
+/* "1.0 2 i": a number, an integer, indefinite; of bits "0 1". */
+static size_t take_elements(const char *text, enum asm_contents contents,
+                            c205_word elements[ELEMENTS])
+{
+    size_t count = 0;
+
+    for (; *text; text += strspn(text, " ")) {
+        size_t length = strcspn(text, " ");
+        const char *end;
+
+        elements[count++] = contents == ASM_BITS
+                                ? (c205_word)(*text == '1') << 63
+                            : *text == 'i' ? C205_INDEFINITE
+                            : memchr(text, '.', length)
+                                ? c205_from_text(text, &end)
+                                : c205_from_integer(atoi(text));
+        text += length;
+    }
+    return count;
+}
+
+static void test_likeness(void **state)
+{
+    static const struct {
+        enum asm_contents contents;
+        const char *before, *wanted, *found, *said;
+    } rows[] = {
+        { ASM_WORDS, "0 0", "1.0 2.0", "0 0", "It holds what it held" },
+        { ASM_WORDS, "1 1", "1.0 2.0", "0 0.0", "All that stands there is" },
+        { ASM_WORDS, "0 0", "1.0 2.0", "1 2", "The numbers are equal" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "9.0 1.0 2.0",
+          "one place too "
+          "far behind" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "2.0 3.0 9.0",
+          "one place too "
+          "far in front" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "3.0 2.0 1.0", "from back to" },
+        { ASM_WORDS, "0 0 0", "1.0 1.0 1.0", "9.0 1.0 1.0", NULL },
+        { ASM_WORDS, "0 0 0 0", "1.0 2.0 3.0 4.0", "2.0 1.0 3.0 4.0",
+          "they are not sorted" },
+        { ASM_WORDS, "0 0 0 0", "4.0 1.0 3.0 2.0", "1.0 4.0 3.0 2.0",
+          "in another order" },
+        { ASM_WORDS, "0 0", "1.0 -2.0", "-1.0 2.0", "The sign is wrong" },
+        { ASM_WORDS, "0 0", "1.0 -2.0", "-1.0 -2.0", NULL },
+        { ASM_BITS, "0 0 0", "0 1 1", "1 0 0", "Each bit is the opposite" },
+        { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.00000000001", "Only the last" },
+        { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.0001", NULL },
+        { ASM_WORDS, "0 0", "1.0 2.0", "i 2.0", "Indefinite comes of" },
+        { ASM_WORDS, "0 0", "7.0 1.0", "6 1.0", "They are not normalised" },
+        { ASM_WORDS, "0 0", "7 1.0", "6 1.0", NULL },
+        { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 9.0",
+          "Nothing new was stored behind" },
+        { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 8.0", NULL },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
+        struct arena arena = { 0 };
+        struct lesson_report report = { .kept = &arena };
+        struct exchanged exchanged = { .label = "y",
+                                       .contents = rows[i].contents,
+                                       .wanted = wanted,
+                                       .before = before,
+                                       .found = found };
+
+        take_elements(rows[i].before, rows[i].contents, before);
+        take_elements(rows[i].found, rows[i].contents, found);
+        exchanged.count = take_elements(rows[i].wanted, rows[i].contents,
+                                        wanted);
+        assert_false(wrong_tell(&exchanged, &report));
+        if (rows[i].said ? !strstr(report.sentences[0], rows[i].said)
+                         : !strstr(report.sentences[0], " (counted from 0).")
+                               || strstr(report.sentences[0], ").  "))
+            fail_msg("row %zu: %s", i, report.sentences[0]);
+        arena_free(&arena);
+    }
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_runs),    cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_names),
-        cmocka_unit_test(test_any),
+        cmocka_unit_test(test_runs),     cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_refused),  cmocka_unit_test(test_names),
+        cmocka_unit_test(test_likeness), cmocka_unit_test(test_any),
     };
 
     if (argc > 1)
