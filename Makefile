@@ -1,9 +1,10 @@
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
+# make site       the manual as a site; card, slides: docs/teaching.md
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | card | slides | site | mpi | bench | san | fuzz | cover | check-long |
-#      wasm-check | format | lint | install | clean
+# make all | docs | mpi | bench | san | fuzz | cover | check-long | wasm-check |
+#      format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -617,12 +618,13 @@ clean:
 	rm -rf $(BUILD)
 
 .PHONY: all mpi demo tests check check-long check-rooms check-unit check-programs \
+	card slides site check-card check-slides check-site \
 	check-bugs check-docs check-isa check-arithmetic check-narrow \
 	check-random check-quartic check-planted check-faces check-regions \
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-course check-commands check-install \
-	check-site check-card check-slides check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs site card slides san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
