@@ -281,8 +281,10 @@ slides:
 	@sh .ci/need $(slides_packages)
 	@mkdir -p $(slides)
 	sh docs/slides/deck.sh docs/slides/vector.md >$(slides)/vector.html
-	sh docs/slides/print.sh $(slides)/vector.html $(slides)/vector.pdf
-	sh docs/slides/print.sh "$(slides)/vector.html#notes" $(slides)/vector-notes.pdf
+	sh docs/slides/browser.sh $(slides)/vector.html --no-pdf-header-footer \
+		--print-to-pdf=$(slides)/vector.pdf
+	sh docs/slides/browser.sh "$(slides)/vector.html#notes" --no-pdf-header-footer \
+		--print-to-pdf=$(slides)/vector-notes.pdf
 
 check-slides: slides
 	sh tests/check_slides.sh docs/slides/vector.md $(slides)
