@@ -1,8 +1,9 @@
 # make demo       installs what is missing, builds, renders a scene on the
 #                 emulated machine and prints the speedup table
+# make site       the manual as a site; card, slides: docs/teaching.md
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | card | slides | site | web | mpi | bench | san | fuzz | cover |
+# make all | docs | card | slides | web | mpi | bench | san | fuzz | cover |
 #      check-long | check-web | wasm-check | format | lint | install | clean
 
 BUILD ?= build
@@ -285,8 +286,10 @@ slides:
 	@sh .ci/need $(slides_packages)
 	@mkdir -p $(slides)
 	sh docs/slides/deck.sh docs/slides/vector.md >$(slides)/vector.html
-	sh docs/slides/print.sh $(slides)/vector.html $(slides)/vector.pdf
-	sh docs/slides/print.sh "$(slides)/vector.html#notes" $(slides)/vector-notes.pdf
+	sh docs/slides/browser.sh $(slides)/vector.html --no-pdf-header-footer \
+		--print-to-pdf=$(slides)/vector.pdf
+	sh docs/slides/browser.sh "$(slides)/vector.html#notes" --no-pdf-header-footer \
+		--print-to-pdf=$(slides)/vector-notes.pdf
 
 check-slides: slides
 	sh tests/check_slides.sh docs/slides/vector.md $(slides)

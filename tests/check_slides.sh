@@ -14,10 +14,7 @@ slides=$(grep -c '^##* ' "$page")
 
 # What a browser makes of a deck, scripts having run, a line each section's tag.
 sections() { # HTML
-    chromium --headless --no-sandbox --disable-gpu --no-first-run \
-        --disable-background-networking --disable-component-update \
-        --disable-sync --user-data-dir="$work/profile" --window-size=1280,720 \
-        --dump-dom "file://$1" 2>/dev/null | grep -o '<section[^>]*>'
+    sh docs/slides/browser.sh "$1" --dump-dom | grep -o '<section[^>]*>'
 }
 
 # What is wrong with a deck.
