@@ -91,6 +91,15 @@ static struct wide divide(struct wide a, struct wide b)
                (struct wide){ rest.high / b.high, 0 });
 }
 
+/* .. by a number that has one double. */
+static struct wide over(struct wide a, double b)
+{
+    double quotient = a.high / b;
+    struct wide back = product(quotient, b);
+
+    return quick_sum(quotient, ((a.high - back.high) - back.low + a.low) / b);
+}
+
 static struct wide square_root(struct wide a)
 {
     double root = sqrt(a.high);
@@ -117,8 +126,7 @@ static struct wide series(struct wide first, struct wide f, int from)
     struct wide all = first, term = first;
 
     for (int n = from; n < from + 2 * TERMS_MOST; n += 2) {
-        term = divide(multiply(term, f),
-                      (struct wide){ (double)n * (n + 1), 0 });
+        term = over(multiply(term, f), (double)n * (n + 1));
         all = add(all, term);
         if (fabs(term.high) < 0x1p-112 * fabs(all.high))
             break;
@@ -172,7 +180,7 @@ static struct wide power_of_e(struct wide x)
 
     less = r;
     for (int n = 2; n < TERMS_MOST && fabs(term.high) > 0x1p-120; n++) {
-        term = divide(multiply(term, r), (struct wide){ n, 0 });
+        term = over(multiply(term, r), n);
         less = add(less, term);
     }
     for (int i = 0; i < HALVINGS; i++)
