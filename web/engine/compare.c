@@ -5,15 +5,15 @@
 #include "asm/compare/compared.h"
 #include "web/engine/parts.h"
 
-struct side {
+struct compared_text {
     char *name;
     struct object *object;
     c205_model *model;
     struct compared_run run;
 };
 
-struct comparison {
-    struct side sides[COMPARED_RUNS];
+struct text_comparison {
+    struct compared_text sides[COMPARED_RUNS];
     int which;     /* side that is at work */
     c205 *machine; /* its machine, or NULL */
     uint64_t limit;
@@ -21,12 +21,12 @@ struct comparison {
 
 void compare_drop(struct engine *engine)
 {
-    struct comparison *comparison = engine->comparison;
+    struct text_comparison *comparison = engine->comparison;
 
     if (!comparison)
         return;
     for (int i = 0; i < COMPARED_RUNS; i++) {
-        struct side *side = &comparison->sides[i];
+        struct compared_text *side = &comparison->sides[i];
 
         compared_free(&side->run);
         object_free(side->object);
@@ -41,7 +41,7 @@ void compare_drop(struct engine *engine)
 /* ---- Runs -------------------------------------------------------------------- */
 
 /* *over: it has come to its end, and its accounts are kept. */
-static bool run(struct engine *engine, struct comparison *comparison,
+static bool run(struct engine *engine, struct text_comparison *comparison,
                 bool *over, c205_error *error)
 {
     enum { AT_ONCE = 1 << 18 };
@@ -63,16 +63,16 @@ static bool run(struct engine *engine, struct comparison *comparison,
     return refuse_of(error, comparison->sides[comparison->which].name);
 }
 
-static bool begin_run(struct comparison *comparison, c205_error *error)
+static bool begin_run(struct text_comparison *comparison, c205_error *error)
 {
-    const struct side *side = &comparison->sides[comparison->which];
+    const struct compared_text *side = &comparison->sides[comparison->which];
 
     comparison->machine = c205_new(side->model, error);
     return comparison->machine
            && c205_load(comparison->machine, &side->object->program, error);
 }
 
-static bool go_on(struct engine *engine, struct comparison *comparison,
+static bool go_on(struct engine *engine, struct text_comparison *comparison,
                   c205_error *error)
 {
     bool over = false;
@@ -92,7 +92,7 @@ static bool go_on(struct engine *engine, struct comparison *comparison,
 /* ---- The reply ------------------------------------------------------------------ */
 
 /* As c205 compare has it in its JSON, and its sentence. */
-static bool put_comparison(const struct comparison *comparison,
+static bool put_comparison(const struct text_comparison *comparison,
                            struct json *reply, c205_error *error)
 {
     struct compared_run runs[COMPARED_RUNS];
@@ -118,7 +118,7 @@ static bool put_comparison(const struct comparison *comparison,
 static bool slice(struct engine *engine, struct json *reply,
                   c205_error *error)
 {
-    struct comparison *comparison = engine->comparison;
+    struct text_comparison *comparison = engine->comparison;
     bool good = true;
 
     while (good && comparison->which < COMPARED_RUNS) {
@@ -141,8 +141,8 @@ static bool slice(struct engine *engine, struct json *reply,
 
 static bool take_side(struct engine *engine, const struct json_value *request,
                       const struct json_value *from,
-                      const struct asm_options *options, struct side *side,
-                      c205_error *error)
+                      const struct asm_options *options,
+                      struct compared_text *side, c205_error *error)
 {
     const char *name = "program.s", *text, *model = NULL;
 
@@ -179,7 +179,7 @@ static bool take_sides(struct engine *engine,
 bool answer_compare(struct engine *engine, const struct json_value *request,
                     struct json *reply, c205_error *error)
 {
-    struct comparison *comparison = calloc(1, sizeof *comparison);
+    struct text_comparison *comparison = calloc(1, sizeof *comparison);
     struct asm_options options = { .defines = NULL };
     struct arena arena = { 0 };
     bool good;

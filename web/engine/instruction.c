@@ -76,7 +76,7 @@ static void put_operands(const struct engine *engine, struct json *reply)
     json_end(reply);
 }
 
-void put_next(const struct engine *engine, struct json *reply)
+void put_next_insn(const struct engine *engine, struct json *reply)
 {
     const c205_stop *halt = debugger_halt(engine->debugger);
 
@@ -186,8 +186,8 @@ static void put_phases(const c205_times *record, struct json *reply)
     json_end(reply);
 }
 
-bool put_last(const struct engine *engine, struct json *reply,
-              c205_error *error)
+bool put_last_insn(const struct engine *engine, struct json *reply,
+                   c205_error *error)
 {
     const c205_event *last = debugger_last(engine->debugger);
     const c205_times *end = debugger_end(engine->debugger);

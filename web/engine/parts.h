@@ -94,8 +94,8 @@ struct engine {
     struct movement movement;
     struct replay replay;
     struct timeline timeline;
-    struct laboratory *laboratory; /* a sweep that is at work, or NULL */
-    struct comparison *comparison; /* likewise */
+    struct laboratory *laboratory;      /* a sweep that is at work, or NULL */
+    struct text_comparison *comparison; /* likewise */
 };
 
 engine_request answer_about, answer_load, answer_breaks, answer_go,
@@ -147,7 +147,7 @@ bool put_said(struct engine *engine, struct json *reply, const char *key,
 char *copy_of(const char *text);
 bool needs_program(const struct engine *engine, c205_error *error);
 
-/* ---- Programs (program.c) --------------------------------------------------------------- */
+/* ---- Programs (program.c) --------------------------------------------------------- */
 
 void program_drop(struct engine *engine);
 void put_diagnostics(const struct diagnostics *diagnostics,
@@ -186,9 +186,9 @@ void put_registers(const struct engine *engine, bool all, struct json *reply);
 bool put_vectors(const struct engine *engine,
                  const struct json_value *request, struct json *reply,
                  c205_error *error);
-void put_next(const struct engine *engine, struct json *reply);
-bool put_last(const struct engine *engine, struct json *reply,
-              c205_error *error);
+void put_next_insn(const struct engine *engine, struct json *reply);
+bool put_last_insn(const struct engine *engine, struct json *reply,
+                   c205_error *error);
 bool put_accounts(const struct engine *engine, struct json *reply,
                   c205_error *error);
 
@@ -196,8 +196,18 @@ bool put_accounts(const struct engine *engine, struct json *reply,
 bool put_table(struct table *table, const char *key, struct json *reply,
                c205_error *error);
 
+/* ---- Once more (replay.c) ---------------------------------------------------------- */
+
 /* The ear of the program's machine: whoever wants to listen does. */
 c205_listener replay_listen;
+/* From here on whoever listens is the replay's; none of both: there was no memory.  To a
+ * step, which is known. */
+bool replay_begin(struct engine *engine, struct line_profile *profile,
+                  struct timeline *timeline, uint64_t end, c205_error *error);
+/* As far as the slice allows; when all has been heard it is put, else there will be more by
+ * `again`. */
+bool replay_slice(struct engine *engine, struct json *reply,
+                  engine_slice *again, engine_slice *put, c205_error *error);
 /* Nobody listens any more, and the program stands where it stood. */
 void replay_drop(struct engine *engine);
 

@@ -157,10 +157,10 @@ bool answer_view(struct engine *engine, const struct json_value *request,
     if (!needs_program(engine, error))
         return false;
     put_place(engine, reply);
-    put_next(engine, reply);
+    put_next_insn(engine, reply);
     put_registers(engine, json_member_truth(request, "all-registers", false),
                   reply);
-    return put_last(engine, reply, error)
+    return put_last_insn(engine, reply, error)
            && put_accounts(engine, reply, error)
            && put_vectors(engine, request, reply, error)
            && put_printed(engine, reply, error);

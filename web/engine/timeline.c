@@ -1,0 +1,190 @@
+/* timeline.c - when each instruction of a run was at work: spans for a picture of the page, or a
+ * file as c205 timeline writes it.
+ */
+#include "asm/timeline/lanes.h"
+#include "web/engine/parts.h"
+
+/* ---- Spans ------------------------------------------------------------------------ */
+
+static void put_pieces(const struct timed_piece *pieces, size_t first,
+                       size_t count, const char *key, struct json *reply)
+{
+    json_array(reply, key);
+    for (size_t i = first; i < first + count; i++) {
+        json_object(reply, NULL);
+        json_count(reply, "begin", pieces[i].begin);
+        json_count(reply, "end", pieces[i].end);
+        json_text(reply, "cause", c205_cause_name(pieces[i].cause));
+        json_end(reply);
+    }
+    json_end(reply);
+}
+
+static void put_insn(const struct engine *engine, struct json *reply,
+                     const struct timed_insn *insn)
+{
+    const struct timeline *timeline = engine->replay.timeline;
+
+    json_object(reply, NULL);
+    json_count(reply, "pc", insn->pc);
+    json_count(reply, "line", program_line(engine, insn->pc));
+    json_text(reply, "text", insn->text);
+    json_text(reply, "unit",
+              insn->insn ? c205_unit_name(insn->insn->unit) : "");
+    json_count(reply, "elements", insn->elements);
+    json_count(reply, "arrived", insn->arrived);
+    json_count(reply, "issued", insn->issued);
+    json_count(reply, "ready", insn->ready);
+    json_count(reply, "done", insn->done);
+    put_pieces(timeline->phases, insn->first_phase, insn->phase_count,
+               "phases", reply);
+    put_pieces(timeline->pieces, insn->first_piece, insn->piece_count,
+               "pieces", reply);
+    json_end(reply);
+}
+
+static void put_span(const struct timeline *timeline, struct json *reply,
+                     const struct timed_span *span)
+{
+    json_object(reply, NULL);
+    json_count(reply, "lane", (uint64_t)span->lane);
+    json_count(reply, "row", span->row);
+    json_count(reply, "begin", span->begin);
+    json_count(reply, "end", span->end);
+    json_count(reply, "insn", (uint64_t)(span->insn - timeline->insns));
+    if (span->piece)
+        json_text(reply, "cause", c205_cause_name(span->piece->cause));
+    json_end(reply);
+}
+
+/* What the clock was charged to is in the first lane. */
+static void put_lanes(const struct timeline *timeline,
+                      const struct lanes *lanes, struct json *reply)
+{
+    json_array(reply, "lanes");
+    for (int i = 0; i < LANES; i++) {
+        json_object(reply, NULL);
+        json_text(reply, "name", lane_name((enum lane)i));
+        json_count(reply, "rows", lanes->rows[i]);
+        json_end(reply);
+    }
+    json_end(reply);
+    json_array(reply, "spans");
+    for (size_t i = 0; i < lanes->count; i++)
+        put_span(timeline, reply, &lanes->spans[i]);
+    json_end(reply);
+    json_array(reply, "charged");
+    for (size_t i = 0; i < lanes->count; i++)
+        if (lanes->spans[i].lane == LANE_CHARGED) {
+            json_object(reply, NULL);
+            json_count(reply, "begin", lanes->spans[i].begin);
+            json_count(reply, "end", lanes->spans[i].end);
+            json_text(reply, "cause",
+                      c205_cause_name(lanes->spans[i].piece->cause));
+            json_end(reply);
+        }
+    json_end(reply);
+}
+
+static bool put_spans(const struct engine *engine, struct json *reply,
+                      c205_error *error)
+{
+    struct timeline *timeline = engine->replay.timeline;
+    struct arena arena = { NULL, false };
+    struct lanes lanes = { 0 };
+    bool good = lanes_make(timeline, &arena, &lanes);
+
+    json_array(reply, "insns");
+    for (size_t i = 0; i < timeline->insn_count; i++)
+        put_insn(engine, reply, &timeline->insns[i]);
+    json_end(reply);
+    if (good)
+        put_lanes(timeline, &lanes, reply);
+    arena_free(&arena);
+    return good || refuse(error, "no memory");
+}
+
+/* ---- Files ------------------------------------------------------------------------ */
+
+/* As c205 timeline writes one of this form. */
+static bool put_file(const struct engine *engine, struct json *reply,
+                     c205_error *error)
+{
+    const struct replay *replay = &engine->replay;
+    struct text_buffer text = { .text = NULL };
+    struct sink sink = text_buffer_sink(&text);
+    char title[TIMELINE_TITLE];
+    bool good;
+
+    timeline_title(replay->timeline, engine->name,
+                   c205_model_name(engine->model), title);
+    good = timeline_write(replay->timeline, replay->form, title, &sink)
+           && !text.failed;
+    if (good)
+        json_text(reply, "file", text.text);
+    text_buffer_free(&text);
+    return good || refuse(error, "no memory");
+}
+
+/* ---- timeline --------------------------------------------------------------------- */
+
+static bool put_timeline(struct engine *engine, struct json *reply,
+                         c205_error *error)
+{
+    struct timeline *timeline = engine->replay.timeline;
+
+    if (!timeline_is_good(timeline))
+        return refuse(error, "no memory");
+    timeline_settle(timeline);
+    json_count(reply, "from", timeline->from);
+    json_count(reply, "to", timeline->to);
+    json_truth(reply, "full", timeline->full);
+    return engine->replay.form ? put_file(engine, reply, error)
+                               : put_spans(engine, reply, error);
+}
+
+static bool timeline_slice(struct engine *engine, struct json *reply,
+                           c205_error *error)
+{
+    return replay_slice(engine, reply, timeline_slice, put_timeline, error);
+}
+
+/* NULL: spans are wanted, no file. */
+static bool take_form(const struct json_value *request,
+                      const struct timeline_form **form, c205_error *error)
+{
+    const char *file = NULL;
+
+    if (!take_text_or(request, "file", &file, error))
+        return false;
+    *form = file ? timeline_form_of(file) : NULL;
+    return !file || *form
+           || refuse(error, "\"file\" is a name with .svg, .kanata or "
+                            ".json at its end");
+}
+
+/* Of all the run that is known, wherever the program stands. */
+bool answer_timeline(struct engine *engine, const struct json_value *request,
+                     struct json *reply, c205_error *error)
+{
+    struct timeline *timeline = &engine->timeline;
+    uint64_t most = 2000;
+    const struct timeline_form *form;
+
+    if (!needs_program(engine, error) || !take_slice(engine, request, error))
+        return false;
+    *timeline = (struct timeline){ .to = UINT64_MAX };
+    if (!take_count(request, "from", &timeline->from, error)
+        || !take_count(request, "to", &timeline->to, error)
+        || !take_count(request, "most", &most, error)
+        || !take_form(request, &form, error))
+        return false;
+    if (timeline->from >= timeline->to)
+        return refuse(error, "\"from\" is before \"to\"");
+    timeline->most = most < TIMELINE_MOST ? (size_t)most : TIMELINE_MOST;
+    if (!replay_begin(engine, NULL, timeline,
+                      debugger_known(engine->debugger), error))
+        return false;
+    engine->replay.form = form;
+    return timeline_slice(engine, reply, error);
+}
