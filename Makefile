@@ -3,7 +3,7 @@
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
 # make all | docs | mpi | bench | san | fuzz | cover | check-long | wasm-check |
-#      web | check-web | format | lint | install | clean
+#      web-tracer | web | check-web | format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -29,8 +29,7 @@ CXX_FLAGS = -std=c++17 $(WARN) $(OPT) $(CXXFLAGS) -I. -MMD -MP -fPIC
 c_of = $(foreach room,$(1),$(wildcard $(room)/*.c))
 vm_c = $(call c_of,vm vm/number vm/time)
 base_c = $(call c_of,base)
-asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap \
-	asm/lesson)
+asm_c = $(call c_of,asm asm/debug asm/timeline asm/sweep asm/compare asm/dap asm/lesson)
 c205_c = $(call c_of,asm/command)
 # Not the call of a WebAssembly host.
 engine_c = $(filter-out %/wasm.c,$(call c_of,web/engine))
@@ -45,6 +44,7 @@ fit205_c = rt/command/fit205.c \
 objects = $(patsubst %.c,$(BUILD)/%.o,$(1))
 
 libraries = $(addprefix $(BUILD)/,librt205.a libc205asm.a libbase.a libc205.a)
+engine = $(BUILD)/libengine.a
 programs = $(BUILD)/c205 $(BUILD)/rt205
 adapter = $(BUILD)/rt205_oiio.so
 ranks = $(BUILD)/rt205_mpi.so
@@ -95,7 +95,8 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-commands check-install check-fit wasm-check check-web-tracer
+	check-library check-course check-commands check-install check-fit \
+	check-web-engine check-web-tracer
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -185,7 +186,7 @@ $(BUILD)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(BUILD)/libbase.a: $(call objects,$(base_c))
 $(BUILD)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \
 		$(BUILD)/asm/lesson_texts.o
-$(BUILD)/libengine.a: $(call objects,$(engine_c))
+$(engine): $(call objects,$(engine_c))
 $(BUILD)/librt205.a: $(call objects,$(rt_c)) $(BUILD)/rt/kernel_texts.o \
 	$(BUILD)/rt/scene_texts.o
 # With q, not r: files of two folders may have one name.
@@ -283,7 +284,7 @@ $(helpers): $(call objects,$(filter-out tests/unit/test_%,\
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
-		$(libraries)
+		$(engine) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # Its client starts the command.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)): | $(BUILD)/c205
@@ -300,10 +301,10 @@ $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
-		$(BUILD)/tests/fuzz/fuzz_%.o $(libraries)
+		$(BUILD)/tests/fuzz/fuzz_%.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl -lpthread
 $(replays): $(BUILD)/tests/fuzz/replay_%: $(BUILD)/tests/fuzz/fuzz_%.o \
-		$(BUILD)/tests/fuzz/replay.o $(libraries)
+		$(BUILD)/tests/fuzz/replay.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 $(BUILD)/tests/bench_lanes: $(BUILD)/tests/bench_lanes.o $(BUILD)/libc205.a
 	$(CC) $(LDFLAGS) -o $@ $^ -lm
@@ -317,7 +318,7 @@ check-unit: $(unit_tests) $(adapter)
 	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
 		'$$0 >$$0.log 2>&1; code=$$?; cat $$0.log; exit $$code'
 
-check-rooms: $(libraries)
+check-rooms: $(engine) $(libraries)
 	sh tests/check_rooms.sh
 	sh tests/check_state.sh $(BUILD)
 	sh tests/check_names.sh $(BUILD)
@@ -436,21 +437,23 @@ check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
 	sh tests/check_pages.sh $(BUILD)
 	sh tests/check_replay.sh $(BUILD)
 
+check-course: $(BUILD)/c205
+	sh tests/check_course.sh $(BUILD)
+
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)
 
 check-install: all
 	sh tests/check_install.sh $(BUILD) "$(MAKE)"
 
-# vm and asm, and the c205 command, for the browser's kind of machine.
+# For the browser's kind of machine: vm and asm, the c205 command, and the engine of the
+# page; how large that is.
+in_wasm = @$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+	AR=llvm-ar $(addprefix $(BUILD)/wasm/,$(1))
 wasm-check:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/c205
-
-# The engine of the page, and how large it is.
+	$(call in_wasm,c205 engine.wasm)
 web-engine:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/engine.wasm
+	$(call in_wasm,engine.wasm)
 	@mkdir -p $(BUILD)/web
 	@cp $(BUILD)/wasm/engine.wasm $(BUILD)/web
 	@wc -c $(BUILD)/web/engine.wasm
@@ -461,13 +464,19 @@ $(BUILD)/engine.wasm: $(BUILD)/web/engine/wasm.o $(addprefix $(BUILD)/,\
 	$(CC) -mexec-model=reactor -Wl,--stack-first -Wl,-z,stack-size=262144 \
 		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
 
+# The engine in node beside c205, where there is node.
+check-web-engine: $(BUILD)/c205 wasm-check
+	@$(MAKE) --no-print-directory web-engine
+	sh tests/check_web_engine.sh $(BUILD) $(JOBS)
+
 # The page: one file, and a small site.  node and npm are Debian's where there are none.
 web_packages = clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 npm_done = web/node_modules/.package-lock.json
 web:
 	@sh .ci/need $(web_packages)
 	@command -v node npm >/dev/null || sh .ci/need nodejs npm
-	@$(MAKE) --no-print-directory web-engine web-tracer $(npm_done)
+	@$(MAKE) --no-print-directory web-engine
+	@$(MAKE) --no-print-directory web-tracer $(npm_done)
 	node web/build.mjs $(BUILD)
 $(npm_done): web/package.json web/package-lock.json
 	cd web && npm ci --ignore-scripts
@@ -479,7 +488,7 @@ browser_packages = chromium firefox-esr
 BROWSERS ?= chromium firefox
 check-web:
 	@sh .ci/need $(build_packages) $(browser_packages)
-	@$(MAKE) --no-print-directory web $(BUILD)/c205
+	@$(MAKE) --no-print-directory web $(programs)
 	node web/tests/browser/run.mjs $(BUILD) "$(BROWSERS)" "$(WEB_TESTS)"
 
 # rt205 for the page: web/tracer/host/ has what its machine does otherwise, in the
@@ -488,8 +497,7 @@ web_tracer_own = $(wildcard web/tracer/host/*.c)
 web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
 	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
 web-tracer:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/rt205.wasm
+	$(call in_wasm,rt205.wasm)
 	@mkdir -p $(BUILD)/web
 	@cp $(BUILD)/wasm/rt205.wasm $(BUILD)/web
 	@wc -c $(BUILD)/web/rt205.wasm
@@ -649,8 +657,8 @@ clean:
 	check-random check-quartic check-planted check-faces check-regions \
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
-	check-samples check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web check-web-tracer docs san bench \
+	check-samples check-course check-commands check-install \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web check-web-engine check-web-tracer docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -99,6 +99,7 @@ struct asm_options {
      * library of asm/lib and, for rt, the kernels.  NULL-terminated array of
      * text tables (vm/text.h); the library is always there. */
     const struct text *const *texts;
+    bool sealed; /* nothing else is included: no file is read */
     struct warning_choice warnings;
 };
 

@@ -89,6 +89,8 @@ bool source_find(struct assembler *assembler, const char *name,
 
     if (carried)
         return join_lines(assembler, carried, source);
+    if (options && options->sealed)
+        return false;
     if (*name == '/')
         return read_source(assembler, name, source);
     if (read_from(assembler, from, slash ? (size_t)(slash - from) + 1 : 0,

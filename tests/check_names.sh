@@ -12,7 +12,7 @@ tags=$(find vm base asm web/engine rt -name '*.[ch]' -exec grep -HoE \
     sort | uniq -d)
 [ -z "$tags" ]
 verdict $? "defined in two files: $tags"
-names=$(for library in libc205 libbase libc205asm librt205; do
+names=$(for library in libc205 libbase libc205asm libengine librt205; do
     nm -g --defined-only "$build/$library.a" 2>/dev/null |
         awk 'NF == 3 { print $3 }' | sort -u
 done | sort | uniq -d)

@@ -5,7 +5,7 @@
 set -u
 build=$1
 allowed='interrupt.o:came'
-libraries="$build/libc205.a $build/libbase.a $build/libc205asm.a $build/librt205.a"
+libraries="$build/libc205.a $build/libbase.a $build/libc205asm.a $build/libengine.a $build/librt205.a"
 
 # The words are files.
 # shellcheck disable=SC2086

@@ -21,6 +21,7 @@ enum scratch {
     SCRATCH_KEPT, /* goes on with an instruction that was interrupted */
     SCRATCH_OLD_WORDS,
     SCRATCH_ADDRESSES,
+    SCRATCH_ORDERS, /* of sparse vectors */
     SCRATCHES
 };
 

@@ -7,12 +7,16 @@
  */
 #include "vm/vector.h"
 
-enum { ORDER_BITS = C205_MAX_LENGTH + 1, ORDER_WORDS = ORDER_BITS / 64 };
+enum {
+    ORDER_BITS = C205_MAX_LENGTH + 1,
+    ORDER_WORDS = ORDER_BITS / 64,
+    ORDER_BYTES = ORDER_BITS / 8
+};
 
 /* Where elements are present. */
 struct order_vector {
     struct vector vector;
-    uint64_t bits[ORDER_WORDS]; /* zeros behind its end */
+    uint64_t *bits; /* [ORDER_WORDS], zeros behind its end */
     size_t ones;
 };
 
@@ -59,8 +63,7 @@ static c205_trap keep_orders(const struct sparse *sparse)
     if (!kept)
         return C205_TRAP_NO_MEMORY;
     for (size_t i = 0; i < orders_read(sparse); i++)
-        memcpy(kept + i * ORDER_WORDS, orders[i]->bits,
-               sizeof orders[i]->bits);
+        memcpy(kept + i * ORDER_WORDS, orders[i]->bits, ORDER_BYTES);
     machine->progress.kept = orders_read(sparse) * ORDER_WORDS;
     return C205_TRAP_NONE;
 }
@@ -72,9 +75,9 @@ static c205_trap read_order(struct c205 *machine, struct order_vector *order,
     c205_trap trap = claim_vector(machine, vector, vector->length, false);
     if (trap != C205_TRAP_NONE)
         return trap;
-    memset(order->bits, 0, sizeof order->bits);
+    memset(order->bits, 0, ORDER_BYTES);
     if (kept)
-        memcpy(order->bits, kept, sizeof order->bits);
+        memcpy(order->bits, kept, ORDER_BYTES);
     else
         memory_read_bits(&machine->memory, vector->address, order->bits,
                          vector->length);
@@ -87,7 +90,10 @@ static c205_trap read_orders(struct sparse *sparse)
     struct order_vector *orders[ORDERS] = { &sparse->x, &sparse->y,
                                             &sparse->z };
     const uint64_t *kept = kept_orders(sparse);
-    c205_trap trap = C205_TRAP_NONE;
+    c205_word *bits = machine_scratch(sparse->machine, SCRATCH_ORDERS);
+    c205_trap trap = bits ? C205_TRAP_NONE : C205_TRAP_NO_MEMORY;
+    for (size_t i = 0; i < ORDERS && bits; i++)
+        orders[i]->bits = bits + i * ORDER_WORDS;
     for (size_t i = 0; i < orders_read(sparse) && trap == C205_TRAP_NONE; i++)
         trap = read_order(sparse->machine, orders[i],
                           kept ? kept + i * ORDER_WORDS : NULL);

@@ -1,6 +1,6 @@
 // build.mjs BUILD - the page, in BUILD/web: c205.html, one file that has everything in
-// it, and site/, the same as a small folder.  It needs BUILD/web/engine.wasm and rt205.wasm.  With
-// --write the notice of all that npm brings into the page is written, else checked.
+// it, and site/, the same as a small folder.  It needs engine.wasm and rt205.wasm there.
+// With --write the notice of all that npm brings into the page is written, else checked.
 
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
@@ -87,9 +87,10 @@ for (const [name, text] of Object.entries(files)) writeFileSync(join(site, name)
 
 const size = Buffer.byteLength(one) - packed(tracer).length;
 const kb = (bytes) => `${(bytes / 1024).toFixed(0)} KB`;
-console.log(`${basename(out)}/web/c205.html ${kb(size)}, ${kb(gzipSync(one).length)} gzipped: `
-  + `script ${kb(script.text.length)}, style ${kb(style.text.length)}, engine ${kb(engine.length)} `
-  + `(${kb(packed(engine).length)} in the page), course ${kb(course.length)} (${kb(packed(course).length)})`);
+const both = (bytes) => `${kb(packed(bytes).length)} (${kb(bytes.length)})`;
+console.log(`${basename(out)}/web/c205.html: ${kb(size)}, and ${kb(packed(tracer).length)} of the tracer
+    in the page (and unpacked): script ${kb(script.text.length)}, style ${kb(style.text.length)}, \
+engine ${both(engine)}, course ${both(course)}, scenes ${both(scenes)}, tracer ${both(tracer)}`);
 if (size > MOST) {
   console.error(`it is larger than ${kb(MOST)}`);
   process.exit(1);

@@ -5,96 +5,15 @@
 #include "asm/command/cmd_check.h"
 #include "base/file.h"
 #include "base/folder.h"
-#include "base/whole.h"
-
-/* ---- Lessons --------------------------------------------------------------- */
-
-static int list_lessons(const struct check_command *check)
-{
-    static const struct table_column columns[] = {
-        { "number", "", TABLE_COUNT, 0 },
-        { "name", "lesson", TABLE_TEXT, 0 },
-        { "title", "what it is about", TABLE_TEXT, 0 },
-    };
-    struct table *table = table_new(TABLE_COLUMNS(columns));
-    for (size_t i = 0; table && i < check->lessons.count; i++) {
-        const struct lesson *lesson = &check->lessons.items[i];
-        table_count(table, lesson->number);
-        table_text(table, lesson->name);
-        table_text(table, lesson->title);
-    }
-    return results_show(check->results, table, "lessons", NULL);
-}
-
-static struct table *test_table(const struct lesson *lesson)
-{
-    static const struct table_column columns[] = {
-        { "name", "test", TABLE_TEXT, 0 },
-        { "gold", "gold", TABLE_COUNT, 0 },
-        { "silver", "silver", TABLE_COUNT, 0 },
-        { "bronze", "bronze", TABLE_COUNT, 0 },
-        { "tries", "what it tries", TABLE_TEXT, 0 },
-    };
-    struct table *table = table_new(TABLE_COLUMNS(columns));
-    for (size_t i = 0; table && i < lesson->test_count; i++) {
-        const struct lesson_test *test = &lesson->tests[i];
-        table_text(table, test->name);
-        for (int medal = MEDAL_GOLD; medal > MEDAL_NONE; medal--) {
-            if (test->has_goals) {
-                table_count(table, test->goals[medal]);
-            } else {
-                table_gap(table);
-            }
-        }
-        table_text(table, test->tries);
-    }
-    return table;
-}
-
-static int show_lesson(const struct check_command *check)
-{
-    const struct lesson *lesson = check->lesson;
-    struct json *json = check->results->json;
-    if (json) {
-        json_text(json, "lesson", lesson->name);
-        json_text(json, "title", lesson->title);
-        json_text(json, "text", lesson->text);
-        json_text(json, "start", lesson->start);
-    }
-    if (check->results->file) {
-        fputs(lesson->text, check->results->file);
-    }
-    results_gap(check->results);
-    return results_show(check->results, test_table(lesson), "tests",
-                        "Goals in clocks");
-}
-
-/* The program to complete. */
-static int write_start(const struct check_command *check)
-{
-    const char *command = check->arguments->command;
-    const char *path = check->arguments->output;
-    c205_error error;
-    struct whole *whole = whole_open(path ? path : "-", &error);
-    if (!whole) {
-        return cmd_failed(command, "%s", error.message);
-    }
-    fputs(check->lesson->start, whole->file);
-    return whole_commit(whole, &error)
-               ? CMD_DONE
-               : cmd_failed(command, "%s", error.message);
-}
 
 /* ---- An answer ------------------------------------------------------------- */
 
-bool check_grade(const struct check_command *check,
-                 const struct lesson *lesson, const char *path,
+bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error)
 {
     c205_error reason;
     size_t length;
     char *text = file_read(path, FILE_LARGEST, &length, &reason);
-    (void)check;
     if (!text) {
         snprintf(error->message, sizeof error->message, "%.160s: %.80s", path,
                  reason.message);
@@ -130,14 +49,20 @@ static struct table *trial_table(const struct lesson_verdict *verdict)
     return table;
 }
 
+/* Of a piece of text below a sentence the first line. */
 void check_join(struct text_buffer *buffer,
                 const struct lesson_report *report)
 {
     struct sink sink = text_buffer_sink(buffer);
     for (size_t i = 0; i < report->count; i++) {
-        const char *sentence = report->sentences[i];
+        const char *text = report->sentences[i];
+        size_t length = strcspn(text, "\n");
         sink_print(&sink, "%s%.*s", buffer->length > 0 ? " " : "",
-                   (int)strcspn(sentence, "\n"), sentence);
+                   (int)length, text);
+        if (text[length]) {
+            text += length + 1;
+            sink_print(&sink, " %.*s", (int)strcspn(text, "\n"), text);
+        }
     }
 }
 
@@ -168,8 +93,8 @@ static int check_answer(const struct check_command *check, bool *passed)
 {
     struct lesson_verdict verdict = { 0 };
     c205_error error;
-    int code = check_grade(check, check->lesson, check->arguments->file,
-                           &verdict, &error)
+    int code = check_grade(check->lesson, check->arguments->file, &verdict,
+                           &error)
                    ? show_verdict(check, &verdict)
                    : cmd_failed(check->arguments->command, "%s",
                                 error.message);
@@ -196,9 +121,9 @@ static int work(const struct check_command *check, bool *passed)
 {
     const struct c205_arguments *arguments = check->arguments;
     return arguments->folder ? check_folder(check)
-           : !check->lesson  ? list_lessons(check)
+           : !check->lesson  ? check_list(check)
            : arguments->file ? check_answer(check, passed)
-                             : show_lesson(check);
+                             : check_show(check);
 }
 
 static int open_and_work(struct check_command *check)
@@ -213,7 +138,7 @@ static int open_and_work(struct check_command *check)
         return cmd_failed(arguments->command, "%s", error.message);
     }
     if (arguments->start) {
-        return write_start(check);
+        return check_start(check);
     }
     if (!results_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;

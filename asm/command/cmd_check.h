@@ -16,13 +16,18 @@ struct check_command {
 /* Begin with zero; false: the folder is no lesson; to be freed in either case. */
 bool check_read_lesson(struct lesson *lesson, const char *path,
                        c205_error *error);
-/* The same of a verdict on an answer. */
-bool check_grade(const struct check_command *check,
-                 const struct lesson *lesson, const char *path,
+/* A file. */
+bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error);
-/* The sentences in one line. */
+/* Adds the sentences, in one line. */
 void check_join(struct text_buffer *buffer,
                 const struct lesson_report *report);
+
+/* cmd_check_lesson.c: all lessons; one, with what its tests have; its program to complete.  The exit
+ * codes. */
+int check_list(const struct check_command *check);
+int check_show(const struct check_command *check);
+int check_start(const struct check_command *check);
 
 /* cmd_check_folder.c: a folder of answers; the exit code. */
 int check_folder(const struct check_command *check);

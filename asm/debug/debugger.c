@@ -1,5 +1,6 @@
 /* debugger.c - its beginning and end, what it hears, and its verbs. */
 #include <ctype.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -109,6 +110,14 @@ static void print(void *context, const char *text, size_t length)
                                 length);
 }
 
+/* A record has room for more than most have. */
+static void copy_record(c205_times *to, const c205_times *from)
+{
+    memcpy(to, from, offsetof(c205_times, piece));
+    memcpy(to->piece, from->piece, from->piece_count * sizeof *to->piece);
+    memcpy(to->phase, from->phase, from->phase_count * sizeof *to->phase);
+}
+
 /* What the program prints is printed once, however often it is run again. */
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
@@ -116,7 +125,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 
     if (event->kind == C205_EVENT_STOP && event->record) {
         debugger->has_end = true;
-        debugger->end = *event->record;
+        copy_record(&debugger->end, event->record);
     }
     if (event->kind != C205_EVENT_INSTRUCTION
         && event->kind != C205_EVENT_REQUEST)
@@ -124,7 +133,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     debugger->has_end = false;
     debugger->has_last = true;
     debugger->last = *event;
-    debugger->record = *event->record;
+    copy_record(&debugger->record, event->record);
     debugger->last.record = &debugger->record;
     if (step_of(debugger) < debugger->told)
         return;

@@ -1,5 +1,4 @@
 /* grade.c - an answer and the tests of its lesson. */
-#include <ctype.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,10 +9,11 @@
 #include "asm/print.h"
 #include "asm/trap_report.h"
 #include "base/error.h"
+
 /* An answer that has not ended after so many clocks, and so many times those of bronze, is in an
- * endless loop. */
+ * endless loop; one that prints more characters than this never comes to an end either. */
 static const uint64_t patience_least = 20000000;
-enum { PATIENCE = 10 };
+enum { PATIENCE = 10, PRINTED_MOST = 1 << 16 };
 
 /* An answer before a test. */
 struct sitting {
@@ -29,6 +29,7 @@ struct sitting {
     c205 *data, *machine; /* the test's memory, and the answer's */
     struct line_profile *profile;
     struct lesson_exchange exchange;
+    struct printer printer;
     struct text_buffer printed;
 };
 
@@ -53,13 +54,7 @@ static void say_diagnostics(struct lesson_report *report,
     for (size_t i = 0; i < said->count; i++)
         if (said->items[i].severity == severity)
             diagnostic_put(&said->items[i], &sink);
-    report_text(report, text.text);
-    text_buffer_free(&text);
-}
-
-static bool is_constant(const struct asm_symbol *symbol)
-{
-    return !symbol->is_label && !symbol->is_word;
+    report_buffer(report, &text);
 }
 
 /* The test's constants. */
@@ -72,7 +67,7 @@ static struct asm_define *make_defines(struct sitting *sitting)
     size_t count = 0;
 
     for (size_t i = 0; defines && i < test->symbol_count; i++)
-        if (is_constant(&test->symbols[i]))
+        if (lesson_is_constant(&test->symbols[i]))
             defines[count++] = (struct asm_define){ test->symbols[i].name,
                                                     test->symbols[i].value };
     return defines;
@@ -100,7 +95,7 @@ static bool tell_redefined(struct sitting *sitting,
 static bool assemble_answer(struct sitting *sitting)
 {
     struct asm_define *defines = make_defines(sitting);
-    struct asm_options options = { .defines = defines };
+    struct asm_options options = { .defines = defines, .sealed = true };
     struct diagnostics said = { 0 };
 
     if (!defines)
@@ -115,7 +110,6 @@ static bool assemble_answer(struct sitting *sitting)
     diagnostics_free(&said);
     return true;
 }
-
 
 /* ---- The machines ---------------------------------------------------------- */
 
@@ -133,6 +127,16 @@ static bool load_test(struct sitting *sitting)
                         sitting->error);
 }
 
+static void listen(void *context, const c205 *machine,
+                   const c205_event *event)
+{
+    struct sitting *sitting = context;
+
+    printer_listen(&sitting->printer, machine, event);
+    if (sitting->printed.length > PRINTED_MOST)
+        c205_pause(sitting->machine);
+}
+
 /* Whether pages are warm says the test. */
 static bool load_answer(struct sitting *sitting)
 {
@@ -141,13 +145,13 @@ static bool load_answer(struct sitting *sitting)
     program.warm = sitting->test->program.warm;
     sitting->machine = c205_new(sitting->model, sitting->error);
     sitting->profile = line_profile_new(sitting->answer);
-    if (!sitting->machine)
-        return false;
     if (!sitting->profile)
         return no_memory(sitting->error);
-    return c205_load(sitting->machine, &program, sitting->error)
-           && (c205_listen(sitting->machine, line_profile_listen,
-                           sitting->profile)
+    return sitting->machine
+           && c205_load(sitting->machine, &program, sitting->error)
+           && ((c205_listen(sitting->machine, line_profile_listen,
+                            sitting->profile)
+                && c205_listen(sitting->machine, listen, sitting))
                || no_memory(sitting->error));
 }
 
@@ -164,18 +168,16 @@ static bool expects_trap(const struct object *test)
 static void tell_endless(struct sitting *sitting, const c205_stop *stop)
 {
     const struct asm_line *line = object_line(sitting->answer, stop->pc);
-    struct lesson_report *report = &sitting->trial->report;
-    const char *source = line ? line->call_source : "";
+    struct text_line where = { 0 };
+    struct sink sink = text_line_sink(&where);
 
-    while (isspace((unsigned char)*source))
-        source++;
-    report_say(report,
-               "It had not ended after %" PRIu64
-               " clocks: is this an endless loop?",
-               c205_clock(sitting->machine));
     if (line)
-        report_say(report, "It was in line %zu of %s then: %.200s",
-                   line->call_number, line->call_file, source);
+        sink_print(&sink, "  It was in line %zu then: %s", line->call_number,
+                   lesson_source(line->call_source));
+    report_say(&sitting->trial->report,
+               "It had not ended after %" PRIu64
+               " clocks: is this an endless loop?%s",
+               c205_clock(sitting->machine), where.text);
 }
 
 static void tell_trap(struct sitting *sitting, const c205_stop *stop)
@@ -186,8 +188,7 @@ static void tell_trap(struct sitting *sitting, const c205_stop *stop)
     sink_put(&sink, "It was stopped by a trap:\n");
     trap_report(sitting->answer, sitting->name, sitting->machine, stop,
                 &sink);
-    report_text(&sitting->trial->report, text.text);
-    text_buffer_free(&text);
+    report_buffer(&sitting->trial->report, &text);
 }
 
 /* False: it did not come to its end. */
@@ -195,6 +196,10 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
 {
     if (stop->trap == C205_TRAP_CLOCK_LIMIT)
         tell_endless(sitting, stop);
+    else if (stop->trap == C205_TRAP_PAUSED)
+        report_say(&sitting->trial->report,
+                   "It printed more than %d characters, and was stopped.",
+                   PRINTED_MOST);
     else if (stop->trap != C205_TRAP_NONE && !expects_trap(sitting->test))
         tell_trap(sitting, stop);
     else if (stop->status != 0)
@@ -267,15 +272,11 @@ static void judge(struct sitting *sitting, const c205_stop *stop)
 
 static bool run(struct sitting *sitting)
 {
-    struct printer printer = { text_buffer_sink(&sitting->printed) };
     struct lesson_trial *trial = sitting->trial;
     uint64_t limit = patience_least
                      + PATIENCE * trial->test->goals[MEDAL_BRONZE];
-    c205_stop stop;
+    c205_stop stop = c205_run(sitting->machine, limit);
 
-    if (!c205_listen(sitting->machine, printer_listen, &printer))
-        return no_memory(sitting->error);
-    stop = c205_run(sitting->machine, limit);
     if (stop.trap == C205_TRAP_NO_MEMORY || sitting->printed.failed)
         return no_memory(sitting->error);
     judge(sitting, &stop);
@@ -288,6 +289,7 @@ static bool sit(struct sitting *sitting)
 {
     struct lesson_exchange *exchange = &sitting->exchange;
 
+    sitting->printer.sink = text_buffer_sink(&sitting->printed);
     if (!(sitting->test = lesson_assemble_test(sitting->trial->test,
                                                sitting->error))
         || !load_test(sitting) || !assemble_answer(sitting))
@@ -389,16 +391,20 @@ bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                   const char *name, const char *text, size_t length,
                   c205_error *error)
 {
+    static const struct asm_options options = { .sealed = true };
     struct diagnostics said = { 0 };
     struct object *object;
-    bool good = begin(verdict, lesson, name, error);
+    bool good = true;
 
-    object = assemble_bytes(name, text, length, NULL, &said);
+    if (!begin(verdict, lesson, name, error))
+        return false;
+    object = assemble_bytes(name, text, length, &options, &said);
     if (!object)
         say_diagnostics(&verdict->report, "It cannot be assembled:", &said,
                         SEVERITY_ERROR);
-    good = good && (!object || try_tests(verdict, text, length, error));
-    if (good && object && !verdict->passed && said.count > 0)
+    else
+        good = try_tests(verdict, text, length, error);
+    if (object && !verdict->passed && said.count > 0)
         say_diagnostics(&verdict->report, "The assembler warns:", &said,
                         SEVERITY_WARNING);
     diagnostics_free(&said);

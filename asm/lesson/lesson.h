@@ -78,6 +78,8 @@ struct object *lesson_assemble_test(const struct lesson_test *test,
 /* The label of the answer where that must be which a label of a test holds: "y" for "want_y";
  * NULL: it is an input. */
 const char *lesson_wanted(const char *label);
+/* One of the integers that are defined in the answer. */
+bool lesson_is_constant(const struct asm_symbol *symbol);
 
 /* ---- Answers --------------------------------------------------------------- */
 

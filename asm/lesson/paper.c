@@ -14,6 +14,11 @@ const char *lesson_wanted(const char *label)
     return strncmp(label, prefix, length) == 0 ? label + length : NULL;
 }
 
+bool lesson_is_constant(const struct asm_symbol *symbol)
+{
+    return !symbol->is_label && !symbol->is_word;
+}
+
 /* What names an address of the test's own is wanted by a label instead. */
 static bool check_expectations(const struct object *object, c205_error *error)
 {

@@ -9,14 +9,16 @@
 bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
                        c205_error *error);
 
-/* A sentence of at most 1,023 bytes; or a text of any length. */
+/* A sentence of at most 1,023 bytes; or what a buffer holds, which is freed, without the newlines at
+ * its end.  Where there is no memory the arena says so. */
 void report_say(struct lesson_report *report, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 2, 3)))
 #endif
     ;
-/* Without the newlines at its end. */
-void report_text(struct lesson_report *report, const char *text);
+void report_buffer(struct lesson_report *report, struct text_buffer *buffer);
+/* A source line without its margin. */
+const char *lesson_source(const char *line);
 
 /* ---- exchange.c: data between a test and an answer ------------------------- */
 

@@ -1,17 +1,17 @@
 /* slow.c - why an answer is slower than the next goal: the cause and the lines that took most
  * of its clocks. */
-#include <ctype.h>
 #include <inttypes.h>
-#include <string.h>
 
 #include "asm/lesson/parts.h"
+#include "base/accounts.h"
 
 enum { LINES_TOLD = 3 };
 
 /* What helps against a cause. */
 static const char *const helps[C205_CAUSES] = {
-    [C205_ISSUE] = "Each instruction takes its clocks to issue: one vector "
-                   "instruction does what a loop needs thousands for.",
+    [C205_ISSUE] = "Each instruction takes its clocks to issue: fewer of "
+                   "them do better, and a vector instruction stands for a "
+                   "whole loop.",
     [C205_OPERAND_WAIT] = "Put other work between an instruction and the one "
                           "that needs its result.",
     [C205_UNIT_BUSY] = "Spread the work over the units, or put other work "
@@ -55,21 +55,30 @@ static void tell_goal(const struct lesson_trial *trial,
 
 /* ---- The cause ------------------------------------------------------------- */
 
-static void tell_cause(const c205 *machine, uint64_t all,
-                       struct lesson_report *report)
+static void tell_cause(const struct lesson_trial *trial,
+                       const c205_account *all, struct lesson_report *report)
 {
-    uint64_t clocks[C205_CAUSES] = { 0 };
     int most = 0;
 
-    for (size_t i = 0; i < c205_account_count(machine); i++)
-        for (int cause = 0; cause < C205_CAUSES; cause++)
-            clocks[cause] += c205_account_at(machine, i)->clocks[cause];
     for (int cause = 1; cause < C205_CAUSES; cause++)
-        if (clocks[cause] > clocks[most])
+        if (all->clocks[cause] > all->clocks[most])
             most = cause;
-    report_say(report, "Most of them are %s: %" PRIu64 " clocks, %d %%.  %s",
-               c205_cause_name((c205_cause)most), clocks[most],
-               percent_of(clocks[most], all), helps[most]);
+    report_say(report, "Most of that is %s: %" PRIu64 " clocks, %d %%.  %s",
+               c205_cause_name((c205_cause)most), all->clocks[most],
+               percent_of(all->clocks[most], trial->clocks), helps[most]);
+}
+
+/* A loop, however good. */
+static void tell_scalar(const c205_account *all, struct lesson_report *report)
+{
+    static const uint64_t many = 1000;
+
+    if (all->vector_instructions == 0 && all->instructions >= many)
+        report_say(report,
+                   "All of its %" PRIu64
+                   " instructions are scalar ones: what does the same with "
+                   "many elements can be done by vector instructions.",
+                   all->instructions);
 }
 
 /* ---- The lines ------------------------------------------------------------- */
@@ -101,24 +110,24 @@ static const struct profile_row *next_line(const struct line_profile *profile,
     return found;
 }
 
-/* Those that took a tenth of it or more. */
-static void tell_lines(const struct line_profile *profile, uint64_t all,
+/* The hottest one, and others that took a tenth of it or more. */
+static void tell_lines(const struct lesson_trial *trial,
+                       const struct line_profile *profile,
                        struct lesson_report *report)
 {
     const struct profile_row *row = NULL;
 
     for (int i = 0; i < LINES_TOLD && (row = next_line(profile, row)); i++) {
-        const char *source = row->source;
+        uint64_t clocks = clocks_of(row);
 
-        if (10 * clocks_of(row) < all)
+        if (i > 0 && 10 * clocks < trial->clocks)
             return;
-        while (isspace((unsigned char)*source))
-            source++;
         report_say(report,
-                   "Line %zu of %s took %" PRIu64
-                   " clocks, %d %%, in %" PRIu64 " instructions: %.200s",
-                   row->number, row->file, clocks_of(row),
-                   percent_of(clocks_of(row), all), row->executions, source);
+                   "Line %zu took %" PRIu64 " clocks, %d %%, in %" PRIu64
+                   " instruction%s: %.200s",
+                   row->number, clocks, percent_of(clocks, trial->clocks),
+                   row->executions, row->executions == 1 ? "" : "s",
+                   lesson_source(row->source));
     }
 }
 
@@ -126,7 +135,15 @@ void slow_tell(const struct lesson_trial *trial, const c205 *machine,
                const struct line_profile *profile,
                struct lesson_report *report)
 {
+    struct accounts accounts = { .model = c205_machine_model(machine) };
+    c205_account all;
+
+    if (!accounts_add(&accounts, machine))
+        report->kept->failed = true;
+    all = accounts_together(&accounts);
+    accounts_free(&accounts);
     tell_goal(trial, report);
-    tell_cause(machine, trial->clocks, report);
-    tell_lines(profile, trial->clocks, report);
+    tell_cause(trial, &all, report);
+    tell_lines(trial, profile, report);
+    tell_scalar(&all, report);
 }

@@ -1,4 +1,5 @@
 /* verdict.c - what an answer is worth, in words and as JSON. */
+#include <ctype.h>
 #include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -9,21 +10,30 @@
 
 /* ---- Sentences ------------------------------------------------------------- */
 
-void report_text(struct lesson_report *report, const char *text)
+static void report_text(struct lesson_report *report, const char *text)
 {
     const char **sentences = arena_grow(report->kept, report->sentences,
                                         report->count, &report->capacity,
                                         sizeof *sentences);
-    size_t length = text ? strlen(text) : 0;
+    size_t length = strlen(text);
     const char *copy;
 
     while (length > 0 && text[length - 1] == '\n')
         length--;
-    copy = arena_text(report->kept, text ? text : "", length);
+    copy = arena_text(report->kept, text, length);
     if (!sentences || !copy)
         return;
     report->sentences = sentences;
     sentences[report->count++] = copy;
+}
+
+void report_buffer(struct lesson_report *report, struct text_buffer *buffer)
+{
+    if (buffer->failed)
+        report->kept->failed = true;
+    else
+        report_text(report, buffer->text);
+    text_buffer_free(buffer);
 }
 
 void report_say(struct lesson_report *report, const char *format, ...)
@@ -36,6 +46,13 @@ void report_say(struct lesson_report *report, const char *format, ...)
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     report_text(report, text);
+}
+
+const char *lesson_source(const char *line)
+{
+    while (isspace((unsigned char)*line))
+        line++;
+    return line;
 }
 
 void lesson_verdict_free(struct lesson_verdict *verdict)

@@ -190,7 +190,7 @@ static bool other_bit(const struct exchanged *exchanged)
 
 static bool last_bits(const struct exchanged *exchanged)
 {
-    static const double little = 1e-9;
+    double little = exchanged->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
     size_t i = 0;
 
     while (
@@ -204,6 +204,30 @@ static bool last_bits(const struct exchanged *exchanged)
     return i == exchanged->count;
 }
 
+static bool is_normalised(const struct exchanged *exchanged,
+                          c205_word element)
+{
+    return exchanged->contents == ASM_WORDS
+               ? c205_from_double(c205_to_double(element)) == element
+               : c205_half_from_double(c205_half_to_double(element))
+                     == element;
+}
+
+static bool lost_bits(const struct exchanged *exchanged)
+{
+    bool lost = false;
+
+    if (exchanged->contents != ASM_WORDS
+        && exchanged->contents != ASM_HALF_WORDS)
+        return false;
+    for (size_t i = 0; i < exchanged->count; i++)
+        lost = lost
+               || (number_of(exchanged, exchanged->found[i]) != 0
+                   && is_normalised(exchanged, exchanged->wanted[i])
+                   && !is_normalised(exchanged, exchanged->found[i]));
+    return lost;
+}
+
 static bool indefinite(const struct exchanged *exchanged)
 {
     size_t i = 0;
@@ -215,18 +239,17 @@ static bool indefinite(const struct exchanged *exchanged)
     return i == exchanged->count;
 }
 
-/* Some at the beginning are right, none behind them. */
+/* Some at the beginning are right, and nothing was stored behind them. */
 static bool only_begun(const struct exchanged *exchanged)
 {
     size_t i = 0;
 
     while (i < exchanged->count && is_right(exchanged, i))
         i++;
-    if (i == 0 || exchanged->count - i < 2)
-        return false;
-    while (i < exchanged->count && !is_right(exchanged, i))
-        i++;
-    return i == exchanged->count;
+    return i > 0
+           && memcmp(exchanged->found + i, exchanged->before + i,
+                     (exchanged->count - i) * sizeof *exchanged->found)
+                  == 0;
 }
 
 /* The first that fits is told. */
@@ -247,14 +270,16 @@ static const struct likeness {
     { backwards, "The right elements stand there from back to front." },
     { unsorted, "The right elements stand there, but they are not sorted." },
     { other_order, "The right elements stand there, in another order." },
-    { other_sign, "All have the wrong sign." },
+    { other_sign, "The sign is wrong." },
     { other_bit, "Each bit is the opposite of the right one." },
-    { last_bits, "They are off in their last bits: other operations, or the "
+    { last_bits, "Only the last bits are wrong: other operations, or the "
                  "same in another order, round otherwise." },
     { indefinite, "Indefinite comes of a division by zero or a root of a "
                   "negative number, and of all that is computed with it." },
-    { only_begun, "Those before are right and none behind them: is the rest "
-                  "done?" },
+    { lost_bits,
+      "They are not normalised: an integer word among the operands, "
+      "2 for 2.0, costs a result its bits." },
+    { only_begun, "Nothing new was stored behind those that are right." },
 };
 
 /* ---- In words -------------------------------------------------------------- */
@@ -322,7 +347,9 @@ static void say_wrong(const struct exchanged *exchanged, size_t wrong,
         sink_put(sink, ".");
         return;
     }
-    if (wrong == count)
+    if (wrong == count && count == 2)
+        sink_print(sink, "Both elements of %s are wrong: ", label);
+    else if (wrong == count)
         sink_print(sink, "All %zu elements of %s are wrong: ", count, label);
     else
         sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong,
@@ -355,7 +382,6 @@ bool wrong_tell(const struct exchanged *exchanged,
         return true;
     say_wrong(exchanged, wrong, &sink);
     say_likeness(exchanged, &sink);
-    report_text(report, text.text);
-    text_buffer_free(&text);
+    report_buffer(report, &text);
     return false;
 }

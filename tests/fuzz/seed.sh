@@ -26,6 +26,7 @@ seed machine "$root"/tests/programs/*.s "$root"/tests/bugs/machine/*
 seed save "$root"/tests/bugs/save/*
 seed debugger "$root"/tests/bugs/debugger/*
 seed dap "$root"/tests/bugs/dap/*
+seed engine "$root"/tests/bugs/engine/*
 
 for source in "$root"/tests/programs/*.s "$root"/asm/examples/*.s; do
     "$c205" asm "$source" -o "$corpus/object/$(basename "$source" .s).o"

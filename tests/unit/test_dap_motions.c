@@ -6,6 +6,7 @@
 #include "asm/object.h"
 #include "tests/random.h"
 #include "tests/unit/dap_session.h"
+#include "tests/unit/drawn_walk.h"
 #include "tests/unit/plain_run.h"
 
 static uint64_t random_state = RANDOM_SEED;
@@ -16,45 +17,6 @@ static uint64_t below(uint64_t end)
 }
 
 /* ---- Motions by chance --------------------------------------------------------------------- */
-
-/* Loops with vectors, calls and what is stored among them. */
-static void draw_program(struct text_buffer *text)
-{
-    static const char *const lines[] = {
-        "        ADDNV   [a], [b], [c]\n",
-        "        MPYSV   [b], [a], [b]\n",
-        "        SUBNV   [c], [a], [a]\n",
-        "        ADDX    one, count, count\n",
-        "        STO     [data, one], count\n",
-        "        LOD     [data, one], other\n",
-        "        call    routine, link, place\n",
-        "        ADDN    other, count, other\n",
-        "        load_constant other, 1.5\n",
-    };
-    struct sink sink = text_buffer_sink(text);
-    size_t loops = 1 + below(3);
-
-    *text = (struct text_buffer){ .text = NULL };
-    sink_put(&sink, "        .include \"vectors.s\"\n"
-                    "        .regs r16, a, b, c, one, count, data, other\n"
-                    "        .regs r24, turns, link, place, to\n"
-                    "        words a, 1.5, -2.0, 3.0, 4.0\n"
-                    "        words b, 0.5, 0.25\n"
-                    "        words c\n"
-                    "        ES one, 1\n"
-                    "        EX data, c.words\n");
-    for (size_t i = 0; i < loops; i++) {
-        sink_print(&sink, "        ES turns, %u\n        EX to, loop%zu\n",
-                   (unsigned)(1 + below(40)), i);
-        sink_print(&sink, "        .kernel k%zu\nloop%zu:\n", i, i);
-        for (size_t k = 1 + below(8); k > 0; k--)
-            sink_put(&sink, lines[below(sizeof lines / sizeof *lines)]);
-        sink_put(&sink, "        DBNZ turns, [to]\n        .endkernel\n");
-    }
-    sink_put(&sink, "        EXIT\n"
-                    "routine: ADDX count, one, count\n"
-                    "        return link\n");
-}
 
 struct walk {
     struct dap_client client;
@@ -196,7 +158,7 @@ static void test_motions(void **state)
         struct walk walk = { .step = 0 };
         struct text_buffer text;
 
-        draw_program(&text);
+        draw_walk(&random_state, &text);
         walk.plain = run_plainly(good(text.text), &random_state);
         client_launch(&walk.client, text.text,
                       ", \"stopOnEntry\": true, \"stopOnEnd\": true, "
@@ -229,7 +191,7 @@ static void test_objects(void **state)
         struct object *object;
         c205_error error;
 
-        draw_program(&text);
+        draw_walk(&random_state, &text);
         object = good(text.text);
         assert_true(object_save(object, client_path, &error));
         client_launch_file(&walk.client, ", \"stopOnEntry\": true");

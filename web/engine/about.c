@@ -69,5 +69,5 @@ bool answer_about(struct engine *engine, const struct json_value *request,
     for (size_t i = 0; asm_directive(i); i++)
         json_text(reply, NULL, asm_directive(i));
     json_end(reply);
-    return true;
+    return put_lessons(reply, error);
 }

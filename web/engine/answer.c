@@ -112,6 +112,16 @@ bool take_count(const struct json_value *request, const char *key,
     return true;
 }
 
+bool take_limit(const struct engine *engine, const struct json_value *request,
+                uint64_t *limit, c205_error *error)
+{
+    bool good = take_count(request, "limit", limit, error);
+
+    if (*limit > engine->bound)
+        *limit = engine->bound;
+    return good;
+}
+
 /* ---- Slices ---------------------------------------------------------------------- */
 
 static double milliseconds(void)
@@ -207,6 +217,7 @@ static const struct {
     { "say", answer_say, KEEPS_NOTHING },
     { "sweep", answer_sweep, KEEPS_NOTHING },
     { "compare", answer_compare, KEEPS_NOTHING },
+    { "grade", answer_grade, KEEPS_ALL },
     { "more", answer_more, KEEPS_ALL },
 };
 enum { REQUESTS = sizeof requests / sizeof *requests };
@@ -287,7 +298,16 @@ char *engine_answer(struct engine *engine, const char *request, size_t length)
 
 struct engine *engine_new(void)
 {
-    return calloc(1, sizeof(struct engine));
+    struct engine *engine = calloc(1, sizeof *engine);
+
+    if (engine)
+        engine->bound = UINT64_MAX;
+    return engine;
+}
+
+void engine_bound(struct engine *engine, uint64_t clocks)
+{
+    engine->bound = clocks;
 }
 
 void engine_free(struct engine *engine)

@@ -154,7 +154,7 @@ static bool take_side(struct engine *engine, const struct json_value *request,
     side->name = copy_of(name);
     if (!side->name)
         return refuse(error, "no memory");
-    side->object = program_assemble(engine, name, text, options, error);
+    side->object = engine_assemble(engine, name, text, options, error);
     if (!side->object || !take_warm(request, side->object, error))
         return false;
     side->model = program_model(model, side->object, error);
@@ -189,7 +189,7 @@ bool answer_compare(struct engine *engine, const struct json_value *request,
     engine->comparison = comparison;
     comparison->limit = ENGINE_LIMIT;
     good = take_slice(engine, request, error)
-           && take_count(request, "limit", &comparison->limit, error)
+           && take_limit(engine, request, &comparison->limit, error)
            && take_options(request, &arena, &options, error)
            && take_sides(engine, request, &options, error);
     arena_free(&arena);

@@ -151,7 +151,7 @@ static bool take_movement(struct engine *engine,
 
     if (!take_text(request, "how", &how, error)
         || !take_count(request, "n", &n, error)
-        || !take_count(request, "limit", &limit, error))
+        || !take_limit(engine, request, &limit, error))
         return false;
     while (i < WAYS && strcmp(ways[i].how, how) != 0)
         i++;
@@ -187,14 +187,15 @@ bool answer_say(struct engine *engine, const struct json_value *request,
                 struct json *reply, c205_error *error)
 {
     const char *line;
+    uint64_t limit = ENGINE_LIMIT;
 
     if (!needs_program(engine, error) || !take_slice(engine, request, error)
+        || !take_limit(engine, request, &limit, error)
         || !take_text(request, "line", &line, error))
         return false;
     if (strpbrk(line, "\r\n"))
         return refuse(error, "\"line\" is one line");
-    engine->slice.ends_at = plus(c205_clock(engine_machine(engine)),
-                                 ENGINE_LIMIT);
+    engine->slice.ends_at = plus(c205_clock(engine_machine(engine)), limit);
     debugger_obey(engine->debugger, line);
     put_place(engine, reply);
     put_said(engine, reply, "text");

@@ -85,6 +85,7 @@ struct engine {
     struct object *object;
     c205_model *model;
     struct debugger *debugger;
+    uint64_t bound; /* clocks of a movement or a run, at the most */
     struct printed printed;
     struct text_buffer said;        /* by the debugger, and not told yet */
     struct diagnostics diagnostics; /* of the text of this request */
@@ -99,7 +100,10 @@ struct engine {
 
 engine_request answer_about, answer_load, answer_breaks, answer_go,
     answer_view, answer_timeline, answer_profile, answer_accounts, answer_say,
-    answer_sweep, answer_compare;
+    answer_sweep, answer_compare, answer_grade;
+
+/* Of about. */
+bool put_lessons(struct json *reply, c205_error *error);
 
 void sweep_drop(struct engine *engine);
 void compare_drop(struct engine *engine);
@@ -115,7 +119,10 @@ bool take_text_or(const struct json_value *request, const char *key,
 /* An integer from 0 on; missing: it stays. */
 bool take_count(const struct json_value *request, const char *key,
                 uint64_t *count, c205_error *error);
-/* "ms" and "clocks" of a request; "limit", beyond which no movement goes. */
+/* "limit" of a request, unless it is missing: clocks, not beyond the engine's bound. */
+bool take_limit(const struct engine *engine, const struct json_value *request,
+                uint64_t *limit, c205_error *error);
+/* "ms" and "clocks". */
 bool take_slice(struct engine *engine, const struct json_value *request,
                 c205_error *error);
 /* For who runs the program: is the slice over? */
@@ -151,10 +158,10 @@ bool take_options(const struct json_value *request, struct arena *arena,
 bool take_warm(const struct json_value *request, struct object *object,
                c205_error *error);
 /* NULL: it cannot be assembled, the diagnostics of the engine say why. */
-struct object *program_assemble(struct engine *engine, const char *name,
-                                const char *text,
-                                const struct asm_options *options,
-                                c205_error *error);
+struct object *engine_assemble(struct engine *engine, const char *name,
+                               const char *text,
+                               const struct asm_options *options,
+                               c205_error *error);
 /* The model by that name, or that which the program names, or the usual; NULL: there is
  * none. */
 c205_model *program_model(const char *name, const struct object *object,

@@ -131,10 +131,10 @@ bool take_options(const struct json_value *request, struct arena *arena,
            && (!arena->failed || refuse(error, "no memory"));
 }
 
-struct object *program_assemble(struct engine *engine, const char *name,
-                                const char *text,
-                                const struct asm_options *options,
-                                c205_error *error)
+struct object *engine_assemble(struct engine *engine, const char *name,
+                               const char *text,
+                               const struct asm_options *options,
+                               c205_error *error)
 {
     struct object *object = assemble_text(name, text, options,
                                           &engine->diagnostics);
@@ -397,7 +397,7 @@ bool answer_load(struct engine *engine, const struct json_value *request,
     if (take_text_or(request, "name", &name, error)
         && take_text(request, "text", &text, error)
         && take_options(request, &arena, &options, error))
-        object = program_assemble(engine, name, text, &options, error);
+        object = engine_assemble(engine, name, text, &options, error);
     arena_free(&arena);
     if (!object || !load(engine, request, name, object, error))
         return false;

@@ -159,11 +159,11 @@ bool answer_profile(struct engine *engine, const struct json_value *request,
 
 /* ---- timeline ---------------------------------------------------------------------- */
 
-static void put_pieces(const struct timed_piece *pieces, size_t count,
-                       const char *key, struct json *reply)
+static void put_pieces(const struct timed_piece *pieces, size_t first,
+                       size_t count, const char *key, struct json *reply)
 {
     json_array(reply, key);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = first; i < first + count; i++) {
         json_object(reply, NULL);
         json_count(reply, "begin", pieces[i].begin);
         json_count(reply, "end", pieces[i].end);
@@ -189,9 +189,9 @@ static void put_insn(const struct engine *engine, struct json *reply,
     json_count(reply, "issued", insn->issued);
     json_count(reply, "ready", insn->ready);
     json_count(reply, "done", insn->done);
-    put_pieces(timeline->phases + insn->first_phase, insn->phase_count,
+    put_pieces(timeline->phases, insn->first_phase, insn->phase_count,
                "phases", reply);
-    put_pieces(timeline->pieces + insn->first_piece, insn->piece_count,
+    put_pieces(timeline->pieces, insn->first_piece, insn->piece_count,
                "pieces", reply);
     json_end(reply);
 }

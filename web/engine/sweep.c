@@ -88,7 +88,8 @@ static bool slice(struct engine *engine, struct json *reply,
 
 /* ---- The request ------------------------------------------------------------------ */
 
-static bool take_values(const struct json_value *request,
+static bool take_values(const struct engine *engine,
+                        const struct json_value *request,
                         struct program_sweep *sweep, c205_error *error)
 {
     struct swept_range *range = &sweep->range;
@@ -99,7 +100,7 @@ static bool take_values(const struct json_value *request,
         || !take_count(request, "step", &range->step, error)
         || !take_count(request, "factor", &range->factor, error)
         || !take_count(request, "points", &points, error)
-        || !take_count(request, "limit", &sweep->clocks_most, error))
+        || !take_limit(engine, request, &sweep->clocks_most, error))
         return false;
     sweep->asked = (size_t)points;
     if (range->from < 1 || range->from >= range->to
@@ -138,15 +139,17 @@ static struct asm_options *at_first(struct laboratory *laboratory)
 /* The first value of it is assembled for what there is to be said of the text. */
 static bool take_program(struct engine *engine,
                          const struct json_value *request, const char *key,
-                         const char *name, c205_error *error)
+                         const char *name_key, c205_error *error)
 {
     struct laboratory *laboratory = engine->laboratory;
     struct program_sweep *sweep = &laboratory->sweep;
     const char *text = NULL, *model = NULL;
+    const char *name = swept_names[sweep->program_count];
     struct asm_options *first;
     struct object *object;
 
     if (!take_text_or(request, key, &text, error)
+        || !take_text_or(request, name_key, &name, error)
         || !take_text_or(request, "model", &model, error))
         return false;
     if (!text)
@@ -154,7 +157,7 @@ static bool take_program(struct engine *engine,
     first = at_first(laboratory);
     if (!first)
         return refuse(error, "no memory");
-    object = program_assemble(engine, name, text, first, error);
+    object = engine_assemble(engine, name, text, first, error);
     if (object && !laboratory->model)
         laboratory->model = program_model(model, object, error);
     if (!object || !laboratory->model) {
@@ -163,7 +166,8 @@ static bool take_program(struct engine *engine,
     }
     object_free(object);
     sweep->programs[sweep->program_count++] = (struct swept_program){
-        name, arena_text(&laboratory->arena, text, strlen(text)), strlen(text)
+        arena_text(&laboratory->arena, name, strlen(name)),
+        arena_text(&laboratory->arena, text, strlen(text)), strlen(text)
     };
     return !laboratory->arena.failed || refuse(error, "no memory");
 }
@@ -177,7 +181,7 @@ static bool take_sweep(struct engine *engine,
     const char *constant;
 
     if (!take_text(request, "constant", &constant, error)
-        || !take_values(request, sweep, error)
+        || !take_values(engine, request, sweep, error)
         || !take_options(request, &laboratory->arena, &laboratory->options,
                          error))
         return false;
@@ -191,10 +195,8 @@ static bool take_sweep(struct engine *engine,
     sweep->report = text_buffer_sink(&laboratory->report);
     if (!sweep->constant)
         return refuse(error, "no memory");
-    if (!take_program(engine, request, "text", swept_names[SWEPT_FIRST],
-                      error)
-        || !take_program(engine, request, "other", swept_names[SWEPT_SECOND],
-                         error))
+    if (!take_program(engine, request, "text", "name", error)
+        || !take_program(engine, request, "other", "other-name", error))
         return false;
     sweep->model = laboratory->model;
     return sweep->program_count > 0 || refuse(error, "\"text\" is missing");

@@ -40,8 +40,8 @@ export function makeCompare(panel, session, others) {
     const chosen = [first, second].map(({ value }) => list.find((one) => one.value === value));
     const reply = await session.longer({ do: "compare", ...session.setting,
       texts: chosen.map(({ title, text }) => ({ name: title, text })) });
-    fill(result, ...(reply.ok && !reply.stopped ? told(reply, chosen)
-      : [el("p", { class: "fault" }, reply.error ?? "Stopped.")]));
+    fill(result, reply.ok && !reply.stopped ? told(reply, chosen)
+      : el("p", { class: "fault" }, reply.error ?? "Stopped."));
   }
 
   function told(reply, chosen) {
@@ -52,11 +52,12 @@ export function makeCompare(panel, session, others) {
         row.ratio == null ? "-" : fixed(row.ratio, 3)] })));
     return [
       el("p", { class: "verdict-words" }, reply.sentence),
-      beside("Clocks by cause", "cause", reply.causes.filter(({ first: a, second: b }) => a || b),
-        (cause) => cause === "all" ? cause : named(cause)),
-      reply.regions.length > 1 && beside("Clocks by region", "region", reply.regions),
-      beside("Figures", "figure", reply.figures),
-    ].filter(Boolean);
+      el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Tables" },
+        beside("Clocks by cause", "cause", reply.causes.filter((row) => row.first || row.second),
+          (cause) => cause === "all" ? cause : named(cause)),
+        reply.regions.length > 1 && beside("Clocks by region", "region", reply.regions),
+        beside("Figures", "figure", reply.figures)),
+    ];
   }
 
   // Four digits, or all of an integer.

@@ -72,7 +72,8 @@ export function makeLaboratory(panel, session, others) {
     show();
   }
 
-  const series = () => ["first", "second"].slice(0, names.length);
+  // As c205 sweep names them: "first_clocks" beside another program, else "clocks".
+  const series = () => names.length > 1 ? ["first_", "second_"] : [""];
 
   function show() {
     const slider = el("input", { type: "range", id: "lab-at", min: 0, max: told.points.length - 1, value: at,
@@ -84,7 +85,7 @@ export function makeLaboratory(panel, session, others) {
       const point = told.points[at];
       fill(said, el("b", {}, `${told.constant} = ${count(point.value)}`), ...series().map((one, i) =>
         el("span", {}, el("i", { class: `patch series-${i}`, "aria-hidden": "true" }),
-          `${some(point[`${one}_clocks`], "clock")}, ${fixed(point[`${one}_mflops`], 1)} Mflop/s`)));
+          `${some(point[`${one}clocks`], "clock")}, ${fixed(point[`${one}mflops`], 1)} Mflop/s`)));
       slider.setAttribute("aria-valuetext", `${told.constant} = ${point.value}`);
     };
     fill(result,
@@ -116,14 +117,14 @@ export function makeLaboratory(panel, session, others) {
     return table("All points", [[told.constant, "number"],
       ...names.flatMap((name) => [[`${name}, clk`, "number"], ["Mflop/s", "number"]])],
     told.points.map((point) => ({ cells: [count(point.value), ...series().flatMap((one) =>
-      [count(point[`${one}_clocks`]), fixed(point[`${one}_mflops`], 2)])] })));
+      [count(point[`${one}clocks`]), fixed(point[`${one}mflops`], 2)])] })));
   }
 
   // Mflop/s against the constant, that on a scale of factors.
   function drawing() {
     const { points } = told;
     const [low, high] = [points[0].value, points.at(-1).value];
-    const top = 1.08 * Math.max(...points.flatMap((point) => series().map((one) => point[`${one}_mflops`])), 1e-9);
+    const top = 1.08 * Math.max(...points.flatMap((point) => series().map((one) => point[`${one}mflops`])), 1e-9);
     const x = (n) => LEFT + (WIDTH - LEFT - RIGHT) * Math.log(n / low) / Math.log(high / low || 2);
     const y = (rate) => HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * rate / top;
     const text = (px, py, kind, words) => draw("text", { x: px, y: py, class: kind }, words);
@@ -144,7 +145,7 @@ export function makeLaboratory(panel, session, others) {
     const here = points[at].value;
     svg.append(draw("line", { x1: x(here), x2: x(here), y1: TOP, y2: HEIGHT - BOTTOM, class: "now" }));
     series().forEach((one, i) => {
-      const rate = (point) => point[`${one}_mflops`];
+      const rate = (point) => point[`${one}mflops`];
       svg.append(draw("polyline", { class: `curve curve-${i}`,
         points: points.map((point) => `${x(point.value)},${y(rate(point))}`).join(" ") }),
       draw("circle", { cx: x(here), cy: y(rate(points[at])), r: 4, class: `dot dot-${i}` }));

@@ -30,9 +30,19 @@ export function showLesson(lesson, html) {
   hideVerdict();
 }
 
-export function hideVerdict() {
-  $("verdict").hidden = true;
+export function setFolded(folded) {
+  $("lesson-panel").classList.toggle("folded", folded);
+  $("fold").textContent = folded ? "Show" : "Hide";
+  $("fold").setAttribute("aria-expanded", String(!folded));
 }
+
+// A verdict stands where the text was.
+function judged(so) {
+  $("verdict").hidden = !so;
+  $("lesson-panel").classList.toggle("judged", so);
+}
+
+export const hideVerdict = () => judged(false);
 
 /** The engine's verdict in its own words. */
 export function showVerdict(reply) {
@@ -40,19 +50,20 @@ export function showVerdict(reply) {
   const better = MEDALS.indexOf(reply.medal) > MEDALS.indexOf(best.medal ?? "");
   if (reply.passed && (!best.passed || better)) note(reply.lesson, { passed: true, medal: reply.medal });
   const verdict = $("verdict");
-  verdict.hidden = false;
+  setFolded(false);
+  judged(true);
   verdict.className = `verdict ${reply.passed ? `passed ${reply.medal || "plain"}` : "failed"}`;
   fill(verdict,
     el("h3", {}, reply.passed ? "Passed" : "Not yet",
       reply.medal && el("span", { class: `medal ${reply.medal}` }, reply.medal),
-      el("button", { type: "button", class: "quiet close", "aria-label": "Close the verdict",
-        click: hideVerdict }, "×")),
+      el("button", { type: "button", class: "quiet close", click: hideVerdict }, "Back to the lesson")),
     ...sentences(reply.report),
     ...(reply.tests ?? []).map((test) => el("section", {},
       el("h4", {}, `${test.passed ? "✓" : "✗"} ${test.name}`,
         el("small", {}, test.clocks ? some(test.clocks, "clock") : "", test.medal && ` · ${test.medal}`)),
       test.tries && el("p", { class: "tries" }, test.tries),
       ...sentences(test.report))));
+  verdict.scrollTop = 0;
   verdict.scrollIntoView({ block: "nearest" });
 }
 

@@ -8,7 +8,7 @@ import { makeConsole } from "./console.js";
 import { makeEditor } from "./editor.js";
 import { makeInstruction } from "./instruction.js";
 import { makeLaboratory } from "./laboratory.js";
-import { hideVerdict, note, progress, showLesson, showVerdict, title } from "./lesson.js";
+import { hideVerdict, note, progress, setFolded, showLesson, showVerdict, title } from "./lesson.js";
 import { Machine } from "./machine.js";
 import { makeRegisters } from "./registers.js";
 import { Session } from "./session.js";
@@ -20,13 +20,11 @@ import { makeVectors } from "./vectors.js";
 
 const PAUSE = 300; // milliseconds of no typing before the text is assembled
 const OWN = "own"; // the learner's own program, of no lesson
-const DEFAULT_MODEL = "cyber205-2pipe";
-const PROJECTED = /^(cdc|cyber7)/; // models on which nothing runs
 
 const session = new Session(new Machine(workerSource(), engineBytes()));
 const [about, { lessons: texts, examples }] = await Promise.all([
   session.machine.ask({ do: "about" }), course()]);
-const lessons = new Map((about.lessons ?? []).map((lesson) => [`lesson:${lesson.name}`, lesson]));
+const lessons = new Map(about.lessons.map((lesson) => [`lesson:${lesson.name}`, lesson]));
 const programs = new Map(examples.map((example) => [`example:${example.name}`, example]));
 let at = OWN; // what is chosen in the list of programs
 
@@ -64,7 +62,7 @@ const showTab = makeTabs(document.querySelector("[role=tablist]"), (name) => {
 async function openTracer() {
   if ($("tracer").hasChildNodes()) return;
   tracerPanel($("tracer"), { source: tracerSource(), wasm: tracerBytes, scenes: await scenes(),
-    models: about.models.filter(({ name }) => !PROJECTED.test(name)) });
+    models: about.models });
 }
 
 /** All programs that another can be held beside. */
@@ -98,6 +96,7 @@ session.on("loaded", (reply) => {
   if (!reply.ok) say(errors > 0 ? `${some(errors, "error")}: the program cannot run yet` : reply.error, "bad");
   else say("Assembled. It stands at its beginning.");
   if (!reply.ok) settle(null);
+  $("machine").classList.toggle("lost", !reply.ok);
 });
 
 // What the debugger said, as a sentence.
@@ -197,7 +196,6 @@ async function check() {
   offer();
   say(reply.passed ? `Passed${reply.medal ? `: ${reply.medal}` : ""}.` : "Not passed yet: the verdict says why.",
     reply.passed ? "good" : "bad");
-  await session.load();
 }
 
 async function share() {
@@ -249,14 +247,17 @@ const KEYS = [
   ["Alt Enter", "check", "check my answer"], ["F1", "keys", "these keys"],
 ];
 const ALSO = [
-  ["Escape, then Tab", "leave the text of the program"],
+  ["Escape Tab", "one after the other: leave the text of the program"],
   ["← → + − Home", "in the time line: earlier, later, shorter, longer, all of it"],
   ["← →", "in the tabs: another view; in the slider: a step"],
   ["↑ ↓", "in the console: what was said before"],
 ];
 $("keys-table").tBodies[0].append(...[...KEYS.map(([key, , what]) => [key, what]), ...ALSO]
   .map(([key, what]) => el("tr", {}, el("th", { scope: "row" },
-    key.split(/(?<=[^,]) (?=\S)/).map((one) => [el("kbd", {}, one), " "])), el("td", {}, what))));
+    key.split(" ").map((one) => [el("kbd", {}, one), " "])), el("td", {}, what))));
+$("licences").addEventListener("toggle", async () => {
+  $("licences").lastElementChild.textContent = await notice();
+});
 for (const [key, id, what] of KEYS)
   if (id) {
     $(id).title = `${what} (${key})`;
@@ -287,9 +288,7 @@ $("lesson-text").addEventListener("click", (event) => {
 });
 
 function fold() {
-  const open_ = $("lesson-panel").classList.toggle("folded") === false;
-  $("fold").textContent = open_ ? "Hide" : "Show";
-  $("fold").setAttribute("aria-expanded", String(open_));
+  setFolded(!$("lesson-panel").classList.contains("folded"));
 }
 
 // --- light and dark ---------------------------------------------------------------------
@@ -308,7 +307,7 @@ setTheme(kept.get("theme"));
 // --- the beginning -------------------------------------------------------------------------
 
 choices($("model"), about.models.map(({ name, title: words }) => ({ value: name, title: words ?? name })));
-session.model = $("model").value = DEFAULT_MODEL;
+session.model = $("model").value = about.model;
 if (!await openHash()) await open(kept.get("at") ?? lessons.keys().next().value ?? `example:${examples[0].name}`);
 document.body.classList.add("ready");
 

@@ -134,6 +134,7 @@ export class Session {
   async say(line) {
     const reply = await this.machine.ask({ do: "say", line, ms: PATIENCE });
     await this.look();
+    if (reply.ok) this.#tell("moved", reply);
     return reply;
   }
 

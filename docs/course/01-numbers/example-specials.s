@@ -17,3 +17,6 @@
         print_hex sum
         newline
         EXIT
+; expect-print: 1 - 1:        8000 0000 0000 0000
+; expect-print: 1 / 0:        7000 0000 0000 0000
+; expect-print: 1 / 0 + 1:    7000 0000 0000 0000

@@ -14,3 +14,6 @@
         print_hex all
         newline
         EXIT
+; expect-print: 0.333333333333333
+; expect-print: 0.999999999999993
+; expect-print: FFD1 7FFF FFFF FFFF

@@ -26,3 +26,10 @@
         ES      x, -3
         show    x
         EXIT
+; expect-print: FFD2 4000 0000 0000  1
+; expect-print: FFD3 4000 0000 0000  2
+; expect-print: FFD3 6000 0000 0000  3
+; expect-print: FFD3 A000 0000 0000  -3
+; expect-print: FFCE 6666 6666 6666  0.1
+; expect-print: 0000 0000 0000 0003  3
+; expect-print: 0000 FFFF FFFF FFFD  -3

@@ -24,3 +24,4 @@ next:   LOD     [x_at, i], term
         print_number sum
         newline
         EXIT
+; expect-print: 5.18737751763763

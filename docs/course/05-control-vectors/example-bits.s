@@ -30,3 +30,7 @@
         print_vector ys
         newline
         EXIT
+; expect-print: 01011010
+; expect-print: 13 9 14 9 5 19 8 16
+; expect-print: 13 0 14 0 0 19 0 16
+; expect-print: 10 0 10 0 0 10 0 10

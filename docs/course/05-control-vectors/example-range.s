@@ -30,3 +30,4 @@ x:
         print_integer count
         newline
         EXIT
+; expect-print: 100

@@ -32,3 +32,7 @@
         print_hex flags
         newline
         EXIT
+; expect-print: 5 0 7.5 0
+; expect-print: 0000 0000 0000 0000
+; expect-print: 5 indefinite 7.5 indefinite
+; expect-print: 0000 0000 0042 0000

@@ -35,3 +35,4 @@ few:    .space  n
         SQRTV   [fews], [fews]
         MRGV    [fews], r0, [ys] ? [zs]
         EXIT
+; expect: [y] = 1.0

@@ -31,3 +31,4 @@ y:      .space  n
         CMPGEV  [xs], r0, [zs]
         SQRTV   [xs], [ys] ? [zs]
         EXIT
+; expect: [y] = 1.0

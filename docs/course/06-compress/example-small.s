@@ -32,3 +32,7 @@
         print_vector ys
         newline
         EXIT
+; expect-print: 4 9 16 25
+; expect-print: 4
+; expect-print: 2 3 4 5
+; expect-print: 2 0 3 0 0 4 0 5

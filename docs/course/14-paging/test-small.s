@@ -1,5 +1,5 @@
 ; test-small.s
-; test: 20 frames of 5 numbers
+; test: 20 frames of 5 numbers, and results that hold something before
 ; tolerance: mean 1e-9
         .equ    n, 5
 
@@ -9,6 +9,8 @@ frames: .rept   20
         .word   \+.0, 20.0 - \+, 1.0 * \+ * \+, -1.0 * \+ * \+, 1.0 * (\+ % 5 == 0)
         .space  65536 - 5
         .endr
+mean:   .word   7.0, 7.0, 7.0, 7.0, 7.0
+above:  .word   7.0, 7.0, 7.0, 7.0, 7.0
 want_mean:
         .word   9.5, 10.5, 123.5, -123.5, 0.2
 want_above:

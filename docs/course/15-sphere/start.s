@@ -7,13 +7,21 @@
         .endif
 
         .data
-ox:     .space  n                       ; O
+ox:     .rept   n                       ; O
+        .word   0.0
+        .endr
 oy:     .rept   n
         .word   0.25 * \+
         .endr
-oz:     .space  n
-dx:     .space  n                       ; D
-dy:     .space  n
+oz:     .rept   n
+        .word   0.0
+        .endr
+dx:     .rept   n                       ; D
+        .word   0.0
+        .endr
+dy:     .rept   n
+        .word   0.0
+        .endr
 dz:     .rept   n
         .word   1.0
         .endr

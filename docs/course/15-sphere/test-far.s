@@ -8,10 +8,18 @@
 ; The sphere is 0.1 wide and 100,000 away; the rays pass it by at 0.05 times 0, 0.6 and 0.8.
         .data
 ox:     .word   0.0, 0.03, 0.04
-oy:     .space  3
-oz:     .space  3
-dx:     .space  3
-dy:     .space  3
+oy:     .rept   3
+        .word   0.0
+        .endr
+oz:     .rept   3
+        .word   0.0
+        .endr
+dx:     .rept   3
+        .word   0.0
+        .endr
+dy:     .rept   3
+        .word   0.0
+        .endr
 dz:     .word   1.0, 1.0, 1.0
 sphere: .word   0.0, 0.0, 100000.0, 0.0025
 want_tin:

@@ -7,11 +7,15 @@
         .warm
 
 ; Ray i starts at (x, y, 0), x = (i % 50 - 25) / 8, y = (i / 50 - 20) / 8, in the direction
-; (3/5, 0, 4/5); the sphere about (6, 0, 8) has r^2 = 4.03.  So L = (6 - x, -y, 8),
-; b = 10 - 3/5 x, w = b D - L = (16/25 x, y, -12/25 x), h = r^2 - 16/25 x^2 - y^2.
+; D = (0.48, 0.6, 0.64); the sphere about 10 D has r^2 = 3.2.  So L = 10 D - (x, y, 0),
+; b = 10 - p, w = (x, y, 0) - p D, h = r^2 - x^2 - y^2 + p^2, with p = 0.48 x + 0.6 y.
         .macro  distance x, y, side, miss
-        .if     4.03 - 0.64 * \x * \x - \y * \y >= 0
-        .word   10 - 0.6 * \x + \side * sqrt(4.03 - 0.64 * \x * \x - \y * \y)
+        along   \x, \y, (0.48 * \x + 0.6 * \y), \side, \miss
+        .endm
+
+        .macro  along x, y, p, side, miss
+        .if     3.2 - \x * \x - \y * \y + \p * \p >= 0
+        .word   10 - \p + \side * sqrt(3.2 - \x * \x - \y * \y + \p * \p)
         .else
         .word   \miss
         .endif
@@ -24,15 +28,19 @@ ox:     .rept   n
 oy:     .rept   n
         .word   (\+ / 50 - 20) / 8.0
         .endr
-oz:     .space  n
+oz:     .rept   n
+        .word   0.0
+        .endr
 dx:     .rept   n
+        .word   0.48
+        .endr
+dy:     .rept   n
         .word   0.6
         .endr
-dy:     .space  n
 dz:     .rept   n
-        .word   0.8
+        .word   0.64
         .endr
-sphere: .word   6.0, 0.0, 8.0, 4.03
+sphere: .word   4.8, 6.0, 6.4, 3.2
 want_tin:
         .rept   n
         distance ((\+ % 50 - 25) / 8.0), ((\+ / 50 - 20) / 8.0), -1.0, 1e30

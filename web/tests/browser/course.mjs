@@ -41,7 +41,6 @@ export const tests = {
       options.map(({ textContent }) => textContent));
     for (const title of titles) assert.match(title, /✓/);
     say(`${titles.length} lessons`);
-    await visit.page.evaluate("localStorage.clear()");
     await visit.close();
   },
 
@@ -78,7 +77,6 @@ export const tests = {
     assert.equal(await visit.look("editor.text"), `${first.start}; mine\n`);
     await visit.press("again");
     assert.equal(await visit.look("editor.text"), first.start);
-    await visit.page.evaluate("localStorage.clear()");
     await visit.close();
   },
 };

@@ -14,6 +14,23 @@ const open = async ({ browser, page }, text = SUM) => {
 const shown = (visit) => visit.page.evaluate(() => ["where", "instruction", "causes", "registers", "vectors", "output"]
   .map((id) => document.getElementById(id).textContent));
 
+async function slide(visit, step) {
+  await visit.page.$eval("#slider", (slider, value) => {
+    slider.value = value;
+    slider.dispatchEvent(new Event("input"));
+  }, step);
+  await visit.quiet();
+}
+
+// Numbers below N, the same for the same seed.
+function dice(seed) {
+  let state = seed;
+  return (n) => {
+    state = (Math.imul(state, 1103515245) + 12345) & 0x7fffffff;
+    return (state >>> 8) % n;
+  };
+}
+
 export const tests = {
   async "steps forth and back show the same"(world) {
     const visit = await open(world);
@@ -33,6 +50,29 @@ export const tests = {
     await visit.close();
   },
 
+  async "a walk by chance shows each step as the way there did"(world) {
+    const visit = await open(world);
+    const seed = Math.floor(Math.random() * 2 ** 31);
+    const random = dice(seed);
+    await visit.look(`editor.toLine(${SUM_LOOP})`);
+    await visit.key("F9");
+    const seen = [];
+    for (let ended = false; !ended; { ended } = await visit.view()) {
+      seen.push(await shown(visit));
+      await visit.press("step");
+    }
+    seen.push(await shown(visit));
+    for (let i = 0; i < 60; i++) {
+      const way = ["run", "reset", "before", "back", "step", "on", "slider"][random(7)];
+      if (way === "slider") await slide(visit, random(seen.length));
+      else if (await visit.page.$eval(`#${way}`, (button) => !button.disabled)) await visit.press(way);
+      const { step } = await visit.view();
+      assert.deepEqual((await shown(visit)).slice(1), seen[step].slice(1),
+        `seed ${seed}, move ${i}, ${way}: step ${step}`);
+    }
+    await visit.close();
+  },
+
   async "what an instruction changed is marked"(world) {
     const visit = await open(world);
     await visit.press("step");
@@ -47,11 +87,7 @@ export const tests = {
     const { steps } = await visit.view();
     assert.equal(await visit.page.$eval("#slider", (slider) => Number(slider.max)), steps);
     for (const step of [3, steps - 1, 0, 7]) {
-      await visit.page.$eval("#slider", (slider, value) => {
-        slider.value = value;
-        slider.dispatchEvent(new Event("input"));
-      }, step);
-      await visit.quiet();
+      await slide(visit, step);
       assert.equal((await visit.view()).step, step);
     }
     await visit.page.focus("#slider");

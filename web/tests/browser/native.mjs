@@ -12,15 +12,23 @@ export class Native {
   #folder = mkdtempSync(join(tmpdir(), "c205-native-"));
 
   constructor(build) {
-    this.command = join(build, "c205");
+    this.build = build;
   }
 
-  /** {status, out}; what stands in FILES is there for the command. */
-  c205(args, files = {}) {
+  /** {status, out, told}; what stands in FILES is there for the command. */
+  run(command, args, files = {}) {
     for (const [name, text] of Object.entries(files)) writeFileSync(join(this.#folder, name), text);
-    const { status, stdout, stderr } = spawnSync(this.command, args,
+    const { status, stdout, stderr } = spawnSync(join(this.build, command), args,
       { cwd: this.#folder, encoding: "utf8", maxBuffer: 1 << 28 });
     return { status, out: stdout, told: stderr };
+  }
+
+  c205(args, files) {
+    return this.run("c205", args, files);
+  }
+
+  rt205(args, files) {
+    return this.run("rt205", args, files);
   }
 
   json(args, files) {

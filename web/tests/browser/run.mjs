@@ -35,9 +35,7 @@ for (const kind of browsers.split(" ")) {
     } catch (fault) {
       failed++;
       console.log(`not ok ${kind}: ${name}\n${fault.stack.replace(/^/gm, "    ")}`);
-      for (const page of await browser.pages()) {
-        if (page.url() !== "about:blank") await page.close().catch(() => {});
-      }
+      for (const context of browser.browserContexts().slice(1)) await context.close().catch(() => {});
     }
   }
   await end();

@@ -1,22 +1,14 @@
 // tracer.mjs - the ray tracer of the page, beside rt205.
 
 import assert from "node:assert/strict";
-import { spawnSync } from "node:child_process";
-import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
 import { Visit } from "./visit.mjs";
 
 const PATIENCE = 120000; // milliseconds, of a run
 
-/** What rt205 prints, in a folder with the files. */
-function rt205(native, args, files = {}) {
-  const folder = mkdtempSync(join(tmpdir(), "rt205-native-"));
-  for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
-  const { stdout, stderr } = spawnSync(join(dirname(native.command), "rt205"), [...args, "--jobs", "1"],
-    { cwd: folder, encoding: "utf8", maxBuffer: 1 << 28 });
-  rmSync(folder, { recursive: true });
-  return stderr + stdout;
+/** What rt205 prints. */
+function rt205(native, args, files) {
+  const { out, told } = native.rt205([...args, "--jobs", "1"], files);
+  return told + out;
 }
 
 const scene = `camera { location <0, 1, -4> look_at 0 }

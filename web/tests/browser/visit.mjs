@@ -1,4 +1,5 @@
-// visit.mjs - a page as a learner has it before him: open it, do things, look.
+// visit.mjs - a page as a learner has it before him: open it, do things, look.  Nothing is
+// kept from one visit to the next.
 
 import assert from "node:assert/strict";
 
@@ -19,7 +20,9 @@ export class Visit {
   }
 
   static async open(browser, address, { width = 1280, height = 900, scheme = "light" } = {}) {
-    const visit = new Visit(await browser.newPage());
+    const context = await browser.createBrowserContext();
+    const visit = new Visit(await context.newPage());
+    visit.context = context;
     await visit.page.setViewport({ width, height });
     await visit.like(scheme);
     await visit.page.goto(address);
@@ -39,7 +42,7 @@ export class Visit {
 
   /** Closes it; nothing may have gone wrong, and nothing been asked of anybody else. */
   async close(own = ["file:", "blob:", "data:", "http://127.0.0.1:"]) {
-    await this.page.close();
+    await this.context.close();
     assert.deepEqual(this.faults, []);
     assert.deepEqual(this.requests.filter((url) => !own.some((start) => url.startsWith(start))), []);
   }

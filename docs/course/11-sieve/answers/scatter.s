@@ -1,33 +1,39 @@
-; example-scatter.s - the primes below a limit: flags are words, multiples are struck out by
-; a scatter.  The method of asm/examples/sieve.s.
+; scatter.s - the primes below a limit: flags are words, and multiples are struck out by a
+; scatter, as in asm/examples/sieve.s.
 
         .include "core.s"
 
-        .ifndef limit
-        .equ    limit, 100
+        .ifndef limit                   ; the tests have others
+        .equ    limit, 20000
         .endif
 
         .data
         .bitvector prime, limit
+count:  .space  1
+
 flags:  .space  limit
 places: .space  limit
         .code
 
-        .regs   r10, fs, primes, list, one, p, square, end, length, flag, total
+        .regs   r10, primes, total, flag, fs, list
+        .regs   r20, one, p, square, bound, length, at
 
-        load_constant flag, 1.0
-        descriptor fs, flags, limit
         descriptor primes, prime, limit
+        descriptor fs, flags, limit
+        load_constant flag, 1.0
+        ES      one, 1
+        EX      bound, limit
+
+        .kernel sieve
         VTOV    flag, [fs]
         STO     [fs], r0                ; 0 and 1 are no primes
-        ES      one, 1
         STO     [fs, one], r0
         ES      p, 2
         ES      square, 4
-        EX      end, limit
+        IBXGE   square, r0, bound, done
 next:   LOD     [fs, p], flag
         CFPEQ   flag, r0, composite
-        SUBX    end, square, length     ; (limit - 1 - p p) / p + 1 multiples
+        SUBX    bound, square, length   ; (limit - 1 - p p) / p + 1 multiples
         ADDX    length, p, length
         IS      length, -1
         DIVU    length, p, length
@@ -39,8 +45,11 @@ next:   LOD     [fs, p], flag
 composite:
         ADDX    p, one, p
         MPYX    p, p, square
-        IBXLT   square, r0, end, next, square
-        CMPNEV  [fs], r0, [primes]
+        IBXLT   square, r0, bound, next, square
+done:   CMPNEV  [fs], r0, [primes]
         CNTOB   [primes], total
+        EX      at, count
+        STO     [at], total
+        .endkernel
         EXIT
-; expect: total = 25
+; expect: [count] = 2262

@@ -1,0 +1,135 @@
+/* cmd_check_lesson.c - lessons as c205 check prints them. */
+#include <inttypes.h>
+
+#include "asm/command/cmd_check.h"
+#include "base/whole.h"
+
+int check_list(const struct check_command *check)
+{
+    static const struct table_column columns[] = {
+        { "number", "", TABLE_COUNT, 0 },
+        { "name", "lesson", TABLE_TEXT, 0 },
+        { "title", "title", TABLE_TEXT, 0 },
+    };
+    struct table *table = table_new(TABLE_COLUMNS(columns));
+    for (size_t i = 0; table && i < check->lessons.count; i++) {
+        const struct lesson *lesson = &check->lessons.items[i];
+        table_count(table, lesson->number);
+        table_text(table, lesson->name);
+        table_text(table, lesson->title);
+    }
+    return results_show(check->results, table, "lessons", NULL);
+}
+
+/* ---- What a test has ------------------------------------------------------- */
+
+static void put_name(struct text_line *line, const char *name)
+{
+    struct sink sink = text_line_sink(line);
+    sink_print(&sink, "%s%s", line->length > 0 ? ", " : "", name);
+}
+
+static void put_constant(struct text_line *line,
+                         const struct asm_symbol *symbol)
+{
+    struct sink sink = text_line_sink(line);
+    put_name(line, symbol->name);
+    sink_print(&sink, " = %" PRId64, symbol->value);
+}
+
+/* Its constants, where it puts data, and where it looks for results. */
+static void tell_symbols(struct table *table, const struct object *test)
+{
+    struct text_line constants = { 0 }, data = { 0 }, results = { 0 };
+    for (size_t i = 0; i < test->symbol_count; i++) {
+        const struct asm_symbol *symbol = &test->symbols[i];
+        const char *wanted = lesson_wanted(symbol->name);
+        if (lesson_is_constant(symbol)) {
+            put_constant(&constants, symbol);
+        } else if (symbol->is_label) {
+            put_name(wanted ? &results : &data,
+                     wanted ? wanted : symbol->name);
+        }
+    }
+    table_text(table, constants.text);
+    table_text(table, data.text);
+    table_text(table, results.text);
+}
+
+static bool add_test(struct table *table, const struct lesson_test *test,
+                     c205_error *error)
+{
+    struct object *object = lesson_assemble_test(test, error);
+    if (!object) {
+        return false;
+    }
+    table_text(table, test->name);
+    for (int medal = MEDAL_GOLD; medal > MEDAL_NONE; medal--) {
+        if (test->has_goals) {
+            table_count(table, test->goals[medal]);
+        } else {
+            table_gap(table);
+        }
+    }
+    tell_symbols(table, object);
+    table_text(table, test->tries);
+    object_free(object);
+    return true;
+}
+
+static int show_tests(const struct check_command *check)
+{
+    static const struct table_column columns[] = {
+        { "name", "test", TABLE_TEXT, 0 },
+        { "gold", "gold", TABLE_COUNT, 0 },
+        { "silver", "silver", TABLE_COUNT, 0 },
+        { "bronze", "bronze", TABLE_COUNT, 0 },
+        { "constants", "constants", TABLE_TEXT, 0 },
+        { "data", "data at", TABLE_TEXT, 0 },
+        { "results", "results at", TABLE_TEXT, 0 },
+        { "tries", "what it tries", TABLE_TEXT, 0 },
+    };
+    struct table *table = table_new(TABLE_COLUMNS(columns));
+    c205_error error;
+    for (size_t i = 0; table && i < check->lesson->test_count; i++) {
+        if (!add_test(table, &check->lesson->tests[i], &error)) {
+            table_free(table);
+            return cmd_failed(check->arguments->command, "%s", error.message);
+        }
+    }
+    return results_show(check->results, table, "tests", "Tests");
+}
+
+/* ---- A lesson -------------------------------------------------------------- */
+
+int check_show(const struct check_command *check)
+{
+    const struct lesson *lesson = check->lesson;
+    const struct results *results = check->results;
+    if (results->json) {
+        json_text(results->json, "lesson", lesson->name);
+        json_text(results->json, "title", lesson->title);
+        json_text(results->json, "text", lesson->text);
+        json_text(results->json, "start", lesson->start);
+    }
+    if (results->file && results->format != RESULTS_CSV) {
+        fputs(lesson->text, results->file);
+    }
+    results_gap(results);
+    return show_tests(check);
+}
+
+int check_start(const struct check_command *check)
+{
+    const char *command = check->arguments->command;
+    const char *path = check->arguments->output;
+    c205_error error;
+    struct whole *whole = whole_open(path ? path : "-", &error);
+    if (!whole) {
+        return cmd_failed(command, "%s", error.message);
+    }
+    fputs(check->lesson->start, whole->file);
+    return whole_commit(whole, &error)
+               ? CMD_DONE
+               : cmd_failed(command, "%s", error.message);
+}

@@ -1,0 +1,45 @@
+; high-over-low.s - a tax of two rates, the high one stored over the low one, nothing linked.
+
+        .include "core.s"
+
+        .ifndef n
+        .equ    n, 6                    ; the tests have others
+        .endif
+
+        .data
+limit:  .word   1000.0
+low:    .word   0.25                    ; the rate up to the limit
+high:   .word   0.5                     ; and of what is above it
+income:
+        .rept   n
+        .word   500.0 * float(\+)
+        .endr
+tax:    .space  n
+above:  .space  1                       ; how many reach the limit, an integer
+        .bitvector rich, n
+        .code
+
+        .regs   r10, address, bound, low_rate, high_rate, excess, count
+        .regs   r20, incomes, taxes, riches
+
+        EX      address, limit
+        LOD     [address], bound
+        EX      address, low
+        LOD     [address], low_rate
+        EX      address, high
+        LOD     [address], high_rate
+        descriptor incomes, income, n
+        descriptor taxes, tax, n
+        descriptor riches, rich, n
+        CMPGEV  [incomes], bound, [riches]
+        SUBN    high_rate, low_rate, excess
+        MPYS    excess, bound, excess
+        MPYSV   [incomes], low_rate, [taxes]
+        MPYSV   [incomes], high_rate, [taxes] ? [riches]
+        SUBNV   [taxes], excess, [taxes] ? [riches]
+        CNTOB   [riches], count
+        EX      address, above
+        STO     [address], count
+        EXIT
+; expect: [tax] = 0.0, 125.0, 250.0, 500.0, 750.0, 1000.0
+; expect: [above] = 4

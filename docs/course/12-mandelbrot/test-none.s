@@ -1,0 +1,15 @@
+; test: all points have left when there are steps to come
+; tolerance: counts 0.1
+; tolerance: total 0.1
+        .equ    n, 3
+        .equ    most, 100
+        .warm
+        .data
+cx:     .word   1.0, 0.5, 2.0
+cy:     .word   1.0, 0.0, 2.0
+
+; 1 + i: |1 + i|^2 = 2, then 1 + 3 i.
+want_counts:
+        .word   2, 5, 1
+want_total:
+        .word   8.0

@@ -1,0 +1,72 @@
+; all-copied.s - the mean of 20 frames, and how many are above it: all are copied side by side in
+; the first pass, for the second one.
+
+        .include "core.s"
+
+        .ifndef n
+        .equ    n, 10                   ; numbers of a frame
+        .endif
+        .equ    COUNT, 20
+        .equ    PAGE, 65536
+
+        .data
+mean:   .space  n
+above:  .space  n
+copies: .space  COUNT * n
+        .bitvector higher, n
+frames: .rept   COUNT
+        .rept   n
+        .word   1.0 * (\+ % 7)
+        .endr
+        .space  PAGE - n
+        .endr
+        .code
+
+        .regs   r10, frame, copy, means, counts, bits, page, row, left, next_at
+        .regs   r20, one, share
+
+        descriptor frame, frames, n
+        descriptor copy, copies, n
+        descriptor means, mean, n
+        descriptor counts, above, n
+        descriptor bits, higher, n
+        EX      page, 64 * PAGE
+        EX      row, 64 * n
+        load_constant one, 1.0
+        load_constant share, 1.0 / COUNT
+
+; Do what stands between repeat and again so many times.
+        .macro  repeat count
+        ES      left, \count
+        EX      next_at, repeat\@
+repeat\@:
+        .endm
+
+        .macro  again
+        DBNZ    left, [next_at]
+        .endm
+
+        .macro  count_above frame
+        CMPLTV  [means], [\frame], [bits]
+        ADDNV   [counts], one, [counts] ? [bits]
+        .endm
+
+        .kernel mean
+        VTOV    r0, [means]
+        repeat  COUNT
+        ADDNV   [means], [frame], [means]
+        VTOV    [frame], [copy]
+        ADDX    frame, page, frame
+        ADDX    copy, row, copy
+        again
+        MPYSV   [means], share, [means]
+        .endkernel
+
+        .kernel above
+        VTOV    r0, [counts]
+        repeat  COUNT
+        SUBX    copy, row, copy
+        count_above copy
+        again
+        .endkernel
+        EXIT

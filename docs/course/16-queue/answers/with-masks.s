@@ -1,0 +1,125 @@
+; with-masks.s - how much of a scene is seen, and how far away it is: all in vectors, with all rays
+; for each sphere.
+;
+; Ray k runs along z from (x, y, 0), where x and y are the fractions of k STEP_X and k STEP_Y.
+; Of each sphere that it meets it finds the nearer point,
+;
+;   h = r^2 - (x - cx)^2 - (y - cy)^2,   z = cz - sqrt(h)   if h >= 0
+;
+; and keeps the least z.  seen counts the rays that met one, depth is the sum of their z.
+
+        .include "core.s"
+
+        .ifndef rays
+        .equ    rays, 1000
+        .equ    queue, 100              ; rays in the queue
+        .equ    bodies, 2
+        .endif
+        .equ    STEP_X, 648056.0 / 1048576
+        .equ    STEP_Y, 434334.0 / 1048576
+
+        .data
+spheres:                                ; cx, cy, cz, r^2 of each
+        .rept   bodies
+        .word   0.3, 0.4, 2.0 + \+, 0.05
+        .endr
+seen:   .word   0.0
+depth:  .word   0.0
+xs:     .space  queue
+ys:     .space  queue
+nearest:
+        .space  queue
+us:     .space  queue
+ss:     .space  queue
+        .bitvector meets, queue
+        .bitvector nearers, queue
+        .code
+
+        .regs   r10, left, length, body, body_at, next_body, place, record
+        .regs   r20, cx, cy, cz, radius2
+        .regs   r30, x, y, near, u, s, handed, bits, nearer
+        .regs   r50, step_x, step_y, first_x, first_y, big, stride_x, stride_y
+        .regs   r60, upper, lower, sum, count, total
+
+        load_constant step_x, STEP_X
+        load_constant step_y, STEP_Y
+        load_constant stride_x, queue * STEP_X
+        load_constant stride_y, queue * STEP_Y
+        load_constant first_x, 0.0
+        load_constant first_y, 0.0
+        load_constant big, 1e30
+        load_constant sum, 0.0
+        ES      total, 0
+        EX      left, rays
+        EX      record, 4 * 64
+        EX      next_body, a_body
+        EX      length, queue
+
+        .macro  vector name, address
+        EX      \name, \address
+        ADDLEN  \name, length, \name
+        .endm
+
+a_queue:
+        .kernel make
+        IBXGE   left, r0, length, full
+        RTOR    left, length            ; the last queue
+full:   vector  x, xs
+        vector  y, ys
+        vector  u, us
+        vector  s, ss
+        vector  handed, us              ; only a name
+        vector  near, nearest
+        vector  bits, meets
+        vector  nearer, nearers
+        INTVLV  first_x, step_x, [x]
+        FLRV    [x], [u]
+        SUBNV   [x], [u], [x]
+        INTVLV  first_y, step_y, [y]
+        FLRV    [y], [u]
+        SUBNV   [y], [u], [y]
+        ADDN    first_x, stride_x, first_x
+        ADDN    first_y, stride_y, first_y
+        VTOV    big, [near]
+        .endkernel
+
+        .kernel intersect
+        EX      body_at, spheres
+        ELEN    body_at, 4
+        ES      body, bodies
+a_body: SWAP    [body_at], cx, [r0]
+        ADDX    body_at, record, body_at
+        LINKV
+        SUBNV   [x], cx, [handed]
+        MPYSV   [handed], [handed], [s]
+        LINKV
+        SUBNV   [y], cy, [handed]
+        MPYSV   [handed], [handed], [u]
+        ADDNV   [s], [u], [s]
+        CMPGEV  radius2, [s], [bits]
+        SUBNV   radius2, [s], [s]
+        SQRTV   [s], [s] ? [bits]
+        SUBNV   cz, [s], [s]
+        CMPGEV  [s], [near], [nearer]
+        ANDNB   [bits], [nearer], [bits]
+        VTOV    [s], [near] ? [bits]
+        DBNZ    body, [next_body]
+        .endkernel
+
+        .kernel use
+        CMPLTV  [near], big, [bits]
+        SUMV    [near], upper ? [bits]
+        CNTOB   [bits], count
+        join_parts upper, lower, upper
+        ADDN    sum, upper, sum
+        ADDX    total, count, total
+        SUBX    left, length, left
+        IBXNE   left, r0, r0, again
+        ADDN    total, r0, total
+        EX      place, seen
+        STO     [place], total
+        EX      place, depth
+        STO     [place], sum
+        EXIT
+again:  BIM     a_queue
+        .endkernel

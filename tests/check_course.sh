@@ -1,0 +1,103 @@
+#!/bin/sh
+# check_course.sh BUILD - every lesson is what docs/grading.md says: its parts are there,
+# its program to complete assembles, runs and does not pass, its solution gets gold,
+# and other answers that it shows are right.
+set -u
+build=$(cd "$1" && pwd)
+. "$(dirname "$0")/count.sh"
+cd "$(dirname "$0")/.." || exit 1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+said=$work/said
+
+# c205 WORD ..: how it ended; what it printed goes to said.
+c205() {
+    "$build/c205" "$@" >"$said" 2>&1 </dev/null
+}
+
+# The headings of a text, and the summaries of its hints.
+headings() {
+    sed -n 's/^## \(Exercise\|Hints\|What to remember\)$/\1/p
+        s|^<details><summary>\(.* hint\)</summary>$|\1|p' "$1"
+}
+
+check_parts() { # FOLDER
+    for file in lesson.md start.s solution.s; do
+        [ -f "$1/$file" ]
+        verdict $? "$1 has no $file"
+    done
+    find "$1" -mindepth 1 ! -name '*.s' ! -name '*.inc' ! -name '*.svg' \
+        ! -name lesson.md ! -path "$1/answers" >"$said"
+    [ ! -s "$said" ]
+    verdict $? "$1 has what belongs to no lesson"
+    grep -q '^; goals:' "$1"/test-*.s
+    verdict $? "$1: no test has goals"
+    head -n 1 "$1/lesson.md" | grep -q '^# .'
+    verdict $? "$1/lesson.md: no title in its first line"
+    sed -n 2,3p "$1/lesson.md" | tr '\n' '|' | grep -q '^|[^#<|]'
+    verdict $? "$1/lesson.md: no paragraph below the title"
+    headings "$1/lesson.md" | diff - "$work/headings" >"$said"
+    verdict $? "$1/lesson.md: other headings or hints"
+    [ "$(grep -c '^</details>$' "$1/lesson.md")" -eq \
+        "$(grep -c '^<details><summary>' "$1/lesson.md")" ]
+    verdict $? "$1/lesson.md: hints without an end"
+}
+
+# The lesson by its name where it is built in, else by its folder.
+check_programs() { # FOLDER LESSON
+    for program in start solution; do
+        c205 asm "$1/$program.s" -o "$work/object" && [ ! -s "$said" ]
+        verdict $? "$1/$program.s does not assemble, or is warned of"
+        c205 run "$1/$program.s"
+        verdict $? "$1/$program.s does not run by itself"
+    done
+    c205 check "$2" "$1/start.s"
+    [ $? -eq 1 ] && grep -q -e ': not right (' -e 'too slow (' "$said"
+    verdict $? "$1/start.s is not graded, or passes"
+    c205 check "$2" "$1/solution.s" && grep -q ': passed, gold$' "$said"
+    verdict $? "$1/solution.s does not get gold"
+    for answer in "$1"/answers/*.s; do
+        [ -f "$answer" ] || continue
+        c205 check "$2" "$answer"
+        grep -q ': right' "$said" && ! grep -q ': not right (' "$said"
+        verdict $? "$answer is not right"
+    done
+    c205 check "$2"
+    verdict $? "$2 is not printed"
+}
+
+cat >"$work/headings" <<'END'
+Exercise
+Hints
+First hint
+Second hint
+Third hint
+What to remember
+END
+for folder in docs/course/*/ tests/lessons/*/; do
+    [ -d "$folder" ] || continue
+    folder=${folder%/}
+    lesson=${folder##*/}
+    expr "$lesson" : '[0-9][0-9]-[a-z][a-z0-9-]*$' >/dev/null
+    verdict $? "$folder is no name of a lesson"
+    check_parts "$folder"
+    case $folder in
+    docs/*) check_programs "$folder" "${lesson#*-}" ;;
+    *) check_programs "$folder" "$folder" ;;
+    esac
+done
+
+# Those that are built in are those that are there.
+c205 check --format csv
+sed 1d "$said" | cut -d, -f1,2 >"$work/built-in"
+for folder in docs/course/*/; do
+    [ -d "$folder" ] || continue
+    folder=${folder%/}
+    lesson=${folder##*/}
+    number=${lesson%%-*}
+    echo "${number#0},${lesson#*-}"
+done | diff - "$work/built-in" >"$said"
+verdict $? "other lessons are built in"
+[ "$(cut -d, -f1 "$work/built-in" | sort | uniq -d | wc -l)" -eq 0 ]
+verdict $? "two lessons have one number"
+counted

@@ -1,0 +1,51 @@
+/* fuzz_engine.c - any bytes as what a page asks: each line a request.  Whatever it is, the
+ * reply is JSON that says whether it could be done, and if not why.
+ */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/json_read.h"
+#include "web/engine/engine.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static void must(bool holds)
+{
+    if (!holds)
+        abort();
+}
+
+static void ask(struct engine *engine, const char *line, size_t length)
+{
+    char *text = engine_answer(engine, line, length);
+    struct arena arena = { 0 };
+    c205_error error;
+    const struct json_value *reply, *ok;
+
+    must(text);
+    reply = json_read(&arena, text, strlen(text), &error);
+    ok = json_member(reply, "ok");
+    must(ok && ok->kind == JSON_TRUTH);
+    must(ok->truth || json_member_text(reply, "error"));
+    arena_free(&arena);
+    free(text);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    enum { MOST = 20 }; /* requests */
+    struct engine *engine = engine_new();
+    const char *line = (const char *)data, *end = line + size;
+
+    must(engine);
+    engine_bound(engine, 100000);
+    for (int i = 0; i < MOST && line < end; i++) {
+        const char *newline = memchr(line, '\n', (size_t)(end - line));
+        const char *next = newline ? newline : end;
+
+        ask(engine, line, (size_t)(next - line));
+        line = next + 1;
+    }
+    engine_free(engine);
+    return 0;
+}

@@ -1,0 +1,278 @@
+#include "tests/unit/drawn_lesson.h"
+
+#include <inttypes.h>
+
+#include "tests/random.h"
+#include "tests/unit/asm_helper.h"
+
+static const struct {
+    unsigned width;
+    const char *directive, *work, *fault_work;
+} kinds[DRAWN_KINDS] = {
+    { 64, ".vector", "ADDNV   [xs], [xs], [ys]",
+      "ADDNV   [value], [value], [one]" },
+    { 32, ".halfvector", "ADDNV,H [xs], [xs], [ys]",
+      "ADDNV,H [value], [value], [one]" },
+    { 1, ".bitvector", "NANDB   [xs], [xs], [ys]",
+      "NANDB   [one], [one], [one]" },
+};
+
+double drawn_number(const struct drawn_lesson *drawn, c205_word element)
+{
+    return drawn->kind == DRAWN_WORDS    ? c205_to_double(element)
+           : drawn->kind == DRAWN_HALVES ? c205_half_to_double(element)
+                                         : (double)(element >> 63);
+}
+
+unsigned drawn_width(const struct drawn_lesson *drawn)
+{
+    return kinds[drawn->kind].width;
+}
+
+/* ---- Tests ----------------------------------------------------------------- */
+
+static c205_word element_of(const struct drawn_lesson *drawn, double number)
+{
+    return drawn->kind == DRAWN_WORDS    ? c205_from_double(number)
+           : drawn->kind == DRAWN_HALVES ? c205_half_from_double(number)
+                                         : (c205_word)(number != 0) << 63;
+}
+
+/* No two numbers are the same, or the same but for their sign; none is zero. */
+static void draw_elements(const struct drawn_lesson *drawn,
+                          struct drawn_test *test, uint64_t *state)
+{
+    for (size_t i = 0; i < test->n; i++) {
+        double number = (double)(50 * i
+                                 + (size_t)xorshift_between(state, 1, 49));
+
+        if (drawn->kind == DRAWN_BITS)
+            number = (double)(xorshift(state) & 1);
+        else if (xorshift(state) & 1)
+            number = -number;
+        test->x[i] = element_of(drawn, number);
+        test->wanted[i] = element_of(drawn, drawn->kind == DRAWN_BITS
+                                                ? 1 - number
+                                                : 2 * number);
+    }
+}
+
+static void draw_test(const struct drawn_lesson *drawn, size_t index,
+                      struct drawn_test *test, uint64_t *state)
+{
+    static const char *const models[] = { "cyber205-1pipe", "cyber205-2pipe",
+                                          "cyber205-4pipe",
+                                          C205_DEFAULT_MODEL };
+
+    *test = (struct drawn_test){
+        .n = (size_t)(DRAWN_TESTS
+                          * xorshift_between(state, 0,
+                                             DRAWN_LONGEST / DRAWN_TESTS - 1)
+                      + (int64_t)index + 1),
+        .warm = xorshift(state) & 1,
+        .has_goals = xorshift(state) & 1,
+        .tolerant = xorshift(state) % 4 == 0,
+        .model = models[xorshift(state) % 4],
+    };
+    draw_elements(drawn, test, state);
+}
+
+/* ---- The answer ------------------------------------------------------------ */
+
+static bool fits(const struct drawn_lesson *drawn)
+{
+    size_t n = drawn->tests[drawn->faulty].n;
+
+    switch (drawn->fault) {
+    case FAULT_LAST_BIT:
+    case FAULT_SIGN:
+    case FAULT_NOTHING: return drawn->kind != DRAWN_BITS;
+    case FAULT_LATE: return drawn->kind != DRAWN_BITS && n > 2;
+    case FAULT_BACKWARDS: return drawn->kind == DRAWN_WORDS && n > 1;
+    default: return true;
+    }
+}
+
+static void draw_found(struct drawn_lesson *drawn, uint64_t *state)
+{
+    const struct drawn_test *test = &drawn->tests[drawn->faulty];
+    c205_word wanted = test->wanted[drawn->element];
+    double number = drawn_number(drawn, wanted);
+
+    if (drawn->kind == DRAWN_BITS)
+        drawn->found = ~wanted & C205_MACHINE_ZERO;
+    else if (drawn->fault == FAULT_LAST_BIT)
+        drawn->found = wanted
+                       + (drawn->kind == DRAWN_WORDS ? 1 : UINT64_C(1) << 32);
+    else
+        drawn->found = element_of(drawn,
+                                  10000
+                                      + (double)xorshift_between(state, 0,
+                                                                 999)
+                                      + number);
+}
+
+/* Half of the number of an element, as digits of its word. */
+static void put_value(const struct drawn_lesson *drawn,
+                      const struct sink *sink)
+{
+    if (drawn->kind == DRAWN_WORDS)
+        sink_print(sink, "v:      .word   X'%016" PRIX64 "'\n",
+                   drawn->found - (UINT64_C(1) << 48));
+    else
+        sink_print(sink, "v:      .half   0x%08" PRIX64 "\n",
+                   (drawn->found - (UINT64_C(1) << 56)) >> 32);
+}
+
+static void put_fault(const struct drawn_lesson *drawn,
+                      const struct sink *sink)
+{
+    const char *work = kinds[drawn->kind].work;
+    unsigned width = kinds[drawn->kind].width;
+    const char *half = width == 32 ? ",H" : "";
+
+    switch (drawn->fault) {
+    case FAULT_NOTHING: return;
+    case FAULT_LATE:
+        sink_print(sink,
+                   "        descriptor xs, x, n - 1\n"
+                   "        descriptor ys, y + %u, n - 1\n        %s\n",
+                   width, work);
+        return;
+    case FAULT_BACKWARDS:
+        sink_put(sink, "        ADDNV   [xs], [xs], [xs]\n"
+                       "        VREVV   [xs], [ys]\n");
+        return;
+    case FAULT_SIGN:
+        for (int i = 0; i < 2; i++)
+            sink_print(sink, "        SUBNV%s [ys], [xs], [ys]\n", half);
+        return;
+    default: break;
+    }
+    for (size_t i = 0; i <= drawn->repeated; i++)
+        sink_print(sink, "        %s\n", work);
+    if (drawn->fault == FAULT_ELEMENT || drawn->fault == FAULT_LAST_BIT)
+        sink_print(sink,
+                   "        descriptor value, v, 1\n"
+                   "        descriptor one, y + %u * %zu, 1\n        %s\n",
+                   width, drawn->element, kinds[drawn->kind].fault_work);
+    if (drawn->fault == FAULT_TRAP)
+        sink_put(sink, "        LOD     [r0], value ; fault\n");
+    if (drawn->fault == FAULT_LOOP)
+        sink_put(sink, "here:   BIM     here ; fault\n");
+}
+
+static void write_answer(struct drawn_lesson *drawn)
+{
+    const char *directive = kinds[drawn->kind].directive;
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+
+    sink_print(&sink,
+               "        .include \"core.s\"\n        .ifndef n\n"
+               "        .equ    n, 5\n        .endif\n"
+               "        .regs   r16, xs, ys, one, value\n        .data\n"
+               "        %s x, n\n        %s y, n\n",
+               directive, directive);
+    put_value(drawn, &sink);
+    sink_print(&sink,
+               "        .code\n        descriptor xs, x, n\n"
+               "        descriptor ys, y, n\n        .if n == %zu\n",
+               drawn->tests[drawn->faulty].n);
+    put_fault(drawn, &sink);
+    sink_print(&sink,
+               "        .else\n        %s\n        .endif\n        EXIT\n",
+               kinds[drawn->kind].work);
+    assert_true(text.length < sizeof drawn->answer);
+    strcpy(drawn->answer, text.text);
+    text_buffer_free(&text);
+}
+
+void draw_lesson(struct drawn_lesson *drawn, uint64_t *state)
+{
+    drawn->kind = (enum drawn_kind)(xorshift(state) % DRAWN_KINDS);
+    drawn->count = 1 + xorshift(state) % DRAWN_TESTS;
+    for (size_t i = 0; i < drawn->count; i++)
+        draw_test(drawn, i, &drawn->tests[i], state);
+    do {
+        drawn->fault = (enum drawn_fault)(xorshift(state) % DRAWN_FAULTS);
+        drawn->faulty = xorshift(state) % drawn->count;
+    } while (!fits(drawn));
+    drawn->element = xorshift(state) % drawn->tests[drawn->faulty].n;
+    drawn->repeated = drawn->fault == FAULT_NONE ? xorshift(state) % 20 : 0;
+    draw_found(drawn, state);
+    write_answer(drawn);
+}
+
+/* ---- The folder ------------------------------------------------------------ */
+
+static void put_elements(const struct drawn_lesson *drawn, const char *label,
+                         const c205_word *elements, size_t n,
+                         const struct sink *sink)
+{
+    if (drawn->kind == DRAWN_BITS)
+        sink_print(sink, "        .bitvector %s, %zu, \"", label, n);
+    else
+        sink_print(sink, "%s:\n", label);
+    for (size_t i = 0; i < n; i++)
+        if (drawn->kind == DRAWN_BITS)
+            sink_print(sink, "%d", (int)(elements[i] >> 63));
+        else if (drawn->kind == DRAWN_HALVES)
+            sink_print(sink, "        .half   0x%08" PRIX64 "\n",
+                       elements[i] >> 32);
+        else
+            sink_print(sink, "        .word   X'%016" PRIX64 "'\n",
+                       elements[i]);
+    sink_put(sink, drawn->kind == DRAWN_BITS ? "\"\n" : "");
+}
+
+static void put_test(const struct drawn_lesson *drawn,
+                     const struct drawn_test *test, const struct sink *sink)
+{
+    sink_print(sink, "; test: so many as %zu\n; expect-model: %s\n", test->n,
+               test->model);
+    if (test->tolerant)
+        sink_put(sink, "; tolerance: y 1e-3\n");
+    if (test->has_goals)
+        sink_print(sink,
+                   ";goals: bronze %" PRIu64 ",gold %" PRIu64
+                   " , silver %" PRIu64 "\n",
+                   test->goals[MEDAL_BRONZE], test->goals[MEDAL_GOLD],
+                   test->goals[MEDAL_SILVER]);
+    sink_print(sink, "        .equ    n, %zu\n%s        .data\n", test->n,
+               test->warm ? "        .warm\n" : "");
+    put_elements(drawn, "want_y", test->wanted, test->n, sink);
+    sink_put(sink, "        .align  64\n");
+    put_elements(drawn, "x", test->x, test->n, sink);
+}
+
+static void take(struct lesson *lesson, const char *file, const char *text)
+{
+    c205_error error;
+
+    if (!lesson_take(lesson, file, text, strlen(text), &error))
+        fail_msg("%s\n%s", error.message, text);
+}
+
+void drawn_open(const struct drawn_lesson *drawn, struct lesson *lesson)
+{
+    c205_error error;
+
+    *lesson = (struct lesson){ 0 };
+    assert_true(lesson_begin(lesson, "07-drawn", &error));
+    for (size_t i = 0; i < drawn->count; i++) {
+        char file[] = "test-0.s";
+        struct text_buffer text = { 0 };
+        struct sink sink = text_buffer_sink(&text);
+
+        file[5] = (char)(file[5] + (int)i);
+        put_test(drawn, &drawn->tests[i], &sink);
+        take(lesson, file, text.text);
+        text_buffer_free(&text);
+    }
+    take(lesson, "start.s", "        EXIT\n");
+    take(lesson, "solution.s", "nothing of it is read\n");
+    take(lesson, "lesson.md", "# Drawn by chance\n\nText.\n");
+    if (!lesson_end(lesson, &error))
+        fail_msg("%s", error.message);
+}

@@ -1,0 +1,57 @@
+/* drawn_lesson.h - lessons by chance, and answers of which it is known what is wrong.
+ *
+ * The exercise is y := 2 x (of bits: y := not x), n elements of one kind.  An answer does the
+ * work in all tests but one, and there something else.
+ */
+#ifndef TESTS_DRAWN_LESSON_H
+#define TESTS_DRAWN_LESSON_H
+
+#include "asm/lesson/lesson.h"
+
+enum { DRAWN_LONGEST = 60, DRAWN_TESTS = 3 };
+
+enum drawn_kind { DRAWN_WORDS, DRAWN_HALVES, DRAWN_BITS, DRAWN_KINDS };
+
+enum drawn_fault {
+    FAULT_NONE, /* the work is done over and over, though */
+    FAULT_ELEMENT,
+    FAULT_LAST_BIT,
+    FAULT_NOTHING,
+    FAULT_LATE,
+    FAULT_BACKWARDS,
+    FAULT_SIGN,
+    FAULT_TRAP,
+    FAULT_LOOP,
+    DRAWN_FAULTS
+};
+
+struct drawn_test {
+    size_t n; /* no other test has as many */
+    bool warm, has_goals, tolerant;
+    const char *model;
+    c205_word x[DRAWN_LONGEST],
+        wanted[DRAWN_LONGEST]; /* at the left of a word */
+    uint64_t goals[MEDALS];
+};
+
+struct drawn_lesson {
+    enum drawn_kind kind;
+    size_t count;
+    struct drawn_test tests[DRAWN_TESTS];
+    /* The answer. */
+    enum drawn_fault fault;
+    size_t faulty, element,
+        repeated;    /* in which test, where, how often more */
+    c205_word found; /* there, of FAULT_ELEMENT and FAULT_LAST_BIT */
+    char answer[4096];
+};
+
+/* All but the goals. */
+void draw_lesson(struct drawn_lesson *drawn, uint64_t *random_state);
+/* The folder as it would be on disk; fails the test where that is refused. */
+void drawn_open(const struct drawn_lesson *drawn, struct lesson *lesson);
+
+double drawn_number(const struct drawn_lesson *drawn, c205_word element);
+unsigned drawn_width(const struct drawn_lesson *drawn);
+
+#endif

@@ -1,0 +1,119 @@
+#include "tests/unit/talking_engine.h"
+
+#include "base/json.h"
+
+void talk_begin(struct talk *talk)
+{
+    *talk = (struct talk){ .engine = engine_new() };
+    assert_non_null(talk->engine);
+}
+
+static void forget(struct talk *talk)
+{
+    free(talk->text);
+    arena_free(&talk->arena);
+    talk->arena = (struct arena){ 0 };
+}
+
+void talk_end(struct talk *talk)
+{
+    forget(talk);
+    engine_free(talk->engine);
+}
+
+const struct json_value *talk_bytes(struct talk *talk, const char *request,
+                                    size_t length)
+{
+    const struct json_value *ok;
+    c205_error error;
+
+    forget(talk);
+    talk->text = engine_answer(talk->engine, request, length);
+    assert_non_null(talk->text);
+    talk->reply = json_read(&talk->arena, talk->text, strlen(talk->text),
+                            &error);
+    if (!talk->reply)
+        fail_msg("%.*s\n%s: %s", (int)length, request, talk->text,
+                 error.message);
+    ok = json_member(talk->reply, "ok");
+    assert_non_null(ok);
+    assert_int_equal(ok->kind, JSON_TRUTH);
+    if (!ok->truth)
+        assert_true(*text_of(talk->reply, "error"));
+    return talk->reply;
+}
+
+const struct json_value *talk_ask(struct talk *talk, const char *format, ...)
+{
+    static char request[1 << 16];
+    va_list arguments;
+    int length;
+
+    va_start(arguments, format);
+    length = vsnprintf(request, sizeof request, format, arguments);
+    va_end(arguments);
+    assert_true(length > 0 && (size_t)length < sizeof request);
+    talk_bytes(talk, request, (size_t)length);
+    if (!json_member_truth(talk->reply, "ok", false))
+        fail_msg("%s\n%s", request, talk->text);
+    return talk->reply;
+}
+
+void talk_refused(struct talk *talk, const char *why, const char *format, ...)
+{
+    char request[4096];
+    va_list arguments;
+    int length;
+
+    va_start(arguments, format);
+    length = vsnprintf(request, sizeof request, format, arguments);
+    va_end(arguments);
+    talk_bytes(talk, request, (size_t)length);
+    if (json_member_truth(talk->reply, "ok", true)
+        || !strstr(text_of(talk->reply, "error"), why))
+        fail_msg("%s\n%s, not %s", request, talk->text, why);
+}
+
+const struct json_value *talk_load(struct talk *talk, const char *text,
+                                   const char *more)
+{
+    struct text_buffer line = { .text = NULL };
+    c205_error error;
+    struct json *json = json_open_line(&line, &error);
+
+    json_text(json, "do", "load");
+    json_text(json, "text", text);
+    assert_true(json_close(json, &error));
+    line.text[line.length - 1] = '\0';
+    talk_ask(talk, "%s%s}", line.text, more);
+    text_buffer_free(&line);
+    return talk->reply;
+}
+
+double number_of(const struct json_value *object, const char *key)
+{
+    const struct json_value *value = json_member(object, key);
+
+    if (!value || value->kind != JSON_NUMBER)
+        fail_msg("'%s' is no number", key);
+    return value->number;
+}
+
+const char *text_of(const struct json_value *object, const char *key)
+{
+    const char *text = json_member_text(object, key);
+
+    if (!text)
+        fail_msg("'%s' is no text", key);
+    return text;
+}
+
+size_t items_of(const struct json_value *list)
+{
+    size_t length = 0;
+
+    for (const struct json_value *item = list ? list->first : NULL; item;
+         item = item->next)
+        length++;
+    return length;
+}

@@ -1,0 +1,38 @@
+/* talking_engine.h - an engine that is asked, and its replies read. */
+#ifndef TESTS_TALKING_ENGINE_H
+#define TESTS_TALKING_ENGINE_H
+
+#include "base/json_read.h"
+#include "tests/unit/asm_helper.h"
+#include "web/engine/engine.h"
+
+struct talk {
+    struct engine *engine;
+    struct arena arena;             /* of the last reply */
+    char *text;                     /* .. as it came */
+    const struct json_value *reply; /* .. read */
+};
+
+void talk_begin(struct talk *talk);
+void talk_end(struct talk *talk);
+
+/* Any bytes.  The reply is JSON, "ok" is true or false, and there is an error where it is
+ * false. */
+const struct json_value *talk_bytes(struct talk *talk, const char *request,
+                                    size_t length);
+/* One that can be answered; while it is not done there is more. */
+const struct json_value *talk_ask(struct talk *talk, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+/* One that cannot, for a reason that has this in it. */
+void talk_refused(struct talk *talk, const char *why, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+/* more: further members, each behind a comma. */
+const struct json_value *talk_load(struct talk *talk, const char *text,
+                                   const char *more);
+
+/* A member that is a number, or a text; one that is missing is a failure. */
+double number_of(const struct json_value *object, const char *key);
+const char *text_of(const struct json_value *object, const char *key);
+size_t items_of(const struct json_value *list);
+
+#endif

@@ -1,0 +1,762 @@
+/* test_lesson.c - of answers drawn by chance a verdict says what was done to them, and nothing
+ * else; their clocks are those of plain runs. */
+#include <inttypes.h>
+#include <math.h>
+
+#include "asm/line_profile.h"
+#include "base/accounts.h"
+#include "base/json_read.h"
+#include "tests/random.h"
+#include "tests/unit/asm_helper.h"
+#include "tests/unit/drawn_lesson.h"
+
+static uint64_t random_state = RANDOM_SEED;
+static size_t tries = 150;
+
+/* ---- Plain runs ------------------------------------------------------------ */
+
+/* An answer in a test, without the grader. */
+struct plain_trial {
+    struct object *object;
+    c205_model *model;
+    c205 *machine;
+    struct line_profile *profile;
+    c205_stop stop;
+};
+
+static void put_inputs(const struct drawn_lesson *drawn,
+                       const struct drawn_test *test,
+                       struct plain_trial *plain)
+{
+    const struct asm_symbol *x = object_symbol(plain->object, "x");
+    unsigned width = drawn_width(drawn);
+
+    for (size_t i = 0; i < test->n; i++) {
+        uint64_t at = (uint64_t)x->value + i * width;
+        c205_word word;
+
+        assert_true(c205_read(plain->machine, at / 64 * 64, &word, 1));
+        word |= test->x[i] >> at % 64;
+        c205_write(plain->machine, at / 64 * 64, &word, 1);
+    }
+}
+
+static void run_plainly(const struct drawn_lesson *drawn,
+                        const struct drawn_test *test,
+                        struct plain_trial *plain)
+{
+    struct asm_define defines[] = { { "n", (int64_t)test->n }, { NULL, 0 } };
+    struct asm_options options = { .defines = defines };
+    struct diagnostics errors = { 0 };
+    c205_error error;
+
+    plain->object = assemble_text("my.s", drawn->answer, &options, &errors);
+    if (!plain->object)
+        fail_msg("%s\n%s", errors.items[0].message, drawn->answer);
+    diagnostics_free(&errors);
+    plain->model = c205_model_find(test->model, &error);
+    plain->machine = c205_new(plain->model, &error);
+    plain->profile = line_profile_new(plain->object);
+    assert_true(c205_load(plain->machine, &plain->object->program, &error));
+    put_inputs(drawn, test, plain);
+    if (test->warm)
+        c205_warm(plain->machine);
+    c205_listen(plain->machine, line_profile_listen, plain->profile);
+    plain->stop = c205_run(plain->machine, 100000);
+}
+
+static void plain_free(struct plain_trial *plain)
+{
+    line_profile_free(plain->profile);
+    c205_free(plain->machine);
+    c205_model_free(plain->model);
+    object_free(plain->object);
+}
+
+/* ---- Goals ----------------------------------------------------------------- */
+
+static uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+/* So that so many clocks get this medal, often at the last clock. */
+static void draw_goals(struct drawn_test *test, uint64_t clocks,
+                       enum medal medal)
+{
+    uint64_t below_it = clocks - 1, above_it = clocks;
+
+    for (int i = (int)medal; i > MEDAL_NONE; i--) {
+        above_it += below(2) * below(100);
+        test->goals[i] = above_it;
+    }
+    for (int i = (int)medal + 1; i < MEDALS; i++) {
+        if (below(2))
+            below_it -= below(below_it);
+        test->goals[i] = below_it;
+    }
+}
+
+/* ---- What is to be said ---------------------------------------------------- */
+
+static void say_value(const struct drawn_lesson *drawn, c205_word element,
+                      const struct sink *sink)
+{
+    char text[C205_TEXT_SIZE];
+
+    if (drawn->kind == DRAWN_BITS)
+        strcpy(text, element ? "1" : "0");
+    else if (drawn->kind == DRAWN_HALVES)
+        c205_half_to_text(element, text);
+    else
+        c205_to_text(element, text);
+    sink_put(sink, text);
+}
+
+static void say_element(const struct drawn_lesson *drawn, c205_word found,
+                        c205_word wanted, const struct sink *sink)
+{
+    sink_put(sink, " is ");
+    say_value(drawn, found, sink);
+    sink_put(sink, " and should be ");
+    say_value(drawn, wanted, sink);
+}
+
+/* What the answer leaves at an element. */
+static c205_word found_at(const struct drawn_lesson *drawn, size_t i)
+{
+    const struct drawn_test *test = &drawn->tests[drawn->faulty];
+
+    switch (drawn->fault) {
+    case FAULT_NOTHING: return 0;
+    case FAULT_LATE: return i > 0 ? test->wanted[i - 1] : 0;
+    case FAULT_BACKWARDS: return test->wanted[test->n - 1 - i];
+    case FAULT_SIGN:
+        return drawn->kind == DRAWN_WORDS
+                   ? c205_from_double(-c205_to_double(test->wanted[i]))
+                   : c205_half_from_double(
+                       -c205_half_to_double(test->wanted[i]));
+    case FAULT_ELEMENT:
+    case FAULT_LAST_BIT:
+        return i == drawn->element ? drawn->found : test->wanted[i];
+    default: return test->wanted[i];
+    }
+}
+
+static bool is_near(const struct drawn_lesson *drawn, c205_word found,
+                    c205_word wanted)
+{
+    return found == wanted
+           || (drawn->tests[drawn->faulty].tolerant
+               && fabs(drawn_number(drawn, found)
+                       - drawn_number(drawn, wanted))
+                      <= c205_to_double(c205_from_double(1e-3)));
+}
+
+static size_t count_wrong(const struct drawn_lesson *drawn)
+{
+    const struct drawn_test *test = &drawn->tests[drawn->faulty];
+    size_t wrong = 0;
+
+    for (size_t i = 0; i < test->n; i++)
+        wrong += !is_near(drawn, found_at(drawn, i), test->wanted[i]);
+    return wrong;
+}
+
+static void say_wrong(const struct drawn_lesson *drawn, size_t wrong,
+                      const struct sink *sink)
+{
+    const struct drawn_test *test = &drawn->tests[drawn->faulty];
+    size_t told = 0;
+
+    if (test->n == 1) {
+        sink_put(sink, "y");
+        say_element(drawn, found_at(drawn, 0), test->wanted[0], sink);
+        sink_put(sink, ".");
+        return;
+    }
+    if (wrong == test->n && wrong == 2)
+        sink_put(sink, "Both elements of y are");
+    else if (wrong == test->n)
+        sink_print(sink, "All %zu elements of y are", test->n);
+    else
+        sink_print(sink, "%zu of the %zu elements of y %s", wrong, test->n,
+                   wrong == 1 ? "is" : "are");
+    sink_put(sink, " wrong: element");
+    for (size_t i = 0; i < test->n && told < 3; i++) {
+        if (is_near(drawn, found_at(drawn, i), test->wanted[i]))
+            continue;
+        sink_print(sink, "%s %zu", told++ ? "," : "", i);
+        say_element(drawn, found_at(drawn, i), test->wanted[i], sink);
+    }
+    if (wrong > told)
+        sink_print(sink, ", and %zu more", wrong - told);
+    sink_put(sink, " (counted from 0).");
+}
+
+/* Bits that are flipped by chance look like many things. */
+static const char *likeness_of(const struct drawn_lesson *drawn)
+{
+    static const char *const sentences[DRAWN_FAULTS] = {
+        [FAULT_ELEMENT] = "",
+        [FAULT_LAST_BIT] = "  Only the last bits are wrong: other "
+                           "operations, or the same in another order, round "
+                           "otherwise.",
+        [FAULT_NOTHING] = "  It holds what it held before the run: nothing "
+                          "was stored there, or nothing new.",
+        [FAULT_LATE] = "  The right elements stand one place too far behind: "
+                       "element 1 has what element 0 should have.",
+        [FAULT_BACKWARDS] = "  The right elements stand there from back to "
+                            "front.",
+        [FAULT_SIGN] = "  The sign is wrong.",
+    };
+
+    return drawn->kind == DRAWN_BITS ? NULL : sentences[drawn->fault];
+}
+
+static size_t fault_line(const struct drawn_lesson *drawn)
+{
+    const char *at = drawn->answer, *fault = strstr(at, "; fault");
+    size_t line = 1;
+
+    for (; at < fault; at++)
+        line += *at == '\n';
+    return line;
+}
+
+/* ---- What was said --------------------------------------------------------- */
+
+static void check_begins(const struct drawn_lesson *drawn,
+                         const struct lesson_trial *trial, size_t sentence,
+                         const char *wanted)
+{
+    if (sentence >= trial->report.count)
+        fail_msg("'%s' is not said\n%s", wanted, drawn->answer);
+    if (strncmp(trial->report.sentences[sentence], wanted, strlen(wanted))
+        != 0)
+        fail_msg("'%s' is said for '%s'\n%s",
+                 trial->report.sentences[sentence], wanted, drawn->answer);
+}
+
+static void check_wrong(const struct drawn_lesson *drawn,
+                        const struct lesson_trial *trial)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    const char *likeness = likeness_of(drawn);
+
+    say_wrong(drawn, count_wrong(drawn), &sink);
+    sink_put(&sink, likeness ? likeness : "");
+    assert_false(trial->right);
+    assert_int_equal(trial->report.count, 1);
+    check_begins(drawn, trial, 0, text.text);
+    if (likeness)
+        assert_string_equal(trial->report.sentences[0], text.text);
+    text_buffer_free(&text);
+}
+
+static void check_trap(const struct drawn_lesson *drawn,
+                       const struct lesson_trial *trial,
+                       const struct plain_trial *plain)
+{
+    char wanted[200];
+
+    assert_int_equal(trial->report.count, 1);
+    snprintf(wanted, sizeof wanted,
+             "It was stopped by a trap:\nmy.s:%zu:9: error: trap "
+             "unmapped-address",
+             fault_line(drawn));
+    check_begins(drawn, trial, 0, wanted);
+    assert_int_equal(trial->clocks, c205_clock(plain->machine));
+}
+
+static void check_loop(const struct drawn_lesson *drawn,
+                       const struct lesson_trial *trial)
+{
+    char wanted[200];
+
+    assert_int_equal(trial->report.count, 1);
+    snprintf(wanted, sizeof wanted,
+             "It had not ended after %" PRIu64
+             " clocks: is this an endless loop?  It was in line %zu then: "
+             "here:   BIM     here ; fault",
+             trial->clocks, fault_line(drawn));
+    check_begins(drawn, trial, 0, wanted);
+}
+
+/* ---- Slow ones ------------------------------------------------------------- */
+
+static uint64_t clocks_of(const struct profile_row *row)
+{
+    uint64_t sum = 0;
+
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        sum += row->clocks[cause];
+    return sum;
+}
+
+static void check_cause(const struct drawn_lesson *drawn,
+                        const struct lesson_trial *trial,
+                        const struct plain_trial *plain)
+{
+    struct accounts accounts = { .model = plain->model };
+    c205_account all;
+    char wanted[200];
+    int most = 0;
+
+    assert_true(accounts_add(&accounts, plain->machine));
+    all = accounts_together(&accounts);
+    for (int cause = 1; cause < C205_CAUSES; cause++)
+        if (all.clocks[cause] > all.clocks[most])
+            most = cause;
+    snprintf(wanted, sizeof wanted,
+             "Most of that is %s: %" PRIu64 " clocks, %.0f %%.  ",
+             c205_cause_name((c205_cause)most), all.clocks[most],
+             floor(100.0 * (double)all.clocks[most] / (double)trial->clocks
+                   + 0.5));
+    check_begins(drawn, trial, 1, wanted);
+    accounts_free(&accounts);
+}
+
+/* Each line told is one of the profile's, and no line that is not
+ * told took more. */
+static void check_lines(const struct drawn_lesson *drawn,
+                        const struct lesson_trial *trial,
+                        const struct plain_trial *plain)
+{
+    size_t told = 0;
+    uint64_t least = UINT64_MAX;
+
+    for (size_t i = 2; i < trial->report.count; i++) {
+        size_t number = 0, before = told;
+        uint64_t clocks = 0;
+
+        assert_int_equal(sscanf(trial->report.sentences[i],
+                                "Line %zu took %" SCNu64 " clocks", &number,
+                                &clocks),
+                         2);
+        for (size_t k = 0; k < line_profile_count(plain->profile); k++)
+            told += line_profile_row(plain->profile, k)->number == number
+                    && clocks_of(line_profile_row(plain->profile, k))
+                           == clocks;
+        if (told == before || clocks > least)
+            fail_msg("%s\n%s", trial->report.sentences[i], drawn->answer);
+        least = clocks;
+    }
+    assert_in_range(told, 1, 3);
+    for (size_t k = 0; told < 3 && k < line_profile_count(plain->profile);
+         k++) {
+        const struct profile_row *row = line_profile_row(plain->profile, k);
+
+        if (row->file && 10 * clocks_of(row) >= trial->clocks)
+            assert_true(clocks_of(row) >= least);
+    }
+}
+
+static void check_slow(const struct drawn_lesson *drawn,
+                       const struct lesson_trial *trial,
+                       const struct plain_trial *plain)
+{
+    uint64_t goal = trial->test->goals[trial->medal + 1];
+    char wanted[200];
+
+    snprintf(wanted, sizeof wanted,
+             "It took %" PRIu64 " clocks, %" PRIu64 " more than the %" PRIu64
+             " of %s.",
+             trial->clocks, trial->clocks - goal, goal,
+             medal_name(trial->medal + 1));
+    check_begins(drawn, trial, 0, wanted);
+    check_cause(drawn, trial, plain);
+    check_lines(drawn, trial, plain);
+}
+
+static void check_right(const struct drawn_lesson *drawn,
+                        const struct lesson_trial *trial,
+                        const struct plain_trial *plain, enum medal medal)
+{
+    if (!trial->right)
+        fail_msg("%s\n%s", trial->report.sentences[0], drawn->answer);
+    assert_int_equal(trial->clocks, c205_clock(plain->machine));
+    assert_int_equal(trial->medal,
+                     trial->test->has_goals ? medal : MEDAL_NONE);
+    assert_int_equal(trial->passed, !trial->test->has_goals || medal);
+    if (trial->test->has_goals && medal != MEDAL_GOLD)
+        check_slow(drawn, trial, plain);
+    else
+        assert_int_equal(trial->report.count, 0);
+}
+
+/* ---- Verdicts -------------------------------------------------------------- */
+
+static const struct lesson_trial *
+trial_of(const struct lesson_verdict *verdict, size_t n)
+{
+    char tries_text[40];
+
+    snprintf(tries_text, sizeof tries_text, "so many as %zu", n);
+    for (size_t i = 0; i < verdict->count; i++)
+        if (strcmp(verdict->trials[i].test->tries, tries_text) == 0)
+            return &verdict->trials[i];
+    fail_msg("no trial %s", tries_text);
+    return NULL;
+}
+
+static const struct json_value *nth(const struct json_value *value, size_t n)
+{
+    while (n-- > 0)
+        value = value->next;
+    return value;
+}
+
+static void check_texts(const struct lesson_report *report,
+                        const struct json_value *object)
+{
+    const struct json_value *text = json_member_first(object, "report");
+
+    for (size_t i = 0; i < report->count; i++, text = text->next)
+        assert_string_equal(text->text, report->sentences[i]);
+    assert_null(text);
+}
+
+static void check_json(const struct lesson_verdict *verdict)
+{
+    struct text_buffer line = { 0 };
+    struct arena arena = { 0 };
+    const struct json_value *read, *test;
+    c205_error error;
+    struct json *json = json_open_line(&line, &error);
+
+    lesson_verdict_json(verdict, json);
+    assert_true(json_close(json, &error));
+    read = json_read(&arena, line.text, line.length, &error);
+    assert_non_null(read);
+    assert_string_equal(json_member_text(read, "lesson"), "drawn");
+    assert_string_equal(json_member_text(read, "title"), "Drawn by chance");
+    assert_string_equal(json_member_text(read, "answer"), "my.s");
+    assert_string_equal(json_member_text(read, "medal"),
+                        medal_name(verdict->medal));
+    assert_int_equal(json_member_truth(read, "passed", false),
+                     verdict->passed);
+    assert_int_equal(json_member(read, "clocks")->number, verdict->clocks);
+    check_texts(&verdict->report, read);
+    for (size_t i = 0; i < verdict->count; i++) {
+        const struct lesson_trial *trial = &verdict->trials[i];
+
+        test = nth(json_member_first(read, "tests"), i);
+        assert_string_equal(json_member_text(test, "name"),
+                            trial->test->name);
+        assert_int_equal(json_member_truth(test, "right", false),
+                         trial->right);
+        assert_int_equal(json_member(test, "clocks")->number, trial->clocks);
+        check_texts(&trial->report, test);
+        if (trial->test->has_goals)
+            assert_int_equal(json_member(json_member(test, "goals"), "silver")
+                                 ->number,
+                             trial->test->goals[MEDAL_SILVER]);
+        else
+            assert_null(json_member_first(test, "goals"));
+    }
+    arena_free(&arena);
+    text_buffer_free(&line);
+}
+
+static void check_whole(const struct lesson_verdict *verdict)
+{
+    enum medal worst = MEDAL_GOLD;
+    bool passed = true, goals = false;
+    uint64_t slowest = 0;
+
+    for (size_t i = 0; i < verdict->count; i++) {
+        const struct lesson_trial *trial = &verdict->trials[i];
+
+        passed = passed && trial->passed;
+        if (i > 0)
+            assert_true(trial->test->has_goals
+                        >= verdict->trials[i - 1].test->has_goals);
+        if (!trial->test->has_goals)
+            continue;
+        goals = true;
+        worst = trial->medal < worst ? trial->medal : worst;
+        if (trial->right && trial->clocks > slowest)
+            slowest = trial->clocks;
+    }
+    assert_int_equal(verdict->passed, passed);
+    assert_int_equal(verdict->medal, passed && goals ? worst : MEDAL_NONE);
+    assert_int_equal(verdict->clocks, slowest);
+    check_json(verdict);
+}
+
+static void check_trial(const struct drawn_lesson *drawn, size_t index,
+                        const struct lesson_trial *trial,
+                        const struct plain_trial *plain, enum medal medal)
+{
+    bool faulty = index == drawn->faulty;
+
+    if (faulty && drawn->fault == FAULT_TRAP)
+        check_trap(drawn, trial, plain);
+    else if (faulty && drawn->fault == FAULT_LOOP)
+        check_loop(drawn, trial);
+    else if (faulty && count_wrong(drawn) > 0)
+        check_wrong(drawn, trial);
+    else
+        check_right(drawn, trial, plain, medal);
+}
+
+static void grade(struct lesson_verdict *verdict, const struct lesson *lesson,
+                  const char *answer)
+{
+    c205_error error;
+
+    *verdict = (struct lesson_verdict){ 0 };
+    if (!lesson_grade(verdict, lesson, "my.s", answer, strlen(answer),
+                      &error))
+        fail_msg("%s\n%s", error.message, answer);
+}
+
+static void check_drawn(struct drawn_lesson *drawn)
+{
+    struct plain_trial plain[DRAWN_TESTS];
+    enum medal medals[DRAWN_TESTS];
+    struct lesson lesson;
+    struct lesson_verdict verdict;
+
+    for (size_t i = 0; i < drawn->count; i++) {
+        run_plainly(drawn, &drawn->tests[i], &plain[i]);
+        medals[i] = (enum medal)below(MEDALS);
+        draw_goals(&drawn->tests[i], c205_clock(plain[i].machine), medals[i]);
+    }
+    drawn_open(drawn, &lesson);
+    grade(&verdict, &lesson, drawn->answer);
+    for (size_t i = 0; i < drawn->count; i++)
+        check_trial(drawn, i, trial_of(&verdict, drawn->tests[i].n),
+                    &plain[i], medals[i]);
+    check_whole(&verdict);
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+    for (size_t i = 0; i < drawn->count; i++)
+        plain_free(&plain[i]);
+}
+
+static void test_drawn(void **state)
+{
+    size_t seen[DRAWN_FAULTS] = { 0 };
+
+    (void)state;
+    for (size_t i = 0; i < tries; i++) {
+        struct drawn_lesson drawn = { 0 };
+
+        draw_lesson(&drawn, &random_state);
+        check_drawn(&drawn);
+        seen[drawn.fault]++;
+    }
+    for (int i = 0; i < DRAWN_FAULTS; i++)
+        assert_true(seen[i] > tries / 100);
+}
+
+/* ---- What all tests would say ---------------------------------------------- */
+
+/* The n at which a text stands first is replaced. */
+static char *with(const char *answer, const char *old, const char *new)
+{
+    const char *at = strstr(answer, old);
+    char *text = calloc(1, strlen(answer) + strlen(new) + 1);
+
+    assert_non_null(at);
+    memcpy(text, answer, (size_t)(at - answer));
+    strcat(text, new);
+    strcat(text, at + strlen(old));
+    return text;
+}
+
+static void check_said(const struct drawn_lesson *drawn, const char *old,
+                       const char *new, bool of_all, const char *wanted)
+{
+    struct lesson lesson;
+    struct lesson_verdict verdict;
+    char *answer = with(drawn->answer, old, new);
+    const struct lesson_report *report;
+
+    drawn_open(drawn, &lesson);
+    grade(&verdict, &lesson, answer);
+    report = of_all ? &verdict.report
+                    : &trial_of(&verdict, drawn->tests[0].n)->report;
+    assert_int_equal(verdict.graded, !of_all);
+    assert_false(verdict.passed);
+    if (report->count != 1
+        || strncmp(report->sentences[0], wanted, strlen(wanted)) != 0)
+        fail_msg("'%s' for '%s'\n%s",
+                 report->count ? report->sentences[0] : "nothing", wanted,
+                 answer);
+    check_json(&verdict);
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+    free(answer);
+}
+
+static void draw_right_words(struct drawn_lesson *drawn)
+{
+    do
+        draw_lesson(drawn, &random_state);
+    while (drawn->fault != FAULT_NONE || drawn->kind != DRAWN_WORDS
+           || drawn->tests[0].n == 1);
+    for (size_t i = 0; i < drawn->count; i++)
+        drawn->tests[i].has_goals = false;
+}
+
+static void test_said_of_all(void **state)
+{
+    struct drawn_lesson drawn = { 0 };
+    char wanted[200];
+
+    (void)state;
+    for (size_t i = 0; i < 10; i++) {
+        draw_right_words(&drawn);
+        check_said(&drawn, "y, n\n", "z, n\ny = 5\n", true,
+                   "It cannot be assembled:\nmy.s:9:1: error: ");
+        check_said(&drawn, ".vector y, n\n", ".vector z, n\n.equ y, z\n",
+                   true,
+                   "The answer has no label y, where results are looked "
+                   "for.");
+        check_said(&drawn, ".vector y,", ".halfvector y,", true,
+                   "There should be words at the answer's label y, and there "
+                   "are half words.");
+        check_said(&drawn, ".ifndef n\n",
+                   ".ifndef n\n        .endif\n"
+                   "        .if 1\n",
+                   true,
+                   "Line 5 sets n, which the tests set: put '.ifndef n' "
+                   "before it and '.endif' behind it.");
+        snprintf(wanted, sizeof wanted, "y has room for %zu word",
+                 drawn.tests[0].n - 1);
+        check_said(&drawn, ".vector y, n\n", ".vector y, n - 1\n", false,
+                   wanted);
+        check_said(&drawn, "        EXIT\n",
+                   "        .if n == 5\n        EXIT\n        .else\n"
+                   "        NOPE\n        .endif\n",
+                   false,
+                   "With the constants of this test it cannot be "
+                   "assembled:\nmy.s:");
+        check_said(&drawn, "        EXIT\n",
+                   "        ES      value, 3\n        EXIT    value\n", false,
+                   "It ended with the status 3, not with 0.");
+    }
+}
+
+/* ---- Lessons that are none ------------------------------------------------- */
+
+static void check_notes(const char *notes, const char *wanted)
+{
+    struct lesson lesson = { 0 };
+    c205_error error = { "" };
+
+    assert_true(lesson_begin(&lesson, "12-it", &error));
+    assert_int_equal(lesson_take(&lesson, "test-a.s", notes, strlen(notes),
+                                 &error),
+                     *wanted == '\0');
+    assert_string_equal(error.message, wanted);
+    lesson_free(&lesson);
+}
+
+static void test_notes(void **state)
+{
+    static const char goals[] = "12-it/test-a.s:2: expected 'goals: gold "
+                                "CLOCKS, silver CLOCKS, bronze CLOCKS', "
+                                "rising, once";
+
+    (void)state;
+    check_notes("; test: a\n", "");
+    check_notes("x: .word 1\n", "12-it/test-a.s:1: it has no '; test: a "
+                                "sentence'");
+    check_notes(";test:a\n; goals: gold 1, silver 2, bronze 3\n", "");
+    check_notes("; test: a\n; goals: gold 2, silver 1, bronze 3\n", goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2\n", goals);
+    check_notes("; test: a\n; goals: gold 0, silver 2, bronze 3\n", goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3 4\n", goals);
+    check_notes("; test: a\n; goals: gold 1, gold 2, bronze 3\n", goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3e9\n", goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 99999999999\n",
+                goals);
+    check_notes("; test: a\n; goal: gold 1, silver 2, bronze 3\n",
+                "12-it/test-a.s:2: a note like this is 'test:', 'goals:' or "
+                "'tolerance:'");
+    check_notes("; test: a\n; tolerance: y\n",
+                "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
+    check_notes("; test: a\n; tolerance: y -1\n",
+                "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
+    check_notes("; test: a\n; tolerance: y 1 2\n",
+                "12-it/test-a.s:2: expected nothing behind the tolerance");
+    check_notes("; test: a\n; test: b\n",
+                "12-it/test-a.s:2: expected one sentence behind 'test:', "
+                "once");
+}
+
+static void check_refused(const char *test, const char *wanted)
+{
+    struct lesson lesson = { 0 };
+    struct lesson_verdict verdict = { 0 };
+    static const char answer[] = "        EXIT\n";
+    c205_error error = { "" };
+
+    assert_true(lesson_begin(&lesson, "it", &error));
+    assert_true(lesson_take(&lesson, "lesson.md", "# A\n", 4, &error));
+    assert_true(lesson_take(&lesson, "start.s", "", 0, &error));
+    assert_true(lesson_take(&lesson, "test-a.s", test, strlen(test), &error));
+    assert_true(lesson_end(&lesson, &error));
+    assert_int_equal(lesson.number, 0);
+    assert_false(lesson_grade(&verdict, &lesson, "my.s", answer,
+                              strlen(answer), &error));
+    assert_string_equal(error.message, wanted);
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    check_refused("; test: a\n", "test-a.s wants nothing");
+    check_refused("; test: a\n.word\n",
+                  "test-a.s:2:6: expected a number, a name or '(', found the "
+                  "end of the statement");
+    check_refused("; test: a\n; tolerance: y 1\nwant_x: .word 1\n",
+                  "test-a.s has a tolerance for y, and no label want_y");
+    check_refused("; test: a\nx: .word 1\n; expect: [x] = 1\n",
+                  "test-a.s:3: a test cannot expect this; what is to be in "
+                  "memory stands at want_LABEL");
+    check_refused("; test: a\n; expect: r1 = 0\n; expect-model: x\n",
+                  "there is no machine model 'x'");
+}
+
+static void test_names(void **state)
+{
+    struct lesson items[2] = { { 0 } };
+    struct lessons lessons = { 2, items };
+    c205_error error;
+
+    (void)state;
+    assert_true(lesson_begin(&items[0], "03-first-vector", &error));
+    assert_true(lesson_begin(&items[1], "11-sieve", &error));
+    assert_ptr_equal(lessons_find(&lessons, "3", &error), &items[0]);
+    assert_ptr_equal(lessons_find(&lessons, "03", &error), &items[0]);
+    assert_ptr_equal(lessons_find(&lessons, "first-vector", &error),
+                     &items[0]);
+    assert_ptr_equal(lessons_find(&lessons, "11-sieve", &error), &items[1]);
+    assert_null(lessons_find(&lessons, "1", &error));
+    assert_null(lessons_find(&lessons, "seive", &error));
+    assert_string_equal(error.message, "there is no lesson 'seive': is it "
+                                       "'sieve'?; c205 check lists them");
+    lesson_free(&items[0]);
+    lesson_free(&items[1]);
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_drawn), cmocka_unit_test(test_said_of_all),
+        cmocka_unit_test(test_notes), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_names),
+    };
+
+    if (argc > 1)
+        tries = strtoul(argv[1], NULL, 10);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
