@@ -530,7 +530,8 @@ cover-tests:
 		OPT=-O1 CASES=20000 PROGRAMS=5000 \
 		CFLAGS="-g -fprofile-instr-generate -fcoverage-mapping" \
 		LDFLAGS=-fprofile-instr-generate check-unit check-programs \
-		check-isa check-bugs check-commands check-arithmetic check-random
+		check-isa check-bugs check-commands check-course check-arithmetic \
+		check-random
 
 # All that is measured, or BENCH="growth frames": tests/bench.sh has the names.
 bench: $(benches) $(programs) $(adapter)

@@ -104,7 +104,7 @@ static int show_tests(const struct check_command *check)
 /* ---- A lesson -------------------------------------------------------------- */
 
 /* For the eye: without comments, and without hints unless they are asked for. */
-struct reading {
+struct lesson_reading {
     FILE *file;
     bool hints, hidden, blank; /* the line before is */
 };
@@ -115,7 +115,8 @@ static bool begins(const char *line, const char *text)
 }
 
 /* A hint's line is "<details><summary>First hint</summary>". */
-static void put_line(struct reading *reading, const char *line, size_t length)
+static void put_line(struct lesson_reading *reading, const char *line,
+                     size_t length)
 {
     static const char before[] = "<details><summary>",
                       behind[] = "</summary>";
@@ -136,8 +137,8 @@ static void put_line(struct reading *reading, const char *line, size_t length)
 
 static void put_text(const struct check_command *check)
 {
-    struct reading reading = { .file = check->results.file,
-                               .hints = check->arguments->hints };
+    struct lesson_reading reading = { .file = check->results.file,
+                                      .hints = check->arguments->hints };
     const char *line = check->lesson->text;
     while (*line) {
         size_t length = strcspn(line, "\n");

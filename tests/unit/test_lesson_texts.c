@@ -7,21 +7,31 @@
 
 static size_t tries = 5000;
 
+/* A lesson with one test; false: it is refused. */
+static bool open_with(struct lesson *lesson, const char *test,
+                      c205_error *error)
+{
+    static const char title[] = "# A\n";
+
+    *lesson = (struct lesson){ 0 };
+    return lesson_begin(lesson, "12-it", error)
+           && lesson_take(lesson, "lesson.md", title, strlen(title), error)
+           && lesson_take(lesson, "start.s", "", 0, error)
+           && lesson_take(lesson, "test-a.s", test, strlen(test), error)
+           && lesson_end(lesson, error);
+}
+
 /* ---- What is expected of a run --------------------------------------------- */
 
 static void check_run(const char *test, const char *answer,
                       const char *wanted)
 {
-    struct lesson lesson = { 0 };
+    struct lesson lesson;
     struct lesson_verdict verdict;
     const struct lesson_report *report;
     c205_error error;
 
-    assert_true(lesson_begin(&lesson, "it", &error));
-    assert_true(lesson_take(&lesson, "lesson.md", "# A\n", 4, &error));
-    assert_true(lesson_take(&lesson, "start.s", "", 0, &error));
-    assert_true(lesson_take(&lesson, "test-a.s", test, strlen(test), &error));
-    assert_true(lesson_end(&lesson, &error));
+    assert_true(open_with(&lesson, test, &error));
     grade_well(&verdict, &lesson, answer);
     report = verdict.graded ? &verdict.trials[0].report : &verdict.report;
     assert_int_equal(verdict.passed, wanted == NULL);
@@ -74,10 +84,7 @@ static void check_notes(const char *notes, const char *wanted)
     struct lesson lesson = { 0 };
     c205_error error = { "" };
 
-    assert_true(lesson_begin(&lesson, "12-it", &error));
-    assert_int_equal(lesson_take(&lesson, "test-a.s", notes, strlen(notes),
-                                 &error),
-                     *wanted == '\0');
+    assert_int_equal(open_with(&lesson, notes, &error), *wanted == '\0');
     assert_string_equal(error.message, wanted);
     lesson_free(&lesson);
 }
@@ -122,12 +129,7 @@ static void check_refused(const char *test, const char *wanted)
     static const char answer[] = "        EXIT\n";
     c205_error error = { "" };
 
-    assert_true(lesson_begin(&lesson, "it", &error));
-    assert_true(lesson_take(&lesson, "lesson.md", "# A\n", 4, &error));
-    assert_true(lesson_take(&lesson, "start.s", "", 0, &error));
-    assert_true(lesson_take(&lesson, "test-a.s", test, strlen(test), &error));
-    assert_true(lesson_end(&lesson, &error));
-    assert_int_equal(lesson.number, 0);
+    assert_true(open_with(&lesson, test, &error));
     assert_false(lesson_grade(&verdict, &lesson, "my.s", answer,
                               strlen(answer), &error));
     assert_string_equal(error.message, wanted);
@@ -191,12 +193,7 @@ static void grade_any(const char *test, const char *answer)
     struct lesson lesson = { 0 };
     struct lesson_verdict verdict = { 0 };
     c205_error error = { "" };
-    bool good = lesson_begin(&lesson, "1-any", &error)
-                && lesson_take(&lesson, "lesson.md", "# A\n", 4, &error)
-                && lesson_take(&lesson, "start.s", "", 0, &error)
-                && lesson_take(&lesson, "test-a.s", test, strlen(test),
-                               &error)
-                && lesson_end(&lesson, &error)
+    bool good = open_with(&lesson, test, &error)
                 && lesson_grade(&verdict, &lesson, "my.s", answer,
                                 strlen(answer), &error);
 
