@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rt/scene/elementary.h"
 #include "rt/shapes/primitive.h"
 
 bool chords_begin(struct chords *chords, const struct emission_options *emits,
@@ -27,7 +28,7 @@ void chords_end(struct chords *chords)
 
 double chords_weight(const struct chords *chords)
 {
-    return 2 * acos(-1) * chords->radius * chords->radius;
+    return 2 * elementary_acos(-1) * chords->radius * chords->radius;
 }
 
 bool chords_run(const struct chords *chords,

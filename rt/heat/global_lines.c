@@ -8,6 +8,7 @@
 #include "rt/heat/chords.h"
 #include "rt/layout/bounds.h"
 #include "rt/layout/single_run.h"
+#include "rt/scene/elementary.h"
 #include "rt/shapes/primitive.h"
 #include "rt/trace/form.h"
 #include "rt/trace/lines.h"
@@ -564,7 +565,7 @@ static double error_of(const struct global_lines *found, double squares)
 struct estimate global_lines_area(const struct global_lines *found, size_t i)
 {
     double sum = (double)row_of(found, i), n = (double)found->repeats;
-    double unit = 2 * acos(-1) * found->radius * found->radius
+    double unit = 2 * elementary_acos(-1) * found->radius * found->radius
                   / (n * ldexp(1, (int)found->lines_log));
     double squares = 0;
 

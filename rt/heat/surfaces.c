@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "rt/scene/elementary.h"
+
 /* ---- Which there are ------------------------------------------------------ */
 
 static const char *name_of(struct surfaces *surfaces,
@@ -104,7 +106,8 @@ static void add_row(struct surface *surface, const struct factor_row *row)
     double area = row->area.value;
 
     surface->area.value += area;
-    surface->area.error = hypot(surface->area.error, row->area.error);
+    surface->area.error = elementary_hypot(surface->area.error,
+                                           row->area.error);
     surface->tried += row->tried;
     surface->sent += row->sent;
     for (size_t j = 0; j < row->receivers; j++) {
@@ -122,8 +125,9 @@ static void add_errors(struct surface *surface, const struct factor_row *row)
         double beside = row->area.error
                         * (row->factor[j].value - factor->value);
 
-        factor->error = hypot(factor->error,
-                              hypot(own, beside) / surface->area.value);
+        factor->error = elementary_hypot(factor->error,
+                                         elementary_hypot(own, beside)
+                                             / surface->area.value);
     }
 }
 
@@ -183,8 +187,8 @@ double surfaces_reciprocity(const struct surfaces *surfaces, size_t from,
         return NAN;
     there = one->area.value * one->factor[to].value;
     back = other->area.value * other->factor[from].value;
-    error = hypot(one->area.value * one->factor[to].error,
-                  other->area.value * other->factor[from].error);
+    error = elementary_hypot(one->area.value * one->factor[to].error,
+                             other->area.value * other->factor[from].error);
     if (fabs(there - back) <= 1e-12 * there) /* of lines, exactly */
         return 0;
     return error > 0 ? (there - back) / error : NAN;

@@ -18,6 +18,7 @@
  */
 #include "rt/layout/lens.h"
 
+#include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
 /* Of the unit disk. */
@@ -29,8 +30,8 @@ static void disk_point(double a, double b, double point[2])
                    : b != 0 ? PI / 2 - PI / 4 * (a / b)
                             : 0;
 
-    point[0] = radius * cos(angle);
-    point[1] = radius * sin(angle);
+    point[0] = radius * elementary_cos(angle);
+    point[1] = radius * elementary_sin(angle);
 }
 
 /* Two vectors as long as the lens's radius, at right angles to the direction

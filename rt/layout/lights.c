@@ -1,5 +1,6 @@
 #include "rt/layout/lights.h"
 
+#include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
 /* What is narrower is a sharp edge, which is drawn so wide. */
@@ -145,8 +146,8 @@ static void put_edge(struct record *record, const struct light *light)
     bool soft = false;
 
     if (light->beam == BEAM_CONE) {
-        low = cos(light->falloff * PI / 180);
-        high = cos(light->radius * PI / 180);
+        low = elementary_cos(light->falloff * PI / 180);
+        high = elementary_cos(light->radius * PI / 180);
         soft = high > 0;
     } else if (light->beam == BEAM_CYLINDER) {
         high = fmax(1 - light->radius / light->falloff,

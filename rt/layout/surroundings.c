@@ -6,6 +6,7 @@
 
 #include "rt/layout/images.h"
 #include "rt/layout/pigment.h"
+#include "rt/scene/elementary.h"
 
 /* Where a sky's map has its routines and its numbers: as sky.s has it. */
 static void put_sky_map(struct record_layout *layout,
@@ -89,7 +90,7 @@ void layout_sky(struct record_layout *layout, const struct scene *scene,
 /* light/fog.s has the formula. */
 static void put_fog(struct record *record, const struct fog *fog)
 {
-    double scale = -1 / (fog->distance * log(2)), pass[3];
+    double scale = -1 / (fog->distance * elementary_log(2)), pass[3];
 
     for (size_t i = 0; i < 3; i++)
         pass[i] = 1 - fog->filter + fog->filter * fog->color[i];

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
 #define ROUND 1.00001 /* POV-Ray's frequency goes round at this, not at 1 */
@@ -66,10 +67,10 @@ static double in_wave(const struct pattern *pattern, double value)
         value -= floor(value);
     switch (pattern->wave) {
     case WAVE_TRIANGLE: return value > .5 ? 2 - 2 * value : 2 * value;
-    case WAVE_SINE: return (1 + sin(2 * PI * value)) / 2;
-    case WAVE_SCALLOP: return fabs(sin(PI * value));
+    case WAVE_SINE: return (1 + elementary_sin(2 * PI * value)) / 2;
+    case WAVE_SCALLOP: return fabs(elementary_sin(PI * value));
     case WAVE_CUBIC: return value * value * (3 - 2 * value);
-    case WAVE_POLY: return pow(value, pattern->exponent);
+    case WAVE_POLY: return elementary_pow(value, pattern->exponent);
     default: return value;
     }
 }

@@ -1,6 +1,7 @@
 /* transform.c - affine maps and their inverses. */
 #include "rt/scene/transform.h"
 
+#include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
 #include <math.h>
@@ -102,7 +103,8 @@ struct placement placement_scaling(const double by[3])
 static struct placement rotation_about(int axis, double degrees)
 {
     struct placement placement = placement_none;
-    double angle = degrees * (PI / 180), c = cos(angle), s = sin(angle);
+    double angle = degrees * (PI / 180), c = elementary_cos(angle),
+           s = elementary_sin(angle);
     int a = (axis + 1) % 3, b = (axis + 2) % 3;
 
     placement.to_world.rows[a][a] = placement.to_local.rows[a][a] = c;

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "rt/scene/elementary.h"
 #include "rt/scene/transform.h"
 #include "rt/scene/vector.h"
 #include "rt/shapes/shape.h"
@@ -155,10 +156,10 @@ void hull_ring(struct hull *hull, const struct primitive *primitive,
     scale3(1 / length3(u), u);
     cross3(axis, u, v);
     scale3(1 / length3(v), v);
-    radius /= cos(PI / RING);
+    radius /= elementary_cos(PI / RING);
     for (int i = 0; i < RING; i++) {
-        double c = radius * cos(2 * PI * i / RING);
-        double s = radius * sin(2 * PI * i / RING);
+        double c = radius * elementary_cos(2 * PI * i / RING);
+        double s = radius * elementary_sin(2 * PI * i / RING);
         double point[3];
 
         for (int k = 0; k < 3; k++)

@@ -1,3 +1,4 @@
+#include "rt/scene/elementary.h"
 #include "rt/shapes/shape.h"
 
 #include <math.h>
@@ -315,7 +316,7 @@ static void put_segment(const struct closed *closed, size_t i, double middle,
     const double *to = point_of(closed, i), *from = point_of(closed, i - 1);
     const double along[2] = { from[0] - to[0], from[1] - to[1] };
     const double amid[2] = { to[0] + along[0] / 2, to[1] + along[1] / 2 };
-    double length = hypot(along[0], along[1]), normal[2];
+    double length = elementary_hypot(along[0], along[1]), normal[2];
     int across = along[1] == 0 ? 0 : 1;
     double outward = is_inside(closed, i, amid, across) ? -1 : 1;
 

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
 /* Points so near to a loop's first close it, as in POV-Ray. */
@@ -49,8 +50,8 @@ void path_bound(const struct primitive *primitive, const struct outline *path,
     base[1] = low_end;
     cap[1] = high_end;
     for (size_t i = 0; i < path->count; i++)
-        radius = fmax(radius, hypot(path->points[i][0] - base[0],
-                                    path->points[i][1] - base[2]));
+        radius = fmax(radius, elementary_hypot(path->points[i][0] - base[0],
+                                               path->points[i][1] - base[2]));
     hull_rings(&hull, primitive, base, radius, cap, radius);
     bound_hull(&hull, bound);
 }
@@ -63,8 +64,8 @@ static int side_of(const struct path_walk *edge, const double direction[2])
     double x = edge->to[0] - edge->from[0], z = edge->to[1] - edge->from[1];
     double across = direction[0] * z - direction[1] * x;
 
-    return fabs(across)
-                   <= 1e-9 * hypot(x, z) * hypot(direction[0], direction[1])
+    return fabs(across) <= 1e-9 * elementary_hypot(x, z)
+                               * elementary_hypot(direction[0], direction[1])
                ? 0
            : across > 0 ? 1
                         : -1;

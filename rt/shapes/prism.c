@@ -1,3 +1,4 @@
+#include "rt/scene/elementary.h"
 #include "rt/shapes/path.h"
 #include "rt/shapes/shape.h"
 
@@ -119,7 +120,8 @@ enum { ROW = 8 };
 static void put_edge(const struct path_walk *edge, size_t number, double *row)
 {
     double x = edge->from[0] - edge->to[0], z = edge->from[1] - edge->to[1];
-    double length = hypot(x, z), normal[2] = { z / length, -x / length };
+    double length = elementary_hypot(x, z),
+           normal[2] = { z / length, -x / length };
     const double middle[2] = { edge->to[0] + x / 2, edge->to[1] + z / 2 };
 
     if (is_inside(edge->path, number, middle, normal)) {

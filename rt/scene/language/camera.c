@@ -2,6 +2,7 @@
  * stand in any order; angle, then look_at, then the transforms are applied
  * when all are read.
  */
+#include "rt/scene/elementary.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 #include "rt/scene/vector.h"
@@ -193,8 +194,9 @@ static void set_length(double vector[3], double length)
 static void apply_angle(struct camera *camera, double angle)
 {
     if (angle > 0)
-        set_length(camera->direction,
-                   length3(camera->right) / tan(angle * PI / 360) / 2);
+        set_length(camera->direction, length3(camera->right)
+                                          / elementary_tan(angle * PI / 360)
+                                          / 2);
 }
 
 /* An orthographic camera shows as much of what it looks at as one in perspective

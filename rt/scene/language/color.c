@@ -4,6 +4,7 @@
  * (rgb, rgbf, ...), term by term (red 1 green .5), or as the name of a colour;
  * terms that follow replace its own.
  */
+#include "rt/scene/elementary.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/transfer.h"
 
@@ -65,8 +66,9 @@ static double from_srgb(double value, double gamma)
 {
     double linear = srgb_light(value);
 
-    return gamma > 0 && gamma != 1 && linear > 0 ? pow(linear, 1 / gamma)
-                                                 : linear;
+    return gamma > 0 && gamma != 1 && linear > 0
+               ? elementary_pow(linear, 1 / gamma)
+               : linear;
 }
 
 static bool read_ordered(struct reader *reader,

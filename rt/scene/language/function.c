@@ -3,6 +3,7 @@
  * Where a function has no value for its argument it makes a NaN or an
  * infinity; the reader of expressions turns these into errors.
  */
+#include "rt/scene/elementary.h"
 #include "rt/scene/language/expression.h"
 #include "rt/scene/vector.h"
 
@@ -28,7 +29,7 @@ static void give(struct numbers *result, double value)
 static void apply_atan2(const struct numbers *a, size_t n, struct numbers *r)
 {
     (void)n;
-    give(r, atan2(a[0].n[0], a[1].n[0]));
+    give(r, elementary_atan2(a[0].n[0], a[1].n[0]));
 }
 
 /* Without a sign of 0, which the text of a number would show. */
@@ -55,7 +56,7 @@ static void apply_pow(const struct numbers *a, size_t n, struct numbers *r)
     bool none = a[0].n[0] == 0 && a[1].n[0] == 0;
 
     (void)n;
-    give(r, none ? (double)NAN : pow(a[0].n[0], a[1].n[0]));
+    give(r, none ? (double)NAN : elementary_pow(a[0].n[0], a[1].n[0]));
 }
 
 static void apply_max(const struct numbers *a, size_t n, struct numbers *r)
@@ -171,7 +172,8 @@ static void apply_vrotate(const struct numbers *a, size_t n,
 static void apply_vaxis_rotate(const struct numbers *a, size_t n,
                                struct numbers *r)
 {
-    double angle = radians(a[2].n[0]), c = cos(angle), s = sin(angle);
+    double angle = radians(a[2].n[0]), c = elementary_cos(angle),
+           s = elementary_sin(angle);
     double axis[3], across[3], along, length = length3(a[1].n);
 
     (void)n;
@@ -188,37 +190,37 @@ static void apply_vaxis_rotate(const struct numbers *a, size_t n,
 
 static const struct function functions[] = {
     { "abs", "f", NULL, fabs },
-    { "acos", "f", NULL, acos },
-    { "acosh", "f", NULL, acosh },
-    { "asin", "f", NULL, asin },
-    { "asinh", "f", NULL, asinh },
-    { "atan", "f", NULL, atan },
+    { "acos", "f", NULL, elementary_acos },
+    { "acosh", "f", NULL, elementary_acosh },
+    { "asin", "f", NULL, elementary_asin },
+    { "asinh", "f", NULL, elementary_asinh },
+    { "atan", "f", NULL, elementary_atan },
     { "atan2", "ff", apply_atan2, NULL },
-    { "atanh", "f", NULL, atanh },
+    { "atanh", "f", NULL, elementary_atanh },
     { "bitwise_and", "ff+", apply_bitwise_and, NULL },
     { "bitwise_or", "ff+", apply_bitwise_or, NULL },
     { "bitwise_xor", "ff+", apply_bitwise_xor, NULL },
     { "ceil", "f", NULL, ceil },
-    { "cos", "f", NULL, cos },
-    { "cosh", "f", NULL, cosh },
+    { "cos", "f", NULL, elementary_cos },
+    { "cosh", "f", NULL, elementary_cosh },
     { "degrees", "f", NULL, degrees },
     { "div", "ff", apply_div, NULL },
-    { "exp", "f", NULL, exp },
+    { "exp", "f", NULL, elementary_exp },
     { "floor", "f", NULL, floor },
     { "int", "f", NULL, whole },
-    { "ln", "f", NULL, log },
-    { "log", "f", NULL, log10 },
+    { "ln", "f", NULL, elementary_log },
+    { "log", "f", NULL, elementary_log10 },
     { "max", "f+", apply_max, NULL },
     { "min", "f+", apply_min, NULL },
     { "mod", "ff", apply_mod, NULL },
     { "pow", "ff", apply_pow, NULL },
     { "radians", "f", NULL, radians },
     { "select", "fff?", apply_select, NULL },
-    { "sin", "f", NULL, sin },
-    { "sinh", "f", NULL, sinh },
+    { "sin", "f", NULL, elementary_sin },
+    { "sinh", "f", NULL, elementary_sinh },
     { "sqrt", "f", NULL, sqrt },
-    { "tan", "f", NULL, tan },
-    { "tanh", "f", NULL, tanh },
+    { "tan", "f", NULL, elementary_tan },
+    { "tanh", "f", NULL, elementary_tanh },
     { "vaxis_rotate", "vvf", apply_vaxis_rotate, NULL },
     { "vcross", "vv", apply_vcross, NULL },
     { "vdot", "vv", apply_vdot, NULL },

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "rt/scene/elementary.h"
 #include "rt/study/sweep/kinds.h"
 
 enum { SIDE = 256, SHARES = 10 };
@@ -184,7 +185,7 @@ static struct speedup_view look(const struct sweep *sweep,
     const double *from = sweep->subject->from, sky[3] = { 0, 1, 0 };
     const double forward[3] = { -from[0], -from[1], -from[2] };
     struct speedup_view view = sweep->base.view;
-    double half = tan(view.angle / 2 / degrees), middle, x, y;
+    double half = elementary_tan(view.angle / 2 / degrees), middle, x, y;
     double right[3], up[3];
 
     cross(sky, forward, right);
@@ -197,8 +198,8 @@ static struct speedup_view look(const struct sweep *sweep,
     for (int i = 0; i < 3; i++)
         view.aim[i] = view.distance * (x * right[i] + y * up[i]);
     view.angle = 2 * degrees
-                 * atan(half * (double)scout->side / SIDE
-                        * width_of_square(&sweep->base.trace));
+                 * elementary_atan(half * (double)scout->side / SIDE
+                                   * width_of_square(&sweep->base.trace));
     return view;
 }
 

@@ -161,7 +161,7 @@ const anyWay = () => [
 
 const scenes = Object.keys(given).filter((name) => name.endsWith(".pov"));
 for (const scene of scenes)
-  check(["render", scene, "-o", path.join(out, "a.png"),
+  check(["render", scene, ...draw(4) === 0 ? ["-o", path.join(out, "a.png")] : ["--no-picture"],
     "--json", path.join(out, "a.json"), ...anyWay()]);
 
 const json = ["--json", path.join(out, "a.json")];

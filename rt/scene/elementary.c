@@ -1,0 +1,414 @@
+/* elementary.c - see elementary.h.
+ *
+ * All is done with numbers of two doubles, 106 bits, and rounded once.  exp, sin
+ * and cos are series; the others are what the C library has, corrected by a step
+ * of Newton's towards the function that they invert: where that is off by e, the
+ * step leaves some e^2, whatever its last bits were.
+ * Source: T. J. Dekker, A floating-point technique for extending the available
+ * precision, Numerische Mathematik 18 (1971): sums and products of two doubles.
+ */
+#include "rt/scene/elementary.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+/* Their sum; low is at most half a bit of high. */
+struct wide {
+    double high, low;
+};
+
+#define REDUCED_MOST 0x1p30 /* radians */
+#define EXP_MOST 700.       /* beyond it the C library rounds */
+enum { TERMS_MOST = 40, HALVINGS = 8 };
+
+static const struct wide one = { 1, 0 };
+static const struct wide ln2 = { 0x1.62e42fefa39efp-1,
+                                 0x1.abc9e3b39803fp-56 };
+/* pi / 2 by three doubles. */
+static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
+                                  -0x1.f1976b7ed8fbcp-110 };
+
+/* ---- Sums, products, quotients ------------------------------------------- */
+
+/* Where a is the larger. */
+static struct wide quick_sum(double a, double b)
+{
+    double high = a + b;
+
+    return (struct wide){ high, b - (high - a) };
+}
+
+static struct wide sum(double a, double b)
+{
+    double high = a + b, part = high - a;
+
+    return (struct wide){ high, (a - (high - part)) + (b - part) };
+}
+
+static struct wide product(double a, double b)
+{
+    enum { SPLIT = (1 << 27) + 1 };
+    double high = a * b, c = SPLIT * a, d = SPLIT * b;
+    double a1 = c - (c - a), a2 = a - a1, b1 = d - (d - b), b2 = b - b1;
+
+    return (struct wide){ high,
+                          ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2 };
+}
+
+static struct wide minus(struct wide a)
+{
+    return (struct wide){ -a.high, -a.low };
+}
+
+static struct wide add(struct wide a, struct wide b)
+{
+    struct wide s = sum(a.high, b.high), t = sum(a.low, b.low);
+
+    s = quick_sum(s.high, s.low + t.high);
+    return quick_sum(s.high, s.low + t.low);
+}
+
+static struct wide multiply(struct wide a, struct wide b)
+{
+    struct wide p = product(a.high, b.high);
+
+    return quick_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
+}
+
+static struct wide by(struct wide a, double b)
+{
+    return multiply(a, (struct wide){ b, 0 });
+}
+
+static struct wide divide(struct wide a, struct wide b)
+{
+    double first = a.high / b.high, second;
+    struct wide rest = add(a, minus(by(b, first)));
+
+    second = rest.high / b.high;
+    rest = add(rest, minus(by(b, second)));
+    return add(quick_sum(first, second),
+               (struct wide){ rest.high / b.high, 0 });
+}
+
+static struct wide square_root(struct wide a)
+{
+    double root = sqrt(a.high);
+    struct wide rest = add(a, minus(product(root, root)));
+
+    return root > 0 ? add((struct wide){ root, 0 },
+                          (struct wide){ rest.high / (2 * root), 0 })
+                    : a;
+}
+
+/* To the nearest; what is nearly halfway between two doubles was meant to be. */
+static double rounded(struct wide a)
+{
+    double coarse = 1.5 * a.high * 0x1p-41;
+
+    return a.high + ((a.low + coarse) - coarse);
+}
+
+/* ---- Series -------------------------------------------------------------- */
+
+/* first + first f / (n (n + 1)) + .. for n = from, from + 2 .. */
+static struct wide series(struct wide first, struct wide f, int from)
+{
+    struct wide all = first, term = first;
+
+    for (int n = from; n < from + 2 * TERMS_MOST; n += 2) {
+        term = divide(multiply(term, f),
+                      (struct wide){ (double)n * (n + 1), 0 });
+        all = add(all, term);
+        if (fabs(term.high) < 0x1p-112 * fabs(all.high))
+            break;
+    }
+    return all;
+}
+
+static struct wide sine_of(struct wide r)
+{
+    return series(r, minus(multiply(r, r)), 2);
+}
+
+static struct wide cosine_of(struct wide r)
+{
+    return series(one, minus(multiply(r, r)), 1);
+}
+
+/* What is left of x above the nearest multiple of pi / 2, and which that is. */
+static struct wide reduce(double x, int *quadrant)
+{
+    double k = floor(x / quarter[0] + .5);
+    struct wide first = product(k, quarter[0]);
+    struct wide rest = add(sum(x, -first.high),
+                           (struct wide){ -first.low, 0 });
+
+    *quadrant = (int)(k - 4 * floor(k / 4));
+    rest = add(rest, minus(product(k, quarter[1])));
+    return add(rest, minus(product(k, quarter[2])));
+}
+
+static void sine_and_cosine(double x, struct wide *sine, struct wide *cosine)
+{
+    int quadrant;
+    struct wide r = reduce(x, &quadrant);
+    struct wide s = sine_of(r), c = cosine_of(r);
+
+    *sine = quadrant % 2 == 0 ? s : c;
+    *cosine = quadrant % 2 == 0 ? c : minus(s);
+    if (quadrant >= 2) {
+        *sine = minus(*sine);
+        *cosine = minus(*cosine);
+    }
+}
+
+/* e^x: of a small part of x, less 1, doubled in the exponent again and again. */
+static struct wide power_of_e(struct wide x)
+{
+    double k = floor(x.high / ln2.high + .5);
+    struct wide r = by(add(x, minus(by(ln2, k))), 1. / (1 << HALVINGS));
+    struct wide less, term = r;
+
+    less = r;
+    for (int n = 2; n < TERMS_MOST && fabs(term.high) > 0x1p-120; n++) {
+        term = divide(multiply(term, r), (struct wide){ n, 0 });
+        less = add(less, term);
+    }
+    for (int i = 0; i < HALVINGS; i++)
+        less = add(by(less, 2), multiply(less, less));
+    less = add(one, less);
+    return (struct wide){ ldexp(less.high, (int)k), ldexp(less.low, (int)k) };
+}
+
+static struct wide sinh_of(struct wide x)
+{
+    struct wide e;
+
+    if (fabs(x.high) < .5)
+        return series(x, multiply(x, x), 2);
+    e = power_of_e(x);
+    return by(add(e, minus(divide(one, e))), .5);
+}
+
+static struct wide cosh_of(struct wide x)
+{
+    struct wide e = power_of_e(x);
+
+    return by(add(e, divide(one, e)), .5);
+}
+
+/* ---- Inverse functions --------------------------------------------------- */
+
+/* Of x = m 2^k with m near 1. */
+static struct wide log_of(double x)
+{
+    int k;
+    double m = frexp(x, &k), y;
+    struct wide off;
+
+    if (m < .75) {
+        m *= 2;
+        k--;
+    }
+    y = log(m);
+    off = add(by(power_of_e((struct wide){ -y, 0 }), m), minus(one));
+    off = add(off, by(multiply(off, off), -.5));
+    return add(by(ln2, k), add((struct wide){ y, 0 }, off));
+}
+
+/* The angle of a point, which is not the origin. */
+static struct wide angle_of(struct wide y, struct wide x)
+{
+    double angle = atan2(y.high, x.high);
+    struct wide s, c;
+
+    sine_and_cosine(angle, &s, &c);
+    return add((struct wide){ angle, 0 },
+               divide(add(multiply(y, c), minus(multiply(x, s))),
+                      add(multiply(x, c), multiply(y, s))));
+}
+
+/* The other side of a right triangle whose longest is 1. */
+static struct wide other_side(double x)
+{
+    return square_root(multiply(sum(1, -x), sum(1, x)));
+}
+
+/* ---- The functions ------------------------------------------------------- */
+
+static bool is_plain(double x)
+{
+    return isfinite(x) && x != 0;
+}
+
+/* So small that the function is x. */
+static bool is_tiny(double x)
+{
+    return fabs(x) < 0x1p-200;
+}
+
+static bool is_angle(double x)
+{
+    return isfinite(x) && !is_tiny(x) && fabs(x) <= REDUCED_MOST;
+}
+
+double elementary_exp(double x)
+{
+    return is_plain(x) && fabs(x) < EXP_MOST
+               ? rounded(power_of_e((struct wide){ x, 0 }))
+               : exp(x);
+}
+
+double elementary_log(double x)
+{
+    return is_plain(x) && x > 0 && x != 1 ? rounded(log_of(x)) : log(x);
+}
+
+double elementary_log10(double x)
+{
+    return is_plain(x) && x > 0 && x != 1
+               ? rounded(divide(log_of(x), log_of(10)))
+               : log10(x);
+}
+
+double elementary_pow(double x, double y)
+{
+    struct wide power;
+
+    if (!is_plain(x) || !is_plain(y) || fabs(x) == 1
+        || (x < 0 && y != floor(y)))
+        return pow(x, y);
+    power = by(log_of(fabs(x)), y);
+    if (!(fabs(power.high) < EXP_MOST))
+        return pow(x, y);
+    return (x < 0 && fmod(y, 2) != 0 ? -1 : 1) * rounded(power_of_e(power));
+}
+
+double elementary_sin(double x)
+{
+    struct wide s, c;
+
+    if (!is_angle(x))
+        return sin(x);
+    sine_and_cosine(x, &s, &c);
+    return rounded(s);
+}
+
+double elementary_cos(double x)
+{
+    struct wide s, c;
+
+    if (!is_angle(x))
+        return cos(x);
+    sine_and_cosine(x, &s, &c);
+    return rounded(c);
+}
+
+double elementary_tan(double x)
+{
+    struct wide s, c;
+
+    if (!is_angle(x))
+        return tan(x);
+    sine_and_cosine(x, &s, &c);
+    return rounded(divide(s, c));
+}
+
+double elementary_asin(double x)
+{
+    return !is_tiny(x) && fabs(x) <= 1
+               ? rounded(angle_of((struct wide){ x, 0 }, other_side(x)))
+               : asin(x);
+}
+
+double elementary_acos(double x)
+{
+    return !is_tiny(x) && fabs(x) < 1
+               ? rounded(angle_of(other_side(x), (struct wide){ x, 0 }))
+               : acos(x);
+}
+
+double elementary_atan(double x)
+{
+    return elementary_atan2(x, 1);
+}
+
+double elementary_atan2(double y, double x)
+{
+    double most = fmax(fabs(x), fabs(y)), least = fmin(fabs(x), fabs(y));
+
+    if (!isfinite(most) || least < 0x1p-200 * most || least == 0)
+        return atan2(y, x);
+    return rounded(angle_of((struct wide){ y / exp2(ilogb(most)), 0 },
+                            (struct wide){ x / exp2(ilogb(most)), 0 }));
+}
+
+double elementary_sinh(double x)
+{
+    return isfinite(x) && !is_tiny(x) && fabs(x) < EXP_MOST
+               ? rounded(sinh_of((struct wide){ x, 0 }))
+               : sinh(x);
+}
+
+double elementary_cosh(double x)
+{
+    return is_plain(x) && fabs(x) < EXP_MOST
+               ? rounded(cosh_of((struct wide){ x, 0 }))
+               : cosh(x);
+}
+
+double elementary_tanh(double x)
+{
+    struct wide wide = { x, 0 };
+
+    return !is_tiny(x) && fabs(x) < 30
+               ? rounded(divide(sinh_of(wide), cosh_of(wide)))
+               : tanh(x);
+}
+
+double elementary_asinh(double x)
+{
+    struct wide y = { asinh(x), 0 }, off;
+
+    if (!isfinite(x) || is_tiny(x) || fabs(y.high) >= EXP_MOST)
+        return y.high;
+    off = add((struct wide){ x, 0 }, minus(sinh_of(y)));
+    return rounded(add(y, divide(off, cosh_of(y))));
+}
+
+double elementary_acosh(double x)
+{
+    struct wide y = { acosh(x), 0 }, off;
+
+    if (!isfinite(x) || !(x > 1) || y.high >= EXP_MOST)
+        return y.high;
+    off = add((struct wide){ x, 0 }, minus(cosh_of(y)));
+    return rounded(add(y, divide(off, sinh_of(y))));
+}
+
+double elementary_atanh(double x)
+{
+    struct wide y = { atanh(x), 0 }, s, c, off;
+
+    if (is_tiny(x) || !(fabs(x) < 1))
+        return y.high;
+    s = sinh_of(y);
+    c = cosh_of(y);
+    off = add(by(c, x), minus(s));
+    return rounded(add(y, multiply(off, c)));
+}
+
+double elementary_hypot(double x, double y)
+{
+    double most = fmax(fabs(x), fabs(y));
+    double unit;
+    struct wide a, b;
+
+    if (!is_plain(most) || fmin(fabs(x), fabs(y)) < 0x1p-200 * most)
+        return hypot(x, y);
+    unit = exp2(ilogb(most));
+    a = product(x / unit, x / unit);
+    b = product(y / unit, y / unit);
+    return rounded(square_root(add(a, b))) * unit;
+}

@@ -1,0 +1,185 @@
+/* Elementary functions of scenes: MPFR's, to the last bit, at points by chance of all
+ * sizes, and at those where they are exact. */
+#include "rt/scene/elementary.h"
+#include "tests/random.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+#include <mpfr.h>
+
+typedef int of_one(mpfr_t value, const mpfr_t x, mpfr_rnd_t rounding);
+typedef int of_two(mpfr_t value, const mpfr_t x, const mpfr_t y,
+                   mpfr_rnd_t rounding);
+
+static const struct {
+    const char *name;
+    double (*ours)(double x);
+    of_one *exact;
+    double least, most; /* of the magnitudes of x, as powers of 2 */
+} functions[] = {
+    { "exp", elementary_exp, mpfr_exp, -60, 9.4 },
+    { "log", elementary_log, mpfr_log, -1000, 1000 },
+    { "log10", elementary_log10, mpfr_log10, -1000, 1000 },
+    { "sin", elementary_sin, mpfr_sin, -150, 30 },
+    { "cos", elementary_cos, mpfr_cos, -60, 30 },
+    { "tan", elementary_tan, mpfr_tan, -150, 30 },
+    { "asin", elementary_asin, mpfr_asin, -150, 0 },
+    { "acos", elementary_acos, mpfr_acos, -60, 0 },
+    { "atan", elementary_atan, mpfr_atan, -150, 150 },
+    { "sinh", elementary_sinh, mpfr_sinh, -150, 9.4 },
+    { "cosh", elementary_cosh, mpfr_cosh, -60, 9.4 },
+    { "tanh", elementary_tanh, mpfr_tanh, -150, 9.4 },
+    { "asinh", elementary_asinh, mpfr_asinh, -150, 900 },
+    { "acosh", elementary_acosh, mpfr_acosh, 0, 900 },
+    { "atanh", elementary_atanh, mpfr_atanh, -150, 0 },
+};
+
+static uint64_t state = 205;
+
+/* Of a magnitude between two powers of 2, most of them near 1. */
+static double draw(double least, double most)
+{
+    double share = xorshift_real(&state, 0, 1);
+    double from = xorshift(&state) % 4 > 0 && least < -8 ? fmax(least, -8)
+                                                         : least;
+    double to = xorshift(&state) % 4 > 0 && most > 5 ? fmin(most, 5) : most;
+    double x = exp2(from + share * (to - from));
+
+    if (xorshift(&state) % 8 == 0)
+        x = ldexp(floor(ldexp(x, 4)), -4); /* few bits */
+    return xorshift(&state) % 2 == 0 ? x : -x;
+}
+
+static double as_double(of_one *exact, double x)
+{
+    mpfr_t value, at;
+    double rounded;
+
+    mpfr_inits2(53, value, at, (mpfr_ptr)0);
+    mpfr_set_d(at, x, MPFR_RNDN);
+    exact(value, at, MPFR_RNDN);
+    rounded = mpfr_get_d(value, MPFR_RNDN);
+    mpfr_clears(value, at, (mpfr_ptr)0);
+    return rounded;
+}
+
+static double as_double2(of_two *exact, double x, double y)
+{
+    mpfr_t value, a, b;
+    double rounded;
+
+    mpfr_inits2(53, value, a, b, (mpfr_ptr)0);
+    mpfr_set_d(a, x, MPFR_RNDN);
+    mpfr_set_d(b, y, MPFR_RNDN);
+    exact(value, a, b, MPFR_RNDN);
+    rounded = mpfr_get_d(value, MPFR_RNDN);
+    mpfr_clears(value, a, b, (mpfr_ptr)0);
+    return rounded;
+}
+
+static void assert_same(const char *name, double x, double y, double ours,
+                        double exact)
+{
+    if (ours == exact || (isnan(ours) && isnan(exact)))
+        return;
+    fail_msg("%s(%a, %a) is %a, should be %a", name, x, y, ours, exact);
+}
+
+static void test_of_one(void **unused)
+{
+    (void)unused;
+    for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++)
+        for (int i = 0; i < 4000; i++) {
+            double x = draw(functions[f].least, functions[f].most);
+
+            assert_same(functions[f].name, x, 0, functions[f].ours(x),
+                        as_double(functions[f].exact, x));
+        }
+}
+
+/* Degrees, as scenes have them, and what is near multiples of pi / 2. */
+static void test_angles(void **unused)
+{
+    (void)unused;
+    for (int degrees = -720; degrees <= 720; degrees++) {
+        double x = degrees * (3.14159265358979323846 / 180);
+
+        assert_same("sin", x, 0, elementary_sin(x), as_double(mpfr_sin, x));
+        assert_same("cos", x, 0, elementary_cos(x), as_double(mpfr_cos, x));
+        assert_same("tan", x, 0, elementary_tan(x), as_double(mpfr_tan, x));
+    }
+}
+
+static void test_of_two(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 8000; i++) {
+        double x = draw(-60, 60), y = draw(-60, 60), e = draw(-8, 5);
+
+        assert_same("atan2", x, y, elementary_atan2(x, y),
+                    as_double2(mpfr_atan2, x, y));
+        assert_same("hypot", x, y, elementary_hypot(x, y),
+                    as_double2(mpfr_hypot, x, y));
+        if (fabs(log2(fabs(x)) * e) < 1000)
+            assert_same("pow", x, e, elementary_pow(x, e),
+                        as_double2(mpfr_pow, x, e));
+    }
+}
+
+/* Squares of 27 bits lie halfway between two doubles. */
+static void test_halfway(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 4000; i++) {
+        double x = (double)(xorshift(&state) % (1 << 27) | 1);
+
+        assert_same("pow", x, 2, elementary_pow(x, 2), x * x);
+        assert_same("pow", x * x, .5, elementary_pow(x * x, .5), sqrt(x * x));
+    }
+    for (int k = -20; k <= 20; k++) {
+        assert_true(elementary_pow(2, k) == ldexp(1, k));
+        assert_true(elementary_log10(elementary_pow(10, abs(k))) == abs(k));
+    }
+}
+
+/* Where there is no value, or no finite one, C says what it is. */
+static void test_ends(void **unused)
+{
+    static const double ends[] = { 0,      -0.,     1,        -1,
+                                   2,      -2,      1e308,    -1e308,
+                                   1e-320, -1e-320, INFINITY, -INFINITY,
+                                   NAN };
+    (void)unused;
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+        double x = ends[i];
+
+        for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++)
+            if (fabs(x) <= 2 || !isfinite(x))
+                assert_same(functions[f].name, x, 0, functions[f].ours(x),
+                            as_double(functions[f].exact, x));
+        for (size_t k = 0; k < sizeof ends / sizeof ends[0]; k++) {
+            assert_same("atan2", x, ends[k], elementary_atan2(x, ends[k]),
+                        atan2(x, ends[k]));
+            assert_same("pow", x, ends[k], elementary_pow(x, ends[k]),
+                        pow(x, ends[k]));
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_of_one), cmocka_unit_test(test_angles),
+        cmocka_unit_test(test_of_two), cmocka_unit_test(test_halfway),
+        cmocka_unit_test(test_ends),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
