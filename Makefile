@@ -439,6 +439,7 @@ check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
 
 check-course: $(BUILD)/c205
 	sh tests/check_course.sh $(BUILD)
+	sh tests/check_grading.sh $(BUILD)
 
 check-fit: $(BUILD)/fit205 $(BUILD)/rt205 $(BUILD)/c205
 	sh tests/check_fit.sh $(BUILD)
@@ -486,6 +487,7 @@ $(npm_done): web/package.json web/package-lock.json
 # those of which the name says so.
 browser_packages = chromium firefox-esr
 BROWSERS ?= chromium firefox
+.PHONY: web check-web
 check-web:
 	@sh .ci/need $(build_packages) $(browser_packages)
 	@$(MAKE) --no-print-directory web $(programs)
@@ -543,7 +545,8 @@ cover-tests:
 		OPT=-O1 CASES=20000 PROGRAMS=5000 \
 		CFLAGS="-g -fprofile-instr-generate -fcoverage-mapping" \
 		LDFLAGS=-fprofile-instr-generate check-unit check-programs \
-		check-isa check-bugs check-commands check-arithmetic check-random
+		check-isa check-bugs check-commands check-course check-arithmetic \
+		check-random
 
 # All that is measured, or BENCH="growth frames": tests/bench.sh has the names.
 bench: $(benches) $(programs) $(adapter)

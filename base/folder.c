@@ -46,7 +46,7 @@ bool folder_read(struct folder *folder, const char *path, c205_error *error)
 
     *folder = (struct folder){ 0, NULL };
     if (!open)
-        return error_say(error, "%.160s: %.80s", path, strerror(errno));
+        return error_say(error, "%s", strerror(errno));
     while (good && (entry = readdir(open)))
         if (*entry->d_name != '.')
             good = add(folder, entry->d_name);

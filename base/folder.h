@@ -12,7 +12,8 @@ struct folder {
     size_t count;
     char **names;
 };
-/* False: it cannot be read; to be freed in either case. */
+/* False: it cannot be read, and the error says why without naming it; to be freed in either
+ * case. */
 bool folder_read(struct folder *folder, const char *path, c205_error *error);
 void folder_free(struct folder *folder);
 

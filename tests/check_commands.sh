@@ -12,18 +12,7 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 said=$work/err
 
-ends() { # CODE COMMAND ..: its exit code; what it prints goes to out and err
-    wanted=$1
-    shift
-    "$@" >"$work/out" 2>"$work/err" </dev/null
-    [ $? -eq "$wanted" ]
-    verdict $? "exit code is not $wanted: $*"
-}
-
-tells() { # FILE TEXT: the last command's out or err holds the text
-    grep -q -e "$2" "$work/$1"
-    verdict $? "$1 does not say '$2'"
-}
+. "$here/tests/commands.sh"
 
 cat >good.s <<'END'
         .include "print.s"

@@ -45,7 +45,7 @@ struct c205_arguments {
     const char *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit, from;
     bool check, trace, listing, names, points, markdown, grammar;
-    bool no_limit, exit_status, profile, in_order, warm, dap, start;
+    bool no_limit, exit_status, profile, in_order, warm, dap, start, hints;
     struct cmd_defines defines, other_defines;
     struct cmd_swept swept;
     size_t point_count;

@@ -69,7 +69,7 @@ void check_join(struct text_buffer *buffer,
 static int show_verdict(const struct check_command *check,
                         const struct lesson_verdict *verdict)
 {
-    const struct results *results = check->results;
+    const struct results *results = &check->results;
     bool good = true;
     if (results->file && results->format == RESULTS_TEXT) {
         struct sink sink = stream_sink(results->file);
@@ -88,7 +88,6 @@ static int show_verdict(const struct check_command *check,
                 : cmd_failed(check->arguments->command, "no memory");
 }
 
-/* An answer that does not pass is a result, too: the JSON is kept. */
 static int check_answer(const struct check_command *check, bool *passed)
 {
     struct lesson_verdict verdict = { 0 };
@@ -117,22 +116,22 @@ static bool find_lesson(struct check_command *check, c205_error *error)
     return check_read_lesson(&check->own, name, error);
 }
 
-static int work(const struct check_command *check, bool *passed)
+/* Results are kept, good or not. */
+static int work(const struct check_command *check, bool *good)
 {
     const struct c205_arguments *arguments = check->arguments;
-    return arguments->folder ? check_folder(check)
+    return arguments->folder ? check_folder(check, good)
            : !check->lesson  ? check_list(check)
-           : arguments->file ? check_answer(check, passed)
+           : arguments->file ? check_answer(check, good)
                              : check_show(check);
 }
 
 static int open_and_work(struct check_command *check)
 {
     const struct c205_arguments *arguments = check->arguments;
-    struct results results = arguments->results;
-    bool passed = true;
+    bool good = true;
     c205_error error;
-    check->results = &results;
+    check->results = arguments->results;
     if (!lessons_open(&check->lessons, &error)
         || !find_lesson(check, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
@@ -140,11 +139,11 @@ static int open_and_work(struct check_command *check)
     if (arguments->start) {
         return check_start(check);
     }
-    if (!results_open(&results, arguments->command, NULL)) {
+    if (!results_open(&check->results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
-    int code = results_close(&results, work(check, &passed));
-    return code == CMD_DONE && !passed ? CMD_FAILED : code;
+    int code = results_close(&check->results, work(check, &good));
+    return code == CMD_DONE && !good ? CMD_FAILED : code;
 }
 
 static int check_usage(const struct c205_arguments *arguments)
@@ -157,6 +156,8 @@ static int check_usage(const struct c205_arguments *arguments)
                            "--start writes a program and grades none")
            : arguments->output && !arguments->start
                ? cmd_usage(command, "-o is of --start")
+           : arguments->hints && (!arguments->lesson || arguments->file)
+               ? cmd_usage(command, "--hints are printed with a lesson")
            : arguments->folder && arguments->file
                ? cmd_usage(command, "one answer or a --folder, not both")
                : CMD_DONE;
@@ -175,6 +176,7 @@ static int run(void *given)
 }
 
 static const struct command_option options[] = {
+    CMD_FLAG(hints, "print the lesson with its hints"),
     CMD_FLAG(start, "write the lesson's program to complete"),
     { .name = "output",
       .letter = 'o',

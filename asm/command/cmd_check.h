@@ -7,7 +7,7 @@
 
 struct check_command {
     const struct c205_arguments *arguments;
-    struct results *results;
+    struct results results;
     struct lessons lessons;
     struct lesson own;           /* a teacher's, from a folder */
     const struct lesson *lesson; /* that was named, or NULL */
@@ -23,13 +23,14 @@ bool check_grade(const struct lesson *lesson, const char *path,
 void check_join(struct text_buffer *buffer,
                 const struct lesson_report *report);
 
-/* cmd_check_lesson.c: all lessons; one, with what its tests have; its program to complete.  The exit
- * codes. */
+/* cmd_check_lesson.c: all lessons; one, with what its tests have; its program to complete.  The
+ * exit codes. */
 int check_list(const struct check_command *check);
 int check_show(const struct check_command *check);
 int check_start(const struct check_command *check);
 
-/* cmd_check_folder.c: a folder of answers; the exit code. */
-int check_folder(const struct check_command *check);
+/* cmd_check_folder.c: a folder of answers; the exit code, and whether all that was there could be
+ * graded. */
+int check_folder(const struct check_command *check, bool *all_graded);
 
 #endif

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
+#include "base/progress.h"
 
 static bool join_path(struct text_buffer *path, const char *folder,
                       const char *name)
@@ -58,8 +59,10 @@ bool check_read_lesson(struct lesson *lesson, const char *path,
                        c205_error *error)
 {
     struct folder folder;
-    bool good = folder_read(&folder, path, error)
-                && begin_lesson(lesson, path, error);
+    c205_error reason;
+    bool good = folder_read(&folder, path, &reason)
+                    ? begin_lesson(lesson, path, error)
+                    : error_say(error, "%.160s: %.80s", path, reason.message);
     for (size_t i = 0; good && i < folder.count; i++) {
         const char *name = folder.names[i];
         if (file_ends_with(name, ".s") || file_ends_with(name, ".md")) {
@@ -76,12 +79,14 @@ bool check_read_lesson(struct lesson *lesson, const char *path,
 struct handed_in {
     const struct check_command *check;
     struct table *table;
+    struct progress progress;
     size_t refused;
     bool failed; /* no memory */
 };
 
 static void refuse(struct handed_in *all, const char *path, const char *why)
 {
+    progress_hide(&all->progress);
     cmd_failed(all->check->arguments->command, "%s: %s", path, why);
     all->refused++;
 }
@@ -121,13 +126,14 @@ static void add_row(struct handed_in *all, const char *student,
         table_gap(all->table);
     }
     table_text(all->table, report.text ? report.text : "");
+    all->failed = all->failed || report.failed;
     text_buffer_free(&report);
 }
 
 static void grade(struct handed_in *all, const char *student,
                   const struct lesson *lesson, const char *path)
 {
-    struct json *json = all->check->results->json;
+    struct json *json = all->check->results.json;
     struct lesson_verdict verdict = { 0 };
     c205_error error;
     if (!check_grade(lesson, path, &verdict, &error)) {
@@ -144,47 +150,15 @@ static void grade(struct handed_in *all, const char *student,
     lesson_verdict_free(&verdict);
 }
 
-/* The name without ".s"; empty: it has not this ending. */
-static void stem_of(const char *name, struct text_line *stem)
-{
-    struct sink sink = text_line_sink(stem);
-    if (file_ends_with(name, ".s")) {
-        sink_print(&sink, "%.*s", (int)strlen(name) - 2, name);
-    }
-}
+/* ---- Folders of them ------------------------------------------------------- */
 
-/* The lesson that was asked for, by its name; or any. */
-static const struct lesson *lesson_named(const struct handed_in *all,
-                                         const char *name)
-{
-    const struct check_command *check = all->check;
-    c205_error error;
-    const struct lesson *own = &check->own;
-    if (own->folder
-        && (strcmp(own->name, name) == 0 || strcmp(own->folder, name) == 0)) {
-        return own;
-    }
-    return lessons_find(&check->lessons, name, &error);
-}
+/* What is done with a file or folder of a student; "": of nobody. */
+typedef void take_file(struct handed_in *all, const char *student,
+                       const char *name, const char *path);
 
-/* STUDENT/LESSON.s, or LESSON.s of nobody; answers to lessons that were not asked for are left
- * out. */
-static void take_answer(struct handed_in *all, const char *student,
-                        const char *name, const char *path)
-{
-    const struct lesson *asked = all->check->lesson, *lesson;
-    struct text_line stem = { 0 };
-    stem_of(name, &stem);
-    lesson = stem.length > 0 ? lesson_named(all, stem.text) : NULL;
-    if (!lesson) {
-        refuse(all, path, "not graded, as it has the name of no lesson");
-    } else if (!asked || lesson == asked) {
-        grade(all, student, lesson, path);
-    }
-}
-
-static void take_student(struct handed_in *all, const char *student,
-                         const char *path)
+/* With each in turn. */
+static void take_folder(struct handed_in *all, const char *student,
+                        const char *path, take_file *take)
 {
     struct folder folder;
     c205_error error;
@@ -194,40 +168,68 @@ static void take_student(struct handed_in *all, const char *student,
     for (size_t i = 0; i < folder.count; i++) {
         struct text_buffer inner = { 0 };
         if (join_path(&inner, path, folder.names[i])) {
-            take_answer(all, student, folder.names[i], inner.text);
+            take(all, student, folder.names[i], inner.text);
         }
         all->failed = all->failed || inner.failed;
         text_buffer_free(&inner);
+        if (!*student) {
+            progress_tell(&all->progress, i + 1, folder.count);
+        }
     }
     folder_free(&folder);
 }
 
-static void take_entry(struct handed_in *all, const char *name,
-                       const char *path)
+/* The name without ".s"; empty: it has not this ending. */
+static struct text_line stem_of(const char *name)
 {
     struct text_line stem = { 0 };
-    stem_of(name, &stem);
+    struct sink sink = text_line_sink(&stem);
+    if (file_ends_with(name, ".s")) {
+        sink_print(&sink, "%.*s", (int)strlen(name) - 2, name);
+    }
+    return stem;
+}
+
+/* A teacher's, or one of ours. */
+static const struct lesson *lesson_named(const struct check_command *check,
+                                         const char *name)
+{
+    const struct lesson *own = &check->own;
+    c205_error error;
+    return own->folder
+                   && (strcmp(own->name, name) == 0
+                       || strcmp(own->folder, name) == 0)
+               ? own
+               : lessons_find(&check->lessons, name, &error);
+}
+
+/* LESSON.s; answers to lessons that were not asked for are left out. */
+static void take_answer(struct handed_in *all, const char *student,
+                        const char *name, const char *path)
+{
+    const struct lesson *asked = all->check->lesson;
+    struct text_line stem = stem_of(name);
+    const struct lesson *lesson = lesson_named(all->check, stem.text);
+    if (!lesson) {
+        refuse(all, path, "not graded, as it has the name of no lesson");
+    } else if (!asked || lesson == asked) {
+        grade(all, student, lesson, path);
+    }
+}
+
+/* STUDENT, LESSON.s or STUDENT.s. */
+static void take_entry(struct handed_in *all, const char *student,
+                       const char *name, const char *path)
+{
+    struct text_line stem = stem_of(name);
     if (folder_is(path)) {
-        take_student(all, name, path);
+        take_folder(all, name, path, take_answer);
     } else if (!all->check->lesson) {
-        take_answer(all, "", name, path);
+        take_answer(all, student, name, path);
     } else if (stem.length > 0) {
         grade(all, stem.text, all->check->lesson, path);
     } else {
         refuse(all, path, "not graded, as it is no program text");
-    }
-}
-
-static void take_all(struct handed_in *all, const char *path,
-                     const struct folder *folder)
-{
-    for (size_t i = 0; i < folder->count; i++) {
-        struct text_buffer inner = { 0 };
-        if (join_path(&inner, path, folder->names[i])) {
-            take_entry(all, folder->names[i], inner.text);
-        }
-        all->failed = all->failed || inner.failed;
-        text_buffer_free(&inner);
     }
 }
 
@@ -244,44 +246,39 @@ static struct table *new_table(void)
     return table_new(TABLE_COLUMNS(columns));
 }
 
-static int show(struct handed_in *all)
+static int take_class(struct handed_in *all)
 {
-    const struct results *results = all->check->results;
-    const char *command = all->check->arguments->command;
-    if (all->failed
-        || (results->file
-            && !table_write(all->table, results_table_format(results),
-                            results->file))) {
-        return cmd_failed(command, "no memory");
+    const struct c205_arguments *arguments = all->check->arguments;
+    const struct results *results = &all->check->results;
+    if (results->json) {
+        json_array(results->json, "hand_ins");
     }
-    return CMD_DONE;
+    progress_begin(&all->progress);
+    take_folder(all, "", arguments->folder, take_entry);
+    progress_hide(&all->progress);
+    if (results->json) {
+        json_end(results->json);
+    }
+    return !all->failed
+                   && (!results->file
+                       || table_write(all->table,
+                                      results_table_format(results),
+                                      results->file))
+               ? CMD_DONE
+               : cmd_failed(arguments->command, "no memory");
 }
 
-int check_folder(const struct check_command *check)
+int check_folder(const struct check_command *check, bool *all_graded)
 {
-    const char *path = check->arguments->folder;
-    const char *command = check->arguments->command;
-    struct json *json = check->results->json;
     struct handed_in all = { .check = check, .table = new_table() };
-    struct folder folder;
-    c205_error error;
-    int code = CMD_FAILED;
-    if (!all.table) {
-        return cmd_failed(command, "no memory");
-    }
-    if (json) {
-        json_array(json, "hand_ins");
-    }
-    if (folder_read(&folder, path, &error)) {
-        take_all(&all, path, &folder);
-        code = show(&all);
-    } else {
-        cmd_failed(command, "%s", error.message);
-    }
-    if (json) {
-        json_end(json);
-    }
-    folder_free(&folder);
+    const struct c205_arguments *arguments = check->arguments;
+    int code = !all.table ? cmd_failed(arguments->command, "no memory")
+               : !folder_is(arguments->folder)
+                   ? cmd_failed(arguments->command,
+                                "%s: there is no such folder",
+                                arguments->folder)
+                   : take_class(&all);
     table_free(all.table);
-    return code == CMD_DONE && all.refused > 0 ? CMD_FAILED : code;
+    *all_graded = all.refused == 0;
+    return code;
 }

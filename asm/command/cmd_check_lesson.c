@@ -1,5 +1,6 @@
 /* cmd_check_lesson.c - lessons as c205 check prints them. */
 #include <inttypes.h>
+#include <string.h>
 
 #include "asm/command/cmd_check.h"
 #include "base/whole.h"
@@ -18,7 +19,7 @@ int check_list(const struct check_command *check)
         table_text(table, lesson->name);
         table_text(table, lesson->title);
     }
-    return results_show(check->results, table, "lessons", NULL);
+    return results_show(&check->results, table, "lessons", NULL);
 }
 
 /* ---- What a test has ------------------------------------------------------- */
@@ -97,23 +98,67 @@ static int show_tests(const struct check_command *check)
             return cmd_failed(check->arguments->command, "%s", error.message);
         }
     }
-    return results_show(check->results, table, "tests", "Tests");
+    return results_show(&check->results, table, "tests", "Tests");
 }
 
 /* ---- A lesson -------------------------------------------------------------- */
 
+/* For the eye: without comments, and without hints unless they are asked for. */
+struct lesson_reading {
+    FILE *file;
+    bool hints, hidden, blank; /* the line before is */
+};
+
+static bool begins(const char *line, const char *text)
+{
+    return strncmp(line, text, strlen(text)) == 0;
+}
+
+/* A hint's line is "<details><summary>First hint</summary>". */
+static void put_line(struct lesson_reading *reading, const char *line,
+                     size_t length)
+{
+    static const char before[] = "<details><summary>",
+                      behind[] = "</summary>";
+    if (begins(line, "## ")) {
+        reading->hidden = begins(line, "## Hints") && !reading->hints;
+    }
+    if (reading->hidden || begins(line, "<!--") || begins(line, "</details>")
+        || (length == 0 && reading->blank)) {
+        return;
+    }
+    reading->blank = length == 0;
+    if (begins(line, before)) {
+        line += sizeof before - 1;
+        length -= sizeof before + sizeof behind - 2;
+    }
+    fprintf(reading->file, "%.*s\n", (int)length, line);
+}
+
+static void put_text(const struct check_command *check)
+{
+    struct lesson_reading reading = { .file = check->results.file,
+                                      .hints = check->arguments->hints };
+    const char *line = check->lesson->text;
+    while (*line) {
+        size_t length = strcspn(line, "\n");
+        put_line(&reading, line, length);
+        line += length + (line[length] == '\n');
+    }
+}
+
 int check_show(const struct check_command *check)
 {
     const struct lesson *lesson = check->lesson;
-    const struct results *results = check->results;
+    const struct results *results = &check->results;
     if (results->json) {
         json_text(results->json, "lesson", lesson->name);
         json_text(results->json, "title", lesson->title);
         json_text(results->json, "text", lesson->text);
         json_text(results->json, "start", lesson->start);
     }
-    if (results->file && results->format != RESULTS_CSV) {
-        fputs(lesson->text, results->file);
+    if (results->file && results->format == RESULTS_TEXT) {
+        put_text(check);
     }
     results_gap(results);
     return show_tests(check);

@@ -152,7 +152,7 @@ static bool begin_label(struct lesson_exchange *exchange,
         return false;
     *item = (struct exchanged){ .label = label,
                                 .contents = ours->contents,
-                                .count = ours->count,
+                                .count = (size_t)ours->count,
                                 .here = (uint64_t)ours->value,
                                 .there = (uint64_t)theirs->value };
     exchange->count++;

@@ -73,8 +73,23 @@ static struct asm_define *make_defines(struct sitting *sitting)
     return defines;
 }
 
-/* Whether a constant that the answer sets is why. */
-static bool tell_redefined(struct sitting *sitting,
+static void tell_redefined(struct lesson_report *report, const char *name,
+                           const struct diagnostic *diagnostic)
+{
+    if (diagnostic->source && strstr(diagnostic->source, ".equ"))
+        report_say(report,
+                   "Line %zu sets %s, which the tests set: put '.ifndef %s' "
+                   "before it and '.endif' behind it.",
+                   diagnostic->line, name, name);
+    else
+        report_say(report,
+                   "Line %zu uses the name %s, which is that of a constant "
+                   "that the tests set: take another one.",
+                   diagnostic->line, name);
+}
+
+/* Whether a constant that the answer has, too, is why. */
+static bool find_redefined(struct sitting *sitting,
                            const struct diagnostics *said,
                            const struct asm_define *defines)
 {
@@ -84,14 +99,26 @@ static bool tell_redefined(struct sitting *sitting,
     for (; defines->name; defines++)
         for (size_t i = 0; i < said->count; i++)
             if (asm_is_redefined(&said->items[i], defines->name))
-                report_say(report,
-                           "Line %zu sets %s, which the tests set: put "
-                           "'.ifndef %s' before it and '.endif' behind it.",
-                           said->items[i].line, defines->name, defines->name);
+                tell_redefined(report, defines->name, &said->items[i]);
     return report->count > told;
 }
 
-/* With the constants of the test, which are told if that does not go. */
+/* "With n = 5 it cannot be assembled:" */
+static void tell_errors(struct sitting *sitting,
+                        const struct diagnostics *said,
+                        const struct asm_define *defines)
+{
+    struct text_line line = { 0 };
+    struct sink sink = text_line_sink(&line);
+
+    for (size_t i = 0; defines[i].name; i++)
+        sink_print(&sink, "%s%s = %" PRId64, i > 0 ? ", " : "With ",
+                   defines[i].name, defines[i].value);
+    sink_put(&sink, " it cannot be assembled:");
+    say_diagnostics(&sitting->trial->report, line.text, said, SEVERITY_ERROR);
+}
+
+/* With the constants of the test. */
 static bool assemble_answer(struct sitting *sitting)
 {
     struct asm_define *defines = make_defines(sitting);
@@ -102,11 +129,8 @@ static bool assemble_answer(struct sitting *sitting)
         return no_memory(sitting->error);
     sitting->answer = assemble_bytes(sitting->name, sitting->text,
                                      sitting->length, &options, &said);
-    if (!sitting->answer && !tell_redefined(sitting, &said, defines))
-        say_diagnostics(&sitting->trial->report,
-                        "With the constants of this test it cannot be "
-                        "assembled:",
-                        &said, SEVERITY_ERROR);
+    if (!sitting->answer && !find_redefined(sitting, &said, defines))
+        tell_errors(sitting, &said, defines);
     diagnostics_free(&said);
     return true;
 }

@@ -214,9 +214,11 @@ const struct lesson *lessons_find(const struct lessons *lessons,
             return lesson;
         nearest_try(&nearest, lesson->name);
     }
-    error_say(error,
-              "there is no lesson '%.80s'%s%s%s; c205 check lists them", name,
-              nearest.name ? ": is it '" : "",
-              nearest.name ? nearest.name : "", nearest.name ? "'?" : "");
+    if (nearest.name)
+        error_say(error, "there is no lesson '%.80s'; is it '%.80s'?", name,
+                  nearest.name);
+    else
+        error_say(error, "there is no lesson '%.80s'; c205 check lists them",
+                  name);
     return NULL;
 }

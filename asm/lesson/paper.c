@@ -85,13 +85,15 @@ static void say_first(const struct diagnostics *said, c205_error *error)
 struct object *lesson_assemble_test(const struct lesson_test *test,
                                     c205_error *error)
 {
+    static const struct asm_options options = { .sealed = true };
     struct diagnostics said = { 0 };
     struct text_line name = { 0 };
     struct sink sink = text_line_sink(&name);
     struct object *object;
 
     sink_print(&sink, "test-%s.s", test->name);
-    object = assemble_bytes(name.text, test->text, test->length, NULL, &said);
+    object = assemble_bytes(name.text, test->text, test->length, &options,
+                            &said);
     if (!object)
         say_first(&said, error);
     diagnostics_free(&said);

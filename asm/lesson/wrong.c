@@ -33,88 +33,77 @@ static bool is_right(const struct exchanged *exchanged, size_t i)
     return is_same(exchanged, exchanged->wanted[i], exchanged->found[i]);
 }
 
-static bool is_equal_number(const struct exchanged *exchanged, c205_word a,
-                            c205_word b)
-{
-    return number_of(exchanged, a) == number_of(exchanged, b);
-}
-
 /* ---- What they look like --------------------------------------------------- */
 
-/* Of a result of which something is wrong. */
-typedef bool looks_like(const struct exchanged *exchanged);
+/* Of a result of which something is wrong: an element, or all of it. */
+typedef bool of_element(const struct exchanged *exchanged, size_t i);
+typedef bool of_result(const struct exchanged *exchanged);
 
-static bool untouched(const struct exchanged *exchanged)
-{
-    return memcmp(exchanged->found, exchanged->before,
-                  exchanged->count * sizeof *exchanged->found)
-           == 0;
-}
-
-static bool all_zero(const struct exchanged *exchanged)
+static bool all(const struct exchanged *exchanged, of_element *is)
 {
     size_t i = 0;
 
-    while (i < exchanged->count
-           && number_of(exchanged, exchanged->found[i]) == 0)
+    while (i < exchanged->count && is(exchanged, i))
         i++;
     return i == exchanged->count;
 }
 
-static bool other_words(const struct exchanged *exchanged)
+static bool is_untouched(const struct exchanged *exchanged, size_t i)
 {
-    size_t i = 0;
-
-    while (i < exchanged->count
-           && (is_right(exchanged, i)
-               || is_equal_number(exchanged, exchanged->wanted[i],
-                                  exchanged->found[i])))
-        i++;
-    return i == exchanged->count;
+    return exchanged->found[i] == exchanged->before[i];
 }
 
-/* Elements that are all the same stand nowhere too early. */
-static bool is_constant(const struct exchanged *exchanged)
+static bool is_zero(const struct exchanged *exchanged, size_t i)
 {
-    size_t i = 1;
+    return number_of(exchanged, exchanged->found[i]) == 0;
+}
 
-    while (i < exchanged->count
-           && exchanged->wanted[i] == exchanged->wanted[0])
-        i++;
-    return i >= exchanged->count;
+static bool is_equal(const struct exchanged *exchanged, size_t i)
+{
+    return is_right(exchanged, i)
+           || number_of(exchanged, exchanged->found[i])
+                  == number_of(exchanged, exchanged->wanted[i]);
+}
+
+static bool is_late(const struct exchanged *exchanged, size_t i)
+{
+    return i == 0
+           || is_same(exchanged, exchanged->wanted[i - 1],
+                      exchanged->found[i]);
+}
+
+static bool is_early(const struct exchanged *exchanged, size_t i)
+{
+    return i + 1 == exchanged->count
+           || is_same(exchanged, exchanged->wanted[i + 1],
+                      exchanged->found[i]);
+}
+
+static bool is_first(const struct exchanged *exchanged, size_t i)
+{
+    return exchanged->wanted[i] == exchanged->wanted[0];
+}
+
+/* Elements that are all the same, or one or two, stand nowhere too early. */
+static bool have_places(const struct exchanged *exchanged)
+{
+    return exchanged->count > 2 && !all(exchanged, is_first);
 }
 
 static bool too_late(const struct exchanged *exchanged)
 {
-    size_t i = 1;
-
-    while (
-        i < exchanged->count
-        && is_same(exchanged, exchanged->wanted[i - 1], exchanged->found[i]))
-        i++;
-    return i == exchanged->count && i > 2 && !is_constant(exchanged);
+    return have_places(exchanged) && all(exchanged, is_late);
 }
 
 static bool too_early(const struct exchanged *exchanged)
 {
-    size_t i = 1;
-
-    while (
-        i < exchanged->count
-        && is_same(exchanged, exchanged->wanted[i], exchanged->found[i - 1]))
-        i++;
-    return i == exchanged->count && i > 2 && !is_constant(exchanged);
+    return have_places(exchanged) && all(exchanged, is_early);
 }
 
-static bool backwards(const struct exchanged *exchanged)
+static bool is_backwards(const struct exchanged *exchanged, size_t i)
 {
-    size_t i = 0, n = exchanged->count;
-
-    while (i < n
-           && is_same(exchanged, exchanged->wanted[n - 1 - i],
-                      exchanged->found[i]))
-        i++;
-    return i == n;
+    return is_same(exchanged, exchanged->wanted[exchanged->count - 1 - i],
+                   exchanged->found[i]);
 }
 
 static int compare_words(const void *a, const void *b)
@@ -143,100 +132,68 @@ static bool other_order(const struct exchanged *exchanged)
     return same;
 }
 
-static bool is_rising(const struct exchanged *exchanged)
+static bool is_above(const struct exchanged *exchanged, size_t i)
 {
-    size_t i = 1;
-
-    while (i < exchanged->count
-           && number_of(exchanged, exchanged->wanted[i - 1])
-                  <= number_of(exchanged, exchanged->wanted[i]))
-        i++;
-    return i >= exchanged->count && !is_constant(exchanged);
+    return i == 0
+           || number_of(exchanged, exchanged->wanted[i - 1])
+                  <= number_of(exchanged, exchanged->wanted[i]);
 }
 
 static bool unsorted(const struct exchanged *exchanged)
 {
-    return is_rising(exchanged) && other_order(exchanged);
+    return all(exchanged, is_above) && other_order(exchanged);
 }
 
-static bool is_opposite(const struct exchanged *exchanged, size_t i)
+static bool has_other_sign(const struct exchanged *exchanged, size_t i)
 {
+    return number_of(exchanged, exchanged->found[i])
+           == -number_of(exchanged, exchanged->wanted[i]);
+}
+
+static bool is_other_bit(const struct exchanged *exchanged, size_t i)
+{
+    return exchanged->contents == ASM_BITS && exchanged->count > 1
+           && exchanged->found[i] != exchanged->wanted[i];
+}
+
+static bool is_little_off(const struct exchanged *exchanged, size_t i)
+{
+    double little = exchanged->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
     double wanted = number_of(exchanged, exchanged->wanted[i]);
     double found = number_of(exchanged, exchanged->found[i]);
 
-    return exchanged->contents == ASM_BITS ? wanted != found
-                                           : wanted == -found;
+    return is_right(exchanged, i)
+           || fabs(found - wanted) <= little * fabs(wanted);
 }
 
-static bool opposite(const struct exchanged *exchanged)
+static bool is_indefinite(const struct exchanged *exchanged, size_t i)
 {
-    size_t i = 0;
-
-    while (i < exchanged->count && is_opposite(exchanged, i))
-        i++;
-    return i == exchanged->count;
-}
-
-static bool other_sign(const struct exchanged *exchanged)
-{
-    return exchanged->contents != ASM_BITS && opposite(exchanged);
-}
-
-static bool other_bit(const struct exchanged *exchanged)
-{
-    return exchanged->contents == ASM_BITS && exchanged->count > 1
-           && opposite(exchanged);
-}
-
-static bool last_bits(const struct exchanged *exchanged)
-{
-    double little = exchanged->contents == ASM_HALF_WORDS ? 1e-5 : 1e-9;
-    size_t i = 0;
-
-    while (
-        i < exchanged->count
-        && (is_right(exchanged, i)
-            || fabs(number_of(exchanged, exchanged->found[i])
-                    - number_of(exchanged, exchanged->wanted[i]))
-                   <= little
-                          * fabs(number_of(exchanged, exchanged->wanted[i]))))
-        i++;
-    return i == exchanged->count;
+    return is_right(exchanged, i)
+           || isnan(number_of(exchanged, exchanged->found[i]));
 }
 
 static bool is_normalised(const struct exchanged *exchanged,
                           c205_word element)
 {
-    return exchanged->contents == ASM_WORDS
-               ? c205_from_double(c205_to_double(element)) == element
-               : c205_half_from_double(c205_half_to_double(element))
-                     == element;
+    switch (exchanged->contents) {
+    case ASM_WORDS:
+        return c205_from_double(c205_to_double(element)) == element;
+    case ASM_HALF_WORDS:
+        return c205_half_from_double(c205_half_to_double(element)) == element;
+    default: return true;
+    }
+}
+
+static bool keeps_bits(const struct exchanged *exchanged, size_t i)
+{
+    return is_zero(exchanged, i)
+           || is_normalised(exchanged, exchanged->found[i])
+           || !is_normalised(exchanged, exchanged->wanted[i]);
 }
 
 static bool lost_bits(const struct exchanged *exchanged)
 {
-    bool lost = false;
-
-    if (exchanged->contents != ASM_WORDS
-        && exchanged->contents != ASM_HALF_WORDS)
-        return false;
-    for (size_t i = 0; i < exchanged->count; i++)
-        lost = lost
-               || (number_of(exchanged, exchanged->found[i]) != 0
-                   && is_normalised(exchanged, exchanged->wanted[i])
-                   && !is_normalised(exchanged, exchanged->found[i]));
-    return lost;
-}
-
-static bool indefinite(const struct exchanged *exchanged)
-{
-    size_t i = 0;
-
-    while (i < exchanged->count
-           && (is_right(exchanged, i)
-               || isnan(number_of(exchanged, exchanged->found[i]))))
-        i++;
-    return i == exchanged->count;
+    return !all(exchanged, keeps_bits);
 }
 
 /* Some at the beginning are right, and nothing was stored behind them. */
@@ -244,43 +201,61 @@ static bool only_begun(const struct exchanged *exchanged)
 {
     size_t i = 0;
 
-    while (i < exchanged->count && is_right(exchanged, i))
+    if (!is_right(exchanged, 0))
+        return false;
+    while (is_right(exchanged, i))
         i++;
-    return i > 0
-           && memcmp(exchanged->found + i, exchanged->before + i,
-                     (exchanged->count - i) * sizeof *exchanged->found)
-                  == 0;
+    while (i < exchanged->count && is_untouched(exchanged, i))
+        i++;
+    return i == exchanged->count;
 }
 
 /* The first that fits is told. */
 static const struct likeness {
-    looks_like *fits;
+    of_element *each; /* it fits if this is true of each element; .. */
+    of_result *whole; /* .. or this of all together */
     const char *sentence;
 } likenesses[] = {
-    { untouched, "It holds what it held before the run: nothing was stored "
-                 "there, or nothing new." },
-    { all_zero, "All that stands there is zero." },
-    { other_words,
+    { is_untouched, NULL,
+      "It holds what it held before the run: nothing was stored there, or "
+      "nothing new." },
+    { is_zero, NULL, "All that stands there is zero." },
+    { is_equal, NULL,
       "The numbers are equal, but not their words: 5 is an integer word and "
       "5.0 a normalised one, with other bits." },
-    { too_late, "The right elements stand one place too far behind: element "
-                "1 has what element 0 should have." },
-    { too_early, "The right elements stand one place too far in front: "
-                 "element 0 has what element 1 should have." },
-    { backwards, "The right elements stand there from back to front." },
-    { unsorted, "The right elements stand there, but they are not sorted." },
-    { other_order, "The right elements stand there, in another order." },
-    { other_sign, "The sign is wrong." },
-    { other_bit, "Each bit is the opposite of the right one." },
-    { last_bits, "Only the last bits are wrong: other operations, or the "
-                 "same in another order, round otherwise." },
-    { indefinite, "Indefinite comes of a division by zero or a root of a "
-                  "negative number, and of all that is computed with it." },
-    { lost_bits,
-      "They are not normalised: an integer word among the operands, "
-      "2 for 2.0, costs a result its bits." },
-    { only_begun, "Nothing new was stored behind those that are right." },
+    { NULL, too_late,
+      "The right elements stand one place too far behind: element 1 has what "
+      "element 0 should have." },
+    { NULL, too_early,
+      "The right elements stand one place too far in front: element 0 has "
+      "what element 1 should have." },
+    { is_backwards, NULL,
+      "The right elements stand there from back to front." },
+    { NULL, unsorted,
+      "The right elements stand there, but they are not sorted." },
+    { NULL, other_order,
+      "The right elements stand there, in another order." },
+    { has_other_sign, NULL, "The sign is wrong." },
+    { is_other_bit, NULL, "Each bit is the opposite of the right one." },
+    { is_little_off, NULL,
+      "Only the last bits are wrong: other operations, or the same in "
+      "another order, round otherwise." },
+    { is_indefinite, NULL,
+      "Indefinite comes of a division by zero or a root of a negative "
+      "number, and of all that is computed with it." },
+    { NULL, lost_bits,
+      "They are not normalised: an integer word among the operands, 2 for "
+      "2.0, costs a result its bits." },
+    { NULL, only_begun,
+      "Nothing new was stored behind those that are right." },
 };
+
+static bool fits(const struct likeness *likeness,
+                 const struct exchanged *exchanged)
+{
+    return likeness->each ? all(exchanged, likeness->each)
+                          : likeness->whole(exchanged);
+}
 
 /* ---- In words -------------------------------------------------------------- */
 
@@ -311,7 +286,7 @@ static void say_element(const struct exchanged *exchanged, size_t i,
                         const struct sink *sink)
 {
     c205_word wanted = exchanged->wanted[i], found = exchanged->found[i];
-    bool with_bits = is_equal_number(exchanged, wanted, found);
+    bool with_bits = is_equal(exchanged, i);
 
     sink_put(sink, " is ");
     say_value(exchanged, found, with_bits, sink);
@@ -363,7 +338,7 @@ static void say_likeness(const struct exchanged *exchanged,
 {
     size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
 
-    while (i < count && !likenesses[i].fits(exchanged))
+    while (i < count && !fits(&likenesses[i], exchanged))
         i++;
     if (i < count)
         sink_print(sink, "  %s", likenesses[i].sentence);

@@ -51,6 +51,10 @@ void draw_lesson(struct drawn_lesson *drawn, uint64_t *random_state);
 /* The folder as it would be on disk; fails the test where that is refused. */
 void drawn_open(const struct drawn_lesson *drawn, struct lesson *lesson);
 
+/* Fails the test where the lesson is wrong itself. */
+void grade_well(struct lesson_verdict *verdict, const struct lesson *lesson,
+                const char *answer);
+
 double drawn_number(const struct drawn_lesson *drawn, c205_word element);
 unsigned drawn_width(const struct drawn_lesson *drawn);
 

@@ -11,6 +11,7 @@
 #include "base/accounts.h"
 #include "asm/disassemble.h"
 #include "asm/expect.h"
+#include "asm/lesson/lesson.h"
 #include "asm/listing.h"
 #include "asm/measure.h"
 #include "asm/object.h"
@@ -18,6 +19,7 @@
 #include "asm/state.h"
 #include "rt/study/speedup_report.h"
 #include "rt/study/sweep/kinds.h"
+#include "web/engine/engine.h"
 
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);
@@ -432,6 +434,84 @@ static bool check_object(FILE *out, c205_error *error)
     return done || no_memory(error);
 }
 
+/* A fine answer that does not pass was not graded for want of memory. */
+static bool grade_answer(FILE *out, c205_error *error)
+{
+    static const char test[] = "; test: one\n; goals: gold 1, silver 2, "
+                               "bronze 90000\n        .equ    n, 1\n"
+                               "x:      .word   2.0\nwant_y: .word 2.0\n";
+    static const char answer[] = "        .data\nx:      .word   1.0\n"
+                                 "y:      .word   0.0\n        .code\n"
+                                 "        EX      r10, x\n"
+                                 "        LOD     [r10], r11\n"
+                                 "        EX      r10, y\n"
+                                 "        STO     [r10], r11\n"
+                                 "        EXIT\n";
+    struct sink sink = stream_sink(out);
+    struct lesson lesson = { 0 };
+    struct lesson_verdict verdict = { 0 };
+    bool done = lesson_begin(&lesson, "1-it", error)
+                && lesson_take(&lesson, "lesson.md", "# A\n", 4, error)
+                && lesson_take(&lesson, "start.s", "", 0, error)
+                && lesson_take(&lesson, "test-a.s", test, strlen(test), error)
+                && lesson_end(&lesson, error)
+                && lesson_grade(&verdict, &lesson, "my.s", answer,
+                                strlen(answer), error);
+    if (done && !verdict.passed) {
+        done = no_memory(error);
+    }
+    if (done) {
+        lesson_verdict_put(&verdict, &sink);
+    }
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+    return done;
+}
+
+/* What is printed is kept as far as there is room, and of breakpoints each by itself may be
+ * none. */
+static bool reply_to(struct engine *engine, const char *request, FILE *out,
+                     c205_error *error)
+{
+    char *reply = engine_answer(engine, request, strlen(request));
+    bool good = reply && strncmp(reply, "{\"ok\": true", 11) == 0
+                && !strstr(reply, "\"printed_cut\": true")
+                && !strstr(reply, "no memory");
+    if (good)
+        fprintf(out, "%s\n", reply);
+    free(reply);
+    return good || no_memory(error);
+}
+
+static bool answer_requests(FILE *out, c205_error *error)
+{
+    static const char *const requests[] = {
+        "{\"do\": \"load\", \"text\": \" .data\\nx: .word 1.0, 2.0\\n "
+        ".code\\n EX r10, x\\n ELEN r10, 2\\n ADDNV [r10], [r10], "
+        "[r10]\\n EXIT r10, r0, 6\\n EXIT\\n\", \"defines\": {\"n\": 1}, "
+        "\"files\": {\"a\": \"\"}}",
+        "{\"do\": \"breaks\", \"lines\": [6, 90]}",
+        "{\"do\": \"go\", \"how\": \"continue\"}",
+        "{\"do\": \"go\", \"how\": \"end\"}",
+        "{\"do\": \"view\"}",
+        "{\"do\": \"say\", \"line\": \"why\"}",
+        "{\"do\": \"profile\"}",
+        "{\"do\": \"timeline\"}",
+        "{\"do\": \"timeline\", \"file\": \"x.json\"}",
+        "{\"do\": \"accounts\"}",
+        "{\"do\": \"sweep\", \"constant\": \"n\", \"from\": 1, \"to\": 2, "
+        "\"text\": \" ES r10, n\\n EXIT\\n\", \"other\": \" EXIT\\n\"}",
+        "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\\n\"}, "
+        "{\"text\": \" EXIT\\n\"}]}",
+    };
+    struct engine *engine = engine_new();
+    bool done = engine != NULL;
+    for (size_t i = 0; done && i < sizeof requests / sizeof *requests; i++)
+        done = reply_to(engine, requests[i], out, error);
+    engine_free(engine);
+    return done || no_memory(error);
+}
+
 static bool write_json(FILE *out, c205_error *error)
 {
     (void)out;
@@ -484,7 +564,8 @@ static bool report_pipes(FILE *out, c205_error *error)
     use(find_models) use(assemble_one) use(assemble_wrong) use(read_object) \
         use(disassemble_object) use(run_object) use(run_example) \
             use(save_and_restore) use(check_object) use(measure_one) \
-                use(write_json) use(report_speedups) use(report_pipes)
+                use(grade_answer) use(answer_requests) use(write_json) \
+                    use(report_speedups) use(report_pipes)
 
 #define TEST(task) \
     static void test_##task(void **state) \

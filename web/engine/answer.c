@@ -57,12 +57,15 @@ bool refuse_as_said(struct engine *engine, c205_error *error)
     return false;
 }
 
-void put_said(struct engine *engine, struct json *reply, const char *key)
+bool put_said(struct engine *engine, struct json *reply, const char *key,
+              c205_error *error)
 {
     const char *said = said_text(engine);
+    bool good = !engine->said.failed;
 
     json_text(reply, key, said ? said : "");
     forget_said(engine);
+    return good || refuse(error, "no memory");
 }
 
 bool needs_program(const struct engine *engine, c205_error *error)
@@ -162,9 +165,10 @@ bool slice_is_over(void *given)
     uint64_t clock = c205_clock(engine_machine(engine));
 
     slice->to_the_limit = clock >= slice->ends_at;
+    if (clock < slice->from) /* it has gone back */
+        slice->from = clock;
     return slice->to_the_limit
-           || (slice->clocks > 0 && clock >= slice->from
-               && clock - slice->from >= slice->clocks)
+           || (slice->clocks > 0 && clock - slice->from >= slice->clocks)
            || time_is_over(slice);
 }
 

@@ -100,8 +100,8 @@ static void put_place(const struct engine *engine, struct json *reply)
     json_count(reply, "clock", c205_clock(engine_machine(engine)));
 }
 
-static void arrive(struct engine *engine, enum moved moved,
-                   struct json *reply)
+static bool arrive(struct engine *engine, enum moved moved,
+                   struct json *reply, c205_error *error)
 {
     json_truth(reply, "done", true);
     json_text(reply, "why", why(engine, moved));
@@ -110,7 +110,7 @@ static void arrive(struct engine *engine, enum moved moved,
         stops_pass(engine->debugger, true);
     else if (moved == MOVED_TO_HALT)
         show_halt(engine->debugger);
-    put_said(engine, reply, "message");
+    return put_said(engine, reply, "message", error);
 }
 
 static bool go_on(struct engine *engine, struct json *reply,
@@ -121,10 +121,8 @@ static bool go_on(struct engine *engine, struct json *reply,
     engine->goes_on = NULL;
     if (moved == MOVED_NOT)
         return refuse_as_said(engine, error);
-    if (moved != MOVED_INTERRUPTED || engine->slice.to_the_limit) {
-        arrive(engine, moved, reply);
-        return true;
-    }
+    if (moved != MOVED_INTERRUPTED || engine->slice.to_the_limit)
+        return arrive(engine, moved, reply, error);
     engine->goes_on = go_on;
     json_truth(reply, "done", false);
     json_text(reply, "why", "running");
@@ -198,6 +196,5 @@ bool answer_say(struct engine *engine, const struct json_value *request,
     engine->slice.ends_at = plus(c205_clock(engine_machine(engine)), limit);
     debugger_obey(engine->debugger, line);
     put_place(engine, reply);
-    put_said(engine, reply, "text");
-    return true;
+    return put_said(engine, reply, "text", error);
 }

@@ -98,11 +98,13 @@ static void put_term(const struct sink *sink, const char *before,
 }
 
 /* "101 = 51 vector start-up + 50 vector stream": sums of what the clock has told. */
-static void put_formula(const c205_event *event, struct json *reply)
+static bool put_formula(const c205_event *event, struct json *reply,
+                        c205_error *error)
 {
     const c205_times *record = event->record;
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
+    bool good;
 
     sink_print(&sink, "%" PRIu64 " clock%s", event->clocks,
                event->clocks == 1 ? "" : "s");
@@ -119,8 +121,11 @@ static void put_formula(const c205_event *event, struct json *reply)
                  record->phase[i].cause);
     if (event->elements > 0)
         sink_print(&sink, ", %zu elements", event->elements);
-    json_text(reply, "formula", text.text ? text.text : "");
+    good = !text.failed;
+    if (good)
+        json_text(reply, "formula", text.text);
     text_buffer_free(&text);
+    return good || refuse(error, "no memory");
 }
 
 static void put_constant(const c205_constant *constant, struct json *reply)
@@ -181,14 +186,16 @@ static void put_phases(const c205_times *record, struct json *reply)
     json_end(reply);
 }
 
-void put_last(const struct engine *engine, struct json *reply)
+bool put_last(const struct engine *engine, struct json *reply,
+              c205_error *error)
 {
     const c205_event *last = debugger_last(engine->debugger);
     const c205_times *end = debugger_end(engine->debugger);
+    bool good;
 
     if (!last) {
         json_null(reply, "last");
-        return;
+        return true;
     }
     json_object(reply, "last");
     put_text(engine, "text", last->pc, reply);
@@ -203,11 +210,12 @@ void put_last(const struct engine *engine, struct json *reply)
     json_count(reply, "waited", last->record->issued - last->record->arrived);
     json_count(reply, "ready", last->record->ready);
     json_count(reply, "unit_free", last->record->unit_free);
-    put_formula(last, reply);
+    good = put_formula(last, reply, error);
     put_constants(engine, last->record, reply);
     put_pieces(engine, last->record, "pieces", reply);
     put_phases(last->record, reply);
     if (end)
         put_pieces(engine, end, "in_flight", reply);
     json_end(reply);
+    return good;
 }

@@ -141,7 +141,8 @@ bool refuse_of(c205_error *error, const char *name);
 /* The debugger's own words, without "error: ". */
 bool refuse_as_said(struct engine *engine, c205_error *error);
 /* .. as a member, and nothing is said any more. */
-void put_said(struct engine *engine, struct json *reply, const char *key);
+bool put_said(struct engine *engine, struct json *reply, const char *key,
+              c205_error *error);
 /* NULL: no memory. */
 char *copy_of(const char *text);
 bool needs_program(const struct engine *engine, c205_error *error);
@@ -184,7 +185,8 @@ bool put_vectors(const struct engine *engine,
                  const struct json_value *request, struct json *reply,
                  c205_error *error);
 void put_next(const struct engine *engine, struct json *reply);
-void put_last(const struct engine *engine, struct json *reply);
+bool put_last(const struct engine *engine, struct json *reply,
+              c205_error *error);
 bool put_accounts(const struct engine *engine, struct json *reply,
                   c205_error *error);
 

@@ -195,6 +195,7 @@ static void print(void *context, const char *text, size_t length)
     if (printed->cut)
         return;
     sink.put(sink.context, text, length);
+    printed->cut = printed->text.failed;
     keep_mark(printed, debugger_step(engine->debugger) + 1);
 }
 
@@ -412,10 +413,11 @@ bool answer_load(struct engine *engine, const struct json_value *request,
 /* ---- breaks -------------------------------------------------------------------------------- */
 
 /* Each of them, and where it really stands; what cannot be is told with it. */
-static void put_break(struct engine *engine, struct json *reply,
-                      int64_t wanted)
+static bool put_break(struct engine *engine, struct json *reply,
+                      int64_t wanted, c205_error *error)
 {
     size_t line = 0;
+    bool told = true;
     bool good = wanted > 0
                 && debugger_break_line(engine->debugger, engine->name,
                                        (size_t)wanted, &line);
@@ -425,14 +427,16 @@ static void put_break(struct engine *engine, struct json *reply,
     if (good)
         json_count(reply, "line", line);
     else
-        put_said(engine, reply, "message");
+        told = put_said(engine, reply, "message", error);
     json_end(reply);
+    return told;
 }
 
 bool answer_breaks(struct engine *engine, const struct json_value *request,
                    struct json *reply, c205_error *error)
 {
     const struct json_value *lines = json_member(request, "lines");
+    bool good = true;
 
     if (!needs_program(engine, error))
         return false;
@@ -445,9 +449,9 @@ bool answer_breaks(struct engine *engine, const struct json_value *request,
             return refuse(error, "\"lines\" is a list of line numbers");
     debugger_forget_lines(engine->debugger);
     json_array(reply, "lines");
-    for (const struct json_value *line = lines->first; line;
+    for (const struct json_value *line = lines->first; line && good;
          line = line->next)
-        put_break(engine, reply, (int64_t)line->number);
+        good = put_break(engine, reply, (int64_t)line->number, error);
     json_end(reply);
-    return true;
+    return good;
 }

@@ -63,8 +63,11 @@ static bool begin(struct engine *engine, struct line_profile *profile,
     replay->halted = debugger_halt(engine->debugger);
     replay->end = end;
     engine->slice.ends_at = UINT64_MAX;
-    if (motion_to_step(engine->debugger, 0) == MOVED_NOT)
+    if (motion_to_step(engine->debugger, 0) == MOVED_NOT) {
+        line_profile_free(profile);
+        *replay = (struct replay){ .begun = false };
         return refuse_as_said(engine, error);
+    }
     replay->profile = profile;
     replay->timeline = timeline;
     return true;

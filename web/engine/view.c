@@ -158,10 +158,10 @@ bool answer_view(struct engine *engine, const struct json_value *request,
         return false;
     put_place(engine, reply);
     put_next(engine, reply);
-    put_last(engine, reply);
     put_registers(engine, json_member_truth(request, "all-registers", false),
                   reply);
-    return put_accounts(engine, reply, error)
+    return put_last(engine, reply, error)
+           && put_accounts(engine, reply, error)
            && put_vectors(engine, request, reply, error)
            && put_printed(engine, reply, error);
 }

@@ -1,0 +1,339 @@
+/* test_lesson_texts.c - what is expected of a run; what results look like; lessons that are none,
+ * and their names; any texts. */
+#include "asm/lesson/parts.h"
+#include "tests/random.h"
+#include "tests/unit/asm_helper.h"
+#include "tests/unit/drawn_lesson.h"
+
+static size_t tries = 5000;
+
+/* A lesson with one test; false: it is refused. */
+static bool open_with(struct lesson *lesson, const char *test,
+                      c205_error *error)
+{
+    static const char title[] = "# A\n";
+
+    *lesson = (struct lesson){ 0 };
+    return lesson_begin(lesson, "12-it", error)
+           && lesson_take(lesson, "lesson.md", title, strlen(title), error)
+           && lesson_take(lesson, "start.s", "", 0, error)
+           && lesson_take(lesson, "test-a.s", test, strlen(test), error)
+           && lesson_end(lesson, error);
+}
+
+/* ---- What is expected of a run --------------------------------------------- */
+
+static void check_run(const char *test, const char *answer,
+                      const char *wanted)
+{
+    struct lesson lesson;
+    struct lesson_verdict verdict;
+    const struct lesson_report *report;
+    c205_error error;
+
+    assert_true(open_with(&lesson, test, &error));
+    grade_well(&verdict, &lesson, answer);
+    report = verdict.graded ? &verdict.trials[0].report : &verdict.report;
+    assert_int_equal(verdict.passed, wanted == NULL);
+    assert_int_equal(report->count, wanted != NULL);
+    if (wanted)
+        assert_string_equal(report->sentences[0], wanted);
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+}
+
+static void test_runs(void **state)
+{
+    static const char reg[] = "; test: a\n; expect: r10 = 5\n";
+    static const char print[] = "; test: a\n; expect-print: 5\n";
+    static const char trap[] = "; test: a\n; expect-trap: unmapped-address\n";
+    static const char five[] = "        ES      r10, 5\n        EXIT\n";
+    static const char prints[] = "        .include \"print.s\"\n"
+                                 "        ES      r10, 5\n"
+                                 "        print_integer r10\n"
+                                 "        newline\n        EXIT\n";
+    static const char endless[] = "here:   ES      r10, 5\n"
+                                  "        EXIT    r10, r0, 2\n"
+                                  "        BIM     here\n";
+
+    (void)state;
+    check_run(reg, five, NULL);
+    check_run(reg, "        EXIT\n",
+              "Expected r10 = X'0000 0000 0000 0005' (5), found X'0000 0000 "
+              "0000 0000' (0).");
+    check_run("; test: a\n        .equ    five, 3\n; expect: r10 = 5\n",
+              "        .reg    five, r10\n        ES      five, 5\n"
+              "        EXIT\n",
+              "Line 1 uses the name five, which is that of a constant that "
+              "the tests set: take another one.");
+    check_run(print, prints, NULL);
+    check_run(print, five, "Expected '5' printed, found ''.");
+    check_run(print, endless,
+              "It printed more than 65536 characters, and was stopped.");
+    check_run(trap, "        LOD     [r0], r1\n        EXIT\n", NULL);
+    check_run(
+        trap, five,
+        "Expected trap unmapped-address, found: ended at 400020 with status "
+        "0.");
+}
+
+/* ---- Lessons that are none ------------------------------------------------- */
+
+static void check_notes(const char *notes, const char *wanted)
+{
+    struct lesson lesson = { 0 };
+    c205_error error = { "" };
+
+    assert_int_equal(open_with(&lesson, notes, &error), *wanted == '\0');
+    assert_string_equal(error.message, wanted);
+    lesson_free(&lesson);
+}
+
+static void test_notes(void **state)
+{
+    static const char goals[] = "12-it/test-a.s:2: expected 'goals: gold "
+                                "CLOCKS, silver CLOCKS, bronze CLOCKS', "
+                                "rising, once";
+
+    (void)state;
+    check_notes("; test: a\n", "");
+    check_notes("x: .word 1\n", "12-it/test-a.s:1: it has no '; test: a "
+                                "sentence'");
+    check_notes(";test:a\n; goals: gold 1, silver 2, bronze 3\n", "");
+    check_notes("; test: a\n; goals: gold 2, silver 1, bronze 3\n", goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2\n", goals);
+    check_notes("; test: a\n; goals: gold 0, silver 2, bronze 3\n", goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3 4\n", goals);
+    check_notes("; test: a\n; goals: gold 1, gold 2, bronze 3\n", goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3e9\n", goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 99999999999\n",
+                goals);
+    check_notes("; test: a\n; goal: gold 1, silver 2, bronze 3\n",
+                "12-it/test-a.s:2: a note like this is 'test:', 'goals:' or "
+                "'tolerance:'");
+    check_notes("; test: a\n; tolerance: y\n",
+                "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
+    check_notes("; test: a\n; tolerance: y -1\n",
+                "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
+    check_notes("; test: a\n; tolerance: y 1 2\n",
+                "12-it/test-a.s:2: expected nothing behind the tolerance");
+    check_notes("; test: a\n; test: b\n",
+                "12-it/test-a.s:2: expected one sentence behind 'test:', "
+                "once");
+}
+
+static void check_refused(const char *test, const char *wanted)
+{
+    struct lesson lesson = { 0 };
+    struct lesson_verdict verdict = { 0 };
+    static const char answer[] = "        EXIT\n";
+    c205_error error = { "" };
+
+    assert_true(open_with(&lesson, test, &error));
+    assert_false(lesson_grade(&verdict, &lesson, "my.s", answer,
+                              strlen(answer), &error));
+    assert_string_equal(error.message, wanted);
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    check_refused("; test: a\n", "test-a.s wants nothing");
+    check_refused("; test: a\n.word\n",
+                  "test-a.s:2:6: expected a number, a name or '(', found the "
+                  "end of the statement");
+    check_refused("; test: a\n; tolerance: y 1\nwant_x: .word 1\n",
+                  "test-a.s has a tolerance for y, and no label want_y");
+    check_refused("; test: a\nx: .word 1\n; expect: [x] = 1\n",
+                  "test-a.s:3: a test cannot expect this; what is to be in "
+                  "memory stands at want_LABEL");
+    check_refused("; test: a\n; expect: r1 = 0\n; expect-model: x\n",
+                  "there is no machine model 'x'");
+}
+
+static void test_names(void **state)
+{
+    struct lesson items[2] = { { 0 } };
+    struct lessons lessons = { 2, items };
+    c205_error error;
+
+    (void)state;
+    assert_true(lesson_begin(&items[0], "03-first-vector", &error));
+    assert_true(lesson_begin(&items[1], "11-sieve", &error));
+    assert_ptr_equal(lessons_find(&lessons, "3", &error), &items[0]);
+    assert_ptr_equal(lessons_find(&lessons, "03", &error), &items[0]);
+    assert_ptr_equal(lessons_find(&lessons, "first-vector", &error),
+                     &items[0]);
+    assert_ptr_equal(lessons_find(&lessons, "11-sieve", &error), &items[1]);
+    assert_null(lessons_find(&lessons, "1", &error));
+    assert_null(lessons_find(&lessons, "seive", &error));
+    assert_string_equal(error.message,
+                        "there is no lesson 'seive'; is it 'sieve'?");
+    lesson_free(&items[0]);
+    lesson_free(&items[1]);
+}
+
+/* ---- Any texts -------------------------------------------------------------- */
+
+static void mutate(char *text, uint64_t *random_state)
+{
+    static const char bytes[] = ";:,_.0159 \n\tgnwxy\"";
+    size_t length = strlen(text);
+
+    for (int64_t i = xorshift_between(random_state, 0, 3); i > 0; i--)
+        text[xorshift(random_state) % length] =
+            bytes[xorshift(random_state) % (sizeof bytes - 1)];
+}
+
+/* It is refused with a reason, or graded with one. */
+static void grade_any(const char *test, const char *answer)
+{
+    struct lesson lesson = { 0 };
+    struct lesson_verdict verdict = { 0 };
+    c205_error error = { "" };
+    bool good = open_with(&lesson, test, &error)
+                && lesson_grade(&verdict, &lesson, "my.s", answer,
+                                strlen(answer), &error);
+
+    if (good != (*error.message == '\0'))
+        fail_msg("'%s'\n%s\n%s", error.message, test, answer);
+    if (good && !verdict.passed
+        && verdict.report.count + verdict.trials[0].report.count == 0)
+        fail_msg("nothing is said\n%s\n%s", test, answer);
+    lesson_verdict_free(&verdict);
+    lesson_free(&lesson);
+}
+
+static void test_any(void **state)
+{
+    static const char test[] = "; test: a\n; goals: gold 7000, silver 8000, "
+                               "bronze 9000\n; tolerance: y 1e-9\n"
+                               "        .equ    n, 3\n        .data\n"
+                               "x:      .word   1.0, 2.0, 3.5\n"
+                               "want_y: .word   2.0, 4.0, 7.0\n"
+                               "        .bitvector want_z, n, \"101\"\n"
+                               "; expect: r1 = 0\n; expect-print: 3\n";
+    static const char answer[] = "        .include \"core.s\"\n"
+                                 "        .ifndef n\n        .equ    n, 5\n"
+                                 "        .endif\n        .data\n"
+                                 "        .vector x, n\n"
+                                 "        .vector y, n\n"
+                                 "        .bitvector z, n, \"101\"\n"
+                                 "        .code\n        .regs   r16, a, b\n"
+                                 "        descriptor a, x, n\n"
+                                 "        descriptor b, y, n\n"
+                                 "        ADDNV   [a], [a], [b]\n"
+                                 "        ES      r5, n\n"
+                                 "        EXIT    r5, r0, 2\n        EXIT\n";
+    uint64_t random_state = RANDOM_SEED;
+
+    (void)state;
+    check_run(test, answer, NULL);
+    for (size_t i = 0; i < tries; i++) {
+        char other_test[sizeof test], other_answer[sizeof answer];
+
+        strcpy(other_test, test);
+        strcpy(other_answer, answer);
+        mutate(other_test, &random_state);
+        mutate(other_answer, &random_state);
+        grade_any(other_test, other_answer);
+    }
+}
+
+/* ---- What results look like ------------------------------------------------- */
+
+enum { ELEMENTS = 8 };
+
+/* "1.0 2 i": a number, an integer, indefinite; of bits "0 1". */
+static size_t take_elements(const char *text, enum asm_contents contents,
+                            c205_word elements[ELEMENTS])
+{
+    size_t count = 0;
+
+    for (; *text; text += strspn(text, " ")) {
+        size_t length = strcspn(text, " ");
+        const char *end;
+
+        elements[count++] = contents == ASM_BITS
+                                ? (c205_word)(*text == '1') << 63
+                            : *text == 'i' ? C205_INDEFINITE
+                            : memchr(text, '.', length)
+                                ? c205_from_text(text, &end)
+                                : c205_from_integer(atoi(text));
+        text += length;
+    }
+    return count;
+}
+
+static void test_likeness(void **state)
+{
+    static const struct {
+        enum asm_contents contents;
+        const char *before, *wanted, *found, *said;
+    } rows[] = {
+        { ASM_WORDS, "0 0", "1.0 2.0", "0 0", "It holds what it held" },
+        { ASM_WORDS, "1 1", "1.0 2.0", "0 0.0", "All that stands there is" },
+        { ASM_WORDS, "0 0", "1.0 2.0", "1 2", "The numbers are equal" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "9.0 1.0 2.0",
+          "one place too "
+          "far behind" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "2.0 3.0 9.0",
+          "one place too "
+          "far in front" },
+        { ASM_WORDS, "0 0 0", "1.0 2.0 3.0", "3.0 2.0 1.0", "from back to" },
+        { ASM_WORDS, "0 0 0", "1.0 1.0 1.0", "9.0 1.0 1.0", NULL },
+        { ASM_WORDS, "0 0 0 0", "1.0 2.0 3.0 4.0", "2.0 1.0 3.0 4.0",
+          "they are not sorted" },
+        { ASM_WORDS, "0 0 0 0", "4.0 1.0 3.0 2.0", "1.0 4.0 3.0 2.0",
+          "in another order" },
+        { ASM_WORDS, "0 0", "1.0 -2.0", "-1.0 2.0", "The sign is wrong" },
+        { ASM_WORDS, "0 0", "1.0 -2.0", "-1.0 -2.0", NULL },
+        { ASM_BITS, "0 0 0", "0 1 1", "1 0 0", "Each bit is the opposite" },
+        { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.00000000001", "Only the last" },
+        { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.0001", NULL },
+        { ASM_WORDS, "0 0", "1.0 2.0", "i 2.0", "Indefinite comes of" },
+        { ASM_WORDS, "0 0", "7.0 1.0", "6 1.0", "They are not normalised" },
+        { ASM_WORDS, "0 0", "7 1.0", "6 1.0", NULL },
+        { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 9.0",
+          "Nothing new was stored behind" },
+        { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 8.0", NULL },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
+        struct arena arena = { 0 };
+        struct lesson_report report = { .kept = &arena };
+        struct exchanged exchanged = { .label = "y",
+                                       .contents = rows[i].contents,
+                                       .wanted = wanted,
+                                       .before = before,
+                                       .found = found };
+
+        take_elements(rows[i].before, rows[i].contents, before);
+        take_elements(rows[i].found, rows[i].contents, found);
+        exchanged.count = take_elements(rows[i].wanted, rows[i].contents,
+                                        wanted);
+        assert_false(wrong_tell(&exchanged, &report));
+        if (rows[i].said ? !strstr(report.sentences[0], rows[i].said)
+                         : !strstr(report.sentences[0], " (counted from 0).")
+                               || strstr(report.sentences[0], ").  "))
+            fail_msg("row %zu: %s", i, report.sentences[0]);
+        arena_free(&arena);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_runs),     cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_refused),  cmocka_unit_test(test_names),
+        cmocka_unit_test(test_likeness), cmocka_unit_test(test_any),
+    };
+
+    if (argc > 1)
+        tries = strtoul(argv[1], NULL, 10);
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
