@@ -3,7 +3,7 @@
 # make site       the manual as a site; card, slides: docs/teaching.md
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
-# make all | docs | card | slides | web | mpi | bench | san | fuzz | cover |
+# make all | docs | card | slides | web | web-tracer | mpi | bench | san | fuzz | cover |
 #      check-long | check-web | wasm-check | format | lint | install | clean
 
 BUILD ?= build
@@ -96,7 +96,8 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-course check-commands check-install check-fit check-web-engine
+	check-library check-course check-commands check-install check-fit \
+	check-web-engine check-web-tracer
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -108,6 +109,7 @@ MASSES ?= 24
 HEATS ?= 16
 USES ?= some
 LANGUAGE ?= 200
+TEXTS ?= 20
 TRIES ?= 300
 HOSTS ?= quick
 DOCS ?= quick
@@ -159,6 +161,7 @@ check-long: export USES = all
 check-long: export KILLS = 20
 check-long: export USED = $(SCENES)
 check-long: export LANGUAGE = 5000
+check-long: export TEXTS = 300
 check-long: export PROFILED = all
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
@@ -532,6 +535,7 @@ $(npm_done): web/package.json web/package-lock.json
 # those of which the name says so.
 browser_packages = chromium firefox-esr
 BROWSERS ?= chromium firefox
+.PHONY: web check-web
 check-web:
 	@sh .ci/need $(build_packages) $(browser_packages)
 	@$(MAKE) --no-print-directory web $(programs)
@@ -543,8 +547,7 @@ web_tracer_own = $(wildcard web/tracer/host/*.c)
 web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
 	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
 web-tracer:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/rt205.wasm
+	$(call in_wasm,rt205.wasm)
 	@mkdir -p $(BUILD)/web
 	@cp $(BUILD)/wasm/rt205.wasm $(BUILD)/web
 	@wc -c $(BUILD)/web/rt205.wasm
@@ -554,6 +557,18 @@ $(BUILD)/rt205.wasm: $(call objects,$(web_tracer_c)) $(BUILD)/rt/kernel_texts.o 
 		libc205asm.a libbase.a libc205.a)
 	$(CC) -Wl,--stack-first -Wl,-z,stack-size=1048576 \
 		-Wl,--max-memory=1073741824 -Wl,--strip-all -o $@ $^ -lm
+
+# .. in node beside rt205, where there is node; TRACED=text: those runs whose command
+# lines have it.
+drawn = $(BUILD)/web/drawn
+check-web-tracer: $(BUILD)/rt205 $(adapter) $(BUILD)/tests/oracle/draw_scenes
+	@if ! command -v node >/dev/null; then \
+		echo "no node: rt205.wasm is not run"; \
+	else \
+		$(MAKE) --no-print-directory web-tracer && mkdir -p $(drawn) && \
+		$(BUILD)/tests/oracle/draw_scenes $(drawn) 1 $(TEXTS) && \
+		node web/tests/node/check_tracer.mjs $(BUILD) $(drawn) "$(TRACED)"; \
+	fi
 
 # The leak checker would look for threads' variables of OpenImageIO's libraries
 # where there are none.

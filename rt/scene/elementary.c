@@ -13,7 +13,7 @@
 #include <stdbool.h>
 
 /* Their sum; low is at most half a bit of high. */
-struct wide {
+struct two_doubles {
     double high, low;
 };
 
@@ -21,9 +21,9 @@ struct wide {
 #define EXP_MOST 700.       /* beyond it the C library rounds */
 enum { TERMS_MOST = 40, HALVINGS = 8 };
 
-static const struct wide one = { 1, 0 };
-static const struct wide ln2 = { 0x1.62e42fefa39efp-1,
-                                 0x1.abc9e3b39803fp-56 };
+static const struct two_doubles one = { 1, 0 };
+static const struct two_doubles ln2 = { 0x1.62e42fefa39efp-1,
+                                        0x1.abc9e3b39803fp-56 };
 /* pi / 2 by three doubles. */
 static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
                                   -0x1.f1976b7ed8fbcp-110 };
@@ -31,87 +31,87 @@ static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
 /* ---- Sums, products, quotients ------------------------------------------- */
 
 /* Where a is the larger. */
-static struct wide quick_sum(double a, double b)
+static struct two_doubles quick_sum(double a, double b)
 {
     double high = a + b;
 
-    return (struct wide){ high, b - (high - a) };
+    return (struct two_doubles){ high, b - (high - a) };
 }
 
-static struct wide sum(double a, double b)
+static struct two_doubles sum(double a, double b)
 {
     double high = a + b, part = high - a;
 
-    return (struct wide){ high, (a - (high - part)) + (b - part) };
+    return (struct two_doubles){ high, (a - (high - part)) + (b - part) };
 }
 
-static struct wide product(double a, double b)
+static struct two_doubles product(double a, double b)
 {
     enum { SPLIT = (1 << 27) + 1 };
     double high = a * b, c = SPLIT * a, d = SPLIT * b;
     double a1 = c - (c - a), a2 = a - a1, b1 = d - (d - b), b2 = b - b1;
 
-    return (struct wide){ high,
-                          ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2 };
+    return (struct two_doubles){ high, ((a1 * b1 - high) + a1 * b2 + a2 * b1)
+                                           + a2 * b2 };
 }
 
-static struct wide minus(struct wide a)
+static struct two_doubles minus(struct two_doubles a)
 {
-    return (struct wide){ -a.high, -a.low };
+    return (struct two_doubles){ -a.high, -a.low };
 }
 
-static struct wide add(struct wide a, struct wide b)
+static struct two_doubles add(struct two_doubles a, struct two_doubles b)
 {
-    struct wide s = sum(a.high, b.high), t = sum(a.low, b.low);
+    struct two_doubles s = sum(a.high, b.high), t = sum(a.low, b.low);
 
     s = quick_sum(s.high, s.low + t.high);
     return quick_sum(s.high, s.low + t.low);
 }
 
-static struct wide multiply(struct wide a, struct wide b)
+static struct two_doubles multiply(struct two_doubles a, struct two_doubles b)
 {
-    struct wide p = product(a.high, b.high);
+    struct two_doubles p = product(a.high, b.high);
 
     return quick_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 
-static struct wide by(struct wide a, double b)
+static struct two_doubles by(struct two_doubles a, double b)
 {
-    return multiply(a, (struct wide){ b, 0 });
+    return multiply(a, (struct two_doubles){ b, 0 });
 }
 
-static struct wide divide(struct wide a, struct wide b)
+static struct two_doubles divide(struct two_doubles a, struct two_doubles b)
 {
     double first = a.high / b.high, second;
-    struct wide rest = add(a, minus(by(b, first)));
+    struct two_doubles rest = add(a, minus(by(b, first)));
 
     second = rest.high / b.high;
     rest = add(rest, minus(by(b, second)));
     return add(quick_sum(first, second),
-               (struct wide){ rest.high / b.high, 0 });
+               (struct two_doubles){ rest.high / b.high, 0 });
 }
 
 /* .. by a number that has one double. */
-static struct wide over(struct wide a, double b)
+static struct two_doubles over(struct two_doubles a, double b)
 {
     double quotient = a.high / b;
-    struct wide back = product(quotient, b);
+    struct two_doubles back = product(quotient, b);
 
     return quick_sum(quotient, ((a.high - back.high) - back.low + a.low) / b);
 }
 
-static struct wide square_root(struct wide a)
+static struct two_doubles square_root(struct two_doubles a)
 {
     double root = sqrt(a.high);
-    struct wide rest = add(a, minus(product(root, root)));
+    struct two_doubles rest = add(a, minus(product(root, root)));
 
-    return root > 0 ? add((struct wide){ root, 0 },
-                          (struct wide){ rest.high / (2 * root), 0 })
+    return root > 0 ? add((struct two_doubles){ root, 0 },
+                          (struct two_doubles){ rest.high / (2 * root), 0 })
                     : a;
 }
 
 /* To the nearest; what is nearly halfway between two doubles was meant to be. */
-static double rounded(struct wide a)
+static double rounded(struct two_doubles a)
 {
     double coarse = 1.5 * a.high * 0x1p-41;
 
@@ -121,9 +121,10 @@ static double rounded(struct wide a)
 /* ---- Series -------------------------------------------------------------- */
 
 /* first + first f / (n (n + 1)) + .. for n = from, from + 2 .. */
-static struct wide series(struct wide first, struct wide f, int from)
+static struct two_doubles series(struct two_doubles first,
+                                 struct two_doubles f, int from)
 {
-    struct wide all = first, term = first;
+    struct two_doubles all = first, term = first;
 
     for (int n = from; n < from + 2 * TERMS_MOST; n += 2) {
         term = over(multiply(term, f), (double)n * (n + 1));
@@ -134,34 +135,35 @@ static struct wide series(struct wide first, struct wide f, int from)
     return all;
 }
 
-static struct wide sine_of(struct wide r)
+static struct two_doubles sine_of(struct two_doubles r)
 {
     return series(r, minus(multiply(r, r)), 2);
 }
 
-static struct wide cosine_of(struct wide r)
+static struct two_doubles cosine_of(struct two_doubles r)
 {
     return series(one, minus(multiply(r, r)), 1);
 }
 
 /* What is left of x above the nearest multiple of pi / 2, and which that is. */
-static struct wide reduce(double x, int *quadrant)
+static struct two_doubles reduce(double x, int *quadrant)
 {
     double k = floor(x / quarter[0] + .5);
-    struct wide first = product(k, quarter[0]);
-    struct wide rest = add(sum(x, -first.high),
-                           (struct wide){ -first.low, 0 });
+    struct two_doubles first = product(k, quarter[0]);
+    struct two_doubles rest = add(sum(x, -first.high),
+                                  (struct two_doubles){ -first.low, 0 });
 
     *quadrant = (int)(k - 4 * floor(k / 4));
     rest = add(rest, minus(product(k, quarter[1])));
     return add(rest, minus(product(k, quarter[2])));
 }
 
-static void sine_and_cosine(double x, struct wide *sine, struct wide *cosine)
+static void sine_and_cosine(double x, struct two_doubles *sine,
+                            struct two_doubles *cosine)
 {
     int quadrant;
-    struct wide r = reduce(x, &quadrant);
-    struct wide s = sine_of(r), c = cosine_of(r);
+    struct two_doubles r = reduce(x, &quadrant);
+    struct two_doubles s = sine_of(r), c = cosine_of(r);
 
     *sine = quadrant % 2 == 0 ? s : c;
     *cosine = quadrant % 2 == 0 ? c : minus(s);
@@ -172,11 +174,12 @@ static void sine_and_cosine(double x, struct wide *sine, struct wide *cosine)
 }
 
 /* e^x: of a small part of x, less 1, doubled in the exponent again and again. */
-static struct wide power_of_e(struct wide x)
+static struct two_doubles power_of_e(struct two_doubles x)
 {
     double k = floor(x.high / ln2.high + .5);
-    struct wide r = by(add(x, minus(by(ln2, k))), 1. / (1 << HALVINGS));
-    struct wide less, term = r;
+    struct two_doubles r = by(add(x, minus(by(ln2, k))),
+                              1. / (1 << HALVINGS));
+    struct two_doubles less, term = r;
 
     less = r;
     for (int n = 2; n < TERMS_MOST && fabs(term.high) > 0x1p-120; n++) {
@@ -186,12 +189,13 @@ static struct wide power_of_e(struct wide x)
     for (int i = 0; i < HALVINGS; i++)
         less = add(by(less, 2), multiply(less, less));
     less = add(one, less);
-    return (struct wide){ ldexp(less.high, (int)k), ldexp(less.low, (int)k) };
+    return (struct two_doubles){ ldexp(less.high, (int)k),
+                                 ldexp(less.low, (int)k) };
 }
 
-static struct wide sinh_of(struct wide x)
+static struct two_doubles sinh_of(struct two_doubles x)
 {
-    struct wide e;
+    struct two_doubles e;
 
     if (fabs(x.high) < .5)
         return series(x, multiply(x, x), 2);
@@ -199,9 +203,9 @@ static struct wide sinh_of(struct wide x)
     return by(add(e, minus(divide(one, e))), .5);
 }
 
-static struct wide cosh_of(struct wide x)
+static struct two_doubles cosh_of(struct two_doubles x)
 {
-    struct wide e = power_of_e(x);
+    struct two_doubles e = power_of_e(x);
 
     return by(add(e, divide(one, e)), .5);
 }
@@ -209,36 +213,36 @@ static struct wide cosh_of(struct wide x)
 /* ---- Inverse functions --------------------------------------------------- */
 
 /* Of x = m 2^k with m near 1. */
-static struct wide log_of(double x)
+static struct two_doubles log_of(double x)
 {
     int k;
     double m = frexp(x, &k), y;
-    struct wide off;
+    struct two_doubles off;
 
     if (m < .75) {
         m *= 2;
         k--;
     }
     y = log(m);
-    off = add(by(power_of_e((struct wide){ -y, 0 }), m), minus(one));
+    off = add(by(power_of_e((struct two_doubles){ -y, 0 }), m), minus(one));
     off = add(off, by(multiply(off, off), -.5));
-    return add(by(ln2, k), add((struct wide){ y, 0 }, off));
+    return add(by(ln2, k), add((struct two_doubles){ y, 0 }, off));
 }
 
 /* The angle of a point, which is not the origin. */
-static struct wide angle_of(struct wide y, struct wide x)
+static struct two_doubles angle_of(struct two_doubles y, struct two_doubles x)
 {
     double angle = atan2(y.high, x.high);
-    struct wide s, c;
+    struct two_doubles s, c;
 
     sine_and_cosine(angle, &s, &c);
-    return add((struct wide){ angle, 0 },
+    return add((struct two_doubles){ angle, 0 },
                divide(add(multiply(y, c), minus(multiply(x, s))),
                       add(multiply(x, c), multiply(y, s))));
 }
 
 /* The other side of a right triangle whose longest is 1. */
-static struct wide other_side(double x)
+static struct two_doubles other_side(double x)
 {
     return square_root(multiply(sum(1, -x), sum(1, x)));
 }
@@ -264,7 +268,7 @@ static bool is_angle(double x)
 double elementary_exp(double x)
 {
     return is_plain(x) && fabs(x) < EXP_MOST
-               ? rounded(power_of_e((struct wide){ x, 0 }))
+               ? rounded(power_of_e((struct two_doubles){ x, 0 }))
                : exp(x);
 }
 
@@ -282,7 +286,7 @@ double elementary_log10(double x)
 
 double elementary_pow(double x, double y)
 {
-    struct wide power;
+    struct two_doubles power;
 
     if (!is_plain(x) || !is_plain(y) || fabs(x) == 1
         || (x < 0 && y != floor(y)))
@@ -295,7 +299,7 @@ double elementary_pow(double x, double y)
 
 double elementary_sin(double x)
 {
-    struct wide s, c;
+    struct two_doubles s, c;
 
     if (!is_angle(x))
         return sin(x);
@@ -305,7 +309,7 @@ double elementary_sin(double x)
 
 double elementary_cos(double x)
 {
-    struct wide s, c;
+    struct two_doubles s, c;
 
     if (!is_angle(x))
         return cos(x);
@@ -315,7 +319,7 @@ double elementary_cos(double x)
 
 double elementary_tan(double x)
 {
-    struct wide s, c;
+    struct two_doubles s, c;
 
     if (!is_angle(x))
         return tan(x);
@@ -325,16 +329,16 @@ double elementary_tan(double x)
 
 double elementary_asin(double x)
 {
-    return !is_tiny(x) && fabs(x) <= 1
-               ? rounded(angle_of((struct wide){ x, 0 }, other_side(x)))
-               : asin(x);
+    return !is_tiny(x) && fabs(x) <= 1 ? rounded(
+               angle_of((struct two_doubles){ x, 0 }, other_side(x)))
+                                       : asin(x);
 }
 
 double elementary_acos(double x)
 {
-    return !is_tiny(x) && fabs(x) < 1
-               ? rounded(angle_of(other_side(x), (struct wide){ x, 0 }))
-               : acos(x);
+    return !is_tiny(x) && fabs(x) < 1 ? rounded(
+               angle_of(other_side(x), (struct two_doubles){ x, 0 }))
+                                      : acos(x);
 }
 
 double elementary_atan(double x)
@@ -348,27 +352,28 @@ double elementary_atan2(double y, double x)
 
     if (!isfinite(most) || least < 0x1p-200 * most || least == 0)
         return atan2(y, x);
-    return rounded(angle_of((struct wide){ y / exp2(ilogb(most)), 0 },
-                            (struct wide){ x / exp2(ilogb(most)), 0 }));
+    return rounded(
+        angle_of((struct two_doubles){ y / exp2(ilogb(most)), 0 },
+                 (struct two_doubles){ x / exp2(ilogb(most)), 0 }));
 }
 
 double elementary_sinh(double x)
 {
     return isfinite(x) && !is_tiny(x) && fabs(x) < EXP_MOST
-               ? rounded(sinh_of((struct wide){ x, 0 }))
+               ? rounded(sinh_of((struct two_doubles){ x, 0 }))
                : sinh(x);
 }
 
 double elementary_cosh(double x)
 {
     return is_plain(x) && fabs(x) < EXP_MOST
-               ? rounded(cosh_of((struct wide){ x, 0 }))
+               ? rounded(cosh_of((struct two_doubles){ x, 0 }))
                : cosh(x);
 }
 
 double elementary_tanh(double x)
 {
-    struct wide wide = { x, 0 };
+    struct two_doubles wide = { x, 0 };
 
     return !is_tiny(x) && fabs(x) < 30
                ? rounded(divide(sinh_of(wide), cosh_of(wide)))
@@ -377,27 +382,27 @@ double elementary_tanh(double x)
 
 double elementary_asinh(double x)
 {
-    struct wide y = { asinh(x), 0 }, off;
+    struct two_doubles y = { asinh(x), 0 }, off;
 
     if (!isfinite(x) || is_tiny(x) || fabs(y.high) >= EXP_MOST)
         return y.high;
-    off = add((struct wide){ x, 0 }, minus(sinh_of(y)));
+    off = add((struct two_doubles){ x, 0 }, minus(sinh_of(y)));
     return rounded(add(y, divide(off, cosh_of(y))));
 }
 
 double elementary_acosh(double x)
 {
-    struct wide y = { acosh(x), 0 }, off;
+    struct two_doubles y = { acosh(x), 0 }, off;
 
     if (!isfinite(x) || !(x > 1) || y.high >= EXP_MOST)
         return y.high;
-    off = add((struct wide){ x, 0 }, minus(cosh_of(y)));
+    off = add((struct two_doubles){ x, 0 }, minus(cosh_of(y)));
     return rounded(add(y, divide(off, sinh_of(y))));
 }
 
 double elementary_atanh(double x)
 {
-    struct wide y = { atanh(x), 0 }, s, c, off;
+    struct two_doubles y = { atanh(x), 0 }, s, c, off;
 
     if (is_tiny(x) || !(fabs(x) < 1))
         return y.high;
@@ -411,7 +416,7 @@ double elementary_hypot(double x, double y)
 {
     double most = fmax(fabs(x), fabs(y));
     double unit;
-    struct wide a, b;
+    struct two_doubles a, b;
 
     if (!is_plain(most) || fmin(fabs(x), fabs(y)) < 0x1p-200 * most)
         return hypot(x, y);

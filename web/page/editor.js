@@ -188,54 +188,43 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
       dom: el("div", { class: "effect" }, el("code", {}, told.name), " ", told.effect) }) };
   });
 
-  let quiet = false; // what we set ourselves is no change of the learner's
-  const view = new EditorView({
-    parent,
-    state: EditorState.create({
-      extensions: [
-        breaks, here, clocks,
-        gutter({
-          class: "cm-breaks",
-          markers: (editor) => [editor.state.field(breaks), hereMarks(editor)],
-          lineMarkerChange: (update) =>
-            update.startState.field(here) !== update.state.field(here),
-          initialSpacer: () => ROOM,
-          domEventHandlers: { mousedown: (editor, block) => toggle(editor, block.from) },
-        }),
-        lineNumbers({ domEventHandlers: {
-          mousedown: (editor, block) => toggle(editor, block.from) } }),
-        gutter({ class: "cm-clocks", markers: (editor) => editor.state.field(clocks) }),
-        history(), drawSelection(), highlightActiveLine(), bracketMatching(), tooltip,
-        EditorState.tabSize.of(TAB),
-        language(about), syntaxHighlighting(colours),
-        keymap.of([
-          { key: "F9", run: (editor) => toggle(editor, editor.state.selection.main.head) },
-          { key: "Tab", run: tab },
-          ...defaultKeymap, ...historyKeymap]),
-        EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "Text of the program",
-          "aria-description": "F9 sets a breakpoint at the line; Escape, then Tab leaves the text" }),
-        EditorView.updateListener.of((update) => {
-          if (update.docChanged && !quiet) changed(update.state.doc.toString());
-          if (update.docChanged || update.selectionSet) {
-            const found = wordAt(update.state, update.state.selection.main.head);
-            at(found && explain(about, found.word));
-          }
-        }),
-      ],
+  const extensions = [
+    breaks, here, clocks,
+    gutter({
+      class: "cm-breaks",
+      markers: (editor) => [editor.state.field(breaks), hereMarks(editor)],
+      lineMarkerChange: (update) => update.startState.field(here) !== update.state.field(here),
+      initialSpacer: () => ROOM,
+      domEventHandlers: { mousedown: (editor, block) => toggle(editor, block.from) },
     }),
-  });
+    lineNumbers({ domEventHandlers: { mousedown: (editor, block) => toggle(editor, block.from) } }),
+    gutter({ class: "cm-clocks", markers: (editor) => editor.state.field(clocks) }),
+    history(), drawSelection(), highlightActiveLine(), bracketMatching(), tooltip,
+    EditorState.tabSize.of(TAB),
+    language(about), syntaxHighlighting(colours),
+    keymap.of([
+      { key: "F9", run: (editor) => toggle(editor, editor.state.selection.main.head) },
+      { key: "Tab", run: tab },
+      ...defaultKeymap, ...historyKeymap]),
+    EditorView.contentAttributes.of({ tabindex: "0", "aria-label": "Text of the program",
+      "aria-description": "F9 sets a breakpoint at the line; Escape, then Tab leaves the text" }),
+    EditorView.updateListener.of((update) => {
+      if (update.docChanged) changed(update.state.doc.toString());
+      if (update.docChanged || update.selectionSet) {
+        const found = wordAt(update.state, update.state.selection.main.head);
+        at(found && explain(about, found.word));
+      }
+    }),
+  ];
+  const view = new EditorView({ parent });
 
   return {
     view,
     get text() { return view.state.doc.toString(); },
-    get breaks() { return lines(view.state); },
     /** Another text, of which there is no way back to the one before. */
     set(text) {
-      quiet = true;
-      view.dispatch({ changes: { from: 0, to: view.state.doc.length, insert: text },
-        selection: { anchor: 0 }, effects: [setBreaks.of([]), setHere.of(0)],
-        scrollIntoView: true });
-      quiet = false;
+      view.setState(EditorState.create({ doc: text, extensions }));
+      at(null);
     },
     /** As if it had been typed. */
     type(text) {

@@ -15,19 +15,23 @@ export function title({ number, title: words, name }) {
   return `${number} ${words}${passed ? ` ✓${medal ? ` ${medal}` : ""}` : ""}`;
 }
 
-export function showLesson(lesson, html) {
-  const panel = $("lesson-panel");
-  panel.hidden = !lesson;
+let shown = null;
+
+/** EXERCISE: what is written is an answer to it. */
+export function showLesson(lesson, exercise) {
+  hideVerdict();
+  $("check").disabled = !exercise;
+  if (lesson === shown) return;
+  shown = lesson;
+  $("lesson-panel").hidden = !lesson;
   document.body.classList.toggle("has-lesson", Boolean(lesson));
-  $("check").disabled = !lesson;
   if (!lesson) return;
   $("lesson-heading").textContent = `${lesson.number} ${lesson.title}`;
-  $("lesson-text").innerHTML = html ?? "";
+  $("lesson-text").innerHTML = lesson.html ?? "";
   $("lesson-text").scrollTop = 0;
   const goals = lesson.tests.map(({ goals: one }) => one).filter((one) => one && Object.keys(one).length > 0);
   $("goals").textContent = goals.length === 0 ? "" : goals.map((one) =>
     MEDALS.slice(1).reverse().filter((medal) => one[medal]).map((medal) => `${medal} ${count(one[medal])}`).join(", ")).join("; ");
-  hideVerdict();
 }
 
 export function setFolded(folded) {

@@ -1,0 +1,182 @@
+/* test_look.c - a frame that is looked at while it is traced: each band is shown
+ * once when it is done, as it will be in the frame, and with the frame's accounts when
+ * it is the last; before that its clocks rise, and pixels come. */
+#define MIDDLING_FRAMES
+#include "tests/unit/traced_frame.h"
+
+#define SCENE \
+    "#version 3.7; global_settings { assumed_gamma %s }\n" \
+    "light_source { <4, 9, -7>, rgb 1 }\n" \
+    "camera { location <0, 1, -6> look_at 0 }\n" \
+    "plane { y, -1 pigment { checker rgb .2, rgb .9 } finish { reflection " \
+    ".3 } }\n"
+
+/* What a trace has shown. */
+struct shown {
+    size_t done, under_way; /* views */
+    size_t last_row;        /* of the band before */
+    uint64_t clocks;        /* of that band, as it stood last */
+    struct frame frame;     /* of bands that were done */
+    bool rows[MOST_PIXELS]; /* that are in it */
+    uint64_t all;           /* clocks, of the last band that was done */
+    size_t some;            /* views with pixels, not all of them */
+};
+
+static bool go_on(void *context, size_t done, size_t pixels)
+{
+    (void)context, (void)done, (void)pixels;
+    return true;
+}
+
+static size_t pixels_there(const struct band *band, size_t width)
+{
+    size_t count = band->rows * width, there = 0;
+    const c205_word *ids = band->words + (size_t)CHANNEL_ID * count;
+
+    for (size_t i = 0; i < count; i++)
+        there += c205_to_integer(ids[i]) != 0;
+    return there;
+}
+
+static void keep_rows(struct shown *shown, const struct trace *trace,
+                      const struct band *band)
+{
+    struct frame part = shown->frame;
+
+    part.height = band->rows;
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        part.channel[i] += band->first_row * part.width;
+    trace_read_band(trace, band, &part);
+    for (size_t row = 0; row < band->rows; row++) {
+        assert_false(shown->rows[band->first_row + row]);
+        shown->rows[band->first_row + row] = true;
+    }
+    shown->all = trace_accounts(trace)->clocks + band->accounts.clocks;
+    shown->done++;
+}
+
+static void look(void *context, const struct trace *trace,
+                 const struct band_tracer *tracer, bool done)
+{
+    struct shown *shown = context;
+    size_t width = trace_how(trace)->width, there;
+    struct band band;
+
+    assert_true(band_look(tracer, &band));
+    there = pixels_there(&band, width);
+    if (trace_how(trace)->jobs == 1 && band.first_row == shown->last_row)
+        assert_true(band.accounts.clocks >= shown->clocks);
+    shown->clocks = done ? 0 : band.accounts.clocks;
+    shown->last_row = band.first_row;
+    shown->under_way += !done;
+    shown->some += !done && there > 0 && there < band.rows * width;
+    if (done)
+        keep_rows(shown, trace, &band);
+    band_free(&band);
+}
+
+static void check_same(const struct shown *shown, const struct trace *trace)
+{
+    const struct trace_options *how = trace_how(trace);
+    struct frame frame;
+
+    assert_true(frame_allocate(&frame, how->width, how->height));
+    trace_read(trace, 0, &frame);
+    for (size_t row = 0; row < how->height; row++)
+        assert_true(shown->rows[row]);
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        assert_memory_equal(frame.channel[i], shown->frame.channel[i],
+                            how->width * how->height
+                                * sizeof *frame.channel[i]);
+    frame_free(&frame);
+}
+
+static void check_looks(const struct scene *scene, enum trace_mode mode)
+{
+    struct shown shown = { .done = 0 };
+    struct trace_options options = { .mode = mode,
+                                     .queue = among(1, 500),
+                                     .width = among(20, WIDTH),
+                                     .height = among(10, HEIGHT),
+                                     .band = among(1, 400),
+                                     .jobs = among(1, 3),
+                                     .model = prior_model,
+                                     .progress = go_on,
+                                     .look = look,
+                                     .context = &shown };
+    struct trace *trace;
+
+    assert_true(frame_allocate(&shown.frame, options.width, options.height));
+    trace = run_trace(scene, &options);
+    assert_int_equal(shown.done, trace_bands(trace));
+    if (options.jobs == 1)
+        assert_int_equal(shown.all, trace_accounts(trace)->clocks);
+    check_same(&shown, trace);
+    trace_free(trace);
+    frame_free(&shown.frame);
+}
+
+static void test_bands(void **state)
+{
+    static const char *const gammas[] = { "1", "2.2" };
+    char text[4000];
+
+    (void)state;
+    for (int i = 0; i < 12; i++) {
+        struct scene *scene;
+
+        *text = '\0';
+        add_text(text, sizeof text, SCENE, gammas[i % 2]);
+        for (size_t k = among(1, 6); k > 0; k--) {
+            add_text(text, sizeof text, "sphere { ");
+            add_point(text, sizeof text, 2);
+            add_text(text, sizeof text,
+                     ", %.3f pigment { rgb <1, .5, .2> } }", between(.2, 1));
+        }
+        scene = read_text(text);
+        check_looks(scene, (enum trace_mode)(i % TRACE_MODES));
+        scene_free(scene);
+    }
+}
+
+/* A frame in one band, long enough to be asked about: part of it is there before
+ * all is. */
+static void test_under_way(void **state)
+{
+    struct shown shown = { .done = 0 };
+    struct trace_options options = { .mode = TRACE_SCALAR,
+                                     .no_bounds = true,
+                                     .width = WIDTH,
+                                     .height = HEIGHT,
+                                     .jobs = 1,
+                                     .model = prior_model,
+                                     .progress = go_on,
+                                     .look = look,
+                                     .context = &shown };
+    char text[9000] = "";
+    struct scene *scene;
+
+    (void)state;
+    add_text(text, sizeof text, SCENE, "1");
+    for (int k = 0; k < 100; k++)
+        add_text(text, sizeof text,
+                 "sphere { <%d, %d, 0>, .3 pigment { rgb 1 } }", k % 10 - 5,
+                 k / 10 - 5);
+    scene = read_text(text);
+    assert_true(frame_allocate(&shown.frame, WIDTH, HEIGHT));
+    trace_free(run_trace(scene, &options));
+    assert_int_equal(shown.done, 1);
+    assert_true(shown.some > 0);
+    frame_free(&shown.frame);
+    scene_free(scene);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bands),
+        cmocka_unit_test(test_under_way),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}

@@ -1,0 +1,72 @@
+// bar.js - what runs the program: buttons, the slider over all steps, the line that tells
+// how it went; and what the program has printed.
+
+import { $, count } from "./dom.js";
+
+const SELDOM = 500; // milliseconds between two words on what is still under way
+const WHY = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
+  limit: "It has run for very long; Run goes on.", start: "At the beginning." };
+const MOOD = { trap: "bad", limit: "bad", end: "good" };
+
+export function say(words, mood = "") {
+  $("status").textContent = words;
+  $("status").className = `status ${mood}`;
+}
+
+// What the debugger said, as a sentence.
+const sentence = (words) => words && words[0].toUpperCase() + words.slice(1).replace(/[.\n]*$/, ".");
+
+// How a movement ended.
+function told(reply) {
+  if (!reply.ok) return say(reply.error, "bad");
+  if (reply.stopped) return say("Stopped by you.");
+  say(sentence(reply.message) || WHY[reply.why] || `Step ${count(reply.step)}, clock ${count(reply.clock)}.`,
+    MOOD[reply.why]);
+}
+
+// Buttons, slider and output, of a view or of no program.
+function settle(view) {
+  const { step = 0, steps = 0, ended = false, clock = 0, printed = "" } = view ?? {};
+  const slider = $("slider");
+  slider.max = Math.max(steps, step);
+  slider.value = step;
+  slider.disabled = slider.max === "0";
+  slider.setAttribute("aria-valuetext", `step ${step} of ${slider.max}`);
+  place();
+  $("back").disabled = $("before").disabled = $("reset").disabled = step === 0;
+  $("step").disabled = $("on").disabled = !view || ended;
+  $("run").disabled = !view;
+  $("output").textContent = printed;
+  $("output").classList.toggle("nothing", printed === "");
+  $("ending").textContent = ended ? `ended at clock ${count(clock)}` : "";
+}
+
+function place() {
+  const { value, max } = $("slider");
+  $("where").textContent = `${count(Number(value))} of ${count(Number(max))}`;
+}
+
+function busy(so) {
+  document.body.classList.toggle("busy", so);
+  $("run").hidden = so;
+  $("stop").hidden = !so;
+  if (so && document.activeElement === $("run")) $("stop").focus();
+  if (!so && document.activeElement === $("stop")) $("run").focus();
+}
+
+export function makeBar(session) {
+  let last = 0;
+  const ways = { run: "end", reset: "start", step: "step", back: "back", on: "continue", before: "reverse-continue" };
+  for (const [id, how] of Object.entries(ways)) $(id).addEventListener("click", () => session.go(how));
+  $("stop").addEventListener("click", () => session.stop());
+  $("slider").addEventListener("input", () => { place(); session.slide(Number($("slider").value)); });
+  session.on("loaded", (reply) => { if (!reply.ok) settle(null); });
+  session.on("view", settle);
+  session.on("busy", busy);
+  session.on("moved", told);
+  session.on("progress", ({ step, clock }) => {
+    if (performance.now() - last < SELDOM) return;
+    last = performance.now();
+    say(`Running: step ${count(step)}, clock ${count(clock)} ..`);
+  });
+}

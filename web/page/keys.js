@@ -1,0 +1,48 @@
+// keys.js - keys for all that the bar has, none of them a browser's own with Ctrl; and the
+// dialogue that tells them.
+
+import { $, el } from "./dom.js";
+
+// Key, the button that it is for, what it does.
+const KEYS = [
+  ["F8", "run", "run to the end"],
+  ["Shift F8", "reset", "back to the beginning"],
+  ["F4", "step", "one instruction on"],
+  ["Shift F4", "back", "one instruction back"],
+  ["F2", "on", "on to the next breakpoint"],
+  ["Shift F2", "before", "back to the breakpoint before"],
+  ["Escape", "stop", "stop what takes long"],
+  ["Alt Enter", "check", "check my answer"],
+  ["F1", "keys", "these keys"],
+];
+const ELSEWHERE = [
+  ["F9", "a breakpoint at the line of the cursor, or none"],
+  ["Escape Tab", "one after the other: leave the text of the program"],
+  ["← → + − Home", "in the time line: earlier, later, shorter, longer, all of it"],
+  ["← →", "in the tabs: another view; in the slider: a step"],
+  ["↑ ↓", "in the console: what was said before"],
+];
+
+function tell() {
+  const rows = [...KEYS.map(([key, , what]) => [key, what]), ...ELSEWHERE];
+  $("keys-table").tBodies[0].append(...rows.map(([key, what]) => el("tr", {},
+    el("th", { scope: "row" }, key.split(" ").map((one) => [el("kbd", {}, one), " "])),
+    el("td", {}, what))));
+  for (const [key, id, what] of KEYS) {
+    $(id).title = `${what} (${key})`;
+    $(id).setAttribute("aria-keyshortcuts", key.replace(" ", "+"));
+  }
+}
+
+/** A key presses its button, if that can be pressed. */
+export function makeKeys() {
+  tell();
+  addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || $("keys-dialog").open) return;
+    const pressed = `${event.shiftKey ? "Shift " : ""}${event.altKey ? "Alt " : ""}${event.key}`;
+    const found = KEYS.find(([key]) => key === pressed);
+    if (!found || (found[1] === "stop" && $("stop").hidden)) return;
+    event.preventDefault();
+    $(found[1]).click();
+  }, true);
+}

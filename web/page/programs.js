@@ -1,0 +1,67 @@
+// programs.js - all programs that there are: lessons with what is to be completed and
+// their examples, the other examples, the learner's own.
+
+import { $, choices, kept } from "./dom.js";
+import { note, progress, title } from "./lesson.js";
+
+export const OWN = "own";
+const EMPTY = '        .include "print.s"\n\n        EXIT\n';
+
+/** ABOUT: what the engine has; COURSE: what the page carries. */
+export class Programs {
+  #list = new Map(); // key: {name, text, lesson}; a lesson's key is lesson:NAME
+
+  constructor(about, course) {
+    this.lessons = about.lessons.map((lesson) => ({ ...lesson, ...course.lessons[lesson.name] }));
+    for (const lesson of this.lessons) {
+      this.#list.set(`lesson:${lesson.name}`, { name: `${lesson.name}.s`, text: lesson.start, lesson, exercise: true });
+      for (const { name, text } of lesson.examples ?? [])
+        this.#list.set(`part:${lesson.name}:${name}`, { name, text, lesson });
+    }
+    for (const { name, text } of course.examples) this.#list.set(`example:${name}`, { name, text });
+    this.#list.set(OWN, { name: "program.s", text: EMPTY });
+  }
+
+  /** The one by that key, or the first of all. */
+  choose(key) {
+    this.key = this.#list.has(key) ? key : this.#list.keys().next().value;
+    Object.assign(this, { lesson: undefined, exercise: false }, this.#list.get(this.key));
+    kept.set("at", this.key);
+  }
+
+  #of(kind, titled) {
+    return [...this.#list].filter(([key]) => key.startsWith(kind))
+      .map(([value, program]) => ({ value, title: titled(program) }));
+  }
+
+  /** Into the list to choose from; a lesson's examples while it is open. */
+  offer() {
+    const groups = [
+      { group: "Course", choices: this.#of("lesson:", ({ lesson }) => title(lesson)) },
+      this.lesson && { group: "Examples of this lesson", choices: this.#of(`part:${this.lesson.name}:`, ({ name }) => name) },
+      { group: "Examples", choices: this.#of("example:", ({ name }) => name) },
+      { group: "My own", choices: [{ value: OWN, title: "my program" }] },
+    ];
+    choices($("lesson"), groups.filter((one) => one?.choices.length > 0));
+    $("lesson").value = this.key;
+  }
+
+  /** What the learner has written of it; null: nothing. */
+  get written() {
+    return (this.exercise ? progress(this.lesson.name).text : this.key === OWN ? kept.get("own") : null) ?? null;
+  }
+
+  write(text) {
+    if (this.exercise) note(this.lesson.name, { text });
+    else if (this.key === OWN) kept.set("own", text);
+  }
+
+  /** Those that another can be held beside. */
+  get others() {
+    return [
+      ...(this.exercise ? [{ value: "start", title: "the text to complete", text: this.text }] : []),
+      ...[...this.#list].filter(([key]) => key.startsWith("example:") || key.startsWith(`part:${this.lesson?.name}:`))
+        .map(([, { name, text }]) => ({ value: name, title: name, text })),
+    ];
+  }
+}

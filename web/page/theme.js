@@ -1,0 +1,22 @@
+// theme.js - light and dark: as the system likes it, until the switch says otherwise.
+
+import { $, kept } from "./dom.js";
+
+const liked = matchMedia("(prefers-color-scheme: dark)");
+const root = document.documentElement;
+const dark = () => root.dataset.theme ? root.dataset.theme === "dark" : liked.matches;
+
+// The switch has the name of what it leads to.
+function name() {
+  $("theme").lastElementChild.textContent = dark() ? "Light" : "Dark";
+}
+
+export function switchTheme() {
+  root.dataset.theme = dark() ? "light" : "dark";
+  kept.set("theme", root.dataset.theme);
+  name();
+}
+
+if (kept.get("theme")) root.dataset.theme = kept.get("theme");
+liked.addEventListener("change", name);
+name();
