@@ -625,7 +625,7 @@ lint:
 	sh tests/planted/fresh.sh
 	cppcheck --quiet --std=c99 --enable=warning,performance \
 		--suppressions-list=.ci/cppcheck.suppressions --error-exitcode=1 \
-		-I. vm base asm rt
+		-I. vm base asm web/engine rt
 
 $(api)/libc205.a: $(call objects,$(vm_c)) $(BUILD)/vm/model_texts.o
 $(api)/libc205asm.a: $(call objects,$(asm_c)) $(BUILD)/asm/library_texts.o \

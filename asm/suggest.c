@@ -29,11 +29,14 @@ static void try_symbols(const struct assembler *assembler,
                 nearest_try(nearest, symbol->name);
 }
 
+typedef const char *name_list(size_t i);
+
 /* One list after another. */
 const char *asm_directive(size_t i)
 {
-    static const char *(*const lists[])(
-        size_t i) = { directive_name, expand_name, condition_name };
+    static name_list *const lists[] = { directive_name, expand_name,
+                                        condition_name };
+
     for (size_t list = 0; list < sizeof lists / sizeof *lists; list++) {
         size_t count = 0;
 

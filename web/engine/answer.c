@@ -1,5 +1,4 @@
 /* answer.c - what an engine is asked, who answers, and in what slices. */
-#include <inttypes.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,5 @@
 /* compare.c - two programs side by side. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "asm/compare/compared.h"
 #include "web/engine/parts.h"

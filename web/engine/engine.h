@@ -52,7 +52,7 @@
  *   model         one of those built in (that which the program expects, or the usual one)
  *   warm          true, false: whether its pages are in memory (as the program says)
  *   defines       { "n": 100 }: integers, as --define gives them
- *   files         { "data.inc": "..." }: texts for .include
+ *   files         { "data.inc": "..." }: texts for .include and .incfile
  *
  *   name, model, warm, diagnostics
  *   symbols       name, label (or a constant), value (or hex: the bits of a word), contents

@@ -2,7 +2,6 @@
  * why it took its time.
  */
 #include <inttypes.h>
-#include <string.h>
 
 #include "asm/disassemble.h"
 #include "asm/vector_view.h"

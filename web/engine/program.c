@@ -96,7 +96,7 @@ static bool take_defines(const struct json_value *request,
     return true;
 }
 
-/* "files": { "data.inc": "..." }, for .include */
+/* "files": { "data.inc": "..." }: others are not read. */
 static bool take_files(const struct json_value *request, struct arena *arena,
                        struct asm_options *options, c205_error *error)
 {
@@ -126,6 +126,7 @@ static bool take_files(const struct json_value *request, struct arena *arena,
 bool take_options(const struct json_value *request, struct arena *arena,
                   struct asm_options *options, c205_error *error)
 {
+    options->sealed = true;
     return take_defines(request, arena, options, error)
            && take_files(request, arena, options, error)
            && (!arena->failed || refuse(error, "no memory"));

@@ -1,7 +1,5 @@
 /* registers.c - registers and vectors in memory, as numbers and as bits. */
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "asm/vector_view.h"
 #include "web/engine/parts.h"

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "asm/sweep/swept.h"
-#include "base/accounts.h"
 #include "web/engine/parts.h"
 
 /* All that it is made of lives as long as it does. */

@@ -1,10 +1,6 @@
 /* view.c - all that is seen where the program stands. */
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "asm/disassemble.h"
-#include "asm/operand_view.h"
 #include "base/accounts.h"
 #include "web/engine/parts.h"
 

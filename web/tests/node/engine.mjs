@@ -55,7 +55,7 @@ function finish(asked, request) {
 
 /** The files that a text includes, by the names that it has for them. */
 function included(text, folder, files = {}) {
-  for (const [, name] of text.matchAll(/^\s*\.include\s+"([^"]+)"/gm)) {
+  for (const [, name] of text.matchAll(/\.inc(?:lude|file)\s+"([^"]+)"/gm)) {
     const path = normalize(join(folder, name));
     if (name in files || !existsSync(path)) continue;
     files[name] = readFileSync(path, "utf8");
@@ -178,10 +178,7 @@ const lessons = existsSync(course)
 const answers = lessons.flatMap((name) => ["solution.s", "start.s"].map((file) => ({ path: join(course, name, file), name })))
   .filter(({ path }) => existsSync(path));
 
-// Of files but texts the engine has none.
-const readsFiles = (path) => /\.incfile/.test(readFileSync(path, "utf8"));
-
-[...programs, ...answers.map(({ path }) => path)].filter((path) => !readsFiles(path))
+[...programs, ...answers.map(({ path }) => path)]
   .forEach((path, i) => i % shares === share && checkProgram(path));
 answers.forEach(({ path, name }, i) => i % shares === share && checkAnswer(path, name));
 if (share === 0) checkSideBySide();
