@@ -19,7 +19,7 @@ struct two_doubles {
 
 #define REDUCED_MOST 0x1p30 /* radians */
 #define EXP_MOST 700.       /* beyond it the C library rounds */
-enum { TERMS_MOST = 40, HALVINGS = 8 };
+enum { HALVINGS = 8 };
 
 static const struct two_doubles one = { 1, 0 };
 static const struct two_doubles ln2 = { 0x1.62e42fefa39efp-1,
@@ -91,15 +91,6 @@ static struct two_doubles divide(struct two_doubles a, struct two_doubles b)
                (struct two_doubles){ rest.high / b.high, 0 });
 }
 
-/* .. by a number that has one double. */
-static struct two_doubles over(struct two_doubles a, double b)
-{
-    double quotient = a.high / b;
-    struct two_doubles back = product(quotient, b);
-
-    return quick_sum(quotient, ((a.high - back.high) - back.low + a.low) / b);
-}
-
 static struct two_doubles square_root(struct two_doubles a)
 {
     double root = sqrt(a.high);
@@ -120,29 +111,43 @@ static double rounded(struct two_doubles a)
 
 /* ---- Series -------------------------------------------------------------- */
 
-/* first + first f / (n (n + 1)) + .. for n = from, from + 2 .. */
+static struct two_doubles reciprocal(double a)
+{
+    double first = 1 / a;
+    struct two_doubles back = product(first, a);
+
+    return quick_sum(first, (1 - back.high - back.low) * first);
+}
+
+/* first + first f / n .. (n + step - 1) + ..; of terms so small that their first bits
+ * alone count, these. */
 static struct two_doubles series(struct two_doubles first,
-                                 struct two_doubles f, int from)
+                                 struct two_doubles f, int n, int step)
 {
     struct two_doubles all = first, term = first;
+    double small, rest = 0;
 
-    for (int n = from; n < from + 2 * TERMS_MOST; n += 2) {
-        term = over(multiply(term, f), (double)n * (n + 1));
+    for (; fabs(term.high) > 0x1p-56 * fabs(all.high); n += step) {
+        term = multiply(multiply(term, f),
+                        reciprocal(step == 1 ? n : (double)n * (n + 1)));
         all = add(all, term);
-        if (fabs(term.high) < 0x1p-112 * fabs(all.high))
-            break;
     }
-    return all;
+    small = term.high;
+    for (; fabs(small) > 0x1p-112 * fabs(all.high); n += step) {
+        small *= f.high / (step == 1 ? n : (double)n * (n + 1));
+        rest += small;
+    }
+    return add(all, (struct two_doubles){ rest, 0 });
 }
 
 static struct two_doubles sine_of(struct two_doubles r)
 {
-    return series(r, minus(multiply(r, r)), 2);
+    return series(r, minus(multiply(r, r)), 2, 2);
 }
 
 static struct two_doubles cosine_of(struct two_doubles r)
 {
-    return series(one, minus(multiply(r, r)), 1);
+    return series(one, minus(multiply(r, r)), 1, 2);
 }
 
 /* What is left of x above the nearest multiple of pi / 2, and which that is. */
@@ -158,19 +163,21 @@ static struct two_doubles reduce(double x, int *quadrant)
     return add(rest, minus(product(k, quarter[2])));
 }
 
-static void sine_and_cosine(double x, struct two_doubles *sine,
-                            struct two_doubles *cosine)
+/* sin (x + quadrants pi / 2) */
+static struct two_doubles sine(double x, int quadrants)
 {
     int quadrant;
     struct two_doubles r = reduce(x, &quadrant);
-    struct two_doubles s = sine_of(r), c = cosine_of(r);
+    struct two_doubles s;
 
-    *sine = quadrant % 2 == 0 ? s : c;
-    *cosine = quadrant % 2 == 0 ? c : minus(s);
-    if (quadrant >= 2) {
-        *sine = minus(*sine);
-        *cosine = minus(*cosine);
-    }
+    quadrant = (quadrant + quadrants) % 4;
+    s = quadrant % 2 == 0 ? sine_of(r) : cosine_of(r);
+    return quadrant < 2 ? s : minus(s);
+}
+
+static struct two_doubles cosine(double x)
+{
+    return sine(x, 1);
 }
 
 /* e^x: of a small part of x, less 1, doubled in the exponent again and again. */
@@ -179,13 +186,8 @@ static struct two_doubles power_of_e(struct two_doubles x)
     double k = floor(x.high / ln2.high + .5);
     struct two_doubles r = by(add(x, minus(by(ln2, k))),
                               1. / (1 << HALVINGS));
-    struct two_doubles less, term = r;
+    struct two_doubles less = series(r, r, 2, 1);
 
-    less = r;
-    for (int n = 2; n < TERMS_MOST && fabs(term.high) > 0x1p-120; n++) {
-        term = over(multiply(term, r), n);
-        less = add(less, term);
-    }
     for (int i = 0; i < HALVINGS; i++)
         less = add(by(less, 2), multiply(less, less));
     less = add(one, less);
@@ -198,7 +200,7 @@ static struct two_doubles sinh_of(struct two_doubles x)
     struct two_doubles e;
 
     if (fabs(x.high) < .5)
-        return series(x, multiply(x, x), 2);
+        return series(x, multiply(x, x), 2, 2);
     e = power_of_e(x);
     return by(add(e, minus(divide(one, e))), .5);
 }
@@ -233,9 +235,8 @@ static struct two_doubles log_of(double x)
 static struct two_doubles angle_of(struct two_doubles y, struct two_doubles x)
 {
     double angle = atan2(y.high, x.high);
-    struct two_doubles s, c;
+    struct two_doubles s = sine(angle, 0), c = cosine(angle);
 
-    sine_and_cosine(angle, &s, &c);
     return add((struct two_doubles){ angle, 0 },
                divide(add(multiply(y, c), minus(multiply(x, s))),
                       add(multiply(x, c), multiply(y, s))));
@@ -299,32 +300,17 @@ double elementary_pow(double x, double y)
 
 double elementary_sin(double x)
 {
-    struct two_doubles s, c;
-
-    if (!is_angle(x))
-        return sin(x);
-    sine_and_cosine(x, &s, &c);
-    return rounded(s);
+    return is_angle(x) ? rounded(sine(x, 0)) : sin(x);
 }
 
 double elementary_cos(double x)
 {
-    struct two_doubles s, c;
-
-    if (!is_angle(x))
-        return cos(x);
-    sine_and_cosine(x, &s, &c);
-    return rounded(c);
+    return is_angle(x) ? rounded(cosine(x)) : cos(x);
 }
 
 double elementary_tan(double x)
 {
-    struct two_doubles s, c;
-
-    if (!is_angle(x))
-        return tan(x);
-    sine_and_cosine(x, &s, &c);
-    return rounded(divide(s, c));
+    return is_angle(x) ? rounded(divide(sine(x, 0), cosine(x))) : tan(x);
 }
 
 double elementary_asin(double x)
