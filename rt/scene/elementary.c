@@ -13,7 +13,7 @@
 #include <stdbool.h>
 
 /* Their sum; low is at most half a bit of high. */
-struct two_doubles {
+struct twofold {
     double high, low;
 };
 
@@ -21,9 +21,9 @@ struct two_doubles {
 #define EXP_MOST 700.       /* beyond it the C library rounds */
 enum { HALVINGS = 8 };
 
-static const struct two_doubles one = { 1, 0 };
-static const struct two_doubles ln2 = { 0x1.62e42fefa39efp-1,
-                                        0x1.abc9e3b39803fp-56 };
+static const struct twofold one = { 1, 0 };
+static const struct twofold ln2 = { 0x1.62e42fefa39efp-1,
+                                    0x1.abc9e3b39803fp-56 };
 /* pi / 2 by three doubles. */
 static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
                                   -0x1.f1976b7ed8fbcp-110 };
@@ -31,78 +31,78 @@ static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
 /* ---- Sums, products, quotients ------------------------------------------- */
 
 /* Where a is the larger. */
-static struct two_doubles quick_sum(double a, double b)
+static struct twofold quick_sum(double a, double b)
 {
     double high = a + b;
 
-    return (struct two_doubles){ high, b - (high - a) };
+    return (struct twofold){ high, b - (high - a) };
 }
 
-static struct two_doubles sum(double a, double b)
+static struct twofold sum(double a, double b)
 {
     double high = a + b, part = high - a;
 
-    return (struct two_doubles){ high, (a - (high - part)) + (b - part) };
+    return (struct twofold){ high, (a - (high - part)) + (b - part) };
 }
 
-static struct two_doubles product(double a, double b)
+static struct twofold product(double a, double b)
 {
     enum { SPLIT = (1 << 27) + 1 };
     double high = a * b, c = SPLIT * a, d = SPLIT * b;
     double a1 = c - (c - a), a2 = a - a1, b1 = d - (d - b), b2 = b - b1;
 
-    return (struct two_doubles){ high, ((a1 * b1 - high) + a1 * b2 + a2 * b1)
-                                           + a2 * b2 };
+    return (struct twofold){ high, ((a1 * b1 - high) + a1 * b2 + a2 * b1)
+                                       + a2 * b2 };
 }
 
-static struct two_doubles minus(struct two_doubles a)
+static struct twofold minus(struct twofold a)
 {
-    return (struct two_doubles){ -a.high, -a.low };
+    return (struct twofold){ -a.high, -a.low };
 }
 
-static struct two_doubles add(struct two_doubles a, struct two_doubles b)
+static struct twofold add(struct twofold a, struct twofold b)
 {
-    struct two_doubles s = sum(a.high, b.high), t = sum(a.low, b.low);
+    struct twofold s = sum(a.high, b.high), t = sum(a.low, b.low);
 
     s = quick_sum(s.high, s.low + t.high);
     return quick_sum(s.high, s.low + t.low);
 }
 
-static struct two_doubles multiply(struct two_doubles a, struct two_doubles b)
+static struct twofold multiply(struct twofold a, struct twofold b)
 {
-    struct two_doubles p = product(a.high, b.high);
+    struct twofold p = product(a.high, b.high);
 
     return quick_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 
-static struct two_doubles by(struct two_doubles a, double b)
+static struct twofold by(struct twofold a, double b)
 {
-    return multiply(a, (struct two_doubles){ b, 0 });
+    return multiply(a, (struct twofold){ b, 0 });
 }
 
-static struct two_doubles divide(struct two_doubles a, struct two_doubles b)
+static struct twofold divide(struct twofold a, struct twofold b)
 {
     double first = a.high / b.high, second;
-    struct two_doubles rest = add(a, minus(by(b, first)));
+    struct twofold rest = add(a, minus(by(b, first)));
 
     second = rest.high / b.high;
     rest = add(rest, minus(by(b, second)));
     return add(quick_sum(first, second),
-               (struct two_doubles){ rest.high / b.high, 0 });
+               (struct twofold){ rest.high / b.high, 0 });
 }
 
-static struct two_doubles square_root(struct two_doubles a)
+static struct twofold square_root(struct twofold a)
 {
     double root = sqrt(a.high);
-    struct two_doubles rest = add(a, minus(product(root, root)));
+    struct twofold rest = add(a, minus(product(root, root)));
 
-    return root > 0 ? add((struct two_doubles){ root, 0 },
-                          (struct two_doubles){ rest.high / (2 * root), 0 })
+    return root > 0 ? add((struct twofold){ root, 0 },
+                          (struct twofold){ rest.high / (2 * root), 0 })
                     : a;
 }
 
-/* To the nearest; what is nearly halfway between two doubles was meant to be. */
-static double rounded(struct two_doubles a)
+/* To the nearest; what is nearly halfway between two doubles counts as that. */
+static double rounded(struct twofold a)
 {
     double coarse = 1.5 * a.high * 0x1p-41;
 
@@ -111,20 +111,20 @@ static double rounded(struct two_doubles a)
 
 /* ---- Series -------------------------------------------------------------- */
 
-static struct two_doubles reciprocal(double a)
+static struct twofold reciprocal(double a)
 {
     double first = 1 / a;
-    struct two_doubles back = product(first, a);
+    struct twofold back = product(first, a);
 
     return quick_sum(first, (1 - back.high - back.low) * first);
 }
 
 /* first + first f / n .. (n + step - 1) + ..; of terms so small that their first bits
  * alone count, these. */
-static struct two_doubles series(struct two_doubles first,
-                                 struct two_doubles f, int n, int step)
+static struct twofold series(struct twofold first, struct twofold f, int n,
+                             int step)
 {
-    struct two_doubles all = first, term = first;
+    struct twofold all = first, term = first;
     double small, rest = 0;
 
     for (; fabs(term.high) > 0x1p-56 * fabs(all.high); n += step) {
@@ -137,26 +137,26 @@ static struct two_doubles series(struct two_doubles first,
         small *= f.high / (step == 1 ? n : (double)n * (n + 1));
         rest += small;
     }
-    return add(all, (struct two_doubles){ rest, 0 });
+    return add(all, (struct twofold){ rest, 0 });
 }
 
-static struct two_doubles sine_of(struct two_doubles r)
+static struct twofold sine_of(struct twofold r)
 {
     return series(r, minus(multiply(r, r)), 2, 2);
 }
 
-static struct two_doubles cosine_of(struct two_doubles r)
+static struct twofold cosine_of(struct twofold r)
 {
     return series(one, minus(multiply(r, r)), 1, 2);
 }
 
 /* What is left of x above the nearest multiple of pi / 2, and which that is. */
-static struct two_doubles reduce(double x, int *quadrant)
+static struct twofold reduce(double x, int *quadrant)
 {
     double k = floor(x / quarter[0] + .5);
-    struct two_doubles first = product(k, quarter[0]);
-    struct two_doubles rest = add(sum(x, -first.high),
-                                  (struct two_doubles){ -first.low, 0 });
+    struct twofold first = product(k, quarter[0]);
+    struct twofold rest = add(sum(x, -first.high),
+                              (struct twofold){ -first.low, 0 });
 
     *quadrant = (int)(k - 4 * floor(k / 4));
     rest = add(rest, minus(product(k, quarter[1])));
@@ -164,40 +164,47 @@ static struct two_doubles reduce(double x, int *quadrant)
 }
 
 /* sin (x + quadrants pi / 2) */
-static struct two_doubles sine(double x, int quadrants)
+static struct twofold sine(double x, int quadrants)
 {
     int quadrant;
-    struct two_doubles r = reduce(x, &quadrant);
-    struct two_doubles s;
+    struct twofold r = reduce(x, &quadrant);
+    struct twofold s;
 
     quadrant = (quadrant + quadrants) % 4;
     s = quadrant % 2 == 0 ? sine_of(r) : cosine_of(r);
     return quadrant < 2 ? s : minus(s);
 }
 
-static struct two_doubles cosine(double x)
+static struct twofold cosine(double x)
 {
     return sine(x, 1);
 }
 
-/* e^x: of a small part of x, less 1, doubled in the exponent again and again. */
-static struct two_doubles power_of_e(struct two_doubles x)
+/* e^x - 1 for x between -1/2 and 1/2: of a small part of x, doubled in the exponent
+ * again and again. */
+static struct twofold power_less_one(struct twofold x)
 {
-    double k = floor(x.high / ln2.high + .5);
-    struct two_doubles r = by(add(x, minus(by(ln2, k))),
-                              1. / (1 << HALVINGS));
-    struct two_doubles less = series(r, r, 2, 1);
+    struct twofold r = by(x, 1. / (1 << HALVINGS));
+    struct twofold less = series(r, r, 2, 1);
 
     for (int i = 0; i < HALVINGS; i++)
         less = add(by(less, 2), multiply(less, less));
-    less = add(one, less);
-    return (struct two_doubles){ ldexp(less.high, (int)k),
-                                 ldexp(less.low, (int)k) };
+    return less;
 }
 
-static struct two_doubles sinh_of(struct two_doubles x)
+static struct twofold power_of_e(struct twofold x)
 {
-    struct two_doubles e;
+    double k = floor(x.high / ln2.high + .5);
+    struct twofold power = add(one,
+                               power_less_one(add(x, minus(by(ln2, k)))));
+
+    return (struct twofold){ ldexp(power.high, (int)k),
+                             ldexp(power.low, (int)k) };
+}
+
+static struct twofold sinh_of(struct twofold x)
+{
+    struct twofold e;
 
     if (fabs(x.high) < .5)
         return series(x, multiply(x, x), 2, 2);
@@ -205,45 +212,45 @@ static struct two_doubles sinh_of(struct two_doubles x)
     return by(add(e, minus(divide(one, e))), .5);
 }
 
-static struct two_doubles cosh_of(struct two_doubles x)
+static struct twofold cosh_of(struct twofold x)
 {
-    struct two_doubles e = power_of_e(x);
+    struct twofold e = power_of_e(x);
 
     return by(add(e, divide(one, e)), .5);
 }
 
 /* ---- Inverse functions --------------------------------------------------- */
 
-/* Of x = m 2^k with m near 1. */
-static struct two_doubles log_of(double x)
+/* Of x = m 2^k with m between 3/4 and 3/2. */
+static struct twofold log_of(double x)
 {
     int k;
     double m = frexp(x, &k), y;
-    struct two_doubles off;
+    struct twofold off;
 
     if (m < .75) {
         m *= 2;
         k--;
     }
     y = log(m);
-    off = add(by(power_of_e((struct two_doubles){ -y, 0 }), m), minus(one));
+    off = add(by(power_less_one((struct twofold){ -y, 0 }), m), sum(m, -1));
     off = add(off, by(multiply(off, off), -.5));
-    return add(by(ln2, k), add((struct two_doubles){ y, 0 }, off));
+    return add(by(ln2, k), add((struct twofold){ y, 0 }, off));
 }
 
 /* The angle of a point, which is not the origin. */
-static struct two_doubles angle_of(struct two_doubles y, struct two_doubles x)
+static struct twofold angle_of(struct twofold y, struct twofold x)
 {
     double angle = atan2(y.high, x.high);
-    struct two_doubles s = sine(angle, 0), c = cosine(angle);
+    struct twofold s = sine(angle, 0), c = cosine(angle);
 
-    return add((struct two_doubles){ angle, 0 },
+    return add((struct twofold){ angle, 0 },
                divide(add(multiply(y, c), minus(multiply(x, s))),
                       add(multiply(x, c), multiply(y, s))));
 }
 
 /* The other side of a right triangle whose longest is 1. */
-static struct two_doubles other_side(double x)
+static struct twofold other_side(double x)
 {
     return square_root(multiply(sum(1, -x), sum(1, x)));
 }
@@ -269,7 +276,7 @@ static bool is_angle(double x)
 double elementary_exp(double x)
 {
     return is_plain(x) && fabs(x) < EXP_MOST
-               ? rounded(power_of_e((struct two_doubles){ x, 0 }))
+               ? rounded(power_of_e((struct twofold){ x, 0 }))
                : exp(x);
 }
 
@@ -287,7 +294,7 @@ double elementary_log10(double x)
 
 double elementary_pow(double x, double y)
 {
-    struct two_doubles power;
+    struct twofold power;
 
     if (!is_plain(x) || !is_plain(y) || fabs(x) == 1
         || (x < 0 && y != floor(y)))
@@ -315,16 +322,16 @@ double elementary_tan(double x)
 
 double elementary_asin(double x)
 {
-    return !is_tiny(x) && fabs(x) <= 1 ? rounded(
-               angle_of((struct two_doubles){ x, 0 }, other_side(x)))
-                                       : asin(x);
+    return !is_tiny(x) && fabs(x) <= 1
+               ? rounded(angle_of((struct twofold){ x, 0 }, other_side(x)))
+               : asin(x);
 }
 
 double elementary_acos(double x)
 {
-    return !is_tiny(x) && fabs(x) < 1 ? rounded(
-               angle_of(other_side(x), (struct two_doubles){ x, 0 }))
-                                      : acos(x);
+    return !is_tiny(x) && fabs(x) < 1
+               ? rounded(angle_of(other_side(x), (struct twofold){ x, 0 }))
+               : acos(x);
 }
 
 double elementary_atan(double x)
@@ -338,57 +345,57 @@ double elementary_atan2(double y, double x)
 
     if (!isfinite(most) || least < 0x1p-200 * most || least == 0)
         return atan2(y, x);
-    return rounded(
-        angle_of((struct two_doubles){ y / exp2(ilogb(most)), 0 },
-                 (struct two_doubles){ x / exp2(ilogb(most)), 0 }));
+    return rounded(angle_of((struct twofold){ y / exp2(ilogb(most)), 0 },
+                            (struct twofold){ x / exp2(ilogb(most)), 0 }));
 }
 
 double elementary_sinh(double x)
 {
     return isfinite(x) && !is_tiny(x) && fabs(x) < EXP_MOST
-               ? rounded(sinh_of((struct two_doubles){ x, 0 }))
+               ? rounded(sinh_of((struct twofold){ x, 0 }))
                : sinh(x);
 }
 
 double elementary_cosh(double x)
 {
     return is_plain(x) && fabs(x) < EXP_MOST
-               ? rounded(cosh_of((struct two_doubles){ x, 0 }))
+               ? rounded(cosh_of((struct twofold){ x, 0 }))
                : cosh(x);
 }
 
 double elementary_tanh(double x)
 {
-    struct two_doubles wide = { x, 0 };
+    struct twofold at = { x, 0 };
 
     return !is_tiny(x) && fabs(x) < 30
-               ? rounded(divide(sinh_of(wide), cosh_of(wide)))
+               ? rounded(divide(sinh_of(at), cosh_of(at)))
                : tanh(x);
 }
 
 double elementary_asinh(double x)
 {
-    struct two_doubles y = { asinh(x), 0 }, off;
+    struct twofold y = { asinh(x), 0 }, off;
 
     if (!isfinite(x) || is_tiny(x) || fabs(y.high) >= EXP_MOST)
         return y.high;
-    off = add((struct two_doubles){ x, 0 }, minus(sinh_of(y)));
+    off = add((struct twofold){ x, 0 }, minus(sinh_of(y)));
     return rounded(add(y, divide(off, cosh_of(y))));
 }
 
 double elementary_acosh(double x)
 {
-    struct two_doubles y = { acosh(x), 0 }, off;
+    struct twofold y = { acosh(x), 0 }, half, off;
 
     if (!isfinite(x) || !(x > 1) || y.high >= EXP_MOST)
         return y.high;
-    off = add((struct two_doubles){ x, 0 }, minus(cosh_of(y)));
+    half = sinh_of(by(y, .5));
+    off = add(sum(x, -1), by(multiply(half, half), -2));
     return rounded(add(y, divide(off, sinh_of(y))));
 }
 
 double elementary_atanh(double x)
 {
-    struct two_doubles y = { atanh(x), 0 }, s, c, off;
+    struct twofold y = { atanh(x), 0 }, s, c, off;
 
     if (is_tiny(x) || !(fabs(x) < 1))
         return y.high;
@@ -402,7 +409,7 @@ double elementary_hypot(double x, double y)
 {
     double most = fmax(fabs(x), fabs(y));
     double unit;
-    struct two_doubles a, b;
+    struct twofold a, b;
 
     if (!is_plain(most) || fmin(fabs(x), fabs(y)) < 0x1p-200 * most)
         return hypot(x, y);

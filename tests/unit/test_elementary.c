@@ -54,6 +54,8 @@ static double draw(double least, double most)
 
     if (xorshift(&state) % 8 == 0)
         x = ldexp(floor(ldexp(x, 4)), -4); /* few bits */
+    if (xorshift(&state) % 8 == 0)
+        x = 1 + (x < 1 ? -1 : 1) * ldexp(1, -(int)(xorshift(&state) % 52));
     return xorshift(&state) % 2 == 0 ? x : -x;
 }
 
