@@ -62,7 +62,7 @@ export function showVerdict(reply) {
       reply.medal && el("span", { class: `medal ${reply.medal}` }, reply.medal),
       el("button", { type: "button", class: "quiet close", click: hideVerdict }, "Back to the lesson")),
     ...sentences(reply.report),
-    ...(reply.tests ?? []).map((test) => el("section", {},
+    ...reply.tests.filter(({ clocks, report }) => clocks > 0 || report.length > 0).map((test) => el("section", {},
       el("h4", {}, `${test.passed ? "✓" : "✗"} ${test.name}`,
         el("small", {}, test.clocks ? some(test.clocks, "clock") : "", test.medal && ` · ${test.medal}`)),
       test.tries && el("p", { class: "tries" }, test.tries),
@@ -71,4 +71,6 @@ export function showVerdict(reply) {
   verdict.scrollIntoView({ block: "nearest" });
 }
 
-const sentences = (report) => (report ?? []).map((sentence) => el("p", {}, sentence));
+// What is of several lines shows lines of the program.
+const sentences = (report) => report.map((sentence) =>
+  el("p", { class: sentence.includes("\n") ? "lines" : null }, sentence));

@@ -112,7 +112,8 @@ function open(key, text) {
 async function check() {
   if (!programs.exercise || session.busy) return;
   say("Trying the answer ..");
-  const reply = await session.longer({ do: "grade", lesson: programs.lesson.name, text: editor.text });
+  const reply = await session.longer({ do: "grade", lesson: programs.lesson.name,
+    name: programs.name, text: editor.text });
   if (!reply.ok || reply.stopped) return say(reply.error ?? "Stopped by you.", "bad");
   showVerdict(reply);
   programs.offer();

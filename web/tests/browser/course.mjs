@@ -3,6 +3,7 @@
 
 import assert from "node:assert/strict";
 import { Visit } from "./visit.mjs";
+import { SUM, WRONG } from "./texts.mjs";
 
 // The page's verdict, and c205's, of one answer.
 async function verdict(visit, native, { name }, answer) {
@@ -16,7 +17,7 @@ async function verdict(visit, native, { name }, answer) {
     .map((small) => parseInt(small.textContent.replaceAll(",", ""), 10)));
   assert.deepEqual(clocks.filter((n) => n > 0), told.tests.map((test) => test.clocks).filter((n) => n > 0), name);
   assert.equal(await visit.page.$eval("#verdict", (node) => node.classList.contains("passed")), told.passed, name);
-  const reply = await visit.ask({ do: "grade", lesson: name, text: answer });
+  const reply = await visit.ask({ do: "grade", lesson: name, name: `${name}.s`, text: answer });
   for (const [key, value] of Object.entries(told))
     if (!["status", "answer"].includes(key)) assert.deepEqual(reply[key], value, `${name}: ${key}`);
   return told;
@@ -36,6 +37,11 @@ export const tests = {
       assert.equal(begun.passed, false, lesson.name);
       const done = await verdict(visit, native, lesson, lesson.solution);
       assert.equal(done.passed, true, lesson.name);
+    }
+    // What cannot be assembled, and what has not what is looked for.
+    for (const answer of [WRONG, SUM]) {
+      const told = await verdict(visit, native, native.lessons.at(-1), answer);
+      assert.equal(told.passed, false);
     }
     const titles = await visit.page.$$eval("#lesson optgroup[label=Course] option", (options) =>
       options.map(({ textContent }) => textContent));
