@@ -147,8 +147,8 @@ function tab(view) {
   return true;
 }
 
-/** What the table says of a word. */
-export function explain(about, word) {
+// What the table says of a word.
+function explain(about, word) {
   const row = about.instructions.find(({ mnemonic }) =>
     mnemonic.toUpperCase() === word.replace(/,h$/i, "").toUpperCase());
   return row && { name: `${row.mnemonic} ${row.operands}`.trim(), effect: row.effect };

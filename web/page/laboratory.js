@@ -34,12 +34,8 @@ export function makeLaboratory(panel, session, others) {
     progress, result));
 
   function offer() {
-    const list = others();
-    const [one, two] = [first.value, second.value];
-    choices(first, list);
-    choices(second, [{ value: "", title: "nothing else" }, ...list]);
-    first.value = one || list[0].value;
-    second.value = two;
+    choices(first, others());
+    choices(second, [{ value: "", title: "nothing else" }, ...others()]);
   }
   panel.addEventListener("focusin", (event) => {
     if (event.target === first || event.target === second) offer();

@@ -137,8 +137,8 @@ export function makeTimeline(panel, session) {
   new ResizeObserver(() => { if (told && picture.clientWidth > 0) show(); }).observe(picture);
 }
 
-/** Round numbers between two clocks, about so many. */
-export function ticks(from, to, most) {
+// Round numbers between two clocks, about so many.
+function ticks(from, to, most) {
   const least = (to - from) / Math.max(most, 2);
   const power = 10 ** Math.floor(Math.log10(Math.max(least, 1)));
   const step = [1, 2, 5, 10].map((by) => by * power).find((by) => by >= least) ?? power;
