@@ -44,8 +44,9 @@ export function makeCompare(panel, session, others) {
   }
 
   function told(reply, chosen) {
+    const titles = [...chosen.map(({ title }) => title), "second - first", "first / second"];
     const beside = (caption, key, rows, name = String) => table(caption,
-      [[key], ...[...chosen.map(({ title }) => title), "second - first", "first / second"].map((one) => [one, "number"])],
+      [[key], ...titles.map((title) => [title, "number"])],
       rows.map((row) => ({ class: row[key] === "all" ? "sum" : null, cells: [name(row[key]),
         figure(row.first), figure(row.second), row.difference === undefined ? "" : count(row.difference),
         row.ratio == null ? "-" : fixed(row.ratio, 3)] })));

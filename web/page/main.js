@@ -117,13 +117,14 @@ async function check() {
   if (!reply.ok || reply.stopped) return say(reply.error ?? "Stopped by you.", "bad");
   showVerdict(reply);
   programs.offer();
-  say(reply.passed ? `Passed${reply.medal ? `: ${reply.medal}` : ""}.` : "Not passed yet: the verdict says why.",
-    reply.passed ? "good" : "bad");
+  if (reply.passed) say(`Passed${reply.medal ? `: ${reply.medal}` : ""}.`, "good");
+  else say("Not passed yet: the verdict says why.", "bad");
 }
 
 async function share() {
   const lesson = programs.exercise && programs.lesson.name;
-  history.replaceState(null, "", await toHash({ text: editor.text, model: session.model, warm: session.warm, lesson }));
+  const { model, warm } = session;
+  history.replaceState(null, "", await toHash({ text: editor.text, model, warm, lesson }));
   try {
     await navigator.clipboard.writeText(location.href);
     say("The link is in the clipboard; it holds the whole program.");
