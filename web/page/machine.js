@@ -25,6 +25,7 @@ export class Machine {
     this.#ready = new Promise((resolve, reject) => {
       worker.onmessage = ({ data }) => {
         if (data.ready) resolve();
+        else if (data.failed) reject(new Error(data.failed));
         else this.#told(data);
       };
       worker.onerror = (event) => { reject(new Error(event.message)); this.#lose(event.message); };

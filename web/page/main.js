@@ -25,7 +25,11 @@ import { makeVectors } from "./vectors.js";
 const PAUSE = 300; // milliseconds of no typing before the text is assembled
 
 const session = new Session(new Machine(workerSource(), engineBytes()));
-const [about, carried] = await Promise.all([session.machine.ask({ do: "about" }), course()]);
+const [about, carried] = await Promise.all([session.machine.ask({ do: "about" }), course()])
+  .catch((fault) => {
+    say(`The engine cannot start in this browser: ${fault.message}`, "bad");
+    throw fault;
+  });
 const programs = new Programs(about, carried);
 
 // --- panels -------------------------------------------------------------------
