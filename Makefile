@@ -3,7 +3,7 @@
 # make check      builds and runs all tests (docs/testing.md says which)
 # make fit        fits the timing model, writes the fitted ones and docs/
 # make all | docs | mpi | bench | san | fuzz | cover | check-long | wasm-check |
-#      web | check-web | format | lint | install | clean
+#      web-tracer | web | check-web | format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -95,8 +95,8 @@ check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
 	check-bugs check-isa check-docs check-arithmetic check-narrow \
 	check-adaptive check-random check-quartic check-faces check-regions \
 	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-course check-commands check-install check-fit check-web-engine \
-	check-web-tracer
+	check-library check-course check-commands check-install check-fit \
+	check-web-engine check-web-tracer
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -499,8 +499,7 @@ web_tracer_own = $(wildcard web/tracer/host/*.c)
 web_tracer_c = $(filter-out $(addprefix %/,$(notdir $(web_tracer_own))),$(rt_c) \
 	$(rt205_c)) $(web_tracer_own) asm/command/dialogue.c asm/command/lines.c
 web-tracer:
-	@$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-		AR=llvm-ar $(BUILD)/wasm/rt205.wasm
+	$(call in_wasm,rt205.wasm)
 	@mkdir -p $(BUILD)/web
 	@cp $(BUILD)/wasm/rt205.wasm $(BUILD)/web
 	@wc -c $(BUILD)/web/rt205.wasm
@@ -662,7 +661,7 @@ clean:
 	check-lines check-mass check-heat check-mpi check-scenes check-uses check-adaptive check-language-scenes check-language \
 	check-library \
 	check-samples check-course check-commands check-install \
-	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web-engine check-web-engine docs san bench \
+	check-hosts check-poison check-points check-stream check-emission check-timing check-fit fit cover cover-tests wasm-check web web-engine web-tracer check-web check-web-engine check-web-tracer docs san bench \
 	fuzz fuzz-targets format lint install clean
 .SECONDARY:
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)

@@ -19,7 +19,7 @@ struct wide {
 
 #define REDUCED_MOST 0x1p30 /* radians */
 #define EXP_MOST 700.       /* beyond it the C library rounds */
-enum { TERMS_MOST = 40, HALVINGS = 8 };
+enum { HALVINGS = 8 };
 
 static const struct wide one = { 1, 0 };
 static const struct wide ln2 = { 0x1.62e42fefa39efp-1,
@@ -111,29 +111,42 @@ static double rounded(struct wide a)
 
 /* ---- Series -------------------------------------------------------------- */
 
-/* first + first f / (n (n + 1)) + .. for n = from, from + 2 .. */
-static struct wide series(struct wide first, struct wide f, int from)
+static struct wide reciprocal(double a)
+{
+    double first = 1 / a;
+    struct wide back = product(first, a);
+
+    return quick_sum(first, (1 - back.high - back.low) * first);
+}
+
+/* first + first f / n .. (n + step - 1) + ..; of terms so small that their first bits
+ * alone count, these. */
+static struct wide series(struct wide first, struct wide f, int n, int step)
 {
     struct wide all = first, term = first;
+    double small, rest = 0;
 
-    for (int n = from; n < from + 2 * TERMS_MOST; n += 2) {
-        term = divide(multiply(term, f),
-                      (struct wide){ (double)n * (n + 1), 0 });
+    for (; fabs(term.high) > 0x1p-56 * fabs(all.high); n += step) {
+        term = multiply(multiply(term, f),
+                        reciprocal(step == 1 ? n : (double)n * (n + 1)));
         all = add(all, term);
-        if (fabs(term.high) < 0x1p-112 * fabs(all.high))
-            break;
     }
-    return all;
+    small = term.high;
+    for (; fabs(small) > 0x1p-112 * fabs(all.high); n += step) {
+        small *= f.high / (step == 1 ? n : (double)n * (n + 1));
+        rest += small;
+    }
+    return add(all, (struct wide){ rest, 0 });
 }
 
 static struct wide sine_of(struct wide r)
 {
-    return series(r, minus(multiply(r, r)), 2);
+    return series(r, minus(multiply(r, r)), 2, 2);
 }
 
 static struct wide cosine_of(struct wide r)
 {
-    return series(one, minus(multiply(r, r)), 1);
+    return series(one, minus(multiply(r, r)), 1, 2);
 }
 
 /* What is left of x above the nearest multiple of pi / 2, and which that is. */
@@ -149,18 +162,21 @@ static struct wide reduce(double x, int *quadrant)
     return add(rest, minus(product(k, quarter[2])));
 }
 
-static void sine_and_cosine(double x, struct wide *sine, struct wide *cosine)
+/* sin (x + quadrants pi / 2) */
+static struct wide sine(double x, int quadrants)
 {
     int quadrant;
     struct wide r = reduce(x, &quadrant);
-    struct wide s = sine_of(r), c = cosine_of(r);
+    struct wide s;
 
-    *sine = quadrant % 2 == 0 ? s : c;
-    *cosine = quadrant % 2 == 0 ? c : minus(s);
-    if (quadrant >= 2) {
-        *sine = minus(*sine);
-        *cosine = minus(*cosine);
-    }
+    quadrant = (quadrant + quadrants) % 4;
+    s = quadrant % 2 == 0 ? sine_of(r) : cosine_of(r);
+    return quadrant < 2 ? s : minus(s);
+}
+
+static struct wide cosine(double x)
+{
+    return sine(x, 1);
 }
 
 /* e^x: of a small part of x, less 1, doubled in the exponent again and again. */
@@ -168,13 +184,8 @@ static struct wide power_of_e(struct wide x)
 {
     double k = floor(x.high / ln2.high + .5);
     struct wide r = by(add(x, minus(by(ln2, k))), 1. / (1 << HALVINGS));
-    struct wide less, term = r;
+    struct wide less = series(r, r, 2, 1);
 
-    less = r;
-    for (int n = 2; n < TERMS_MOST && fabs(term.high) > 0x1p-120; n++) {
-        term = divide(multiply(term, r), (struct wide){ n, 0 });
-        less = add(less, term);
-    }
     for (int i = 0; i < HALVINGS; i++)
         less = add(by(less, 2), multiply(less, less));
     less = add(one, less);
@@ -186,7 +197,7 @@ static struct wide sinh_of(struct wide x)
     struct wide e;
 
     if (fabs(x.high) < .5)
-        return series(x, multiply(x, x), 2);
+        return series(x, multiply(x, x), 2, 2);
     e = power_of_e(x);
     return by(add(e, minus(divide(one, e))), .5);
 }
@@ -221,9 +232,8 @@ static struct wide log_of(double x)
 static struct wide angle_of(struct wide y, struct wide x)
 {
     double angle = atan2(y.high, x.high);
-    struct wide s, c;
+    struct wide s = sine(angle, 0), c = cosine(angle);
 
-    sine_and_cosine(angle, &s, &c);
     return add((struct wide){ angle, 0 },
                divide(add(multiply(y, c), minus(multiply(x, s))),
                       add(multiply(x, c), multiply(y, s))));
@@ -287,32 +297,17 @@ double elementary_pow(double x, double y)
 
 double elementary_sin(double x)
 {
-    struct wide s, c;
-
-    if (!is_angle(x))
-        return sin(x);
-    sine_and_cosine(x, &s, &c);
-    return rounded(s);
+    return is_angle(x) ? rounded(sine(x, 0)) : sin(x);
 }
 
 double elementary_cos(double x)
 {
-    struct wide s, c;
-
-    if (!is_angle(x))
-        return cos(x);
-    sine_and_cosine(x, &s, &c);
-    return rounded(c);
+    return is_angle(x) ? rounded(cosine(x)) : cos(x);
 }
 
 double elementary_tan(double x)
 {
-    struct wide s, c;
-
-    if (!is_angle(x))
-        return tan(x);
-    sine_and_cosine(x, &s, &c);
-    return rounded(divide(s, c));
+    return is_angle(x) ? rounded(divide(sine(x, 0), cosine(x))) : tan(x);
 }
 
 double elementary_asin(double x)

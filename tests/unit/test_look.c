@@ -153,7 +153,7 @@ static void test_under_way(void **state)
                                      .progress = go_on,
                                      .look = look,
                                      .context = &shown };
-    char text[4000] = "";
+    char text[9000] = "";
     struct scene *scene;
 
     (void)state;

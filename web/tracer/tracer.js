@@ -7,18 +7,18 @@ import { Exit, System } from "./wasi.js";
 const between = 100; // ms from one view of a picture that grows to the next
 
 /**
-* Compiles the program: rt205.wasm's bytes.  What it gives is
-*
-*   run(args, files, on) -> { code, files }
-*
-* args: those of the command, as ["render", "a.pov", "-o", "a.png"].
-* files: { path: text or bytes }, all that the program finds.
-* on.stdout(text), on.stderr(text): as the program writes them.
-* on.progress(done, all): now and then; false stops the work.
-* on.rows({ width, height, first, rows, rgba, clocks, seconds, causes }): rows of a
-*   picture from the first on, as they stand in the machine's memory, and its clocks so far.
-* code: what the program ends with; files: those that it wrote, as bytes.
-*/
+ * Compiles the program: rt205.wasm's bytes.  What it gives is
+ *
+ *   run(args, files, on) -> { code, files }
+ *
+ * args: those of the command, as ["render", "a.pov", "-o", "a.png"].
+ * files: { path: text or bytes }, all that the program finds.
+ * on.stdout(text), on.stderr(text): as the program writes them.
+ * on.progress(done, all): now and then; false stops the work.
+ * on.rows({ width, height, first, rows, rgba, clocks, seconds, causes }): rows of a
+ *   picture from the first on, as they stand in the machine's memory, and its clocks so far.
+ * code: what the program ends with; files: those that it wrote, as bytes.
+ */
 export async function loadTracer(bytes) {
   const module = await WebAssembly.compile(bytes);
   return (args, files = {}, on = {}) => run(module, args, files, on);

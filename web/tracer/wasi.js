@@ -61,12 +61,12 @@ class Bytes {
 }
 
 /**
-* The imports of a program.
-* words: its name and arguments.  given: its files, as bytes or text by their paths.
-* streams: what takes the bytes of stdout and stderr.
-* .memory is to be set once the program has one; .written() has the files that it
-* left, by their paths.
-*/
+ * The imports of a program.
+ * words: its name and arguments.  given: its files, as bytes or text by their paths.
+ * streams: what takes the bytes of stdout and stderr.
+ * .memory is to be set once the program has one; .written() has the files that it
+ * left, by their paths.
+ */
 export class System {
   constructor(words, given, streams) {
     this.words = words.map((word) => new TextEncoder().encode(word + "\0"));

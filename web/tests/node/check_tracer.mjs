@@ -4,10 +4,10 @@
 //     node check_tracer.mjs BUILD DRAWN [TEXT]
 //
 // In the project's folder.  BUILD has rt205 and web/rt205.wasm, DRAWN scenes by
-// chance.  TEXT: only the runs whose command lines have it.  Runs: every scene of scenes/
-// and tests/scenes, and those of DRAWN, each in a way that its number chooses among stages,
-// queues, models and what is asked for; the other commands; scene texts that are
-// damaged by chance; wrong usage.  At last, how long a picture takes.
+// chance.  TEXT: only the runs whose command lines have it, or grow.  Runs: every scene of
+// scenes/ and tests/scenes, and those of DRAWN, each in a way by chance: stage, queue, model,
+// what is asked for; the other commands; scene texts that are damaged by chance; wrong
+// usage.  Last (grow) pictures while they grow, and how long they take.
 //
 // What only OpenImageIO and FreeType can read the page cannot: then the
 // one error that says so is asked for.
@@ -229,22 +229,36 @@ for (const [open, close] of [["union { ", " }"], ["(", ")"], ["#if (1) ", " #end
 }
 fs.rmSync(broken, { force: true });
 
-// ---- How long it takes -----------------------------------------------------
+// ---- Pictures that grow ------------------------------------------------------
 
-if (only === "") {
+// What is shown in the end is the picture, with all of its clocks; in words, how long it took.
+function watch(scene, width, height) {
+  const seen = Buffer.alloc(3 * width * height);
   const begin = performance.now();
-  let views = 0, last;
-  const { files } = run(["render", "scenes/bracket.pov", "-o", "a.png", "-W", "160",
-    "-H", "120"], given, { rows: (view) => { views++; last = view; } });
-  const seconds = (performance.now() - begin) / 1000;
-  const whole = last?.first + last?.rows === 120;
-  const seen = whole && pixels(Buffer.from(files["a.png"])).subarray(13)
-    .equals(Buffer.from(last.rgba.filter((byte, i) => i % 4 !== 3)));
-  console.log(`scenes/bracket.pov, 160 x 120: ${seconds.toFixed(2)} s, ${views} views`);
-  if (seen)
+  let stdout = "", views = 0, last;
+  const { files } = run(["render", scene, "-o", "a.png", "--format", "json", "-W", `${width}`,
+    "-H", `${height}`], given, {
+    stdout: (text) => { stdout += text; },
+    rows: (view) => {
+      views++;
+      last = view;
+      view.rgba.filter((byte, i) => i % 4 !== 3).forEach((byte, i) => {
+        seen[3 * width * view.first + i] = byte;
+      });
+    },
+  });
+  const seconds = ((performance.now() - begin) / 1000).toFixed(2);
+  console.log(`${scene}, ${width} x ${height}: ${seconds} s, ${views} views`);
+  const sum = Object.values(last?.causes ?? {}).reduce((one, other) => one + other, 0);
+  if (pixels(Buffer.from(files["a.png"])).subarray(13).equals(seen)
+    && last.clocks === JSON.parse(stdout).clocks && sum === last.clocks)
     passed++;
   else
-    console.log("FAIL what is shown last is not the picture"), failed++;
+    console.log("FAIL what is shown last is not the picture, or its clocks are others"), failed++;
+}
+if (only === "" || only === "grow") {
+  watch("scenes/bracket.pov", 160, 120);
+  watch("scenes/first.pov", 256, 160); // of two bands
 }
 fs.rmSync(out, { recursive: true, force: true });
 if (passed === 0)
