@@ -523,7 +523,7 @@ web_packages = clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 npm_done = web/node_modules/.package-lock.json
 web:
 	@sh .ci/need $(web_packages)
-	@command -v node npm >/dev/null || sh .ci/need nodejs npm
+	@{ command -v node && command -v npm; } >/dev/null || sh .ci/need nodejs npm
 	@$(MAKE) --no-print-directory web-engine
 	@$(MAKE) --no-print-directory web-tracer $(npm_done)
 	node web/build.mjs $(BUILD)

@@ -41,8 +41,9 @@ function lessonHtml(folder) {
         return `<pre tabindex="0"><code>${escaped(words)}</code></pre>\n`;
       },
       table({ header, rows }) {
-        const cells = (row, name) => row.map(({ tokens, align }) =>
-          `<${name}${align === "right" ? ' class="number"' : ""}>${this.parser.parseInline(tokens)}</${name}>`).join("");
+        const cell = ({ tokens, align }, name) =>
+          `<${name}${align === "right" ? ' class="number"' : ""}>${this.parser.parseInline(tokens)}</${name}>`;
+        const cells = (row, name) => row.map((one) => cell(one, name)).join("");
         return `<div class="scroll" tabindex="0"><table><thead><tr>${cells(header, "th")}</tr></thead><tbody>`
           + `${rows.map((row) => `<tr>${cells(row, "td")}</tr>`).join("")}</tbody></table></div>\n`;
       },
@@ -55,7 +56,8 @@ function lessonHtml(folder) {
 // other files.
 function program(path) {
   const text = read(path).replace(/^[ \t]*\.include\s+"([^"]+)".*\n/gm, (line, name) => {
-    const found = [dirname(path), dirname(dirname(path))].map((folder) => join(folder, name)).find(existsSync);
+    const found = [dirname(path), dirname(dirname(path))].map((folder) => join(folder, name))
+      .find(existsSync);
     return found ? read(found) : line;
   });
   return /^[^;\n]*\.incfile\b/m.test(text) ? null : { name: basename(path), text };

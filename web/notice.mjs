@@ -24,7 +24,8 @@ export function notice(web, inputs) {
   });
   const texts = byText(packages);
   return ["# What others wrote of the page", "",
-    "The page has these packages in it. Written by `node web/build.mjs BUILD --write`, checked by `make web`.", "",
+    "The page has these packages in it. Written by `node web/build.mjs BUILD --write`, "
+      + "checked by `make web`.", "",
     "| package | version | licence |", "|---|---|---|",
     ...packages.map(({ name, version, license }) => `| ${name} | ${version} | ${license} |`),
     ...[...texts].flatMap(([text, of]) => ["", `## ${of.map(({ name }) => name).join(", ")}`, "",

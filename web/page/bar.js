@@ -4,6 +4,9 @@
 import { $, count } from "./dom.js";
 
 const SELDOM = 500; // milliseconds between two words on what is still under way
+// Buttons, and how they go.
+const WAYS = { run: "end", reset: "start", step: "step", back: "back", on: "continue",
+  before: "reverse-continue" };
 const WHY = { end: "The program has ended.", breakpoint: "Stopped at a breakpoint.",
   limit: "It has run for very long; Run goes on.", start: "At the beginning." };
 const MOOD = { trap: "bad", limit: "bad", end: "good" };
@@ -56,8 +59,7 @@ function busy(so) {
 
 export function makeBar(session) {
   let last = 0;
-  const ways = { run: "end", reset: "start", step: "step", back: "back", on: "continue", before: "reverse-continue" };
-  for (const [id, how] of Object.entries(ways)) $(id).addEventListener("click", () => session.go(how));
+  for (const [id, how] of Object.entries(WAYS)) $(id).addEventListener("click", () => session.go(how));
   $("stop").addEventListener("click", () => session.stop());
   $("slider").addEventListener("input", () => { place(); session.slide(Number($("slider").value)); });
   session.on("loaded", (reply) => { if (!reply.ok) settle(null); });

@@ -17,14 +17,13 @@ export function makeCompare(panel, session, others) {
         el("button", { type: "button", click: keep }, "Keep my program for later"))),
     result));
 
+  // At first, mine beside the one that I began with.
   function offer() {
-    const list = others();
-    const [one, two] = [first.value, second.value];
-    choices(first, list);
-    choices(second, list);
-    const has = (value) => list.some((entry) => entry.value === value);
-    first.value = has(one) && one ? one : list[1]?.value ?? list[0].value;
-    second.value = has(two) && two ? two : list[0].value;
+    const [mine, ...list] = others();
+    const chosen = first.value;
+    choices(first, [...list, mine]);
+    choices(second, [mine, ...list]);
+    if (chosen !== first.value) fill(result);
   }
 
   function keep() {
@@ -45,8 +44,9 @@ export function makeCompare(panel, session, others) {
   }
 
   function told(reply, chosen) {
+    const titles = [...chosen.map(({ title }) => title), "second - first", "first / second"];
     const beside = (caption, key, rows, name = String) => table(caption,
-      [[key], ...[...chosen.map(({ title }) => title), "second - first", "first / second"].map((one) => [one, "number"])],
+      [[key], ...titles.map((title) => [title, "number"])],
       rows.map((row) => ({ class: row[key] === "all" ? "sum" : null, cells: [name(row[key]),
         figure(row.first), figure(row.second), row.difference === undefined ? "" : count(row.difference),
         row.ratio == null ? "-" : fixed(row.ratio, 3)] })));

@@ -51,12 +51,15 @@ export function table(caption, columns, rows) {
         : el("td", { class: columns[i][1] }, cell))))));
 }
 
-/** Choices of a select: a list of {value, title}, or of {group, choices}. */
+/** Choices of a select: a list of {value, title}, or of {group, choices}.  What was chosen stays so
+ * if it is still there. */
 export function choices(select, list) {
+  const before = select.value;
   const option = ({ value, title }) => el("option", { value }, title);
-  select.replaceChildren(...list.map((entry) => entry.choices
+  fill(select, list.map((entry) => entry.choices
     ? el("optgroup", { label: entry.group }, entry.choices.map(option))
     : option(entry)));
+  if ([...select.options].some(({ value }) => value === before)) select.value = before;
 }
 
 export const count = (n) => n.toLocaleString("en");

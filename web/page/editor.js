@@ -12,6 +12,7 @@ import { tags } from "@lezer/highlight";
 import { count, el, fixed, some } from "./dom.js";
 
 const TAB = 8;
+const MARGIN = 40; // pixels above and below the line that is brought into sight
 
 // --- the language -----------------------------------------------------------
 
@@ -86,7 +87,8 @@ class Clocks extends GutterMarker {
   }
   eq(other) { return other.title === this.title; }
   toDOM() {
-    return el("span", { class: "clocks", style: `--share: ${this.share}`, title: this.title }, count(this.clocks));
+    const { share, title } = this;
+    return el("span", { class: "clocks", style: `--share: ${share}`, title }, count(this.clocks));
   }
 }
 
@@ -147,8 +149,8 @@ function tab(view) {
   return true;
 }
 
-/** What the table says of a word. */
-export function explain(about, word) {
+// What the table says of a word.
+function explain(about, word) {
   const row = about.instructions.find(({ mnemonic }) =>
     mnemonic.toUpperCase() === word.replace(/,h$/i, "").toUpperCase());
   return row && { name: `${row.mnemonic} ${row.operands}`.trim(), effect: row.effect };
@@ -235,9 +237,9 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
     },
     /** Marks the line, and brings it into sight. */
     stand(line) {
-      const effects = [setHere.of(line)];
-      if (line) effects.push(EditorView.scrollIntoView(lineStart(view.state.doc, line), { y: "nearest", yMargin: 40 }));
-      view.dispatch({ effects });
+      const at = lineStart(view.state.doc, line);
+      view.dispatch({ effects: [setHere.of(line),
+        ...(line ? [EditorView.scrollIntoView(at, { y: "nearest", yMargin: MARGIN })] : [])] });
     },
     /** Clocks beside lines: {line, clocks, percent, executions}. */
     charge(rows) {

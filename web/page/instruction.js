@@ -22,10 +22,10 @@ export function makeInstruction(panel, session) {
 }
 
 // "7 memory wait + 1 issue", each underlined with its colour.
-function sum(parts) {
+function sum(parts, waits = true) {
   return parts.map(({ clocks, cause, wait }, i) => [i > 0 && " + ",
     el("span", { class: `term ${colour(cause)}` },
-      el("span", {}, el("b", {}, count(clocks)), ` ${cause}`, wait && `, ${wait}`))]);
+      el("span", {}, el("b", {}, count(clocks)), ` ${cause}`, waits && wait && `, ${wait}`))]);
 }
 
 // A line of the program without its comment.
@@ -47,6 +47,6 @@ function told(last, written) {
       ({ name, value, unit, source }) => el("li", {}, el("code", {}, name), ` = ${value} ${unit}`,
         el("abbr", { class: "source-letter", title: SOURCES[source] }, source), SOURCES[source]))),
     last.in_flight?.length > 0 && el("p", { class: "formula" },
-      "Until the last result was there: ", sum(last.in_flight.map(({ clocks, cause }) => ({ clocks, cause })))),
+      "Until the last result was there: ", sum(last.in_flight, false)),
   ];
 }

@@ -25,8 +25,9 @@ export function makeLaboratory(panel, session, others) {
 
   fill(panel, el("section", { class: "panel", "aria-labelledby": "laboratory-heading" },
     heading("laboratory", "Laboratory: speed against length"),
-    el("p", { class: "note" }, "A program is assembled and run for many values of one of its constants. Where it ",
-      "has a value of its own, that stands between ", el("code", {}, ".ifndef n"), " and ", el("code", {}, ".endif"), "."),
+    el("p", { class: "note" }, "A program is assembled and run for many values of one of its constants. ",
+      "Where it has a value of its own, that stands between ", el("code", {}, ".ifndef n"),
+      " and ", el("code", {}, ".endif"), "."),
     el("form", { class: "fields", submit: measure },
       field("lab-first", "Program", first), field("lab-second", "beside", second),
       field("lab-constant", "constant", constant), field("lab-from", "from", from), field("lab-to", "to", to),
@@ -34,12 +35,8 @@ export function makeLaboratory(panel, session, others) {
     progress, result));
 
   function offer() {
-    const list = others();
-    const [one, two] = [first.value, second.value];
-    choices(first, list);
-    choices(second, [{ value: "", title: "nothing else" }, ...list]);
-    first.value = one || list[0].value;
-    second.value = two;
+    choices(first, others());
+    choices(second, [{ value: "", title: "nothing else" }, ...others()]);
   }
   panel.addEventListener("focusin", (event) => {
     if (event.target === first || event.target === second) offer();
@@ -110,7 +107,8 @@ export function makeLaboratory(panel, session, others) {
         ["n½", "number"], ["off, %", "number"]],
       told.lines.map((line, i) => ({ cells: [
         [el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), names[i]], fixed(line.startup, 1),
-        fixed(line.per_element, 4), fixed(line.mflops, 2), fixed(line.n_half, 1), fixed(line.off_percent, 2)] })));
+        fixed(line.per_element, 4), fixed(line.mflops, 2), fixed(line.n_half, 1),
+        fixed(line.off_percent, 2)] })));
   }
 
   function points() {
@@ -124,7 +122,8 @@ export function makeLaboratory(panel, session, others) {
   function drawing() {
     const { points } = told;
     const [low, high] = [points[0].value, points.at(-1).value];
-    const top = 1.08 * Math.max(...points.flatMap((point) => series().map((one) => point[`${one}mflops`])), 1e-9);
+    const rates = points.flatMap((point) => series().map((one) => point[`${one}mflops`]));
+    const top = 1.08 * Math.max(...rates, 1e-9);
     const x = (n) => LEFT + (WIDTH - LEFT - RIGHT) * Math.log(n / low) / Math.log(high / low || 2);
     const y = (rate) => HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * rate / top;
     const text = (px, py, kind, words) => draw("text", { x: px, y: py, class: kind }, words);
@@ -140,7 +139,8 @@ export function makeLaboratory(panel, session, others) {
     for (let rate = 0; rate <= top; rate += step)
       svg.append(draw("line", { x1: LEFT, x2: WIDTH - RIGHT, y1: y(rate), y2: y(rate), class: "tick" }),
         text(LEFT - 8, y(rate) + 4, "lane", String(Number(rate.toPrecision(6)))));
-    svg.append(text(LEFT, HEIGHT - 6, "axis", `${told.constant} →`), text(LEFT + 6, TOP + 2, "axis", "Mflop/s"));
+    svg.append(text(LEFT, HEIGHT - 6, "axis", `${told.constant} →`),
+      text(LEFT + 6, TOP + 2, "axis", "Mflop/s"));
 
     const here = points[at].value;
     svg.append(draw("line", { x1: x(here), x2: x(here), y1: TOP, y2: HEIGHT - BOTTOM, class: "now" }));

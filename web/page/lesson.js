@@ -15,6 +15,10 @@ export function title({ number, title: words, name }) {
   return `${number} ${words}${passed ? ` ✓${medal ? ` ${medal}` : ""}` : ""}`;
 }
 
+// "gold 95, silver 110": clocks of a test.
+const wanted = ({ goals }) => Object.entries(goals)
+  .map(([medal, clocks]) => `${medal} ${count(clocks)}`).join(", ");
+
 let shown = null;
 
 /** EXERCISE: what is written is an answer to it. */
@@ -29,9 +33,7 @@ export function showLesson(lesson, exercise) {
   $("lesson-heading").textContent = `${lesson.number} ${lesson.title}`;
   $("lesson-text").innerHTML = lesson.html ?? "";
   $("lesson-text").scrollTop = 0;
-  const goals = lesson.tests.map(({ goals: one }) => one).filter((one) => one && Object.keys(one).length > 0);
-  $("goals").textContent = goals.length === 0 ? "" : goals.map((one) =>
-    MEDALS.slice(1).reverse().filter((medal) => one[medal]).map((medal) => `${medal} ${count(one[medal])}`).join(", ")).join("; ");
+  $("goals").textContent = lesson.tests.filter((test) => test.goals).map(wanted).join("; ");
 }
 
 export function setFolded(folded) {
@@ -62,13 +64,17 @@ export function showVerdict(reply) {
       reply.medal && el("span", { class: `medal ${reply.medal}` }, reply.medal),
       el("button", { type: "button", class: "quiet close", click: hideVerdict }, "Back to the lesson")),
     ...sentences(reply.report),
-    ...(reply.tests ?? []).map((test) => el("section", {},
-      el("h4", {}, `${test.passed ? "✓" : "✗"} ${test.name}`,
-        el("small", {}, test.clocks ? some(test.clocks, "clock") : "", test.medal && ` · ${test.medal}`)),
-      test.tries && el("p", { class: "tries" }, test.tries),
-      ...sentences(test.report))));
+    ...reply.tests.filter(({ clocks, report }) => clocks > 0 || report.length > 0).map(tested));
   verdict.scrollTop = 0;
   verdict.scrollIntoView({ block: "nearest" });
 }
 
-const sentences = (report) => (report ?? []).map((sentence) => el("p", {}, sentence));
+const tested = (test) => el("section", {},
+  el("h4", {}, `${test.passed ? "✓" : "✗"} ${test.name}`,
+    el("small", {}, test.clocks > 0 && some(test.clocks, "clock"), test.medal && ` · ${test.medal}`)),
+  el("p", { class: "tries" }, test.tries),
+  ...sentences(test.report));
+
+// What is of several lines shows lines of the program.
+const sentences = (report) => report.map((sentence) =>
+  el("p", { class: sentence.includes("\n") ? "lines" : null }, sentence));

@@ -9,6 +9,9 @@ export class Machine {
   #next = 1;
   #watch = 0;
 
+  /** An engine has ended with the program that it had. */
+  lost = false;
+
   /** SOURCE: the worker's text; WASM: a promise of the engine's bytes. */
   constructor(source, wasm) {
     this.#source = URL.createObjectURL(new Blob([source], { type: "text/javascript" }));
@@ -22,6 +25,7 @@ export class Machine {
     this.#ready = new Promise((resolve, reject) => {
       worker.onmessage = ({ data }) => {
         if (data.ready) resolve();
+        else if (data.failed) reject(new Error(data.failed));
         else this.#told(data);
       };
       worker.onerror = (event) => { reject(new Error(event.message)); this.#lose(event.message); };
@@ -36,15 +40,17 @@ export class Machine {
     this.#asked.delete(id);
     clearTimeout(this.#watch);
     if (lost === undefined) return asked.resolve(reply);
-    asked.resolve({ ok: false, lost: true, error: `The engine has failed: ${lost}.` });
+    asked.resolve({ ok: false, error: `The engine has failed: ${lost}.` });
     this.#lose("it was started anew");
   }
 
-  // A new worker; what was asked of the old one is answered with an error.
+  // A new worker, which has no program; what was asked of the old one is answered with
+  // an error.
   #lose(why) {
+    this.lost = true;
     this.#worker.terminate();
     for (const { resolve } of this.#asked.values())
-      resolve({ ok: false, lost: true, error: `The engine has stopped: ${why}.` });
+      resolve({ ok: false, error: `The engine has stopped: ${why}.` });
     this.#asked.clear();
     this.#start();
   }

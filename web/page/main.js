@@ -25,7 +25,11 @@ import { makeVectors } from "./vectors.js";
 const PAUSE = 300; // milliseconds of no typing before the text is assembled
 
 const session = new Session(new Machine(workerSource(), engineBytes()));
-const [about, carried] = await Promise.all([session.machine.ask({ do: "about" }), course()]);
+const [about, carried] = await Promise.all([session.machine.ask({ do: "about" }), course()])
+  .catch((fault) => {
+    say(`The engine cannot start in this browser: ${fault.message}`, "bad");
+    throw fault;
+  });
 const programs = new Programs(about, carried);
 
 // --- panels -------------------------------------------------------------------
@@ -112,17 +116,19 @@ function open(key, text) {
 async function check() {
   if (!programs.exercise || session.busy) return;
   say("Trying the answer ..");
-  const reply = await session.longer({ do: "grade", lesson: programs.lesson.name, text: editor.text });
+  const reply = await session.longer({ do: "grade", lesson: programs.lesson.name,
+    name: programs.name, text: editor.text });
   if (!reply.ok || reply.stopped) return say(reply.error ?? "Stopped by you.", "bad");
   showVerdict(reply);
   programs.offer();
-  say(reply.passed ? `Passed${reply.medal ? `: ${reply.medal}` : ""}.` : "Not passed yet: the verdict says why.",
-    reply.passed ? "good" : "bad");
+  if (reply.passed) say(`Passed${reply.medal ? `: ${reply.medal}` : ""}.`, "good");
+  else say("Not passed yet: the verdict says why.", "bad");
 }
 
 async function share() {
   const lesson = programs.exercise && programs.lesson.name;
-  history.replaceState(null, "", await toHash({ text: editor.text, model: session.model, warm: session.warm, lesson }));
+  const { model, warm } = session;
+  history.replaceState(null, "", await toHash({ text: editor.text, model, warm, lesson }));
   try {
     await navigator.clipboard.writeText(location.href);
     say("The link is in the clipboard; it holds the whole program.");

@@ -14,7 +14,8 @@ async function part(id, file) {
   return new Response(new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip")));
 }
 
-/** Promises: the engine's and the tracer's bytes, scenes, lessons and examples, and what others wrote of the page. */
+/** Promises: bytes of the engine and of the tracer, scenes, lessons with examples, and what
+ * others wrote of the page. */
 export const engineBytes = async () => (await part("engine", "engine.wasm")).arrayBuffer();
 export const tracerBytes = async () => (await part("rt205", "rt205.wasm")).arrayBuffer();
 export const scenes = async () => (await part("scenes", "scenes.json")).json();

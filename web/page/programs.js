@@ -14,7 +14,8 @@ export class Programs {
   constructor(about, course) {
     this.lessons = about.lessons.map((lesson) => ({ ...lesson, ...course.lessons[lesson.name] }));
     for (const lesson of this.lessons) {
-      this.#list.set(`lesson:${lesson.name}`, { name: `${lesson.name}.s`, text: lesson.start, lesson, exercise: true });
+      this.#list.set(`lesson:${lesson.name}`,
+        { name: `${lesson.name}.s`, text: lesson.start, lesson, exercise: true });
       for (const { name, text } of lesson.examples ?? [])
         this.#list.set(`part:${lesson.name}:${name}`, { name, text, lesson });
     }
@@ -29,26 +30,31 @@ export class Programs {
     kept.set("at", this.key);
   }
 
-  #of(kind, titled) {
+  #of(kind, titled = ({ name }) => name) {
     return [...this.#list].filter(([key]) => key.startsWith(kind))
-      .map(([value, program]) => ({ value, title: titled(program) }));
+      .map(([value, program]) => ({ value, title: titled(program), text: program.text }));
+  }
+
+  get #parts() {
+    return this.lesson ? this.#of(`part:${this.lesson.name}:`) : [];
   }
 
   /** Into the list to choose from; a lesson's examples while it is open. */
   offer() {
     const groups = [
       { group: "Course", choices: this.#of("lesson:", ({ lesson }) => title(lesson)) },
-      this.lesson && { group: "Examples of this lesson", choices: this.#of(`part:${this.lesson.name}:`, ({ name }) => name) },
-      { group: "Examples", choices: this.#of("example:", ({ name }) => name) },
+      { group: "Examples of this lesson", choices: this.#parts },
+      { group: "Examples", choices: this.#of("example:") },
       { group: "My own", choices: [{ value: OWN, title: "my program" }] },
     ];
-    choices($("lesson"), groups.filter((one) => one?.choices.length > 0));
+    choices($("lesson"), groups.filter((one) => one.choices.length > 0));
     $("lesson").value = this.key;
   }
 
   /** What the learner has written of it; null: nothing. */
   get written() {
-    return (this.exercise ? progress(this.lesson.name).text : this.key === OWN ? kept.get("own") : null) ?? null;
+    if (this.exercise) return progress(this.lesson.name).text ?? null;
+    return this.key === OWN ? kept.get("own") : null;
   }
 
   write(text) {
@@ -58,10 +64,7 @@ export class Programs {
 
   /** Those that another can be held beside. */
   get others() {
-    return [
-      ...(this.exercise ? [{ value: "start", title: "the text to complete", text: this.text }] : []),
-      ...[...this.#list].filter(([key]) => key.startsWith("example:") || key.startsWith(`part:${this.lesson?.name}:`))
-        .map(([, { name, text }]) => ({ value: name, title: name, text })),
-    ];
+    const start = { value: "start", title: "the text to complete", text: this.text };
+    return [...(this.exercise ? [start] : []), ...this.#parts, ...this.#of("example:")];
   }
 }

@@ -11,7 +11,8 @@ export function makeRegisters(panel, session) {
       heading("registers", "Registers"),
       shown.length === 0
         ? el("p", { class: "empty" }, "The program has named none.")
-        : el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Registers and what they hold" },
+        : el("div", { class: "scroll", tabindex: 0, role: "group",
+          "aria-label": "Registers and what they hold" },
           table("Registers", [["register"], ["hexadecimal", "hex"], ["is", "number"]],
             shown.map((one) => ({
               class: one.changed ? "changed" : "",

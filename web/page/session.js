@@ -70,7 +70,7 @@ export class Session {
   async load() {
     const turn = ++this.#turn;
     if (this.busy) this.stop();
-    this.#stale = false;
+    this.#stale = this.machine.lost = false;
     const reply = await this.machine.ask(
       { do: "load", name: this.name, text: this.text, ...this.setting });
     if (turn !== this.#turn) return;
@@ -119,14 +119,13 @@ export class Session {
   /** Moves, as the debugger's verbs do: "end", "step", "back" .., "step-to" N. */
   async go(how, n) {
     if (this.busy) return;
-    if (this.#stale || this.loaded?.lost) await this.load();
+    if (this.#stale || this.machine.lost) await this.load();
     if (!this.loaded?.ok) return;
     const turn = this.#turn;
     const reply = await this.longer({ do: "go", how, ...(n !== undefined && { n }) },
       (progress) => this.#tell("progress", progress));
     if (turn !== this.#turn) return;
-    if (reply.lost) this.#stale = true;
-    else await this.look();
+    await this.look();
     this.#tell("moved", reply);
   }
 

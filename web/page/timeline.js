@@ -90,7 +90,8 @@ export function makeTimeline(panel, session) {
 
   function show() {
     if (!told) return picture.replaceChildren();
-    picture.setAttribute("aria-label", `${some(told.insns.length, "instruction")} from clock ${count(from)} to ${count(to)}`);
+    picture.setAttribute("aria-label",
+      `${some(told.insns.length, "instruction")} from clock ${count(from)} to ${count(to)}`);
     picture.replaceChildren(drawing());
     const causes = new Set(told.spans.map(({ cause }) => cause).filter(Boolean));
     fill(legend, ...[...causes].map((cause) => el("li", {}, named(cause))));
@@ -108,7 +109,8 @@ export function makeTimeline(panel, session) {
     }
     const x = (at) => LEFT + (width - LEFT - 8) * (Math.min(Math.max(at, from), to) - from) / (to - from);
     const svg = draw("svg", { width, height, viewBox: `0 0 ${width} ${height}`, "aria-hidden": "true" });
-    const upright = (at, kind) => draw("line", { x1: x(at), x2: x(at), y1: TOP - 4, y2: height - GAP, class: kind });
+    const upright = (at, kind) =>
+      draw("line", { x1: x(at), x2: x(at), y1: TOP - 4, y2: height - GAP, class: kind });
 
     for (const at of ticks(from, to, (width - LEFT) / 70))
       svg.append(upright(at, "tick"), draw("text", { x: x(at), y: TOP - 9, class: "clock" }, count(at)));
@@ -122,8 +124,7 @@ export function makeTimeline(panel, session) {
       svg.append(draw("g", { class: "insn", click: () => session.go("clock-to", insn.arrived + 1) },
         draw("rect", { x: x(span.begin), y, width: Math.max(wide, 1), height: BOX, rx: Math.min(2, wide / 4),
           class: span.cause ? colour(span.cause) : "work" },
-        draw("title", {}, [`${span.cause ?? "at work"}: ${some(span.end - span.begin, "clock")}, ${span.begin} .. ${span.end}`,
-          insn.text, `arrived ${insn.arrived}, issued ${insn.issued}, result ${insn.ready}`].join("\n"))),
+        draw("title", {}, words(span, insn))),
         span.lane > 0 && wide > 7.5 * mnemonic.length + 8
           && draw("text", { x: x(span.begin) + 5, y: y + BOX - 5, class: "name" }, mnemonic)));
     }
@@ -137,8 +138,13 @@ export function makeTimeline(panel, session) {
   new ResizeObserver(() => { if (told && picture.clientWidth > 0) show(); }).observe(picture);
 }
 
-/** Round numbers between two clocks, about so many. */
-export function ticks(from, to, most) {
+// What is read at a box.
+const words = ({ cause = "at work", begin, end }, { text, arrived, issued, ready }) =>
+  [`${cause}: ${some(end - begin, "clock")}, ${begin} .. ${end}`, text,
+    `arrived ${arrived}, issued ${issued}, result ${ready}`].join("\n");
+
+// Round numbers between two clocks, about so many.
+function ticks(from, to, most) {
   const least = (to - from) / Math.max(most, 2);
   const power = 10 ** Math.floor(Math.log10(Math.max(least, 1)));
   const step = [1, 2, 5, 10].map((by) => by * power).find((by) => by >= least) ?? power;

@@ -25,7 +25,8 @@ export function makeVectors(panel, session) {
     fill(panel,
       heading("vectors", "Memory", bits().length > 0 ? picker() : null),
       shown.length === 0 ? el("p", { class: "empty" }, "The program has no data of its own.")
-        : el("div", { class: "vectors scroll", tabindex: 0, role: "group", "aria-label": "Labels and their elements" },
+        : el("div", { class: "vectors scroll", tabindex: 0, role: "group",
+          "aria-label": "Labels and their elements" },
           shown.map((one) => row(one, control(), () => session.lookFurther()))));
     const scroll = panel.querySelector(".vectors");
     if (scroll) scroll.scrollTop = top;
@@ -52,5 +53,6 @@ function row(vector, control, more) {
     el("div", { class: "vector-name" }, el("code", {}, label),
       el("small", {}, some(length, kind.replace(/s$/, "")))),
     el("div", {}, el("ol", { class: `cells${kind === "bits" ? " bits" : ""}` }, cells),
-      left > 0 && el("button", { type: "button", class: "quiet", click: more }, `${count(left)} more of ${label}`)));
+      left > 0 && el("button", { type: "button", class: "quiet", click: more },
+        `${count(left)} more of ${label}`)));
 }

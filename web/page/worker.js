@@ -42,8 +42,12 @@ async function work() {
 
 onmessage = async ({ data }) => {
   if (data.wasm) {
-    engine = await startEngine(data.wasm);
-    postMessage({ ready: true });
+    try {
+      engine = await startEngine(data.wasm);
+      postMessage({ ready: true });
+    } catch (fault) {
+      postMessage({ failed: String(fault?.message ?? fault) });
+    }
   } else if (data.stop) {
     stopped = true;
   } else {

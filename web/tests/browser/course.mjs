@@ -3,6 +3,7 @@
 
 import assert from "node:assert/strict";
 import { Visit } from "./visit.mjs";
+import { SUM, WRONG } from "./texts.mjs";
 
 // The page's verdict, and c205's, of one answer.
 async function verdict(visit, native, { name }, answer) {
@@ -10,13 +11,15 @@ async function verdict(visit, native, { name }, answer) {
   await visit.press("check");
   await visit.page.waitForFunction("!document.getElementById('verdict').hidden");
   const told = native.json(["check", name, `${name}.s`], { [`${name}.s`]: answer });
-  const words = await visit.page.$eval("#verdict", (node) => [...node.querySelectorAll("p:not(.tries)")].map((p) => p.textContent));
+  const words = await visit.page.$$eval("#verdict p:not(.tries)", (list) => list.map((p) => p.textContent));
   assert.deepEqual(words, [...told.report, ...told.tests.flatMap(({ report }) => report)], name);
-  const clocks = await visit.page.$eval("#verdict", (node) => [...node.querySelectorAll("h4 small")]
-    .map((small) => parseInt(small.textContent.replaceAll(",", ""), 10)));
-  assert.deepEqual(clocks.filter((n) => n > 0), told.tests.map((test) => test.clocks).filter((n) => n > 0), name);
-  assert.equal(await visit.page.$eval("#verdict", (node) => node.classList.contains("passed")), told.passed, name);
-  const reply = await visit.ask({ do: "grade", lesson: name, text: answer });
+  const clocks = await visit.page.$$eval("#verdict h4 small", (list) =>
+    list.map((small) => parseInt(small.textContent.replaceAll(",", ""), 10)));
+  const ran = (list) => list.filter((n) => n > 0);
+  assert.deepEqual(ran(clocks), ran(told.tests.map((test) => test.clocks)), name);
+  const passed = await visit.page.$eval("#verdict", (node) => node.classList.contains("passed"));
+  assert.equal(passed, told.passed, name);
+  const reply = await visit.ask({ do: "grade", lesson: name, name: `${name}.s`, text: answer });
   for (const [key, value] of Object.entries(told))
     if (!["status", "answer"].includes(key)) assert.deepEqual(reply[key], value, `${name}: ${key}`);
   return told;
@@ -37,6 +40,11 @@ export const tests = {
       const done = await verdict(visit, native, lesson, lesson.solution);
       assert.equal(done.passed, true, lesson.name);
     }
+    // What cannot be assembled, and what has not what is looked for.
+    for (const answer of [WRONG, SUM]) {
+      const told = await verdict(visit, native, native.lessons.at(-1), answer);
+      assert.equal(told.passed, false);
+    }
     const titles = await visit.page.$$eval("#lesson optgroup[label=Course] option", (options) =>
       options.map(({ textContent }) => textContent));
     for (const title of titles) assert.match(title, /✓/);
@@ -56,8 +64,9 @@ export const tests = {
         return pictures.filter((picture) => picture.naturalWidth === 0 || !picture.alt).length;
       });
       assert.equal(bad, 0, lesson);
-      assert.deepEqual(await visit.page.$$eval("#lesson-text a", (links) => links.map((link) => link.dataset.lesson)
-        .filter((name) => name && !window.c205.about.lessons.some((one) => one.name === name))), [], lesson);
+      const dead = await visit.page.$$eval("#lesson-text a", (links) => links.map((link) => link.dataset.lesson)
+        .filter((name) => name && !window.c205.about.lessons.some((one) => one.name === name)));
+      assert.deepEqual(dead, [], lesson);
     }
     await visit.close();
   },

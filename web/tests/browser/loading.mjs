@@ -49,13 +49,14 @@ export const tests = {
     const visit = await Visit.open(browser, page);
     await visit.write(LOOP);
     await visit.page.click("#run");
-    await visit.page.waitForFunction("/^Running: step [1-9]/.test(document.getElementById('status').textContent)");
-    const first = await visit.text("#status");
+    const status = "document.getElementById('status').textContent";
+    await visit.page.waitForFunction(`/^Running: step [1-9]/.test(${status})`);
+    const first = JSON.stringify(await visit.text("#status"));
     // The page does other things in the meantime.
     await visit.page.click("#tab-console");
     assert.equal(await visit.shown("#console"), true);
     await visit.page.click("#tab-machine");
-    await visit.page.waitForFunction((words) => document.getElementById("status").textContent !== words, {}, first);
+    await visit.page.waitForFunction(`${status} !== ${first}`);
     await visit.page.click("#stop");
     await visit.quiet();
     const view = await visit.view();

@@ -11,8 +11,9 @@ const open = async ({ browser, page }, text = SUM) => {
 };
 
 // What the page shows of where the program stands.
-const shown = (visit) => visit.page.evaluate(() => ["where", "instruction", "causes", "registers", "vectors", "output"]
-  .map((id) => document.getElementById(id).textContent));
+const PANELS = ["where", "instruction", "causes", "registers", "vectors", "output"];
+const shown = (visit) => visit.page.evaluate((panels) =>
+  panels.map((id) => document.getElementById(id).textContent), PANELS);
 
 async function slide(visit, step) {
   await visit.page.$eval("#slider", (slider, value) => {
@@ -170,7 +171,9 @@ export const tests = {
     assert.equal((await visit.page.$$("#faults .error")).length, 2);
     assert.equal(await visit.page.$eval("#run", (button) => button.disabled), true);
     await visit.page.click("#faults li:nth-child(2) button");
-    assert.equal(await visit.look("editor.view.state.doc.lineAt(editor.view.state.selection.main.head).number"), 3);
+    const line = await visit.look(
+      "(({ doc, selection }) => doc.lineAt(selection.main.head).number)(editor.view.state)");
+    assert.equal(line, 3);
     await visit.write(SUM);
     assert.equal(await visit.shown("#faults"), false);
     await visit.close();

@@ -31,13 +31,13 @@ export const tests = {
     await visit.choose("lesson", "example:saxpy_vector.s");
     await visit.press("tab-laboratory");
     await visit.page.focus("#lab-second");
-    await visit.page.select("#lab-second", "saxpy_scalar.s");
+    await visit.page.select("#lab-second", "example:saxpy_scalar.s");
     await visit.press("laboratory button[type=submit]");
     await visit.page.waitForSelector("#laboratory .chart svg");
     const text = await visit.look("editor.text");
     const other = await visit.look("window.c205.example('saxpy_scalar.s')");
-    const told = native.json(["sweep", "--warm", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000", "--points", "25"],
-      { "a.s": text, "b.s": other });
+    const told = native.json(["sweep", "--warm", ...PLAIN, "a.s", "b.s", "--define", "n=1:1000",
+      "--points", "25"], { "a.s": text, "b.s": other });
     const rows = await visit.page.$$eval("#laboratory details tbody tr", (list) => list.map((row) =>
       [...row.children].map((cell) => cell.textContent.replaceAll(",", ""))));
     assert.deepEqual(rows.map(([n, first, , second]) => [n, first, second].map(Number)),
@@ -50,12 +50,13 @@ export const tests = {
     await visit.choose("lesson", "example:saxpy_linked.s");
     await visit.press("tab-compare");
     await visit.page.focus("#compare-first");
-    await visit.page.select("#compare-first", "saxpy_vector.s");
+    await visit.page.select("#compare-first", "example:saxpy_vector.s");
     await visit.page.select("#compare-second", "mine");
     await visit.press("compare button[type=submit]");
     await visit.page.waitForSelector("#compare .verdict-words");
     const { out } = native.c205(["compare", ...PLAIN, "a.s", "b.s"], {
-      "a.s": await visit.look("window.c205.example('saxpy_vector.s')"), "b.s": await visit.look("editor.text") });
+      "a.s": await visit.look("window.c205.example('saxpy_vector.s')"),
+      "b.s": await visit.look("editor.text") });
     assert.equal(await visit.text("#compare .verdict-words"), /^The second .*$/m.exec(out)[0]);
     await visit.close();
   },

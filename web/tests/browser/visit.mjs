@@ -49,7 +49,7 @@ export class Visit {
 
   /** What the page has for those who look behind it (window.c205). */
   look(what) {
-    return this.page.evaluate(`(async () => { const { session, editor, about, ask } = window.c205; return ${what}; })()`);
+    return this.page.evaluate(`(async ({ session, editor, about, ask }) => ${what})(window.c205)`);
   }
 
   /** The engine's own reply. */
