@@ -1084,6 +1084,15 @@ tells err 'replaced.pov:2:'
 ends 1 "$build/rt205" render replaced.pov -o c.png -W 40 -H 30 --strict
 
 # the paper's table
+# .. of named rows alone: those of the whole table
+ends 0 "$build/rt205" speedup -W 16 -H 10 --format csv
+grep -e ^primitive -e ^cylinder -e ^torus out >whole
+ends 0 "$build/rt205" speedup TORUS cylinder -W 16 -H 10 --format csv
+grep -v "^#" out | cmp -s - whole
+verdict $? "rows that are named are not those of the whole table"
+ends 2 "$build/rt205" speedup spere
+tells err "spere: no row of Table 1"
+ends 2 "$build/rt205" speedup --formulations sphere
 ends 0 "$build/rt205" speedup -W 40 -H 25 --queue 200 --json short.json
 cp out short
 [ "$(wc -l <short)" -eq 20 ]

@@ -116,22 +116,41 @@ static bool write_json(const struct rt205_arguments *arguments,
            && speedup_report_json(report, json);
 }
 
+/* Rows that are wanted, in the order of the table; how many. */
+static size_t choose(const struct rt205_arguments *arguments,
+                     struct speedup_subject *chosen)
+{
+    const struct command_texts *rows = &arguments->rows;
+    size_t count = 0;
+
+    for (size_t i = 0; i < speedup_subject_count; i++) {
+        bool wanted = rows->count == 0;
+
+        for (size_t j = 0; j < rows->count && !wanted; j++)
+            wanted = speedup_is_named(&speedup_subjects[i], rows->items[j]);
+        if (wanted)
+            chosen[count++] = speedup_subjects[i];
+    }
+    return count;
+}
+
 static bool measure_all(const struct rt205_arguments *arguments,
                         struct speedup_report *report, c205_error *error)
 {
+    struct speedup_subject *chosen = calloc(speedup_subject_count,
+                                            sizeof *chosen);
     struct speedup_measure(
         *measures)[TRACE_FORMS] = calloc(speedup_subject_count,
                                          sizeof *measures);
-    bool good = measures
-                && speedup_measure_all(speedup_subjects,
-                                       speedup_subject_count,
-                                       &arguments->view, &arguments->trace,
-                                       measures, error);
+    size_t count = chosen ? choose(arguments, chosen) : 0;
+    bool good = chosen && measures
+                && speedup_measure_all(chosen, count, &arguments->view,
+                                       &arguments->trace, measures, error);
 
-    for (size_t i = 0; good && i < speedup_subject_count; i++)
-        speedup_report_add(report, &speedup_subjects[i], &arguments->view,
-                           measures[i]);
+    for (size_t i = 0; good && i < count; i++)
+        speedup_report_add(report, &chosen[i], &arguments->view, measures[i]);
     free(measures);
+    free(chosen);
     return good;
 }
 
@@ -207,10 +226,29 @@ static int formulations(const struct rt205_arguments *arguments,
 
 /* ---- The command --------------------------------------------------------- */
 
+static bool is_row(const char *name)
+{
+    for (size_t i = 0; i < speedup_subject_count; i++)
+        if (speedup_is_named(&speedup_subjects[i], name))
+            return true;
+    return false;
+}
+
 static int run_command_line(void *given)
 {
     struct rt205_arguments *arguments = given;
+    const struct command_texts *rows = &arguments->rows;
 
+    for (size_t i = 0; i < rows->count; i++)
+        if (!is_row(rows->items[i]))
+            return cmd_usage(arguments->command,
+                             "%s: no row of Table 1 (sphere, cylinder, "
+                             "Steiner, torus)",
+                             rows->items[i]);
+    if (rows->count > 0 && arguments->formulations)
+        return cmd_usage(arguments->command,
+                         "--formulations are of the cylinder, whatever rows "
+                         "are named");
     return cmd_with_machine(arguments,
                             arguments->formulations ? formulations : speedup);
 }
@@ -232,11 +270,30 @@ static const struct command_option options[] = {
     COMMAND_END
 };
 
+static const char *row_choice(size_t number)
+{
+    return number < speedup_subject_count ? speedup_subjects[number].name
+                                          : NULL;
+}
+
+static const struct command_option operands[] = {
+    { .value = "ROW",
+      .kind = COMMAND_TEXT,
+      .many = true,
+      .optional = true,
+      .offset = CMD_PLACE(rows),
+      .choice = row_choice,
+      .help = "a primitive of the table, with or without what stands behind "
+              "its comma; none: all of them" },
+    COMMAND_END
+};
+
 const struct command speedup_command = {
     .name = "speedup",
     .summary = "scalar against vector, kernel by kernel",
     .function = run_command_line,
     .options = options,
+    .operands = operands,
     .details =
         "The paper's Table 1 beside ours: 100,000 rays against a sphere, a "
         "cylinder, a Steiner patch, and more. That the scalar and the vector "

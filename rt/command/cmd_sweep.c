@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "base/file.h"
 #include "base/provenance.h"
@@ -18,18 +17,12 @@ static bool names_scene(const char *name)
            || (length > 4 && strcmp(name + length - 4, ".pov") == 0);
 }
 
-/* Whole, or as far as its comma, in capitals or not; the first that fits. */
+/* The first that fits. */
 static const struct speedup_subject *subject_named(const char *name)
 {
-    for (size_t i = 0; i < speedup_subject_count; i++) {
-        const struct speedup_subject *subject = &speedup_subjects[i];
-        size_t stem = strcspn(subject->name, ",");
-
-        if (strcasecmp(subject->name, name) == 0
-            || (strlen(name) == stem
-                && strncasecmp(subject->name, name, stem) == 0))
-            return subject;
-    }
+    for (size_t i = 0; i < speedup_subject_count; i++)
+        if (speedup_is_named(&speedup_subjects[i], name))
+            return &speedup_subjects[i];
     return NULL;
 }
 

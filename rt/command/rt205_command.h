@@ -86,6 +86,7 @@ struct rt205_arguments {
     bool details, passes; /* of the speedup table; the passes are the root
                              solver's, one by one */
     bool formulations;    /* of the cylinder, in place of that table */
+    struct command_texts rows; /* of that table; none: all of them */
     struct cmd_heat heat;
     int falsi; /* the rule; FALSI_RULES: all of them, compared */
     struct cmd_mass mass;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "base/provenance.h"
 #include "rt/scene/language/scene_read.h"
@@ -64,6 +65,15 @@ const struct speedup_subject speedup_subjects[] = {
 };
 const size_t speedup_subject_count = sizeof speedup_subjects
                                      / sizeof *speedup_subjects;
+
+bool speedup_is_named(const struct speedup_subject *subject, const char *name)
+{
+    size_t stem = strcspn(subject->name, ",");
+
+    return strcasecmp(subject->name, name) == 0
+           || (strlen(name) == stem
+               && strncasecmp(subject->name, name, stem) == 0);
+}
 
 const struct speedup_subject speedup_formulations[] = {
     { .name = "Cychosz and Waggenspack, surfaces noted",

@@ -47,6 +47,9 @@ struct speedup_subject {
 
 extern const struct speedup_subject speedup_subjects[];
 extern const size_t speedup_subject_count;
+/* A row by its whole name, or as far as its comma, in capitals or not. */
+bool speedup_is_named(const struct speedup_subject *subject,
+                      const char *name);
 
 /* Table 1's cylinder in the formulations that were tried, its own the first. */
 extern const struct speedup_subject speedup_formulations[];
