@@ -13,7 +13,7 @@ const NEAREST = 16; // clocks, the least that are shown
 export function makeTimeline(panel, session) {
   let from = 0;
   let to = FIRST;
-  let whole = true; // the stretch is all of the run, as long as that is short
+  let whole = true; // nobody has chosen a stretch: it is all of a run that is short
   let told = null; // the engine's reply
   let turn = 0;
 
@@ -69,8 +69,8 @@ export function makeTimeline(panel, session) {
     if (whole && clock() <= 2 * FIRST) {
       from = 0;
       to = Math.max(clock(), 2 * NEAREST);
-    } else if (clock() > to || clock() < from || to - from > 4 * FIRST) {
-      const length = Math.min(to - from, FIRST);
+    } else if (clock() > to || clock() < from || (whole && to - from > 2 * FIRST)) {
+      const length = whole ? FIRST : to - from;
       from = Math.max(Math.round(clock() - 0.9 * length), 0);
       to = from + length;
     }

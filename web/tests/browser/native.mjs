@@ -1,7 +1,7 @@
 // native.mjs - c205 itself, for what the page is held beside.
 
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -13,6 +13,7 @@ export class Native {
 
   constructor(build) {
     this.build = build;
+    process.on("exit", () => rmSync(this.#folder, { recursive: true, force: true }));
   }
 
   /** {status, out, told}; what stands in FILES is there for the command. */

@@ -18,11 +18,12 @@ if (!build) {
   process.exit(2);
 }
 const all = { ...loading, ...moving, ...programs, ...course, ...looks, ...tracer };
+const native = new Native(resolve(build));
 let passed = 0, failed = 0;
 
 for (const kind of browsers.split(" ")) {
   const { browser, end } = await startBrowser(kind);
-  const world = { browser, kind, native: new Native(resolve(build)), site: resolve(build, "web/site"),
+  const world = { browser, kind, native, site: resolve(build, "web/site"),
     page: pathToFileURL(resolve(build, "web/c205.html")).href,
     say: (words) => console.log(`    ${kind}: ${words}`) };
   for (const [name, test] of Object.entries(all)) {
