@@ -578,6 +578,21 @@ static void test_drawn(void **state)
         assert_true(seen[i] > tries / 100);
 }
 
+/* Answers that do the work in other ways, against goals. */
+static void test_ways(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < tries; i++) {
+        struct drawn_lesson drawn = { 0 };
+
+        do
+            draw_lesson(&drawn, &random_state);
+        while (drawn.way == WAY_VECTOR
+               || !drawn.tests[drawn.faulty].has_goals);
+        check_drawn(&drawn);
+    }
+}
+
 /* ---- What all tests would say ---------------------------------------------- */
 
 /* The n at which a text stands first is replaced. */
@@ -672,6 +687,7 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_drawn),
+        cmocka_unit_test(test_ways),
         cmocka_unit_test(test_said_of_all),
     };
 
