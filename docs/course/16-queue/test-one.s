@@ -1,6 +1,5 @@
 ; test-one.s
 ; test: queues of a single ray
-; tolerance: seen 0
 ; tolerance: depth 1e-8
         .equ    rays, 12
         .equ    queue, 1
