@@ -88,7 +88,7 @@ static void tell_cause(const struct lesson_trial *trial,
     int cause = waits ? wait : most;
 
     report_say(report, "%s is %s: %" PRIu64 " clocks, %d %%.  %s",
-               waits ? "The longest wait" : "Most of that",
+               waits ? "The longest wait" : "What took most",
                c205_cause_name((c205_cause)cause), all->clocks[cause],
                percent_of(all->clocks[cause], trial->clocks), helps[cause]);
 }

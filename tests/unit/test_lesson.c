@@ -319,7 +319,7 @@ static void check_cause(const struct drawn_lesson *drawn,
         most = wait;
     snprintf(wanted, sizeof wanted,
              "%s is %s: %" PRIu64 " clocks, %.0f %%.  ",
-             wait > 0 ? "The longest wait" : "Most of that",
+             wait > 0 ? "The longest wait" : "What took most",
              c205_cause_name((c205_cause)most), all.clocks[most],
              floor(100.0 * (double)all.clocks[most] / (double)trial->clocks
                    + 0.5));
