@@ -1,4 +1,3 @@
-; test-small.s
 ; test: 20 frames of 6 numbers, some of which are their mean; results hold something before
 ; tolerance: mean 1e-9
         .equ    n, 6

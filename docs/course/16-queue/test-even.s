@@ -1,4 +1,3 @@
-; test-even.s
 ; test: two full queues
 ; tolerance: depth 1e-8
         .equ    rays, 400

@@ -1,4 +1,3 @@
-; test-one.s
 ; test: queues of a single ray, the first of which just touches a sphere
 ; tolerance: depth 1e-8
         .equ    rays, 12

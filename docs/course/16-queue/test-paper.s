@@ -1,4 +1,3 @@
-; test-paper.s
 ; test: 100,000 rays and 8 spheres, with the paper's queue of 2,000
 ; tolerance: depth 0.001
 ; goals: gold 3110000, silver 6200000, bronze 11500000

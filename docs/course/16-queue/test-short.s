@@ -1,4 +1,3 @@
-; test-short.s
 ; test: a queue that is never full
 ; tolerance: depth 1e-8
         .equ    rays, 100
