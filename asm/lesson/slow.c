@@ -14,7 +14,8 @@ static const char *const helps[C205_CAUSES] = {
                    "them do better, and a vector instruction stands for a "
                    "whole loop.",
     [C205_OPERAND_WAIT] = "Put other work between an instruction and the one "
-                          "that needs its result.",
+                          "that needs its result; quotients and roots take "
+                          "the longest.",
     [C205_UNIT_BUSY] = "Spread the work over the units, or put other work "
                        "between two instructions of one unit.",
     [C205_BRANCH] = "A branch that is taken costs many instructions' time: "
@@ -132,12 +133,11 @@ static const struct profile_row *next_line(const struct line_profile *profile,
     return found;
 }
 
-/* A linked pair has its clocks at the prefix; what it does stands in the two lines behind. */
+/* A linked pair has its clocks at the prefix; what it does stands in the two lines behind, which
+ * are never done by themselves. */
 static bool is_link(const struct profile_row *row)
 {
-    const char *prefix = strstr(row->source, "LINKV");
-
-    return prefix && prefix < row->source + strcspn(row->source, ";")
+    return strstr(row->source, "LINKV") && row[1].executions == 0
            && row[1].file && row[2].file;
 }
 
