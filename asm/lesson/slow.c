@@ -1,6 +1,7 @@
 /* slow.c - why an answer is slower than the next goal: the cause and the lines that took most
  * of its clocks. */
 #include <inttypes.h>
+#include <string.h>
 
 #include "asm/lesson/parts.h"
 #include "base/accounts.h"
@@ -13,7 +14,8 @@ static const char *const helps[C205_CAUSES] = {
                    "them do better, and a vector instruction stands for a "
                    "whole loop.",
     [C205_OPERAND_WAIT] = "Put other work between an instruction and the one "
-                          "that needs its result.",
+                          "that needs its result; quotients and roots take "
+                          "the longest.",
     [C205_UNIT_BUSY] = "Spread the work over the units, or put other work "
                        "between two instructions of one unit.",
     [C205_BRANCH] = "A branch that is taken costs many instructions' time: "
@@ -31,7 +33,9 @@ static const char *const helps[C205_CAUSES] = {
                            "better.",
     [C205_TRANSLATION_MISS] = "Work page by page: each page touched anew "
                               "must be looked up.",
-    [C205_PAGE_FAULT] = "Each page costs its first touch: use fewer pages."
+    [C205_PAGE_FAULT] =
+        "Each page costs its first touch, and another when it was driven "
+        "out: do all the work on a page while it is there."
 };
 
 static int percent_of(uint64_t clocks, uint64_t all)
@@ -55,25 +59,44 @@ static void tell_goal(const struct lesson_trial *trial,
 
 /* ---- The cause ------------------------------------------------------------- */
 
+/* So many instructions are a loop, however good. */
+static const uint64_t many = 1000;
+
+static bool is_scalar(const c205_account *all)
+{
+    return all->vector_instructions == 0;
+}
+
+static int find_most(const c205_account *all, int first)
+{
+    int most = first;
+
+    for (int cause = first + 1; cause < C205_CAUSES; cause++)
+        if (all->clocks[cause] > all->clocks[most])
+            most = cause;
+    return most;
+}
+
+/* The instructions of a few lines of scalar code are the work itself: what can be mended there
+ * is a wait. */
 static void tell_cause(const struct lesson_trial *trial,
                        const c205_account *all, struct lesson_report *report)
 {
-    int most = 0;
+    int most = find_most(all, C205_ISSUE);
+    int wait = find_most(all, C205_ISSUE + 1);
+    bool waits = most == C205_ISSUE && all->clocks[wait] > 0 && is_scalar(all)
+                 && all->instructions < many;
+    int cause = waits ? wait : most;
 
-    for (int cause = 1; cause < C205_CAUSES; cause++)
-        if (all->clocks[cause] > all->clocks[most])
-            most = cause;
-    report_say(report, "Most of that is %s: %" PRIu64 " clocks, %d %%.  %s",
-               c205_cause_name((c205_cause)most), all->clocks[most],
-               percent_of(all->clocks[most], trial->clocks), helps[most]);
+    report_say(report, "%s is %s: %" PRIu64 " clocks, %d %%.  %s",
+               waits ? "The longest wait" : "What took most",
+               c205_cause_name((c205_cause)cause), all->clocks[cause],
+               percent_of(all->clocks[cause], trial->clocks), helps[cause]);
 }
 
-/* A loop, however good. */
 static void tell_scalar(const c205_account *all, struct lesson_report *report)
 {
-    static const uint64_t many = 1000;
-
-    if (all->vector_instructions == 0 && all->instructions >= many)
+    if (is_scalar(all) && all->instructions >= many)
         report_say(report,
                    "All of its %" PRIu64
                    " instructions are scalar ones: what does the same with "
@@ -110,7 +133,37 @@ static const struct profile_row *next_line(const struct line_profile *profile,
     return found;
 }
 
-/* The hottest one, and others that took a tenth of it or more. */
+/* A linked pair has its clocks at the prefix; what it does stands in the two lines behind, which
+ * are never done by themselves. */
+static bool is_link(const struct profile_row *row)
+{
+    return strstr(row->source, "LINKV") && row[1].executions == 0
+           && row[1].file && row[2].file;
+}
+
+static void tell_line(const struct lesson_trial *trial,
+                      const struct profile_row *row,
+                      struct lesson_report *report)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+    uint64_t clocks = clocks_of(row);
+    bool link = is_link(row);
+
+    sink_print(&sink,
+               "Line %zu took %" PRIu64 " clocks, %d %%, in %" PRIu64
+               " %s%s:",
+               row->number, clocks, percent_of(clocks, trial->clocks),
+               row->executions, link ? "linked pair" : "instruction",
+               row->executions == 1 ? "" : "s");
+    if (!link)
+        sink_print(&sink, " %.200s", lesson_source(row->source));
+    for (int i = 1; link && i <= 2; i++)
+        sink_print(&sink, "\n    %.200s", lesson_source(row[i].source));
+    report_buffer(report, &text);
+}
+
+/* The hottest one, and others that took a tenth of all or more. */
 static void tell_lines(const struct lesson_trial *trial,
                        const struct line_profile *profile,
                        struct lesson_report *report)
@@ -118,16 +171,9 @@ static void tell_lines(const struct lesson_trial *trial,
     const struct profile_row *row = NULL;
 
     for (int i = 0; i < LINES_TOLD && (row = next_line(profile, row)); i++) {
-        uint64_t clocks = clocks_of(row);
-
-        if (i > 0 && 10 * clocks < trial->clocks)
+        if (i > 0 && 10 * clocks_of(row) < trial->clocks)
             return;
-        report_say(report,
-                   "Line %zu took %" PRIu64 " clocks, %d %%, in %" PRIu64
-                   " instruction%s: %.200s",
-                   row->number, clocks, percent_of(clocks, trial->clocks),
-                   row->executions, row->executions == 1 ? "" : "s",
-                   lesson_source(row->source));
+        tell_line(trial, row, report);
     }
 }
 

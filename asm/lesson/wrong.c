@@ -84,10 +84,17 @@ static bool is_first(const struct exchanged *exchanged, size_t i)
     return exchanged->wanted[i] == exchanged->wanted[0];
 }
 
+/* What so few bits look like is chance. */
+static bool is_chance(const struct exchanged *exchanged)
+{
+    return exchanged->contents == ASM_BITS && exchanged->count < 16;
+}
+
 /* Elements that are all the same, or one or two, stand nowhere too early. */
 static bool have_places(const struct exchanged *exchanged)
 {
-    return exchanged->count > 2 && !all(exchanged, is_first);
+    return exchanged->count > 2 && !is_chance(exchanged)
+           && !all(exchanged, is_first);
 }
 
 static bool too_late(const struct exchanged *exchanged)
@@ -106,6 +113,11 @@ static bool is_backwards(const struct exchanged *exchanged, size_t i)
                    exchanged->found[i]);
 }
 
+static bool backwards(const struct exchanged *exchanged)
+{
+    return !is_chance(exchanged) && all(exchanged, is_backwards);
+}
+
 static int compare_words(const void *a, const void *b)
 {
     const c205_word *one = a, *other = b;
@@ -113,12 +125,12 @@ static int compare_words(const void *a, const void *b)
     return (*one > *other) - (*one < *other);
 }
 
-/* The same elements, each as often. */
+/* The same elements, each as often; of bits that says little. */
 static bool other_order(const struct exchanged *exchanged)
 {
     size_t size = exchanged->count * sizeof(c205_word);
     c205_word *wanted = malloc(size), *found = malloc(size);
-    bool same = wanted && found;
+    bool same = wanted && found && exchanged->contents != ASM_BITS;
 
     if (same) {
         memcpy(wanted, exchanged->wanted, size);
@@ -229,8 +241,7 @@ static const struct likeness {
     { NULL, too_early,
       "The right elements stand one place too far in front: element 0 has "
       "what element 1 should have." },
-    { is_backwards, NULL,
-      "The right elements stand there from back to front." },
+    { NULL, backwards, "The right elements stand there from back to front." },
     { NULL, unsorted,
       "The right elements stand there, but they are not sorted." },
     { NULL, other_order,

@@ -124,10 +124,31 @@ static void put_value(const struct drawn_lesson *drawn,
                    (drawn->found - (UINT64_C(1) << 56)) >> 32);
 }
 
+static void put_work(const struct drawn_lesson *drawn,
+                     const struct sink *sink)
+{
+    if (drawn->way == WAY_VECTOR)
+        sink_print(sink, "        %s\n", kinds[drawn->kind].work);
+    else if (drawn->way == WAY_LINKED)
+        sink_put(sink, "        load_constant value, 1.0\n"
+                       "        descriptor one, x, n\n"
+                       "        LINKV           ; a pair\n"
+                       "        MPYSV   [xs], value, [one]\n"
+                       "        ADDNV   [one], [xs], [ys]\n");
+    else
+        sink_print(sink,
+                   "        ES      one, 0\n        .rept   n\n"
+                   "        LOD     [xs, one], value\n"
+                   "        .rept   %zu\n        ES      idle, 1\n"
+                   "        .endr\n        ADDN    value, value, value\n"
+                   "        STO     [ys, one], value ; no LINKV\n"
+                   "        IS      one, 1\n        .endr\n",
+                   drawn->idle);
+}
+
 static void put_fault(const struct drawn_lesson *drawn,
                       const struct sink *sink)
 {
-    const char *work = kinds[drawn->kind].work;
     unsigned width = kinds[drawn->kind].width;
     const char *half = width == 32 ? ",H" : "";
 
@@ -137,7 +158,7 @@ static void put_fault(const struct drawn_lesson *drawn,
         sink_print(sink,
                    "        descriptor xs, x, n - 1\n"
                    "        descriptor ys, y + %u, n - 1\n        %s\n",
-                   width, work);
+                   width, kinds[drawn->kind].work);
         return;
     case FAULT_BACKWARDS:
         sink_put(sink, "        ADDNV   [xs], [xs], [xs]\n"
@@ -150,7 +171,7 @@ static void put_fault(const struct drawn_lesson *drawn,
     default: break;
     }
     for (size_t i = 0; i <= drawn->repeated; i++)
-        sink_print(sink, "        %s\n", work);
+        put_work(drawn, sink);
     if (drawn->fault == FAULT_ELEMENT || drawn->fault == FAULT_LAST_BIT)
         sink_print(sink,
                    "        descriptor value, v, 1\n"
@@ -168,12 +189,13 @@ static void write_answer(struct drawn_lesson *drawn)
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
 
-    sink_print(&sink,
-               "        .include \"core.s\"\n        .ifndef n\n"
-               "        .equ    n, 5\n        .endif\n"
-               "        .regs   r16, xs, ys, one, value\n        .data\n"
-               "        %s x, n\n        %s y, n\n",
-               directive, directive);
+    sink_print(
+        &sink,
+        "        .include \"core.s\"\n        .ifndef n\n"
+        "        .equ    n, 5\n        .endif\n"
+        "        .regs   r16, xs, ys, one, value, idle\n        .data\n"
+        "        %s x, n\n        %s y, n\n",
+        directive, directive);
     put_value(drawn, &sink);
     sink_print(&sink,
                "        .code\n        descriptor xs, x, n\n"
@@ -200,6 +222,10 @@ void draw_lesson(struct drawn_lesson *drawn, uint64_t *state)
     } while (!fits(drawn));
     drawn->element = xorshift(state) % drawn->tests[drawn->faulty].n;
     drawn->repeated = drawn->fault == FAULT_NONE ? xorshift(state) % 20 : 0;
+    drawn->way = drawn->fault == FAULT_NONE && drawn->kind == DRAWN_WORDS
+                     ? (enum drawn_way)(xorshift(state) % DRAWN_WAYS)
+                     : WAY_VECTOR;
+    drawn->idle = xorshift(state) % 20;
     draw_found(drawn, state);
     write_answer(drawn);
 }

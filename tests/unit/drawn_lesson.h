@@ -12,6 +12,9 @@ enum { DRAWN_LONGEST = 60, DRAWN_TESTS = 3 };
 
 enum drawn_kind { DRAWN_WORDS, DRAWN_HALVES, DRAWN_BITS, DRAWN_KINDS };
 
+/* How the work is done where nothing is wrong; but for words always the first way. */
+enum drawn_way { WAY_VECTOR, WAY_LINKED, WAY_SCALAR, DRAWN_WAYS };
+
 enum drawn_fault {
     FAULT_NONE, /* the work is done over and over, though */
     FAULT_ELEMENT,
@@ -40,10 +43,12 @@ struct drawn_lesson {
     struct drawn_test tests[DRAWN_TESTS];
     /* The answer. */
     enum drawn_fault fault;
+    enum drawn_way way;
     size_t faulty, element,
-        repeated;    /* in which test, where, how often more */
+        repeated,    /* in which test, where, how often more */
+        idle;        /* instructions between two others of scalar code */
     c205_word found; /* there, of FAULT_ELEMENT and FAULT_LAST_BIT */
-    char answer[4096];
+    char answer[8192];
 };
 
 /* All but the goals. */

@@ -244,7 +244,7 @@ static void test_any(void **state)
 
 /* ---- What results look like ------------------------------------------------- */
 
-enum { ELEMENTS = 8 };
+enum { ELEMENTS = 16 };
 
 /* "1.0 2 i": a number, an integer, indefinite; of bits "0 1". */
 static size_t take_elements(const char *text, enum asm_contents contents,
@@ -291,6 +291,12 @@ static void test_likeness(void **state)
         { ASM_WORDS, "0 0", "1.0 -2.0", "-1.0 2.0", "The sign is wrong" },
         { ASM_WORDS, "0 0", "1.0 -2.0", "-1.0 -2.0", NULL },
         { ASM_BITS, "0 0 0", "0 1 1", "1 0 0", "Each bit is the opposite" },
+        { ASM_BITS, "0 0 0", "0 0 1", "0 1 0", NULL },
+        { ASM_BITS, "1 1 1", "0 0 1", "0 1 0", NULL },
+        { ASM_BITS, "0 0 0 1", "0 0 1 1", "0 1 0 1", NULL },
+        { ASM_BITS, "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0",
+          "0 0 1 1 0 1 0 1 0 0 0 1 0 1 0 0",
+          "0 1 1 0 1 0 1 0 0 0 1 0 1 0 0 1", "one place too far in front" },
         { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.00000000001", "Only the last" },
         { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.0001", NULL },
         { ASM_WORDS, "0 0", "1.0 2.0", "i 2.0", "Indefinite comes of" },

@@ -25,7 +25,7 @@ mean:   .space  1                       ; of all scores
 ; your code here: vectors for what lies between
         .code
 
-        .reg    rows, r10
+        .regs   r10, rows
 
         load_constant rows, float(m)    ; to divide by
 

@@ -13,7 +13,7 @@
 
         .data
 a:      .rept   m * n
-        .word   \+.0 + 1
+        .word   1.0 + \+
         .endr
 b:      .rept   n * p
         .word   10.0 - \+ * 3

@@ -10,7 +10,7 @@
 
         .data
 a:      .rept   m * n                   ; column after column: 1, 2, 3; 4, 5, 6
-        .word   \+.0 + 1
+        .word   1.0 + \+
         .endr
 b:      .rept   n * p                   ; 10, 7; 4, 1
         .word   10.0 - \+ * 3

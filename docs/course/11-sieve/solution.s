@@ -19,7 +19,7 @@ count:  .space  1
         .bitvector alternate, limit     ; 0101..
         .code
 
-        .regs   r10, primes, sieve, pattern, odd_places, rest, struck, total
+        .regs   r10, primes, sieve, odd_places, rest, struck, total
         .regs   r20, one, two, p, k, step, square, first, length, bound, skip, last, at
         .equ    CLEAR, 2                ; alterations of BAB, which does not branch
         .equ    SET, 3
@@ -27,7 +27,6 @@ count:  .space  1
 
         descriptor primes, prime, limit
         descriptor sieve, odds, half
-        EX      pattern, mask
         descriptor odd_places, alternate, limit
         ES      one, 1
         ES      two, 2

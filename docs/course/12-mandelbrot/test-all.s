@@ -1,6 +1,5 @@
 ; test: no point ever leaves
 ; tolerance: counts 0.1
-; tolerance: total 0.1
         .equ    n, 5
         .equ    most, 12
         .warm

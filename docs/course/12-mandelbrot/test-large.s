@@ -1,6 +1,5 @@
 ; test: 4,000 points, 50 steps; the total tells whether all counts are right
 ; tolerance: counts 0.1
-; tolerance: total 0.1
 ; goals: gold 400000, silver 560000, bronze 950000
         .equ    n, 4000
         .equ    most, 50

@@ -1,6 +1,5 @@
 ; test: all points have left when there are steps to come
 ; tolerance: counts 0.1
-; tolerance: total 0.1
         .equ    n, 3
         .equ    most, 100
         .warm

@@ -1,6 +1,5 @@
 ; test: points whose counts are known, among them some on the edge
 ; tolerance: counts 0.1
-; tolerance: total 0.1
         .equ    n, 8
         .equ    most, 30
         .warm

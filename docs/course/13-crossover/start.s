@@ -38,7 +38,7 @@ next:   LOD     [length_at], length     ; elements of this column
         ADDX    x_at, word, x_at        ; the row below
 
 ; your code here: length elements from l_at on, times factor, are taken from the words
-; from x_at on, and l_at moves on to the next column.
+; from x_at on.  Behind it l_at is at the next column, and x_at where it was.
 
         DBNZ    columns, [next_at]
         .endkernel

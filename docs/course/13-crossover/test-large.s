@@ -1,4 +1,3 @@
-; test-large.s
 ; test: 320 columns, most of them with 1 to 3 elements, ten with 100
 ; goals: gold 26000, silver 30500, bronze 39500
         .equ    n, 320

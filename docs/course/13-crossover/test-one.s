@@ -1,4 +1,3 @@
-; test-one.s
 ; test: a single column, with nothing below the diagonal
         .equ    n, 1
         .equ    m, 1

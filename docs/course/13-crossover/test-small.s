@@ -1,4 +1,3 @@
-; test-small.s
 ; test: 8 columns with 0 to 5 elements
         .equ    n, 8
         .equ    m, 12

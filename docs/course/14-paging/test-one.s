@@ -1,4 +1,3 @@
-; test-one.s
 ; test: 20 frames of a single number
 ; tolerance: mean 1e-9
         .equ    n, 1

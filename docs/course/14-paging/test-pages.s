@@ -1,4 +1,3 @@
-; test-pages.s
 ; test: 20 frames of 300 numbers, which come from disc
 ; tolerance: mean 1e-9
 ; goals: gold 34700, silver 38000, bronze 54000

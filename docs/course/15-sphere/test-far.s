@@ -1,4 +1,3 @@
-; test-far.s
 ; test: a small sphere far away, in which b^2 - L . L + r^2 would lose its digits
 ; tolerance: tin 1e-8
 ; tolerance: tout 1e-8

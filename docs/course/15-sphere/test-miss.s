@@ -1,4 +1,3 @@
-; test-miss.s
 ; test: a single ray, which misses
         .equ    n, 1
         .warm

@@ -1,4 +1,3 @@
-; test-queue.s
 ; test: a queue of 2,000 rays, of which half hit
 ; tolerance: tin 1e-10
 ; tolerance: tout 1e-10

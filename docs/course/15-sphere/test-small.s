@@ -1,4 +1,3 @@
-; test-small.s
 ; test: six rays: through the centre, past it, at the rim, from inside, away from it, aslant
 ; tolerance: tin 1e-11
 ; tolerance: tout 1e-11

@@ -1,6 +1,4 @@
-; test-even.s
 ; test: two full queues
-; tolerance: seen 0
 ; tolerance: depth 1e-8
         .equ    rays, 400
         .equ    queue, 200

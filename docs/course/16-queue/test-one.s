@@ -1,10 +1,8 @@
-; test-one.s
-; test: queues of a single ray
-; tolerance: seen 0
+; test: queues of a single ray, the first of which just touches a sphere
 ; tolerance: depth 1e-8
         .equ    rays, 12
         .equ    queue, 1
-        .equ    bodies, 3
+        .equ    bodies, 4
         .warm
 
         .data
@@ -12,7 +10,8 @@ spheres:
         .word   0.15, 0.2, 5.0, 0.0225
         .word   0.5, 0.25, 4.0, 0.03
         .word   0.8, 0.2, 6.0, 0.035
+        .word   0.5, 0.0, 3.0, 0.25
 want_seen:
-        .word   4.0
+        .word   6.0
 want_depth:
-        .word   21.60768031165
+        .word   19.81950196851

@@ -1,6 +1,4 @@
-; test-short.s
 ; test: a queue that is never full
-; tolerance: seen 0
 ; tolerance: depth 1e-8
         .equ    rays, 100
         .equ    queue, 2000

@@ -1,6 +1,4 @@
-; test-small.s
 ; test: 30 rays and 3 spheres in queues of 7, the last of 2
-; tolerance: seen 0
 ; tolerance: depth 1e-8
         .equ    rays, 30
         .equ    queue, 7

@@ -1,4 +1,3 @@
-; test-last.s
 ; test: 96 quartics, of which the last two are found last
 ; tolerance: root 2e-10
         .equ    n, 96

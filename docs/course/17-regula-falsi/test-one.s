@@ -1,4 +1,3 @@
-; test-one.s
 ; test: a single quartic
 ; tolerance: root 2e-10
         .equ    n, 1

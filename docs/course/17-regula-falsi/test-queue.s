@@ -1,4 +1,3 @@
-; test-queue.s
 ; test: 2,000 quartics, most of which need few steps and some of which need many
 ; tolerance: root 2e-10
 ; goals: gold 325000, silver 350000, bronze 465000

@@ -1,4 +1,3 @@
-; test-same.s
 ; test: 70 equations that are all found in the same step
 ; tolerance: root 2e-10
         .equ    n, 70

@@ -1,4 +1,3 @@
-; test-small.s
 ; test: six quartics, of which one has its root at 1/2 exactly and one at 0
 ; tolerance: root 2e-10
         .equ    n, 6
