@@ -1088,7 +1088,7 @@ ends 1 "$build/rt205" render replaced.pov -o c.png -W 40 -H 30 --strict
 ends 0 "$build/rt205" speedup -W 16 -H 10 --format csv
 grep -e ^primitive -e cylinder -e torus out >whole
 ends 0 "$build/rt205" speedup TORUS cylinder -W 16 -H 10 --format csv
-grep -e , out | cmp -s - whole
+grep -v "^#" out | grep , | cmp -s - whole
 verdict $? "rows that are named are not those of the whole table"
 ends 2 "$build/rt205" speedup spere
 tells err "spere: no row of Table 1"
