@@ -32,6 +32,9 @@ check_parts() { # FOLDER
     verdict $? "$1 has what belongs to no lesson"
     grep -q '^; goals:' "$1"/test-*.s
     verdict $? "$1: no test has goals"
+    sed -n 's/^; goals: //p' "$1"/test-*.s | tr -d , >"$work/goals"
+    tr -d , <"$1/lesson.md" | grep '^Goals' | grep -q -F -f "$work/goals"
+    verdict $? "$1/lesson.md: other goals than those of its tests"
     head -n 1 "$1/lesson.md" | grep -q '^# .'
     verdict $? "$1/lesson.md: no title in its first line"
     sed -n 2,3p "$1/lesson.md" | tr '\n' '|' | grep -q '^|[^#<|]'
