@@ -172,7 +172,7 @@ check-long:
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) check-docs $(check_parts:check-docs=) \
 		check-poison check-points check-emission check-timing check-stream \
-		check-card check-slides check-site san cover -- check-mpi check-planted
+		check-card check-slides check-site san cover -- check-web check-mpi check-planted
 
 fit:
 	@sh .ci/need $(build_packages) $(fit_packages) $(exact_packages)
