@@ -180,19 +180,24 @@ static struct two_doubles cosine(double x)
     return sine(x, 1);
 }
 
-/* e^x: of a small part of x, less 1, doubled in the exponent again and again. */
-static struct two_doubles power_of_e(struct two_doubles x)
+/* e^x - 1 of a small x: of a part of it, doubled in the exponent again and again. */
+static struct two_doubles growth(struct two_doubles x)
 {
-    double k = floor(x.high / ln2.high + .5);
-    struct two_doubles r = by(add(x, minus(by(ln2, k))),
-                              1. / (1 << HALVINGS));
+    struct two_doubles r = by(x, 1. / (1 << HALVINGS));
     struct two_doubles less = series(r, r, 2, 1);
 
     for (int i = 0; i < HALVINGS; i++)
         less = add(by(less, 2), multiply(less, less));
-    less = add(one, less);
-    return (struct two_doubles){ ldexp(less.high, (int)k),
-                                 ldexp(less.low, (int)k) };
+    return less;
+}
+
+static struct two_doubles power_of_e(struct two_doubles x)
+{
+    double k = floor(x.high / ln2.high + .5);
+    struct two_doubles e = add(one, growth(add(x, minus(by(ln2, k)))));
+
+    return (struct two_doubles){ ldexp(e.high, (int)k),
+                                 ldexp(e.low, (int)k) };
 }
 
 static struct two_doubles sinh_of(struct two_doubles x)
@@ -214,7 +219,8 @@ static struct two_doubles cosh_of(struct two_doubles x)
 
 /* ---- Inverse functions --------------------------------------------------- */
 
-/* Of x = m 2^k with m near 1. */
+/* Of x = m 2^k with m near 1.  What m e^-y is off from 1 is summed without that 1, beside
+ * which it would lose its bits. */
 static struct two_doubles log_of(double x)
 {
     int k;
@@ -226,7 +232,7 @@ static struct two_doubles log_of(double x)
         k--;
     }
     y = log(m);
-    off = add(by(power_of_e((struct two_doubles){ -y, 0 }), m), minus(one));
+    off = add(by(growth((struct two_doubles){ -y, 0 }), m), sum(m, -1));
     off = add(off, by(multiply(off, off), -.5));
     return add(by(ln2, k), add((struct two_doubles){ y, 0 }, off));
 }
@@ -336,7 +342,7 @@ double elementary_atan2(double y, double x)
 {
     double most = fmax(fabs(x), fabs(y)), least = fmin(fabs(x), fabs(y));
 
-    if (!isfinite(most) || least < 0x1p-200 * most || least == 0)
+    if (!isfinite(x) || !isfinite(y) || least < 0x1p-200 * most || least == 0)
         return atan2(y, x);
     return rounded(
         angle_of((struct two_doubles){ y / exp2(ilogb(most)), 0 },
@@ -376,13 +382,15 @@ double elementary_asinh(double x)
     return rounded(add(y, divide(off, cosh_of(y))));
 }
 
+/* cosh y - 1 = 2 sinh^2 (y / 2) */
 double elementary_acosh(double x)
 {
-    struct two_doubles y = { acosh(x), 0 }, off;
+    struct two_doubles y = { acosh(x), 0 }, half, off;
 
     if (!isfinite(x) || !(x > 1) || y.high >= EXP_MOST)
         return y.high;
-    off = add((struct two_doubles){ x, 0 }, minus(cosh_of(y)));
+    half = sinh_of(by(y, .5));
+    off = add(sum(x, -1), by(multiply(half, half), -2));
     return rounded(add(y, divide(off, sinh_of(y))));
 }
 
