@@ -68,6 +68,20 @@ static bool check_labels(const struct lesson_test *test,
                         test->name, tolerance->label, tolerance->label);
 }
 
+static bool check_model(const struct lesson_test *test,
+                        const struct object *object, c205_error *error)
+{
+    const char *name = expect_model(object);
+    c205_error why = { "nothing runs on its model, which only tells times" };
+    c205_model *model = name ? c205_model_find(name, &why) : NULL;
+    bool good = !name || (model && !c205_model_is_projection(model));
+
+    c205_model_free(model);
+    return good
+           || error_say(error, "test-%.40s.s: %.160s", test->name,
+                        why.message);
+}
+
 static void say_first(const struct diagnostics *said, c205_error *error)
 {
     const struct diagnostic *first = said->items;
@@ -99,7 +113,8 @@ struct object *lesson_assemble_test(const struct lesson_test *test,
     diagnostics_free(&said);
     if (object
         && (!check_expectations(object, error)
-            || !check_labels(test, object, error))) {
+            || !check_labels(test, object, error)
+            || !check_model(test, object, error))) {
         object_free(object);
         return NULL;
     }

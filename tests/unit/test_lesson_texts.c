@@ -150,7 +150,10 @@ static void test_refused(void **state)
                   "test-a.s:3: a test cannot expect this; what is to be in "
                   "memory stands at want_LABEL");
     check_refused("; test: a\n; expect: r1 = 0\n; expect-model: x\n",
-                  "there is no machine model 'x'");
+                  "test-a.s: there is no machine model 'x'");
+    check_refused("; test: a\n; expect: r1 = 0\n; expect-model: cdc6600\n",
+                  "test-a.s: nothing runs on its model, which only tells "
+                  "times");
 }
 
 static void test_names(void **state)
