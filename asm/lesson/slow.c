@@ -63,7 +63,9 @@ static void tell_cause(const struct lesson_trial *trial,
     for (int cause = 1; cause < C205_CAUSES; cause++)
         if (all->clocks[cause] > all->clocks[most])
             most = cause;
-    report_say(report, "Most of that is %s: %" PRIu64 " clocks, %d %%.  %s",
+    report_say(report, "%s of that is %s: %" PRIu64 " clocks, %d %%.  %s",
+               2 * all->clocks[most] > trial->clocks ? "Most"
+                                                     : "The largest part",
                c205_cause_name((c205_cause)most), all->clocks[most],
                percent_of(all->clocks[most], trial->clocks), helps[most]);
 }

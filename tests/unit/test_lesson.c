@@ -310,7 +310,9 @@ static void check_cause(const struct drawn_lesson *drawn,
         if (all.clocks[cause] > all.clocks[most])
             most = cause;
     snprintf(wanted, sizeof wanted,
-             "Most of that is %s: %" PRIu64 " clocks, %.0f %%.  ",
+             "%s of that is %s: %" PRIu64 " clocks, %.0f %%.  ",
+             all.clocks[most] > trial->clocks / 2 ? "Most"
+                                                  : "The largest part",
              c205_cause_name((c205_cause)most), all.clocks[most],
              floor(100.0 * (double)all.clocks[most] / (double)trial->clocks
                    + 0.5));
