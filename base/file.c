@@ -73,6 +73,13 @@ char *file_read(const char *path, size_t largest, size_t *length,
     return NULL;
 }
 
+bool file_is_plain(const char *path)
+{
+    struct stat is;
+
+    return stat(path, &is) == 0 && S_ISREG(is.st_mode);
+}
+
 /* The folder that a path names a file in, and the file's name there; false:
  * there is no such folder. */
 static bool find_place(const char *path, struct stat *folder,

@@ -43,16 +43,23 @@ bool folder_read(struct folder *folder, const char *path, c205_error *error)
     DIR *open = opendir(path);
     const struct dirent *entry;
     bool good = true;
+    int reason;
 
     *folder = (struct folder){ 0, NULL };
     if (!open)
         return error_say(error, "%s", strerror(errno));
-    while (good && (entry = readdir(open)))
-        if (*entry->d_name != '.')
+    do {
+        errno = 0;
+        entry = readdir(open);
+        if (entry && *entry->d_name != '.')
             good = add(folder, entry->d_name);
+    } while (good && entry);
+    reason = errno;
     closedir(open);
     if (!good)
         return error_say(error, "no memory");
+    if (reason)
+        return error_say(error, "%s", strerror(reason));
     if (folder->count > 0)
         qsort(folder->names, folder->count, sizeof *folder->names,
               compare_names);

@@ -437,6 +437,8 @@ done
 ends 1 "$build/c205" model nonsense
 ends 1 "$build/c205" isa --markdown --model nonsense
 ends 1 "$build/c205" isa --card --model nonsense
+ends 1 "$build/c205" isa --card --model cdc6600
+tells err "cdc6600 has no clocks of single instructions"
 ends 1 "$build/c205" time --model nonsense ADDNV
 ends 1 "$build/c205" run --check --model nonsense good.s
 ends 1 "$build/c205" asm good.s -o missing/good.o

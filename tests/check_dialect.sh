@@ -2,7 +2,8 @@
 # check_dialect.sh - what clang-format cannot see of the house style:
 #   a local variable is not const, be it a value or a pointer: what it points
 #   at is, and so are tables, which are written out in braces;
-#   a pointer is asked by itself, if (!p), not by comparing it with NULL.
+#   a pointer is asked by itself, if (!p), not by comparing it with NULL;
+#   what a scene comes to is computed by elementary.h, not by the host's functions.
 set -u
 cd "$(dirname "$0")/.."
 
@@ -19,6 +20,11 @@ find vm base asm web/engine web/tracer/host rt tests -name '*.[ch]' ! -path '*/k
     }
     /^ +[a-z_0-9 ]+ \*const [a-z_0-9]+ =/ && !/static/ {
         complain("a local pointer that is const")
+    }
+    FILENAME ~ /^rt\/(scene|layout|shapes)\// && FILENAME !~ /elementary/ &&
+        /[^_a-z](a?(sin|cos|tan)h?|atan2|exp|log|log10|pow|hypot|cbrt)\(/ &&
+        !/^ *\/?\*/ {
+        complain("an elementary function of the host")
     }
     /(if|while) \([^=]* [=!]= NULL\)/ { complain("a pointer compared") }
     END {

@@ -39,6 +39,8 @@ check 1 "$lesson" --start -o missing/begun.s
 check 2 --start
 check 2 --hints
 check 2 "$lesson" begun.s --hints
+check 2 "$lesson" --start --hints
+check 2 "$lesson" --folder . --hints
 check 2 "$lesson" begun.s --start
 check 2 "$lesson" -o begun.s
 check 2 "$lesson" begun.s --folder .
@@ -56,6 +58,11 @@ check 1 broken begun.s
 tells err '^c205 check: test-one.s:2:9: '
 check 1 broken
 tells err '^c205 check: test-one.s:2:9: '
+printf '; test: one\n; expect-model: nosuch\nwant_y: .word 1\n' >broken/test-one.s
+check 1 broken --folder .
+tells err "^c205 check: test-one.s: there is no machine model 'nosuch'"
+[ "$(wc -l <err)" -eq 1 ]
+verdict $? "a wrong test is told more than once"
 
 # An answer
 check 0 "$lesson" "$lesson/solution.s"
@@ -163,10 +170,36 @@ verdict $? "the JSON is not kept"
 check 1 --folder one "$lesson" --format csv
 tells err '^c205 check: one/notes.txt: not graded'
 tells out '^anna,scale,yes,gold,'
+ln -s nowhere one/dangling.s
+mkfifo one/pipe.s
+long=$(printf "%0200d" 205)
+cp drawer/1-no-gold.s "one/$long.s"
+check 1 --folder one "$lesson" --format csv
+tells err "^c205 check: one/dangling.s: not graded, as it is no file$"
+tells err "^c205 check: one/pipe.s: not graded, as it is no file$"
+tells out "^$long,scale,yes,gold,"
+mkdir -p numbered/anna
+cp drawer/1-no-gold.s numbered/anna/1.s
+check 0 --folder numbered "$lesson" --format csv
+tells out "^anna,scale,yes,gold,"
 check 1 --folder few
 tells err 'few/anna/scale.s: not graded'
 check 1 --folder missing "$lesson"
 tells err '^c205 check: missing: '
 mkdir empty
 check 0 --folder empty
+
+# Ctrl-C in the middle of a class of endless loops
+mkdir late
+for student in 0 1 2 3 4 5 6 7 8 9; do
+    cp drawer/6-endless.s late/$student.s
+    cp drawer/6-endless.s late/1$student.s
+done
+"$build/c205" check --folder late "$lesson" --json late.json >out 2>err &
+sleep .5
+kill -INT $!
+wait $!
+[ $? -eq 1 ] && [ ! -s out ] && [ -z "$(find . -name 'late.json*')" ]
+verdict $? "an interrupted class leaves marks"
+tells err "^c205 check: interrupted$"
 counted

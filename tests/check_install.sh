@@ -31,6 +31,15 @@ documents=$root/share/doc/c205
 succeeds "$root/bin/c205" run --check "$documents"/asm/examples/*.s
 succeeds "$root/bin/rt205" render "$documents/scenes/first.pov" -o b.png -W 20 -H 15
 succeeds test -s "$documents/docs/machine.md"
+lesson=$documents/docs/course/03-first-vector
+succeeds "$root/bin/c205" check "$lesson" "$lesson/solution.s"
+(cd "$documents/docs" && find . -name '*.md' | while read -r page; do
+    grep -o ']([^)#: ]*[)#]' "$page" | sed 's/^](//; s/.$//' |
+        while read -r link; do
+            [ -e "$(dirname "$page")/$link" ] || echo "$page: $link"
+        done
+done) >links.txt
+succeeds diff /dev/null links.txt
 export PKG_CONFIG_PATH="$root/lib/pkgconfig" PKG_CONFIG_SYSROOT_DIR="$work/root"
 
 client() { # NAME PACKAGE

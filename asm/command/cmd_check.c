@@ -11,15 +11,10 @@
 bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error)
 {
-    c205_error reason;
     size_t length;
-    char *text = file_read(path, FILE_LARGEST, &length, &reason);
-    if (!text) {
-        snprintf(error->message, sizeof error->message, "%.160s: %.80s", path,
-                 reason.message);
-        return false;
-    }
-    bool good = lesson_grade(verdict, lesson, path, text, length, error);
+    char *text = file_read(path, FILE_LARGEST, &length, error);
+    bool good = text
+                && lesson_grade(verdict, lesson, path, text, length, error);
     free(text);
     return good;
 }
@@ -92,10 +87,10 @@ static int check_answer(const struct check_command *check, bool *passed)
 {
     struct lesson_verdict verdict = { 0 };
     c205_error error;
-    int code = check_grade(check->lesson, check->arguments->file, &verdict,
-                           &error)
+    const char *path = check->arguments->file;
+    int code = check_grade(check->lesson, path, &verdict, &error)
                    ? show_verdict(check, &verdict)
-                   : cmd_failed(check->arguments->command, "%s",
+                   : cmd_failed(check->arguments->command, "%s: %s", path,
                                 error.message);
     *passed = verdict.passed;
     lesson_verdict_free(&verdict);
@@ -156,7 +151,9 @@ static int check_usage(const struct c205_arguments *arguments)
                            "--start writes a program and grades none")
            : arguments->output && !arguments->start
                ? cmd_usage(command, "-o is of --start")
-           : arguments->hints && (!arguments->lesson || arguments->file)
+           : arguments->hints
+                   && (!arguments->lesson || arguments->file
+                       || arguments->folder || arguments->start)
                ? cmd_usage(command, "--hints are printed with a lesson")
            : arguments->folder && arguments->file
                ? cmd_usage(command, "one answer or a --folder, not both")

@@ -16,7 +16,7 @@ struct check_command {
 /* Begin with zero; false: the folder is no lesson; to be freed in either case. */
 bool check_read_lesson(struct lesson *lesson, const char *path,
                        c205_error *error);
-/* A file. */
+/* A file; the error does not name it. */
 bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error);
 /* Adds the sentences, in one line. */

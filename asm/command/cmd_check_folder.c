@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/folder.h"
+#include "base/interrupt.h"
 #include "base/progress.h"
 
 static bool join_path(struct text_buffer *path, const char *folder,
@@ -55,6 +56,18 @@ static bool begin_lesson(struct lesson *lesson, const char *path,
     return lesson_begin(lesson, name.text, error);
 }
 
+/* A wrong one is told before anybody is graded. */
+static bool check_tests(const struct lesson *lesson, c205_error *error)
+{
+    bool good = true;
+    for (size_t i = 0; good && i < lesson->test_count; i++) {
+        struct object *test = lesson_assemble_test(&lesson->tests[i], error);
+        good = test;
+        object_free(test);
+    }
+    return good;
+}
+
 bool check_read_lesson(struct lesson *lesson, const char *path,
                        c205_error *error)
 {
@@ -70,7 +83,7 @@ bool check_read_lesson(struct lesson *lesson, const char *path,
         }
     }
     folder_free(&folder);
-    return good && lesson_end(lesson, error);
+    return good && lesson_end(lesson, error) && check_tests(lesson, error);
 }
 
 /* ---- Answers --------------------------------------------------------------- */
@@ -136,7 +149,9 @@ static void grade(struct handed_in *all, const char *student,
     struct json *json = all->check->results.json;
     struct lesson_verdict verdict = { 0 };
     c205_error error;
-    if (!check_grade(lesson, path, &verdict, &error)) {
+    if (!file_is_plain(path)) {
+        refuse(all, path, "not graded, as it is no file");
+    } else if (!check_grade(lesson, path, &verdict, &error)) {
         refuse(all, path, error.message);
     } else {
         add_row(all, student, &verdict);
@@ -165,7 +180,7 @@ static void take_folder(struct handed_in *all, const char *student,
     if (!folder_read(&folder, path, &error)) {
         refuse(all, path, error.message);
     }
-    for (size_t i = 0; i < folder.count; i++) {
+    for (size_t i = 0; i < folder.count && !interrupt_came(); i++) {
         struct text_buffer inner = { 0 };
         if (join_path(&inner, path, folder.names[i])) {
             take(all, student, folder.names[i], inner.text);
@@ -179,13 +194,13 @@ static void take_folder(struct handed_in *all, const char *student,
     folder_free(&folder);
 }
 
-/* The name without ".s"; empty: it has not this ending. */
-static struct text_line stem_of(const char *name)
+/* The name without ".s", to be freed; empty: it has not this ending. */
+static struct text_buffer stem_of(const char *name)
 {
-    struct text_line stem = { 0 };
-    struct sink sink = text_line_sink(&stem);
+    struct text_buffer stem = { 0 };
+    struct sink sink = text_buffer_sink(&stem);
     if (file_ends_with(name, ".s")) {
-        sink_print(&sink, "%.*s", (int)strlen(name) - 2, name);
+        sink.put(sink.context, name, strlen(name) - 2);
     }
     return stem;
 }
@@ -196,9 +211,7 @@ static const struct lesson *lesson_named(const struct check_command *check,
 {
     const struct lesson *own = &check->own;
     c205_error error;
-    return own->folder
-                   && (strcmp(own->name, name) == 0
-                       || strcmp(own->folder, name) == 0)
+    return own->folder && lesson_is_named(own, name)
                ? own
                : lessons_find(&check->lessons, name, &error);
 }
@@ -208,8 +221,12 @@ static void take_answer(struct handed_in *all, const char *student,
                         const char *name, const char *path)
 {
     const struct lesson *asked = all->check->lesson;
-    struct text_line stem = stem_of(name);
-    const struct lesson *lesson = lesson_named(all->check, stem.text);
+    struct text_buffer stem = stem_of(name);
+    const struct lesson *lesson = stem.text
+                                      ? lesson_named(all->check, stem.text)
+                                      : NULL;
+    all->failed = all->failed || stem.failed;
+    text_buffer_free(&stem);
     if (!lesson) {
         refuse(all, path, "not graded, as it has the name of no lesson");
     } else if (!asked || lesson == asked) {
@@ -221,7 +238,8 @@ static void take_answer(struct handed_in *all, const char *student,
 static void take_entry(struct handed_in *all, const char *student,
                        const char *name, const char *path)
 {
-    struct text_line stem = stem_of(name);
+    struct text_buffer stem = stem_of(name);
+    all->failed = all->failed || stem.failed;
     if (folder_is(path)) {
         take_folder(all, name, path, take_answer);
     } else if (!all->check->lesson) {
@@ -231,6 +249,7 @@ static void take_entry(struct handed_in *all, const char *student,
     } else {
         refuse(all, path, "not graded, as it is no program text");
     }
+    text_buffer_free(&stem);
 }
 
 static struct table *new_table(void)
@@ -253,11 +272,15 @@ static int take_class(struct handed_in *all)
     if (results->json) {
         json_array(results->json, "hand_ins");
     }
+    interrupt_catch();
     progress_begin(&all->progress);
     take_folder(all, "", arguments->folder, take_entry);
     progress_hide(&all->progress);
     if (results->json) {
         json_end(results->json);
+    }
+    if (interrupt_came()) {
+        return cmd_failed(arguments->command, "interrupted");
     }
     return !all->failed
                    && (!results->file

@@ -223,7 +223,11 @@ static int with_model(const struct c205_arguments *arguments)
     if (!model) {
         return CMD_FAILED;
     }
-    if (arguments->card) {
+    if (arguments->card && c205_model_is_projection(model)) {
+        code = cmd_failed(arguments->command,
+                          "%s has no clocks of single instructions",
+                          c205_model_name(model));
+    } else if (arguments->card) {
         isa_card(model);
     } else {
         code = isa_page(arguments->command, model);

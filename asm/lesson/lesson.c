@@ -125,6 +125,17 @@ void lesson_free(struct lesson *lesson)
     arena_free(&lesson->kept);
 }
 
+bool lesson_is_named(const struct lesson *lesson, const char *name)
+{
+    char *end;
+    unsigned long number = strtoul(name, &end, 10);
+    bool is_number = isdigit((unsigned char)*name) && !*end;
+
+    return strcmp(lesson->name, name) == 0
+           || strcmp(lesson->folder, name) == 0
+           || (is_number && lesson->number > 0 && lesson->number == number);
+}
+
 /* ---- Those that are carried with us ---------------------------------------- */
 
 static bool join_lines(const char *const *lines, struct text_buffer *buffer)
@@ -201,16 +212,11 @@ const struct lesson *lessons_find(const struct lessons *lessons,
                                   const char *name, c205_error *error)
 {
     struct nearest nearest = { .word = name };
-    char *end;
-    unsigned long number = strtoul(name, &end, 10);
-    bool is_number = isdigit((unsigned char)*name) && !*end;
 
     for (size_t i = 0; i < lessons->count; i++) {
         const struct lesson *lesson = &lessons->items[i];
 
-        if (strcmp(lesson->name, name) == 0
-            || strcmp(lesson->folder, name) == 0
-            || (is_number && lesson->number == number))
+        if (lesson_is_named(lesson, name))
             return lesson;
         nearest_try(&nearest, lesson->name);
     }

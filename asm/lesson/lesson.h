@@ -60,6 +60,8 @@ bool lesson_take(struct lesson *lesson, const char *file, const char *text,
                  size_t length, c205_error *error);
 bool lesson_end(struct lesson *lesson, c205_error *error);
 void lesson_free(struct lesson *lesson);
+/* By "first-vector", "3", "03" or "03-first-vector". */
+bool lesson_is_named(const struct lesson *lesson, const char *name);
 
 /* Those that the library carries with it. */
 struct lessons {
@@ -68,7 +70,7 @@ struct lessons {
 };
 bool lessons_open(struct lessons *lessons, c205_error *error);
 void lessons_free(struct lessons *lessons);
-/* "first-vector", "3", "03" or "03-first-vector"; NULL: the error says what was meant. */
+/* The one that is named so; NULL: the error says what was meant. */
 const struct lesson *lessons_find(const struct lessons *lessons,
                                   const char *name, c205_error *error);
 

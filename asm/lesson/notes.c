@@ -1,5 +1,6 @@
 /* notes.c - what a test says of itself in comments. */
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -131,7 +132,7 @@ static bool take_tolerance_note(struct test_note *note)
     skip_blanks(note);
     tolerance->most = c205_to_double(c205_from_text(note->at, &end));
     if (length == 0 || end == note->at || end > note->end
-        || !(tolerance->most >= 0))
+        || !(tolerance->most >= 0) || !isfinite(tolerance->most))
         return refuse(note, "expected 'tolerance: LABEL NUMBER'");
     note->at = end;
     skip_blanks(note);

@@ -37,6 +37,7 @@ static bool check_expectations(const struct object *object, c205_error *error)
     return true;
 }
 
+/* NULL: anything at all. */
 static bool is_wanted(const struct object *object, const char *label)
 {
     size_t i = 0;
@@ -46,10 +47,30 @@ static bool is_wanted(const struct object *object, const char *label)
         const char *wanted = lesson_wanted(symbol->name);
 
         if (symbol->is_label && wanted
-            && (!label || strcmp(wanted, label) == 0))
+            && (label ? strcmp(wanted, label) == 0
+                      : symbol->contents != ASM_NOTHING))
             return true;
     }
     return false;
+}
+
+/* No data would be equal to whatever an answer has. */
+static bool check_wanted(const struct lesson_test *test,
+                         const struct object *object, c205_error *error)
+{
+    for (size_t i = 0; i < object->symbol_count; i++) {
+        const struct asm_symbol *symbol = &object->symbols[i];
+        const char *wanted = lesson_wanted(symbol->name);
+
+        if (symbol->is_label && wanted
+            && (!*wanted || symbol->contents == ASM_CODE))
+            return error_say(error,
+                             "test-%.40s.s: data are wanted at want_LABEL, "
+                             "not %.60s",
+                             test->name,
+                             *wanted ? "instructions" : symbol->name);
+    }
+    return true;
 }
 
 static bool check_labels(const struct lesson_test *test,
@@ -57,6 +78,8 @@ static bool check_labels(const struct lesson_test *test,
 {
     const struct lesson_tolerance *tolerance = test->tolerances;
 
+    if (!check_wanted(test, object, error))
+        return false;
     if (!is_wanted(object, NULL) && !expect_anything(object))
         return error_say(error, "test-%.40s.s wants nothing", test->name);
     while (tolerance && is_wanted(object, tolerance->label))
@@ -66,6 +89,20 @@ static bool check_labels(const struct lesson_test *test,
                         "test-%.40s.s has a tolerance for %.40s, and no "
                         "label want_%.40s",
                         test->name, tolerance->label, tolerance->label);
+}
+
+static bool check_model(const struct lesson_test *test,
+                        const struct object *object, c205_error *error)
+{
+    const char *name = expect_model(object);
+    c205_error why = { "nothing runs on its model, which only tells times" };
+    c205_model *model = name ? c205_model_find(name, &why) : NULL;
+    bool good = !name || (model && !c205_model_is_projection(model));
+
+    c205_model_free(model);
+    return good
+           || error_say(error, "test-%.40s.s: %.160s", test->name,
+                        why.message);
 }
 
 static void say_first(const struct diagnostics *said, c205_error *error)
@@ -99,7 +136,8 @@ struct object *lesson_assemble_test(const struct lesson_test *test,
     diagnostics_free(&said);
     if (object
         && (!check_expectations(object, error)
-            || !check_labels(test, object, error))) {
+            || !check_labels(test, object, error)
+            || !check_model(test, object, error))) {
         object_free(object);
         return NULL;
     }

@@ -343,7 +343,7 @@ double elementary_atan2(double y, double x)
 {
     double most = fmax(fabs(x), fabs(y)), least = fmin(fabs(x), fabs(y));
 
-    if (!isfinite(most) || least < 0x1p-200 * most || least == 0)
+    if (!isfinite(x) || !isfinite(y) || least < 0x1p-200 * most || least == 0)
         return atan2(y, x);
     return rounded(angle_of((struct twofold){ y / exp2(ilogb(most)), 0 },
                             (struct twofold){ x / exp2(ilogb(most)), 0 }));
@@ -382,6 +382,7 @@ double elementary_asinh(double x)
     return rounded(add(y, divide(off, cosh_of(y))));
 }
 
+/* cosh y - 1 = 2 sinh^2 (y / 2) */
 double elementary_acosh(double x)
 {
     struct twofold y = { acosh(x), 0 }, half, off;

@@ -1,4 +1,5 @@
-/* elementary.h - elementary functions, rounded to the nearest double.
+/* elementary.h - elementary functions, rounded to the nearest double; what is halfway between
+ * two but for 2^-40 of their distance, as if it were.
  *
  * The C libraries of hosts round the last bit now so, now so, even from one
  * processor to the next.  What a scene's numbers come to must not depend on that: of
@@ -11,6 +12,8 @@
 #ifndef RT_SCENE_ELEMENTARY_H
 #define RT_SCENE_ELEMENTARY_H
 
+/* Here, and of powers and hyperbolic functions: beyond e^700 and e^-700 as the C library has
+ * it. */
 double elementary_exp(double x);
 double elementary_log(double x);
 double elementary_log10(double x);

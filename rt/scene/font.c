@@ -20,6 +20,7 @@
 #include FT_OUTLINE_H
 
 #include "rt/host/adapter.h"
+#include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
 #define FLATNESS 1e-5 /* em */
@@ -270,7 +271,10 @@ static int cubic_parts(const double points[2][4])
     for (int k = 0; k < 2; k++)
         third[k] = points[k][3] - 3 * points[k][2] + 3 * points[k][1]
                    - points[k][0];
-    parts = ceil(cbrt(sqrt(3) / 36 * hypot(third[0], third[1]) / FLATNESS));
+    parts = ceil(
+        elementary_pow(sqrt(3) / 36 * elementary_hypot(third[0], third[1])
+                           / FLATNESS,
+                       1. / 3));
     return parts < 1 ? 1 : parts > PARTS_MOST ? PARTS_MOST : (int)parts;
 }
 

@@ -4,8 +4,9 @@
  */
 #include "rt/scene/transfer.h"
 
-#include <math.h>
 #include <string.h>
+
+#include "rt/scene/elementary.h"
 
 /* A chunk of a PNG file: its length, its name, what it holds, a check sum. */
 enum { PNG_FIRST = 8, PNG_HEAD = 8, PNG_TAIL = 4 };
@@ -57,7 +58,7 @@ struct transfer_function transfer_of(enum raster_kind kind, const char *bytes,
 double srgb_light(double share)
 {
     return share <= 0.04045 ? share / 12.92
-                            : pow((share + 0.055) / 1.055, 2.4);
+                            : elementary_pow((share + 0.055) / 1.055, 2.4);
 }
 
 double transfer_light(const struct transfer_function *transfer, double share,
@@ -67,10 +68,11 @@ double transfer_light(const struct transfer_function *transfer, double share,
 
     if (transfer->kind == TRANSFER_NONE)
         return share;
-    light = transfer->kind == TRANSFER_SRGB ? srgb_light(share)
-                                            : pow(share, transfer->exponent);
+    light = transfer->kind == TRANSFER_SRGB
+                ? srgb_light(share)
+                : elementary_pow(share, transfer->exponent);
     return assumed_gamma > 0 && assumed_gamma != 1
-               ? pow(light, 1 / assumed_gamma)
+               ? elementary_pow(light, 1 / assumed_gamma)
                : light;
 }
 

@@ -106,6 +106,22 @@ static void test_of_one(void **unused)
         }
 }
 
+/* Logarithms there are small, and what is off from 1 is all there is of x. */
+static void test_near_one(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 4000; i++) {
+        double off = exp2(xorshift_real(&state, -45, -10));
+        double x = i % 2 == 0 ? 1 + off : 1 - off;
+
+        assert_same("log", x, 0, elementary_log(x), as_double(mpfr_log, x));
+        assert_same("log10", x, 0, elementary_log10(x),
+                    as_double(mpfr_log10, x));
+        assert_same("acosh", 1 + off, 0, elementary_acosh(1 + off),
+                    as_double(mpfr_acosh, 1 + off));
+    }
+}
+
 /* Degrees, as scenes have them, and what is near multiples of pi / 2. */
 static void test_angles(void **unused)
 {
@@ -178,9 +194,9 @@ static void test_ends(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_of_one), cmocka_unit_test(test_angles),
-        cmocka_unit_test(test_of_two), cmocka_unit_test(test_halfway),
-        cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_of_one),  cmocka_unit_test(test_near_one),
+        cmocka_unit_test(test_angles),  cmocka_unit_test(test_of_two),
+        cmocka_unit_test(test_halfway), cmocka_unit_test(test_ends),
     };
 
     return cmocka_run_group_tests(tests, NULL, NULL);

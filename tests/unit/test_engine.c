@@ -562,6 +562,34 @@ static void test_changed_prints(void **state)
     talk_end(&talk);
 }
 
+/* A million characters are kept, of each run. */
+static void test_cut(void **state)
+{
+    static const char text[] =
+        "        EX r10, 70000\n        EX r11, on\n"
+        "        EX r12, 100000000000000\n"
+        "on:     EXIT r12, r0, 2\n        DBNZ r10, [r11]\n        EXIT\n";
+    struct talk talk;
+
+    (void)state;
+    talk_begin(&talk);
+    talk_load(&talk, text, "");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_true(json_member_truth(talk.reply, "printed_cut", false));
+    assert_true(strlen(text_of(talk.reply, "printed")) > 1 << 19);
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step-to\", \"n\": 5}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_false(json_member_truth(talk.reply, "printed_cut", true));
+    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 1\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_false(json_member_truth(talk.reply, "printed_cut", true));
+    assert_string_equal(text_of(talk.reply, "printed"),
+                        "100000000000000100000000000000");
+    talk_end(&talk);
+}
+
 /* ---- Slices ----------------------------------------------------------------------------- */
 
 /* Some 200,000 steps, calls among them. */
@@ -695,6 +723,11 @@ static void test_limit(void **state)
     assert_string_equal(text_of(talk.reply, "why"), "limit");
     talk_ask(&talk, "{\"do\": \"say\", \"line\": \"continue\"}");
     assert_non_null(strstr(text_of(talk.reply, "text"), "interrupted"));
+    talk_ask(&talk, "{\"do\": \"compare\", \"texts\": [{\"text\": \"on: BIM "
+                    "on\\n\"}, {\"text\": \" EXIT\"}], \"limit\": 262145, "
+                    "\"clocks\": 1}");
+    talk_refused(&talk, "so many clocks were allowed",
+                 "{\"do\": \"more\", \"clocks\": 1}");
     talk_end(&talk);
 }
 
@@ -752,6 +785,8 @@ static void test_load(void **state)
                "{\"name\": \"m\", \"label\": false, \"value\": 8"));
     assert_non_null(strstr(talk.text, "\"contents\": \"words\", \"count\": "
                                       "3"));
+    talk_ask(&talk, "{\"do\": \"breaks\", \"lines\": [0, 2]}");
+    assert_non_null(strstr(talk.text, "lines are counted from 1"));
     talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step\"}");
     talk_refused(&talk, "program.s cannot be assembled: 1 error",
                  "{\"do\": \"load\", \"text\": \" EXIT\\n  ADDNX r1\\n\"}");
@@ -996,12 +1031,19 @@ static void test_chance(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_walks),   cmocka_unit_test(test_replays),
-        cmocka_unit_test(test_changed), cmocka_unit_test(test_changed_prints),
-        cmocka_unit_test(test_slices),  cmocka_unit_test(test_other_work),
-        cmocka_unit_test(test_limit),   cmocka_unit_test(test_about),
-        cmocka_unit_test(test_load),    cmocka_unit_test(test_instructions),
-        cmocka_unit_test(test_trap),    cmocka_unit_test(test_bad),
+        cmocka_unit_test(test_walks),
+        cmocka_unit_test(test_replays),
+        cmocka_unit_test(test_changed),
+        cmocka_unit_test(test_changed_prints),
+        cmocka_unit_test(test_cut),
+        cmocka_unit_test(test_slices),
+        cmocka_unit_test(test_other_work),
+        cmocka_unit_test(test_limit),
+        cmocka_unit_test(test_about),
+        cmocka_unit_test(test_load),
+        cmocka_unit_test(test_instructions),
+        cmocka_unit_test(test_trap),
+        cmocka_unit_test(test_bad),
         cmocka_unit_test(test_chance),
     };
 

@@ -115,6 +115,8 @@ static void test_notes(void **state)
                 "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
     check_notes("; test: a\n; tolerance: y -1\n",
                 "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
+    check_notes("; test: a\n; tolerance: y 1e999\n",
+                "12-it/test-a.s:2: expected 'tolerance: LABEL NUMBER'");
     check_notes("; test: a\n; tolerance: y 1 2\n",
                 "12-it/test-a.s:2: expected nothing behind the tolerance");
     check_notes("; test: a\n; test: b\n",
@@ -149,8 +151,18 @@ static void test_refused(void **state)
     check_refused("; test: a\nx: .word 1\n; expect: [x] = 1\n",
                   "test-a.s:3: a test cannot expect this; what is to be in "
                   "memory stands at want_LABEL");
+    check_refused("; test: a\nwant_y: EXIT\n",
+                  "test-a.s: data are wanted at want_LABEL, not "
+                  "instructions");
+    check_refused("; test: a\nwant_: .word 1\n",
+                  "test-a.s: data are wanted at want_LABEL, not want_");
+    check_refused("; test: a\n .data\nx: .word 1\nwant_y:\n",
+                  "test-a.s wants nothing");
     check_refused("; test: a\n; expect: r1 = 0\n; expect-model: x\n",
-                  "there is no machine model 'x'");
+                  "test-a.s: there is no machine model 'x'");
+    check_refused("; test: a\n; expect: r1 = 0\n; expect-model: cdc6600\n",
+                  "test-a.s: nothing runs on its model, which only tells "
+                  "times");
 }
 
 static void test_names(void **state)

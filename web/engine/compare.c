@@ -46,9 +46,9 @@ static bool run(struct engine *engine, struct text_comparison *comparison,
     enum { AT_ONCE = 1 << 18 };
     c205 *machine = comparison->machine;
     uint64_t clock = c205_clock(machine);
-    uint64_t left = comparison->limit - clock;
+    bool last = comparison->limit <= clock + AT_ONCE;
     c205_stop stop = c205_run(machine,
-                              clock + (left < AT_ONCE ? left : AT_ONCE));
+                              last ? comparison->limit : clock + AT_ONCE);
 
     engine->slice.spent += c205_clock(machine) - clock;
     *over = stop.trap == C205_TRAP_NONE;
@@ -56,7 +56,7 @@ static bool run(struct engine *engine, struct text_comparison *comparison,
         return compared_take(&comparison->sides[comparison->which].run,
                              machine)
                || refuse(error, "no memory");
-    if (stop.trap == C205_TRAP_CLOCK_LIMIT && left > AT_ONCE)
+    if (stop.trap == C205_TRAP_CLOCK_LIMIT && !last)
         return true;
     c205_describe_stop(machine, &stop, error);
     return refuse_of(error, comparison->sides[comparison->which].name);

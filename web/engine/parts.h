@@ -44,7 +44,7 @@ struct printed {
     struct text_buffer text;
     size_t count;
     struct printed_mark *marks;
-    bool cut; /* there was more */
+    bool cut; /* there was more, at the last mark or behind it */
 };
 
 /* ---- A movement ----------------------------------------------------------------- */
@@ -175,6 +175,8 @@ size_t program_line(const struct engine *engine, uint64_t address);
 void printed_forget(struct printed *printed, uint64_t step);
 /* How much had been printed when the program stood at a step. */
 size_t printed_until(const struct printed *printed, uint64_t step);
+/* .. and whether there was more that is not kept. */
+bool printed_is_cut(const struct printed *printed, uint64_t step);
 
 /* ---- Views (view.c, registers.c, instruction.c) ----------------------------------- */
 

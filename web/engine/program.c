@@ -194,8 +194,10 @@ static void keep_mark(struct printed *printed, uint64_t step)
 void printed_forget(struct printed *printed, uint64_t step)
 {
     while (printed->count > 0
-           && printed->marks[printed->count - 1].step > step)
+           && printed->marks[printed->count - 1].step > step) {
         printed->count--;
+        printed->cut = false;
+    }
     printed->text.length = printed->count > 0
                                ? printed->marks[printed->count - 1].length
                                : 0;
@@ -210,12 +212,13 @@ static void print(void *context, const char *text, size_t length)
     uint64_t step = debugger_step(engine->debugger) + 1;
 
     printed_forget(printed, step);
-    printed->cut |= length > PRINTED_MOST - printed->text.length;
     if (printed->cut)
         return;
-    sink.put(sink.context, text, length);
-    printed->cut = printed->text.failed;
+    printed->cut = length > PRINTED_MOST - printed->text.length;
+    if (!printed->cut)
+        sink.put(sink.context, text, length);
     keep_mark(printed, step);
+    printed->cut |= printed->text.failed;
 }
 
 size_t printed_until(const struct printed *printed, uint64_t step)
@@ -231,6 +234,13 @@ size_t printed_until(const struct printed *printed, uint64_t step)
             high = middle;
     }
     return low > 0 ? printed->marks[low - 1].length : 0;
+}
+
+bool printed_is_cut(const struct printed *printed, uint64_t step)
+{
+    return printed->cut
+           && (printed->count == 0
+               || printed->marks[printed->count - 1].step <= step);
 }
 
 static void forget_printed(struct printed *printed)
@@ -437,13 +447,13 @@ static bool put_break(struct engine *engine, struct json *reply,
 {
     size_t line = 0;
     bool told = true;
-    bool good = wanted > 0
-                && debugger_break_line(engine->debugger, engine->name,
-                                       (size_t)wanted, &line);
 
     json_object(reply, NULL);
     json_number(reply, "wanted", (double)wanted);
-    if (good)
+    if (wanted < 1)
+        json_text(reply, "message", "lines are counted from 1");
+    else if (debugger_break_line(engine->debugger, engine->name,
+                                 (size_t)wanted, &line))
         json_count(reply, "line", line);
     else
         told = put_said(engine, reply, "message", error);

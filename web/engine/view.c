@@ -134,14 +134,15 @@ static bool put_printed(const struct engine *engine, struct json *reply,
                         c205_error *error)
 {
     const struct printed *printed = &engine->printed;
-    size_t length = printed_until(printed, debugger_step(engine->debugger));
+    uint64_t step = debugger_step(engine->debugger);
+    size_t length = printed_until(printed, step);
     struct arena arena = { 0 };
     char *text = arena_text(&arena, length > 0 ? printed->text.text : "",
                             length);
 
     if (text) {
         json_text(reply, "printed", text);
-        json_truth(reply, "printed_cut", printed->cut);
+        json_truth(reply, "printed_cut", printed_is_cut(printed, step));
     }
     arena_free(&arena);
     return text || refuse(error, "no memory");

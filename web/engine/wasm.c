@@ -1,5 +1,5 @@
 /* wasm.c - an engine for the host of a WebAssembly module, which has one: bytes of a
- * request are written where engine_room says, and the reply is a text that is given
+ * request are written where room says, and the reply is a text that is given
  * back.
  */
 #include <stdlib.h>
