@@ -496,8 +496,8 @@ check-install: all
 	sh tests/check_install.sh $(BUILD) "$(MAKE)"
 
 # For the browser's kind of machine: vm and asm, the c205 command, and the engine of the
-# page; how large that is.
-in_wasm = @$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
+# page; how large that is.  The page has the texts of lessons itself.
+in_wasm = @TITLES=yes $(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
 	AR=llvm-ar $(addprefix $(BUILD)/wasm/,$(1))
 wasm-check:
 	$(call in_wasm,c205 engine.wasm)

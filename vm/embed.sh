@@ -7,7 +7,8 @@
 #   const char *const NAME_names[] = { ..., NULL }; without their suffixes
 #
 # A text is an array of its lines, each with its newline, and ends with NULL:
-# C99 promises no more than 4,095 characters in one string.
+# C99 promises no more than 4,095 characters in one string.  With TITLES=yes in the
+# environment of an .md file there is only its first line.
 set -eu
 table=$1
 folder=$2
@@ -16,7 +17,11 @@ printf '/* made by vm/embed.sh */\n#include "vm/text.h"\n'
 n=0
 for file in "$@"; do
     printf 'static const char *const lines%d[] = {\n' "$n"
-    sed 's/\\/\\\\/g; s/"/\\"/g; s/?/\\?/g; s/.*/    "&\\n",/' "$file"
+    case ${TITLES-}$file in
+    yes*.md) most=1 ;;
+    *) most='$' ;;
+    esac
+    sed "${most}q" "$file" | sed 's/\\/\\\\/g; s/"/\\"/g; s/?/\\?/g; s/.*/    "&\\n",/'
     printf '    0\n};\n'
     n=$((n + 1))
 done

@@ -15,17 +15,29 @@ function inlined(path) {
   return `data:image/svg+xml;base64,${Buffer.from(read(path)).toString("base64")}`;
 }
 
-// HTML of a lesson in FOLDER.  Its title and what its blocks are printed by are not shown;
-// the page's own headings stand above it.  Links lead to other lessons, or are none.
-function lessonHtml(folder) {
-  const text = read(join(folder, "lesson.md"))
-    .replace(/^# .*\n/, "").replace(/^<!--[^]*?-->\n/gm, "");
-  const marked = new Marked({
+// The page's own headings stand above those of a lesson.
+function headed({ tokens, depth }) {
+  const level = Math.min(depth + 1, 6);
+  return `<h${level}>${this.parser.parseInline(tokens)}</h${level}>\n`;
+}
+
+// The example of a lesson that a block is printed by or of: as the first line of the block.  The
+// comment stays: two blocks without anything between them would be one.
+const MARK = /^@(example-[\w-]+\.s)\n/;
+const marked = (text) => text.replace(/^<!--([^]*?)-->\n+    /gm, (all, words) => {
+  const example = /(example-[\w-]+\.s)/.exec(words);
+  return `<!-- -->\n\n    ${example ? `@${example[1]}\n    ` : ""}`;
+});
+
+// HTML of a lesson in FOLDER.  Its title and what its blocks are printed by are not shown, but the
+// example of which that is can be opened; the page's own headings stand above it.  Links lead to
+// other lessons, or are none.
+function lessonHtml(folder, examples) {
+  const text = marked(read(join(folder, "lesson.md")).replace(/^# .*\n/, ""))
+    .replace(/^<!-- [^]*?[^-] -->\n/gm, "");
+  let last = null; // no two buttons for the same program, one below the other
+  const reader = new Marked({
     renderer: {
-      heading({ tokens, depth }) {
-        const level = Math.min(depth + 1, 6);
-        return `<h${level}>${this.parser.parseInline(tokens)}</h${level}>\n`;
-      },
       image({ href, text: alternative }) {
         return `<img src="${inlined(normalize(join(folder, href)))}" alt="${escaped(alternative)}">`;
       },
@@ -37,8 +49,17 @@ function lessonHtml(folder) {
         if (/^https?:/.test(href)) return `<a href="${escaped(href)}" rel="noreferrer">${words}</a>`;
         return `<cite title="${escaped(basename(href))}">${words}</cite>`;
       },
+      heading({ tokens, depth }) {
+        last = null;
+        return headed.call(this, { tokens, depth });
+      },
       code({ text: words }) {
-        return `<pre tabindex="0"><code>${escaped(words)}</code></pre>\n`;
+        const name = MARK.exec(words)?.[1];
+        const block = `<pre tabindex="0"><code>${escaped(words.replace(MARK, ""))}</code></pre>`;
+        if (!name || name === last || !examples.some((one) => one.name === name)) return `${block}\n`;
+        last = name;
+        return `<div class="block"><p><code>${name}</code> <button type="button" class="quiet" data-example="${name}"`
+          + ` aria-label="Open ${name}">Open</button></p>${block}</div>\n`;
       },
       table({ header, rows }) {
         const cell = ({ tokens, align }, name) =>
@@ -49,7 +70,7 @@ function lessonHtml(folder) {
       },
     },
   });
-  return marked.parse(text);
+  return reader.parse(text);
 }
 
 // A program with the .inc files beside it, or above, in their places; null: it needs
@@ -70,8 +91,10 @@ const programs = (folder, wanted) => readdirSync(folder).filter((name) => wanted
 export function readCourse(folder) {
   if (!existsSync(folder)) return {};
   return Object.fromEntries(readdirSync(folder).filter((name) => folderName.test(name)
-    && existsSync(join(folder, name, "lesson.md"))).sort().map((name) => [folderName.exec(name)[1],
-    { html: lessonHtml(join(folder, name)), examples: programs(join(folder, name), /^example-.*\.s$/) }]));
+    && existsSync(join(folder, name, "lesson.md"))).sort().map((name) => {
+    const examples = programs(join(folder, name), /^example-.*\.s$/);
+    return [folderName.exec(name)[1], { html: lessonHtml(join(folder, name), examples), examples }];
+  }));
 }
 
 /** The assembler's examples. */

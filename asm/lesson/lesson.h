@@ -37,6 +37,7 @@ struct lesson_test {
     const char *text;
     size_t length;
     const char *tries;
+    bool warm; /* a line of it says .warm */
     bool has_goals;
     uint64_t goals[MEDALS]; /* clocks, at most */
     const struct lesson_tolerance *tolerances;

@@ -171,13 +171,15 @@ static bool check_name(const struct test_note *note, size_t length)
                            "'tolerance:'");
 }
 
-/* "; name: text"; other lines say nothing. */
+/* "; name: text", or .warm; other lines say nothing. */
 static bool take_line(struct test_note *note)
 {
     size_t length;
 
-    if (!take_letter(note, ';'))
+    if (!take_letter(note, ';')) {
+        note->test->warm = take_word(note, ".warm") || note->test->warm;
         return true;
+    }
     skip_blanks(note);
     length = word_length(note);
     if (note->at + length == note->end || note->at[length] != ':')

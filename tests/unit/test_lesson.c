@@ -552,9 +552,13 @@ static void check_drawn(struct drawn_lesson *drawn)
     }
     drawn_open(drawn, &lesson);
     grade_well(&verdict, &lesson, drawn->answer);
-    for (size_t i = 0; i < drawn->count; i++)
-        check_trial(drawn, i, trial_of(&verdict, drawn->tests[i].n),
-                    &plain[i], medals[i]);
+    for (size_t i = 0; i < drawn->count; i++) {
+        const struct lesson_trial *trial = trial_of(&verdict,
+                                                    drawn->tests[i].n);
+
+        assert_int_equal(trial->test->warm, drawn->tests[i].warm);
+        check_trial(drawn, i, trial, &plain[i], medals[i]);
+    }
     check_whole(&verdict);
     lesson_verdict_free(&verdict);
     lesson_free(&lesson);

@@ -43,7 +43,8 @@
  *                 has no such form), effect, unit, vector, source (P S D R)
  *   directives    their names
  *   lessons       number, name, title, start (the program to complete), tests:
- *                 name, tries, goals (clocks: gold, silver, bronze; missing: none)
+ *                 name, tries, warm (its pages are in memory), goals (clocks: gold, silver,
+ *                 bronze; missing: none)
  *
  * ---- load: a program in place of the one before
  *

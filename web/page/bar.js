@@ -29,7 +29,7 @@ function told(reply) {
 
 // Buttons, slider and output, of a view or of no program.
 function settle(view) {
-  const { step = 0, steps = 0, ended = false, clock = 0, printed = "" } = view ?? {};
+  const { step = 0, steps = 0, ended = false, clock = 0, printed = "", printed_cut: cut = false } = view ?? {};
   const slider = $("slider");
   slider.max = Math.max(steps, step);
   slider.value = step;
@@ -41,7 +41,8 @@ function settle(view) {
   $("run").disabled = !view;
   $("output").textContent = printed;
   $("output").classList.toggle("nothing", printed === "");
-  $("ending").textContent = ended ? `ended at clock ${count(clock)}` : "";
+  $("ending").textContent = [ended && `ended at clock ${count(clock)}`,
+    cut && "it has printed more than is kept"].filter(Boolean).join("; ");
 }
 
 function place() {

@@ -17,6 +17,13 @@ export function makeCompare(panel, session, others) {
         el("button", { type: "button", click: keep }, "Keep my program for later"))),
     result));
 
+  /** Another program is mine: nothing is chosen any more. */
+  function renew() {
+    fill(first);
+    fill(second);
+    offer();
+  }
+
   // At first, mine beside the one that I began with.
   function offer() {
     const [mine, ...list] = others();
@@ -64,6 +71,5 @@ export function makeCompare(panel, session, others) {
   const figure = (x) => x == null ? "-" : Number.isInteger(x) ? count(x)
     : x.toLocaleString("en", { maximumSignificantDigits: 4 });
 
-  offer();
-  return { offer, run };
+  return { offer, renew, run };
 }

@@ -12,7 +12,7 @@ import { tags } from "@lezer/highlight";
 import { count, el, fixed, some } from "./dom.js";
 
 const TAB = 8;
-const MARGIN = 40; // pixels above and below the line that is brought into sight
+const MARGIN = 2; // lines above and below the line that is brought into sight
 
 // --- the language -----------------------------------------------------------
 
@@ -235,11 +235,16 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
     setBreaks(list) {
       view.dispatch({ effects: setBreaks.of(list) });
     },
-    /** Marks the line, and brings it into sight. */
+    /** Marks the line, and brings it into sight within the editor: the page stays where it is. */
     stand(line) {
-      const at = lineStart(view.state.doc, line);
-      view.dispatch({ effects: [setHere.of(line),
-        ...(line ? [EditorView.scrollIntoView(at, { y: "nearest", yMargin: MARGIN })] : [])] });
+      view.dispatch({ effects: setHere.of(line) });
+      if (!line) return;
+      const { top, bottom, height } = view.lineBlockAt(lineStart(view.state.doc, line));
+      const { scrollTop, clientHeight } = view.scrollDOM;
+      const margin = Math.min(MARGIN * height, (clientHeight - height) / 2);
+      if (top - margin < scrollTop) view.scrollDOM.scrollTop = top - margin;
+      else if (bottom + margin > scrollTop + clientHeight)
+        view.scrollDOM.scrollTop = bottom + margin - clientHeight;
     },
     /** Clocks beside lines: {line, clocks, percent, executions}. */
     charge(rows) {

@@ -1,5 +1,5 @@
-// laboratory.js - one or two programs against a constant: Mflop/s of every length, the
-// straight line through their clocks, n-half.  All figures are the engine's.
+// laboratory.js - one or two programs against a constant: Mflop/s of every length (clocks of what
+// does no arithmetic), the straight line through their clocks, n-half.  All figures are the engine's.
 
 import { choices, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
 
@@ -69,6 +69,11 @@ export function makeLaboratory(panel, session, others) {
     show();
   }
 
+  // Is there a rate to be shown, of one of them at least?
+  const rated = () => told.points.some((point) => series().some((one) => point[`${one}mflops`] > 0));
+  const steady = () => told.points.length > 1
+    && series().every((one) => new Set(told.points.map((point) => point[`${one}clocks`])).size === 1);
+
   // As c205 sweep names them: "first_clocks" beside another program, else "clocks".
   const series = () => names.length > 1 ? ["first_", "second_"] : [""];
 
@@ -82,13 +87,16 @@ export function makeLaboratory(panel, session, others) {
       const point = told.points[at];
       fill(said, el("b", {}, `${told.constant} = ${count(point.value)}`), ...series().map((one, i) =>
         el("span", {}, el("i", { class: `patch series-${i}`, "aria-hidden": "true" }),
-          `${some(point[`${one}clocks`], "clock")}, ${fixed(point[`${one}mflops`], 1)} Mflop/s`)));
+          some(point[`${one}clocks`], "clock"),
+          rated() && `, ${fixed(point[`${one}mflops`], 1)} Mflop/s`)));
       slider.setAttribute("aria-valuetext", `${told.constant} = ${point.value}`);
     };
     fill(result,
       el("p", { class: "legend" }, names.map((name, i) => el("span", {},
         el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), name))),
       chart, el("div", { class: "field slide" }, el("label", { for: "lab-at" }, told.constant), slider), said,
+      steady() && el("p", { class: "steady" }, `The clocks are the same for every ${told.constant}: `
+        + "does the program have that constant?"),
       ...(told.crossings ?? []).map(crossing), lines(),
       el("details", {}, el("summary", {}, "All points"), points()));
     mark();
@@ -103,32 +111,33 @@ export function makeLaboratory(panel, session, others) {
 
   function lines() {
     return table("The straight line through the clocks",
-      [["program"], ["start-up, clk", "number"], ["clk/n", "number"], ["r∞, Mflop/s", "number"],
-        ["n½", "number"], ["off, %", "number"]],
+      [["program"], ["start-up, clk", "number"], [`clk/${told.constant}`, "number"],
+        ...(rated() ? [["r∞, Mflop/s", "number"]] : []), ["n½", "number"], ["off, %", "number"]],
       told.lines.map((line, i) => ({ cells: [
         [el("i", { class: `patch series-${i}`, "aria-hidden": "true" }), names[i]], fixed(line.startup, 1),
-        fixed(line.per_element, 4), fixed(line.mflops, 2), fixed(line.n_half, 1),
+        fixed(line.per_element, 4), ...(rated() ? [fixed(line.mflops, 2)] : []), fixed(line.n_half, 1),
         fixed(line.off_percent, 2)] })));
   }
 
   function points() {
     return table("All points", [[told.constant, "number"],
-      ...names.flatMap((name) => [[`${name}, clk`, "number"], ["Mflop/s", "number"]])],
+      ...names.flatMap((name) => [[`${name}, clk`, "number"], ...(rated() ? [["Mflop/s", "number"]] : [])])],
     told.points.map((point) => ({ cells: [count(point.value), ...series().flatMap((one) =>
-      [count(point[`${one}clocks`]), fixed(point[`${one}mflops`], 2)])] })));
+      [count(point[`${one}clocks`]), ...(rated() ? [fixed(point[`${one}mflops`], 2)] : [])])] })));
   }
 
-  // Mflop/s against the constant, that on a scale of factors.
+  // Mflop/s, or clocks, against the constant, that on a scale of factors.
   function drawing() {
     const { points } = told;
     const [low, high] = [points[0].value, points.at(-1).value];
-    const rates = points.flatMap((point) => series().map((one) => point[`${one}mflops`]));
-    const top = 1.08 * Math.max(...rates, 1e-9);
+    const [key, unit] = rated() ? ["mflops", "Mflop/s"] : ["clocks", "clocks"];
+    const heights = points.flatMap((point) => series().map((one) => point[`${one}${key}`]));
+    const top = 1.08 * Math.max(...heights);
     const x = (n) => LEFT + (WIDTH - LEFT - RIGHT) * Math.log(n / low) / Math.log(high / low || 2);
     const y = (rate) => HEIGHT - BOTTOM - (HEIGHT - TOP - BOTTOM) * rate / top;
     const text = (px, py, kind, words) => draw("text", { x: px, y: py, class: kind }, words);
     const svg = draw("svg", { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: "img",
-      "aria-label": `Mflop/s of ${names.join(" and ")} against ${told.constant}` });
+      "aria-label": `${unit} of ${names.join(" and ")} against ${told.constant}` });
 
     for (let power = 1; power <= high; power *= 10)
       for (const n of [power, 2 * power, 5 * power].filter((one) => one >= low && one <= high))
@@ -138,19 +147,19 @@ export function makeLaboratory(panel, session, others) {
     const step = [1, 2, 5, 10].map((by) => by * rough).find((by) => top / by <= 6);
     for (let rate = 0; rate <= top; rate += step)
       svg.append(draw("line", { x1: LEFT, x2: WIDTH - RIGHT, y1: y(rate), y2: y(rate), class: "tick" }),
-        text(LEFT - 8, y(rate) + 4, "lane", String(Number(rate.toPrecision(6)))));
+        text(LEFT - 8, y(rate) + 4, "lane", count(Number(rate.toPrecision(6)))));
     svg.append(text(LEFT, HEIGHT - 6, "axis", `${told.constant} →`),
-      text(LEFT + 6, TOP + 2, "axis", "Mflop/s"));
+      text(LEFT + 6, TOP + 2, "axis", unit));
 
     const here = points[at].value;
     svg.append(draw("line", { x1: x(here), x2: x(here), y1: TOP, y2: HEIGHT - BOTTOM, class: "now" }));
     series().forEach((one, i) => {
-      const rate = (point) => point[`${one}mflops`];
+      const rate = (point) => point[`${one}${key}`];
       svg.append(draw("polyline", { class: `curve curve-${i}`,
         points: points.map((point) => `${x(point.value)},${y(rate(point))}`).join(" ") }),
       draw("circle", { cx: x(here), cy: y(rate(points[at])), r: 4, class: `dot dot-${i}` }));
       const half = told.lines[i]?.n_half;
-      if (half > low && half < high)
+      if (rated() && half > low && half < high)
         svg.append(draw("line", { x1: x(half), x2: x(half), y1: y(told.lines[i].mflops / 2), y2: HEIGHT - BOTTOM, class: `half half-${i}` }),
           text(x(half) + 6, y(told.lines[i].mflops / 2) + 14, "half-name", `n½ = ${fixed(half, 0)}`));
     });

@@ -25,6 +25,7 @@ let shown = null;
 export function showLesson(lesson, exercise) {
   hideVerdict();
   $("check").disabled = !exercise;
+  $("exercise").hidden = exercise;
   if (lesson === shown) return;
   shown = lesson;
   $("lesson-panel").hidden = !lesson;
@@ -66,7 +67,7 @@ export function showVerdict(reply) {
     ...sentences(reply.report),
     ...reply.tests.filter(({ clocks, report }) => clocks > 0 || report.length > 0).map(tested));
   verdict.scrollTop = 0;
-  verdict.scrollIntoView({ block: "nearest" });
+  $("lesson-panel").scrollIntoView({ block: "start" });
 }
 
 const tested = (test) => el("section", {},

@@ -16,6 +16,7 @@ import { OWN, Programs } from "./programs.js";
 import { makeRegisters } from "./registers.js";
 import { Session } from "./session.js";
 import { fromHash, toHash } from "./share.js";
+import { makeSplit } from "./split.js";
 import { makeTabs } from "./tabs.js";
 import { switchTheme } from "./theme.js";
 import { makeTimeline } from "./timeline.js";
@@ -48,6 +49,7 @@ const editor = makeEditor($("source"), about, {
   at: (told) => fill($("source-note"), told && [el("code", {}, told.name), ` ${told.effect}`]),
 });
 makeBar(session);
+makeSplit();
 makeTimeline($("timeline"), session);
 makeInstruction($("instruction"), session);
 makeCauses($("causes"), session);
@@ -101,11 +103,16 @@ session.on("breaks", (lines) => editor.setBreaks(lines));
 
 // --- programs -----------------------------------------------------------------------
 
-/** TEXT: in place of what the learner has written of it, which is not touched yet. */
-function open(key, text) {
+/**
+ * TEXT: in place of what the learner has written of it, which is not touched yet.  Pages are as
+ * WARM says, or as in the lesson's tests.
+ */
+function open(key, text, warm) {
   programs.choose(key);
   programs.offer();
+  comparison.renew();
   showLesson(programs.lesson, programs.exercise);
+  session.warm = $("warm").value = warm ?? programs.warm;
   session.name = programs.name;
   session.breaks = [];
   editor.set(text ?? programs.written ?? programs.text);
@@ -142,14 +149,27 @@ function forgetLink() {
   if (location.hash) history.replaceState(null, "", location.pathname + location.search);
 }
 
-async function openLink() {
-  const shared = await fromHash(location.hash);
-  if (!shared) return false;
-  if (about.models.some(({ name }) => name === shared.model)) session.model = $("model").value = shared.model;
-  session.warm = $("warm").value = ["warm", "cold"].includes(shared.warm) ? shared.warm : "";
-  await open(shared.lesson ? `lesson:${shared.lesson}` : OWN, shared.text);
-  if (shared.text !== undefined) session.kept = programs.written ?? "";
-  return true;
+// OTHERWISE: what is opened when there is no link, or a spoilt one.
+async function openLink(otherwise) {
+  let shared = null, fault = "";
+  try {
+    shared = await fromHash(location.hash);
+  } catch {
+    fault = "The link is spoilt: there is no program in it.";
+  }
+  if (shared) {
+    const wanted = shared.lesson ? `lesson:${shared.lesson}` : OWN;
+    const known = programs.has(wanted);
+    if (!known) fault = "The link is to a lesson that is not here.";
+    if (about.models.some(({ name }) => name === shared.model)) session.model = $("model").value = shared.model;
+    const warm = ["warm", "cold"].includes(shared.warm) ? shared.warm : "";
+    if (shared.text === undefined) await open(known ? wanted : otherwise ?? programs.key);
+    else {
+      await open(known ? wanted : OWN, shared.text, warm);
+      session.kept = programs.written ?? "";
+    }
+  } else if (otherwise !== undefined) await open(otherwise);
+  if (fault) say(fault, "bad");
 }
 
 // --- buttons and lists ----------------------------------------------------------------
@@ -158,6 +178,7 @@ const acts = {
   check, share, theme: switchTheme,
   "to-compare": () => { showTab("compare"); comparison.run(); },
   keys: () => $("keys-dialog").showModal(),
+  exercise: () => open(`lesson:${programs.lesson.name}`),
   again: () => editor.type(programs.text),
   fold: () => setFolded(!$("lesson-panel").classList.contains("folded")),
 };
@@ -170,20 +191,21 @@ $("warm").addEventListener("change", () => { session.warm = $("warm").value; ses
 $("licences").addEventListener("toggle", async () => {
   $("licences").lastElementChild.textContent = await notice();
 });
-// A lesson's link to another lesson.
+// A lesson's link to another lesson, and what opens one of its examples.
 $("lesson-text").addEventListener("click", (event) => {
-  const name = event.target.closest("a[data-lesson]")?.dataset.lesson;
-  if (!name) return;
+  const { lesson, example } = event.target.closest("[data-lesson], [data-example]")?.dataset ?? {};
+  if (!lesson && !example) return;
   event.preventDefault();
-  open(`lesson:${name}`);
+  open(lesson ? `lesson:${lesson}` : `part:${programs.lesson.name}:${example}`);
+  if (example) document.querySelector(".source").scrollIntoView({ block: "nearest" });
 });
-addEventListener("hashchange", openLink);
+addEventListener("hashchange", () => openLink());
 
 // --- the beginning ----------------------------------------------------------------------
 
 choices($("model"), about.models.map(({ name, title }) => ({ value: name, title })));
 session.model = $("model").value = about.model;
-if (!await openLink()) await open(kept.get("at"));
+await openLink(kept.get("at"));
 document.body.classList.add("ready");
 
 // For those who look behind the page: its tests, and a curious console.

@@ -23,11 +23,20 @@ export class Programs {
     this.#list.set(OWN, { name: "program.s", text: EMPTY });
   }
 
+  has(key) {
+    return this.#list.has(key);
+  }
+
   /** The one by that key, or the first of all. */
   choose(key) {
     this.key = this.#list.has(key) ? key : this.#list.keys().next().value;
     Object.assign(this, { lesson: undefined, exercise: false }, this.#list.get(this.key));
     kept.set("at", this.key);
+  }
+
+  /** Whether its pages are in memory: as in the lesson's tests; "": as the program says. */
+  get warm() {
+    return this.lesson?.tests.every(({ warm }) => warm) ? "warm" : "";
   }
 
   #of(kind, titled = ({ name }) => name) {

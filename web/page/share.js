@@ -1,9 +1,21 @@
 // share.js - a link that holds all: behind its # the program (deflated), the model,
 // the pages, the lesson.  Nothing of it goes to any server.
 
-async function through(stream, bytes) {
-  const piped = new Blob([bytes]).stream().pipeThrough(stream);
-  return new Uint8Array(await new Response(piped).arrayBuffer());
+const MOST = 1 << 20; // bytes of a program: a link may hold very many that are packed well
+
+async function through(stream, bytes, most = Infinity) {
+  const parts = [];
+  let length = 0;
+  for (const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader(); ;) {
+    const { done, value } = await reader.read();
+    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
+    parts.push(value);
+    length += value.length;
+    if (length > most) {
+      await reader.cancel();
+      throw new Error("it is too long");
+    }
+  }
 }
 
 function toText(bytes) {
@@ -23,17 +35,13 @@ export async function toHash({ text, model, warm, lesson }) {
   return `#${words}`;
 }
 
-/** What a # part holds; null if it holds nothing of ours or is spoilt. */
+/** What a # part holds; null: nothing of ours; throws: it is spoilt. */
 export async function fromHash(hash) {
   const words = new URLSearchParams(hash.slice(1));
   const shared = { lesson: words.get("lesson"), model: words.get("model"),
     warm: words.get("pages") ?? "" };
   const packed = words.get("program");
   if (packed === null) return shared.lesson ? shared : null;
-  try {
-    const bytes = await through(new DecompressionStream("deflate-raw"), toBytes(packed));
-    return { ...shared, text: new TextDecoder().decode(bytes) };
-  } catch {
-    return null;
-  }
+  const bytes = await through(new DecompressionStream("deflate-raw"), toBytes(packed), MOST);
+  return { ...shared, text: new TextDecoder().decode(bytes) };
 }

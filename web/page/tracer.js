@@ -11,7 +11,11 @@ const STAGES = [["vector", "vector: a queue of rays at a time"], ["scalar", "sca
   ["kernels", "kernels: the paper's, of 1984"]];
 const QUEUE = 2000, LONGEST = 65535; // rays
 const MODEL = "cyber205-2pipe";
-const VIEW = ["-W", "80", "-H", "50"]; // of Table 1: rays enough for two queues
+const PAPER = [400, 250], SMALL = [80, 50]; // rays of Table 1: the paper's, or enough for two queues
+const ALL = "all";
+// Rows of Table 1 by their names, and what of a scene's text goes with them.
+const ROWS = [["sphere", /\bsphere\b/g], ["cylinder", /\bcylinder\b/g],
+  ["Steiner", /\bsteiner\w*/gi], ["torus", /\btorus\b/g]];
 
 /** rt205 in a worker of its own, which begins with the first run and ends with a stop. */
 class Tracer {
@@ -64,23 +68,28 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   const queue = el("input", { id: "tracer-queue", type: "number", min: 1, max: LONGEST, value: QUEUE, required: true });
   const model = el("select", { id: "tracer-model" });
   const size = el("select", { id: "tracer-size" });
-  const start = el("button", { type: "submit", class: "main" }, "Draw");
-  const stop = el("button", { type: "button", hidden: true, click: () => tracer.stop() }, "Stop");
+  const progress = (name) => el("progress", { max: 1, value: 0, "aria-label": name });
+  // What begins a run and ends it, and what is told of it: of the picture, and of the table.
+  const work = (words, kind, name) => ({
+    start: el("button", { type: "submit", class: kind }, words),
+    stop: el("button", { type: "button", hidden: true, click: () => tracer.stop() }, "Stop"),
+    said: el("p", { class: "note", role: "status" }), part: progress(name) });
+  const drawing = work("Draw", "main", "Part of the picture that is done");
+  const measuring = work("Measure with this queue and model", null, "Part of the table that is done");
   const text = el("textarea", { id: "tracer-text", rows: 16, spellcheck: "false", "aria-label": "Text of the scene",
-    input: () => { scene.value = OWN; } });
-  const said = el("p", { class: "note", role: "status" });
+    input: () => { scene.value = OWN; row.value = rowOf(text.value); } });
   const canvas = el("canvas", { width: 160, height: 120, role: "img", "aria-label": "The picture" });
-  const part = el("progress", { max: 1, value: 0, "aria-label": "Part of the picture that is done" });
   const save = el("a", { class: "button", download: "picture.png", hidden: true }, "Download picture");
   const clocks = el("div", { class: "clocks" });
   const output = el("pre", { tabindex: 0, role: "group", "aria-label": "What rt205 has printed", hidden: true });
-  const paper = el("button", { type: "button", click: measure }, "Table 1 with this queue and model");
+  const row = el("select", { id: "tracer-row" });
   const result = el("div", { class: "result" });
 
   choices(scene, [...scenes.list.map(({ path, title }) => ({ value: path, title })),
     { value: OWN, title: "my own scene" }]);
   choices(stage, STAGES.map(([value, title]) => ({ value, title })));
   choices(model, models.map(({ name, title }) => ({ value: name, title: title ?? name })));
+  choices(row, [...ROWS.map(([name]) => ({ value: name, title: name })), { value: ALL, title: "all rows" }]);
   choices(size, SIZES.map(([across, down]) => ({ value: `${across}x${down}`, title: `${across} × ${down}` })));
   model.value = MODEL;
   size.value = "160x120";
@@ -94,33 +103,52 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     el("form", { class: "fields", submit: draw },
       field("tracer-scene", "Scene", scene), field("tracer-stage", "stage", stage),
       field("tracer-queue", "queue, rays", queue), field("tracer-model", "model", model),
-      field("tracer-size", "size", size), el("div", { class: "field" }, start, stop)),
+      field("tracer-size", "size", size),
+      el("div", { class: "field" }, drawing.start, drawing.stop)),
     el("details", {}, el("summary", {}, "Text of the scene"), text),
-    said,
+    drawing.said,
     el("div", { class: "pair" },
-      el("div", { class: "drawn" }, canvas, part, el("p", {}, save)), clocks),
+      el("div", { class: "drawn" }, canvas, drawing.part, el("p", {}, save)), clocks),
     output,
-    el("div", { class: "fields" }, paper), result));
+    el("h3", {}, "The paper's Table 1"),
+    el("p", { class: "note" }, `A row is measured with the paper's ${count(PAPER[0] * PAPER[1])} rays, `,
+      `all rows at once with ${count(SMALL[0] * SMALL[1])}.`),
+    el("form", { class: "fields", submit: measure }, field("tracer-row", "Row", row),
+      el("div", { class: "field" }, measuring.start, measuring.stop)),
+    measuring.said, measuring.part, result));
+  measuring.part.hidden = true;
 
   function show(path) {
-    if (path !== OWN) text.value = scenes.files[path];
+    if (path === OWN) return;
+    text.value = scenes.files[path];
+    row.value = rowOf(text.value);
   }
 
   const options = () => ["--model", model.value, ...(stage.value === "scalar" ? [] : ["--queue", queue.value])];
 
   // A run from its beginning to its end; null: another one is under way.
-  async function run(args, files, words, told) {
+  async function run({ start, stop, said, part }, args, files, words, rows) {
     if (busy) return null;
-    busy = true;
-    start.hidden = paper.disabled = true;
-    stop.hidden = false;
-    if (document.activeElement === start) stop.focus();
+    const others = [drawing.start, measuring.start].filter((one) => one !== start);
+    const settle = (so) => {
+      busy = start.hidden = so;
+      stop.hidden = !so;
+      part.hidden = false;
+      for (const other of others) other.disabled = so;
+    };
+    const focused = document.activeElement;
+    settle(true);
+    if (focused === start) stop.focus();
     said.textContent = words;
-    const ended = await tracer.run([...args, "--jobs", "1"], files, told);
-    busy = false;
-    if (document.activeElement === stop) start.focus();
-    start.hidden = paper.disabled = false;
-    stop.hidden = true;
+    part.value = 0;
+    const ended = await tracer.run([...args, "--jobs", "1"], files, ({ view, part: done }) => {
+      if (view) rows?.(view);
+      else part.value = done;
+    });
+    const last = document.activeElement;
+    settle(false);
+    if (last === stop) start.focus();
+    if (ended.code === 0) part.value = 1;
     said.textContent = ended.lost ? `rt205 has failed: ${ended.lost}.` : ended.stopped ? "Stopped."
       : ended.code === 0 ? "Done." : "rt205 could not do it.";
     return ended;
@@ -131,12 +159,8 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     const [across, down] = size.value.split("x");
     const path = scene.value === OWN ? "my.pov" : scene.value;
     clear(Number(across), Number(down));
-    const ended = await run(["render", path, "-o", "picture.png", "-W", across, "-H", down, "--accounts",
-      "--mode", stage.value, ...options()], { ...scenes.files, [path]: text.value }, "Drawing ..",
-    ({ view, part: done }) => {
-      if (view) look(view);
-      else part.value = done;
-    });
+    const ended = await run(drawing, ["render", path, "-o", "picture.png", "-W", across, "-H", down, "--accounts",
+      "--mode", stage.value, ...options()], { ...scenes.files, [path]: text.value }, "Drawing ..", look);
     if (!ended) return;
     output.textContent = (ended.stderr ?? "") + (ended.stdout ?? "");
     output.hidden = output.textContent === "";
@@ -146,7 +170,6 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   function clear(across, down) {
     canvas.width = across;
     canvas.height = down;
-    part.value = 0;
     output.hidden = save.hidden = true;
     fill(clocks);
   }
@@ -166,21 +189,32 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     picture = URL.createObjectURL(new Blob([bytes], { type: "image/png" }));
     save.href = picture;
     save.hidden = false;
-    part.value = 1;
   }
 
   // The paper's comparison, of which there is a row for each primitive and kind of figure.
-  async function measure() {
-    const ended = await run(["speedup", ...VIEW, "--format", "json", "--queue", queue.value, "--model", model.value],
-      {}, "Measuring Table 1 ..", ({ part: done }) => { part.value = done ?? part.value; });
+  async function measure(event) {
+    event.preventDefault();
+    const all = row.value === ALL;
+    const [across, down] = all ? SMALL : PAPER;
+    const ended = await run(measuring, ["speedup", ...(all ? [] : [row.value]), "-W", across, "-H", down,
+      "--format", "json", "--queue", queue.value, "--model", model.value].map(String),
+      {}, `Measuring ${all ? "Table 1" : row.value} with ${count(across * down)} rays ..`);
     if (!ended) return;
     if (ended.code !== 0) return void fill(result, ended.stderr && el("pre", { class: "fault" }, ended.stderr));
-    fill(result, table(`Table 1, a queue of ${queue.value}`,
+    fill(result, el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Table 1" },
+      table(`Table 1, a queue of ${queue.value}`,
       [["primitive"], ["figures"], ["205 scalar, s", "number"], ["205 vector, s", "number"], ["720, s", "number"],
         ["over scalar", "number"], ["over 720", "number"]],
-      JSON.parse(ended.stdout).table1.map((row) => ({ cells: [row.primitive, row.figures,
-        fixed(row.scalar, 3), fixed(row.vector, 4), fixed(row.cyber720, 2),
-        fixed(row.vector_over_scalar, 2), fixed(row.vector_over_720, 0)] }))),
-    el("p", { class: "note" }, "CPU seconds for 100,000 rays, and how much faster the vector form of the 205 is."));
+      JSON.parse(ended.stdout).table1.map((one) => ({ cells: [one.primitive, one.figures,
+        fixed(one.scalar, 3), fixed(one.vector, 4), fixed(one.cyber720, 2),
+        fixed(one.vector_over_scalar, 2), fixed(one.vector_over_720, 0)] })))),
+    el("p", { class: "note" }, `CPU seconds for ${count(PAPER[0] * PAPER[1])} rays, of which ${count(across * down)} `
+      + "were traced, and how much faster the vector form of the 205 is."));
   }
+}
+
+// The row of which the scene has most; of none: the first.
+function rowOf(text) {
+  const found = ROWS.map(([name, words]) => ({ name, times: text.match(words)?.length ?? 0 }));
+  return found.reduce((best, one) => one.times > best.times ? one : best).name;
 }

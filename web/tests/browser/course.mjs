@@ -88,4 +88,44 @@ export const tests = {
     assert.equal(await visit.look("editor.text"), first.start);
     await visit.close();
   },
+
+  async "pages begin as the lesson's tests have them"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page);
+    for (const { name } of native.lessons) {
+      await visit.choose("lesson", `lesson:${name}`);
+      const warm = await visit.look(`about.lessons.find((one) => one.name === "${name}").tests.every((test) => test.warm)`);
+      assert.equal(await visit.page.$eval("#warm", ({ value }) => value), warm ? "warm" : "", name);
+      await visit.press("run");
+      const faults = (await visit.view()).accounts.causes.find(({ cause }) => cause === "page fault");
+      if (warm) assert.equal(faults?.clocks ?? 0, 0, name);
+    }
+    // A choice holds until something else is opened; what is no lesson says it itself.
+    await visit.choose("warm", "cold");
+    await visit.press("run");
+    assert.equal(await visit.look("session.warm"), "cold");
+    await visit.choose("lesson", "example:saxpy_vector.s");
+    assert.equal(await visit.look("session.warm"), "");
+    await visit.close();
+  },
+
+  async "an example is opened from the text, and left for the exercise"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page);
+    for (const { name, start } of native.lessons.slice(0, 5)) {
+      await visit.choose("lesson", `lesson:${name}`);
+      const examples = await visit.page.$$eval("[data-example]", (list) => list.map(({ dataset }) => dataset.example));
+      assert.ok(examples.length > 0, name);
+      await visit.page.click("[data-example]");
+      await visit.quiet();
+      assert.equal(await visit.look("session.name"), examples[0]);
+      assert.equal(await visit.page.$eval("#check", ({ disabled }) => disabled), true);
+      assert.equal(await visit.shown("#lesson-panel"), true);
+      await visit.press("run");
+      assert.equal((await visit.view()).ended, true, `${name}: ${examples[0]}`);
+      await visit.press("exercise");
+      assert.equal(await visit.look("editor.text"), start);
+      assert.equal(await visit.shown("#exercise"), false);
+    }
+    assert.ok(!(await visit.page.$eval("#lesson-text", ({ textContent }) => textContent)).includes("@example-"));
+    await visit.close();
+  },
 };

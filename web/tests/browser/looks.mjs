@@ -130,4 +130,58 @@ export const tests = {
     assert.equal(await paper(), second);
     await visit.close();
   },
+
+  async "a narrow page stays where it is while the program moves"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page, narrow);
+    const top = () => visit.page.evaluate("window.scrollY");
+    assert.equal(await top(), 0);
+    await visit.choose("lesson", `lesson:${native.lessons[2].name}`);
+    assert.equal(await top(), 0);
+    // The line at which it stands is in sight within the editor, all the same.
+    assert.ok(await visit.page.$eval(".cm-line.here", (line) => {
+      const { top: above, bottom } = line.getBoundingClientRect();
+      const box = line.closest(".cm-scroller").getBoundingClientRect();
+      return above >= box.top && bottom <= box.bottom;
+    }));
+    await visit.page.evaluate("document.getElementById('vectors').scrollIntoView()");
+    const low = await top();
+    assert.ok(low > 1000);
+    for (const id of ["step", "step", "back", "run", "reset"]) {
+      await visit.press(id);
+      assert.ok(Math.abs(await top() - low) < 100, `${id}: from ${low} to ${await top()}`);
+    }
+    // What is said is in sight wherever one reads; a verdict is seen from its beginning.
+    assert.ok(await visit.page.$eval("#status", (node) => node.getBoundingClientRect().top >= 0));
+    await visit.press("check");
+    assert.ok(await visit.page.$eval("#verdict h3", (node) => {
+      const { bottom } = document.getElementById("status").getBoundingClientRect();
+      return node.getBoundingClientRect().top >= bottom && node.getBoundingClientRect().bottom < innerHeight;
+    }));
+    await visit.close();
+  },
+
+  async "the height of the lesson is chosen by pointer and by keys, and kept"({ browser, page }) {
+    const visit = await Visit.open(browser, page, { width: 1280, height: 720 });
+    const height = () => visit.page.$eval("#lesson-panel", (panel) => panel.getBoundingClientRect().height);
+    const before = await height();
+    await visit.page.focus("#split");
+    await visit.key("ArrowDown");
+    const after = await height();
+    assert.ok(after > before + 10);
+    const { x, y } = await visit.page.$eval("#split", (bar) => {
+      const box = bar.getBoundingClientRect();
+      return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+    });
+    await visit.page.mouse.move(x, y);
+    await visit.page.mouse.down();
+    await visit.page.mouse.move(x, y - 150, { steps: 4 });
+    await visit.page.mouse.up();
+    const drawn = await height();
+    assert.ok(Math.abs(after - 150 - drawn) < 12, `${after} ${drawn}`);
+    await visit.page.reload();
+    await visit.page.waitForSelector("body.ready");
+    await visit.quiet();
+    assert.ok(Math.abs(await height() - drawn) < 1);
+    await visit.close();
+  },
 };

@@ -1,6 +1,7 @@
 // moving.mjs - forth and back: steps, the slider, breakpoints, the console, links.
 
 import assert from "node:assert/strict";
+import { deflateRawSync } from "node:zlib";
 import { Visit } from "./visit.mjs";
 import { SUM, SUM_LOOP, WRONG } from "./texts.mjs";
 
@@ -194,7 +195,24 @@ export const tests = {
     assert.equal(await other.look("session.model"), "cyber205-4pipe");
     assert.equal(await other.look("session.warm"), "cold");
     await other.close();
-    const spoilt = await Visit.open(world.browser, `${world.page}#model=x&program=!!`);
-    await spoilt.close();
+  },
+
+  async "a link that is spoilt is told, and does no harm"({ browser, page }) {
+    const packed = (bytes) => deflateRawSync(bytes).toString("base64url");
+    const mine = "        EXIT    ; a text of mine\n";
+    const SPOILT = "The link is spoilt: there is no program in it.";
+    const ABSENT = "The link is to a lesson that is not here.";
+    for (const [link, told, text] of [
+      ["model=x&program=!!", SPOILT], ["program=", SPOILT], [`program=${"A".repeat(100000)}`, SPOILT],
+      [`program=${packed(Buffer.alloc(1 << 27, "; much\n"))}`, SPOILT],
+      ["lesson=%3Cimg%20src=x%3E", ABSENT], ["lesson=__proto__", ABSENT],
+      [`lesson=none&model=none&pages=none&program=${packed(mine)}`, ABSENT, mine], ["%E0%A4%A", /^Assembled/]]) {
+      const visit = await Visit.open(browser, `${page}#${link}`);
+      assert.match(await visit.text("#status"), told instanceof RegExp ? told : new RegExp(`^${told}$`), link.slice(0, 40));
+      assert.equal(await visit.look("editor.text"), text ?? await visit.look("about.lessons[0].start"));
+      assert.equal(await visit.page.$eval("#lesson", ({ value }) => value),
+        text ? "own" : `lesson:${await visit.look("about.lessons[0].name")}`);
+      await visit.close();
+    }
   },
 };

@@ -1,6 +1,7 @@
 // programs.mjs - what programs print and take in the page is what c205 run says.
 
 import assert from "node:assert/strict";
+import { COUNTS, PRINTS_MUCH } from "./texts.mjs";
 import { Visit } from "./visit.mjs";
 
 const PLAIN = ["--model", "cyber205-2pipe"];
@@ -58,6 +59,46 @@ export const tests = {
       "a.s": await visit.look("window.c205.example('saxpy_vector.s')"),
       "b.s": await visit.look("editor.text") });
     assert.equal(await visit.text("#compare .verdict-words"), /^The second .*$/m.exec(out)[0]);
+    await visit.close();
+  },
+
+  async "the laboratory shows clocks of what has no rate"({ browser, page }) {
+    const visit = await Visit.open(browser, page);
+    await visit.write(COUNTS);
+    await visit.press("tab-laboratory");
+    await visit.press("laboratory button[type=submit]");
+    await visit.page.waitForSelector("#laboratory .chart svg");
+    const told = await visit.text("#laboratory .result");
+    assert.ok(!told.includes("Mflop/s"), told);
+    assert.ok(!told.includes("does the program have"));
+    // .. and says when nothing depends on the constant.
+    await visit.page.$eval("#lab-constant", (input) => { input.value = "other"; });
+    await visit.press("laboratory button[type=submit]");
+    await visit.page.waitForSelector("#laboratory .steady");
+    await visit.close();
+  },
+
+  async "a program that was opened is the second of a comparison, what it began with the first"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page);
+    await visit.choose("lesson", "example:saxpy_vector.s");
+    await visit.choose("lesson", `lesson:${native.lessons[1].name}`);
+    await visit.press("to-compare");
+    assert.deepEqual(await visit.page.$$eval("#compare select", (list) => list.map(({ value }) => value)), ["start", "mine"]);
+    assert.match(await visit.text("#compare .verdict-words"), /^Both take/);
+    await visit.close();
+  },
+
+  async "what is printed is text, and very much of it is cut and said to be"({ browser, page }) {
+    const visit = await Visit.open(browser, page);
+    const html = "<script>window.bad = 1</script><img src=x onerror='window.bad = 1'>";
+    await visit.write(PRINTS_MUCH.replace("TEXT", html));
+    await visit.press("run");
+    const printed = await visit.text("#output");
+    assert.ok(printed.startsWith(`${html}${html}`), printed.slice(0, 200));
+    assert.ok(printed.length > 1e6 && printed.length < 1.1e6);
+    assert.match(await visit.text("#ending"), /more than is kept/);
+    await visit.press("back");
+    assert.equal(await visit.page.evaluate("window.bad"), undefined);
     await visit.close();
   },
 };

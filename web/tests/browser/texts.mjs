@@ -31,3 +31,27 @@ export const WRONG = `        .reg    x, r16
         ES      y, 1
         EXIT
 `;
+
+/** n turns without arithmetic of numbers. */
+export const COUNTS = `        .include "core.s"
+        .ifndef n
+        .equ    n, 10
+        .endif
+        .regs   r16, i, one, most
+        ES      i, 0
+        ES      one, 1
+        EX      most, n
+again:  IBXLT   i, one, most, again, i
+        EXIT
+`;
+
+/** TEXT, again and again: 20,000 times. */
+export const PRINTS_MUCH = `        .include "print.s"
+        .regs   r16, i, one, most, text
+        ES      i, 0
+        ES      one, 1
+        EX      most, 20000
+again:  print_text "TEXT", text
+        IBXLT   i, one, most, again, i
+        EXIT
+`;

@@ -24,8 +24,9 @@ async function openTracer(browser, page) {
   return visit;
 }
 
-const said = (visit, words) => visit.page.waitForFunction(
-  `document.querySelector("#tracer [role=status]").textContent === ${JSON.stringify(words)}`,
+// Of the picture (0), or of the table (1).
+const said = (visit, words, which = 0) => visit.page.waitForFunction(
+  `document.querySelectorAll("#tracer [role=status]")[${which}].textContent === ${JSON.stringify(words)}`,
   { timeout: PATIENCE });
 
 async function write(visit, text) {
@@ -92,14 +93,22 @@ export const tests = {
   async "Table 1 is that of rt205"({ browser, page, native }) {
     const visit = await openTracer(browser, page);
     await visit.page.$eval("#tracer-queue", (input) => { input.value = "500"; });
-    await visit.page.click("#tracer div.fields button");
-    await said(visit, "Done.");
-    const rows = await visit.page.$$eval("#tracer .result tbody tr", (list) =>
-      list.map((row) => [...row.cells].map((cell) => cell.textContent)));
-    const { table1 } = JSON.parse(rt205(native, ["speedup", "-W", "80", "-H", "50", "--queue", "500",
-      "--format", "json"]));
-    assert.deepEqual(rows.map(([primitive, figures, , vector]) => [primitive, figures, vector]),
-      table1.map(({ primitive, figures, vector }) => [primitive, figures, vector.toFixed(4)]));
+    // The row of what the scene is made of, with the paper's rays; all of them, with few.
+    await write(visit, "torus { 1, 0.2 } torus { 2, 0.2 } sphere { 0, 1 }");
+    assert.equal(await visit.page.$eval("#tracer-row", ({ value }) => value), "torus");
+    await write(visit, scene);
+    assert.equal(await visit.page.$eval("#tracer-row", ({ value }) => value), "sphere");
+    for (const [choice, args] of [["sphere", ["sphere"]], ["all", ["-W", "80", "-H", "50"]]]) {
+      await visit.page.select("#tracer-row", choice);
+      await visit.page.click("form:has(#tracer-row) button");
+      await visit.page.waitForFunction("document.querySelector('form:has(#tracer-row) button').hidden");
+      await said(visit, "Done.", 1);
+      const rows = await visit.page.$$eval("#tracer .result tbody tr", (list) =>
+        list.map((row) => [...row.cells].map((cell) => cell.textContent)));
+      const { table1 } = JSON.parse(rt205(native, ["speedup", ...args, "--queue", "500", "--format", "json"]));
+      assert.deepEqual(rows.map(([primitive, figures, , vector]) => [primitive, figures, vector]),
+        table1.map(({ primitive, figures, vector }) => [primitive, figures, vector.toFixed(4)]));
+    }
     await visit.close();
   },
 };

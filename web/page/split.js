@@ -1,0 +1,41 @@
+// split.js - the bar between the lesson and the program below it: drawn by a pointer or
+// moved by keys, and kept between visits.
+
+import { $, kept } from "./dom.js";
+
+const LEAST = 15, MOST = 85, STEP = 5; // percent of the height that the lesson has
+const USUAL = 50;
+
+export function makeSplit() {
+  const bar = $("split");
+  const main = document.querySelector("main");
+
+  function set(percent) {
+    const share = Math.round(Math.min(Math.max(percent, LEAST), MOST));
+    main.style.setProperty("--lesson", `${share}%`);
+    bar.setAttribute("aria-valuenow", String(share));
+    return share;
+  }
+  const keep = (percent) => kept.set("split", set(percent));
+
+  bar.addEventListener("pointerdown", (event) => {
+    event.preventDefault();
+    bar.setPointerCapture(event.pointerId);
+  });
+  bar.addEventListener("pointermove", (event) => {
+    if (!bar.hasPointerCapture(event.pointerId)) return;
+    const { top, height } = main.getBoundingClientRect();
+    keep(100 * (event.clientY - top) / height);
+  });
+  bar.addEventListener("dblclick", () => keep(USUAL));
+  bar.addEventListener("keydown", (event) => {
+    const now = Number(bar.getAttribute("aria-valuenow"));
+    const to = { ArrowUp: now - STEP, ArrowDown: now + STEP, Home: LEAST, End: MOST }[event.key];
+    if (to === undefined) return;
+    event.preventDefault();
+    keep(to);
+  });
+  bar.setAttribute("aria-valuemin", String(LEAST));
+  bar.setAttribute("aria-valuemax", String(MOST));
+  set(Number(kept.get("split")) || USUAL);
+}
