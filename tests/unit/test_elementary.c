@@ -41,6 +41,8 @@ static const struct {
     { "atanh", elementary_atanh, mpfr_atanh, -150, 0 },
 };
 
+enum { EXACT = 300 }; /* bits */
+
 static uint64_t state = 205;
 
 /* Of a magnitude between two powers of 2, most of them near 1. */
@@ -59,15 +61,22 @@ static double draw(double least, double most)
     return xorshift(&state) % 2 == 0 ? x : -x;
 }
 
+/* What is nearly halfway between two doubles counts as that: elementary.h. */
+static double to_double(mpfr_t value)
+{
+    mpfr_prec_round(value, 53 + 40, MPFR_RNDN);
+    return mpfr_get_d(value, MPFR_RNDN);
+}
+
 static double as_double(of_one *exact, double x)
 {
     mpfr_t value, at;
     double rounded;
 
-    mpfr_inits2(53, value, at, (mpfr_ptr)0);
+    mpfr_inits2(EXACT, value, at, (mpfr_ptr)0);
     mpfr_set_d(at, x, MPFR_RNDN);
     exact(value, at, MPFR_RNDN);
-    rounded = mpfr_get_d(value, MPFR_RNDN);
+    rounded = to_double(value);
     mpfr_clears(value, at, (mpfr_ptr)0);
     return rounded;
 }
@@ -77,11 +86,11 @@ static double as_double2(of_two *exact, double x, double y)
     mpfr_t value, a, b;
     double rounded;
 
-    mpfr_inits2(53, value, a, b, (mpfr_ptr)0);
+    mpfr_inits2(EXACT, value, a, b, (mpfr_ptr)0);
     mpfr_set_d(a, x, MPFR_RNDN);
     mpfr_set_d(b, y, MPFR_RNDN);
     exact(value, a, b, MPFR_RNDN);
-    rounded = mpfr_get_d(value, MPFR_RNDN);
+    rounded = to_double(value);
     mpfr_clears(value, a, b, (mpfr_ptr)0);
     return rounded;
 }
