@@ -145,8 +145,8 @@ static bool find_crossing(struct program_sweep *sweep, c205_error *error)
 
     *error->message = '\0';
     while (++sweep->searched < sweep->count) {
-        const struct swept_point *points = &sweep
-                                                ->points[sweep->searched - 1];
+        const struct swept_point *points = sweep->points + sweep->searched
+                                           - 1;
 
         if (second_is_faster(&points[0]) == second_is_faster(&points[1]))
             continue;
@@ -169,8 +169,8 @@ static bool find_crossing(struct program_sweep *sweep, c205_error *error)
 static bool halve(struct program_sweep *sweep, c205_error *error)
 {
     bool all = sweep->range.step == 0 && sweep->range.factor == 0;
-    struct swept_crossing
-        *crossing = &sweep->crossings[sweep->crossing_count - 1];
+    struct swept_crossing *crossing = sweep->crossings + sweep->crossing_count
+                                      - 1;
     uint64_t value = sweep->low + (crossing->at.value - sweep->low) / 2;
     struct swept_point middle;
 

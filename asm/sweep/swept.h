@@ -63,8 +63,8 @@ struct program_sweep {
     const c205_model *model;
     const struct asm_options
         *options; /* the constant besides; so many defines */
-    bool warm,
-        cold; /* pages are in memory at the start, or not; neither: as the programs say */
+    /* Pages are in memory at the start, or not; neither: as the programs say. */
+    bool warm, cold;
     uint64_t clocks_most; /* of a run */
     struct sink report;   /* what the assembler says */
     /* Told now and then that so much of all is done.  False: stop.  NULL: nobody asks. */

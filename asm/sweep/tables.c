@@ -5,7 +5,6 @@
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
 
-
 const char *const swept_names[SWEPT_PROGRAMS] = { "first", "second" };
 
 static double clocks_of(const struct swept_point *point, size_t which)
