@@ -220,6 +220,21 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
   ];
   const view = new EditorView({ parent });
 
+  // A line, with so many around it, within the editor: the page stays where it is.
+  function bringIntoSight(position, around) {
+    const { top, bottom, height } = view.lineBlockAt(position);
+    const { scrollTop, clientHeight } = view.scrollDOM;
+    const margin = Math.min(around * height, (clientHeight - height) / 2);
+    if (top - margin < scrollTop) view.scrollDOM.scrollTop = top - margin;
+    else if (bottom + margin > scrollTop + clientHeight)
+      view.scrollDOM.scrollTop = bottom + margin - clientHeight;
+  }
+
+  // Errors that are told below make less room: the line that is being written stays in sight.
+  new ResizeObserver(() => {
+    if (view.hasFocus) bringIntoSight(view.state.selection.main.head, 0);
+  }).observe(view.scrollDOM);
+
   return {
     view,
     get text() { return view.state.doc.toString(); },
@@ -235,16 +250,10 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
     setBreaks(list) {
       view.dispatch({ effects: setBreaks.of(list) });
     },
-    /** Marks the line, and brings it into sight within the editor: the page stays where it is. */
+    /** Marks the line, and brings it into sight. */
     stand(line) {
       view.dispatch({ effects: setHere.of(line) });
-      if (!line) return;
-      const { top, bottom, height } = view.lineBlockAt(lineStart(view.state.doc, line));
-      const { scrollTop, clientHeight } = view.scrollDOM;
-      const margin = Math.min(MARGIN * height, (clientHeight - height) / 2);
-      if (top - margin < scrollTop) view.scrollDOM.scrollTop = top - margin;
-      else if (bottom + margin > scrollTop + clientHeight)
-        view.scrollDOM.scrollTop = bottom + margin - clientHeight;
+      if (line) bringIntoSight(lineStart(view.state.doc, line), MARGIN);
     },
     /** Clocks beside lines: {line, clocks, percent, executions}. */
     charge(rows) {

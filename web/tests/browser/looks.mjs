@@ -184,4 +184,24 @@ export const tests = {
     assert.ok(Math.abs(await height() - drawn) < 1);
     await visit.close();
   },
+
+  async "at 200 % there is room for the program, and for what is written when errors are told"({ browser, page }) {
+    // Half of a large screen's pixels, and half of a laptop's.
+    for (const size of [{ width: 960, height: 540 }, { width: 640, height: 360 }, { width: 1280, height: 600 }]) {
+      const visit = await Visit.open(browser, page, size);
+      assert.deepEqual(await beyond(visit), []);
+      const height = () => visit.page.$eval(".cm-scroller", (box) => box.clientHeight);
+      assert.ok(await height() >= 120, `${size.width}: ${await height()}`);
+      await visit.look(`editor.toLine(editor.text.split("\\n").length)`);
+      await visit.page.keyboard.type("\n        FOO\n        BAR");
+      await visit.quiet();
+      assert.equal(await visit.shown("#faults"), true);
+      assert.ok(await visit.page.$eval(".cm-activeLine", (line) => {
+        const { top, bottom } = line.getBoundingClientRect();
+        const box = line.closest(".cm-scroller").getBoundingClientRect();
+        return top >= box.top - 1 && bottom <= box.bottom + 1;
+      }), `${size.width}: the line is out of sight`);
+      await visit.close();
+    }
+  },
 };
