@@ -222,7 +222,8 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
 
   // A line, with so many around it, within the editor: the page stays where it is.
   function bringIntoSight(position, around) {
-    const { top, bottom, height } = view.lineBlockAt(position);
+    const { height, ...line } = view.lineBlockAt(position);
+    const top = line.top + view.documentPadding.top, bottom = top + height;
     const { scrollTop, clientHeight } = view.scrollDOM;
     const margin = Math.min(around * height, (clientHeight - height) / 2);
     if (top - margin < scrollTop) view.scrollDOM.scrollTop = top - margin;
@@ -232,7 +233,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
 
   // Errors that are told below make less room: the line that is being written stays in sight.
   new ResizeObserver(() => {
-    if (view.hasFocus) bringIntoSight(view.state.selection.main.head, 0);
+    if (view.hasFocus) bringIntoSight(view.state.selection.main.head, MARGIN / 8);
   }).observe(view.scrollDOM);
 
   return {

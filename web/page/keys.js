@@ -20,6 +20,7 @@ const ELSEWHERE = [
   ["Escape Tab", "one after the other: leave the text of the program"],
   ["← → + − Home", "in the time line: earlier, later, shorter, longer, all of it"],
   ["← →", "in the tabs: another view; in the slider: a step"],
+  ["↑ ↓", "at the bar below a lesson: less or more of it"],
   ["↑ ↓", "in the console: what was said before"],
 ];
 

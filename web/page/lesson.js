@@ -26,6 +26,7 @@ export function showLesson(lesson, exercise) {
   hideVerdict();
   $("check").disabled = !exercise;
   $("exercise").hidden = exercise;
+  $("goals").hidden = !exercise;
   if (lesson === shown) return;
   shown = lesson;
   $("lesson-panel").hidden = !lesson;

@@ -1,7 +1,8 @@
 // machine.js - the page's side of the worker: asks the engine, and begins with a new
 // one when the old one does not answer any more.
 
-const PATIENCE = 3000; // milliseconds from a stop to a worker that has to go
+// Milliseconds from a stop to a worker that has to go, and where the engine does it all in one go.
+const PATIENCE = 3000, AT_ONCE = 250;
 
 export class Machine {
   #source; #wasm; #worker; #ready;
@@ -46,11 +47,11 @@ export class Machine {
 
   // A new worker, which has no program; what was asked of the old one is answered with
   // an error.
-  #lose(why) {
+  #lose(why, stopped = false) {
     this.lost = true;
     this.#worker.terminate();
     for (const { resolve } of this.#asked.values())
-      resolve({ ok: false, error: `The engine has stopped: ${why}.` });
+      resolve({ ok: false, stopped, error: `The engine has stopped: ${why}.` });
     this.#asked.clear();
     this.#start();
   }
@@ -60,7 +61,7 @@ export class Machine {
     await this.#ready;
     return new Promise((resolve) => {
       const id = this.#next++;
-      this.#asked.set(id, { resolve, progress });
+      this.#asked.set(id, { resolve, progress, whole: request.do === "grade" });
       this.#worker.postMessage({ id, request });
     });
   }
@@ -74,7 +75,8 @@ export class Machine {
   stop() {
     this.#worker.postMessage({ stop: true });
     clearTimeout(this.#watch);
-    if (this.#asked.size > 0)
-      this.#watch = setTimeout(() => this.#lose("it did not answer in time"), PATIENCE);
+    if (this.#asked.size === 0) return;
+    const whole = [...this.#asked.values()].some((one) => one.whole);
+    this.#watch = setTimeout(() => this.#lose("it did not answer in time", whole), whole ? AT_ONCE : PATIENCE);
   }
 }

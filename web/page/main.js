@@ -125,7 +125,8 @@ async function check() {
   say("Trying the answer ..");
   const reply = await session.longer({ do: "grade", lesson: programs.lesson.name,
     name: programs.name, text: editor.text });
-  if (!reply.ok || reply.stopped) return say(reply.error ?? "Stopped by you.", "bad");
+  if (session.machine.lost) await session.load();
+  if (!reply.ok || reply.stopped) return say(reply.stopped ? "Stopped by you." : reply.error, "bad");
   showVerdict(reply);
   programs.offer();
   if (reply.passed) say(`Passed${reply.medal ? `: ${reply.medal}` : ""}.`, "good");

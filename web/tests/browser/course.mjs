@@ -3,7 +3,7 @@
 
 import assert from "node:assert/strict";
 import { Visit } from "./visit.mjs";
-import { SUM, WRONG } from "./texts.mjs";
+import { PRINTS, SUM, WRONG } from "./texts.mjs";
 
 // The page's verdict, and c205's, of one answer.
 async function verdict(visit, native, { name }, answer) {
@@ -126,6 +126,23 @@ export const tests = {
       assert.equal(await visit.shown("#exercise"), false);
     }
     assert.ok(!(await visit.page.$eval("#lesson-text", ({ textContent }) => textContent)).includes("@example-"));
+    await visit.close();
+  },
+
+  async "a check that takes long is stopped at once, and the page goes on"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page);
+    await visit.write(native.lessons[0].start.replace(/^ +EXIT/m, "again:  BIM     again"));
+    await visit.page.click("#check");
+    await visit.page.waitForFunction("document.body.classList.contains('busy')");
+    const begun = performance.now();
+    await visit.page.click("#stop");
+    await visit.page.waitForFunction("document.getElementById('status').textContent === 'Stopped by you.'");
+    assert.ok(performance.now() - begun < 2000);
+    await visit.press("step");
+    assert.equal((await visit.view()).step, 1);
+    await visit.write(PRINTS);
+    await visit.press("check");
+    assert.equal(await visit.shown("#verdict"), true);
     await visit.close();
   },
 };

@@ -84,6 +84,28 @@ export const tests = {
     }
   },
 
+  async "a wide page never scrolls, and has all of its bars in sight"({ browser, page }) {
+    for (const size of [wide, { width: 1920, height: 1080 }, { width: 1280, height: 600 }]) {
+      const visit = await Visit.open(browser, page, size);
+      const still = async (where) => assert.deepEqual(await visit.page.evaluate(() => [
+        document.documentElement.scrollHeight - innerHeight, window.scrollY]), [0, 0], `${size.width}: ${where}`);
+      await still("a lesson");
+      await visit.press("check");
+      await still("a verdict");
+      for (const example of ["example:calls.s", "example:saxpy_vector.s"]) {
+        await visit.choose("lesson", example);
+        await visit.press("run");
+        await still(example);
+      }
+      for (const view of ["laboratory", "compare", "console", "tracer"]) {
+        await visit.press(`tab-${view}`);
+        if (["laboratory", "compare"].includes(view)) await visit.press(`${view} button[type=submit]`);
+        await still(view);
+      }
+      await visit.close();
+    }
+  },
+
   async "by keys alone: everything is reached, and seen to be"({ browser, page }) {
     const visit = await Visit.open(browser, page);
     await visit.write(PRINTS);

@@ -6,6 +6,10 @@ import { extname, join, normalize } from "node:path";
 
 const TYPES = { ".html": "text/html; charset=utf-8", ".css": "text/css", ".js": "text/javascript",
   ".wasm": "application/wasm", ".json": "application/json", ".md": "text/markdown" };
+// The strictest that the page needs: nothing of it comes from elsewhere, or is made up of texts.
+const POLICY = ["default-src 'none'", "script-src 'self' 'wasm-unsafe-eval'", "worker-src blob:",
+  "style-src 'self' 'unsafe-inline'", "img-src data: blob:", "connect-src 'self'", "base-uri 'none'",
+  "form-action 'none'"].join("; ");
 
 /** {address, asked (paths so far), end}. */
 export async function serve(folder) {
@@ -15,7 +19,8 @@ export async function serve(folder) {
     asked.push(path);
     try {
       const bytes = await readFile(join(folder, path.endsWith("/") ? `${path}index.html` : path));
-      response.writeHead(200, { "content-type": TYPES[extname(path)] ?? TYPES[".html"] }).end(bytes);
+      response.writeHead(200, { "content-type": TYPES[extname(path)] ?? TYPES[".html"],
+        "content-security-policy": POLICY }).end(bytes);
     } catch {
       response.writeHead(404).end();
     }
