@@ -15,12 +15,6 @@ function inlined(path) {
   return `data:image/svg+xml;base64,${Buffer.from(read(path)).toString("base64")}`;
 }
 
-// The page's own headings stand above those of a lesson.
-function headed({ tokens, depth }) {
-  const level = Math.min(depth + 1, 6);
-  return `<h${level}>${this.parser.parseInline(tokens)}</h${level}>\n`;
-}
-
 // The example of a lesson that a block is printed by or of: as the first line of the block.  The
 // comment stays: two blocks without anything between them would be one.
 const MARK = /^@(example-[\w-]+\.s)\n/;
@@ -50,8 +44,9 @@ function lessonHtml(folder, examples) {
         return `<cite title="${escaped(basename(href))}">${words}</cite>`;
       },
       heading({ tokens, depth }) {
+        const level = Math.min(depth + 1, 6);
         last = null;
-        return headed.call(this, { tokens, depth });
+        return `<h${level}>${this.parser.parseInline(tokens)}</h${level}>\n`;
       },
       code({ text: words }) {
         const name = MARK.exec(words)?.[1];

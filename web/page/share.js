@@ -4,18 +4,18 @@
 const MOST = 1 << 20; // bytes of a program: a link may hold very many that are packed well
 
 async function through(stream, bytes, most = Infinity) {
+  const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
   const parts = [];
   let length = 0;
-  for (const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader(); ;) {
-    const { done, value } = await reader.read();
-    if (done) return new Uint8Array(await new Blob(parts).arrayBuffer());
-    parts.push(value);
-    length += value.length;
+  for (let part = await reader.read(); !part.done; part = await reader.read()) {
+    parts.push(part.value);
+    length += part.value.length;
     if (length > most) {
       await reader.cancel();
       throw new Error("it is too long");
     }
   }
+  return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
 function toText(bytes) {

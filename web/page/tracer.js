@@ -68,14 +68,14 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   const queue = el("input", { id: "tracer-queue", type: "number", min: 1, max: LONGEST, value: QUEUE, required: true });
   const model = el("select", { id: "tracer-model" });
   const size = el("select", { id: "tracer-size" });
-  const progress = (name) => el("progress", { max: 1, value: 0, "aria-label": name });
   // What begins a run and ends it, and what is told of it: of the picture, and of the table.
   const work = (words, kind, name) => ({
     start: el("button", { type: "submit", class: kind }, words),
     stop: el("button", { type: "button", hidden: true, click: () => tracer.stop() }, "Stop"),
-    said: el("p", { class: "note", role: "status" }), part: progress(name) });
+    said: el("p", { class: "note", role: "status" }),
+    part: el("progress", { max: 1, value: 0, "aria-label": name }) });
   const drawing = work("Draw", "main", "Part of the picture that is done");
-  const measuring = work("Measure with this queue and model", null, "Part of the table that is done");
+  const measuring = work("Measure", null, "Part of the table that is done");
   const text = el("textarea", { id: "tracer-text", rows: 16, spellcheck: "false", "aria-label": "Text of the scene",
     input: () => { scene.value = OWN; row.value = rowOf(text.value); } });
   const canvas = el("canvas", { width: 160, height: 120, role: "img", "aria-label": "The picture" });
@@ -112,7 +112,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     output,
     el("h3", {}, "The paper's Table 1"),
     el("p", { class: "note" }, `A row is measured with the paper's ${count(PAPER[0] * PAPER[1])} rays, `,
-      `all rows at once with ${count(SMALL[0] * SMALL[1])}.`),
+      `all rows at once with ${count(SMALL[0] * SMALL[1])}; with the queue and the model above.`),
     el("form", { class: "fields", submit: measure }, field("tracer-row", "Row", row),
       el("div", { class: "field" }, measuring.start, measuring.stop)),
     measuring.said, measuring.part, result));
@@ -203,11 +203,11 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
     if (ended.code !== 0) return void fill(result, ended.stderr && el("pre", { class: "fault" }, ended.stderr));
     fill(result, el("div", { class: "scroll", tabindex: 0, role: "group", "aria-label": "Table 1" },
       table(`Table 1, a queue of ${queue.value}`,
-      [["primitive"], ["figures"], ["205 scalar, s", "number"], ["205 vector, s", "number"], ["720, s", "number"],
-        ["over scalar", "number"], ["over 720", "number"]],
-      JSON.parse(ended.stdout).table1.map((one) => ({ cells: [one.primitive, one.figures,
-        fixed(one.scalar, 3), fixed(one.vector, 4), fixed(one.cyber720, 2),
-        fixed(one.vector_over_scalar, 2), fixed(one.vector_over_720, 0)] })))),
+        [["primitive"], ["figures"], ["205 scalar, s", "number"], ["205 vector, s", "number"], ["720, s", "number"],
+          ["over scalar", "number"], ["over 720", "number"]],
+        JSON.parse(ended.stdout).table1.map((one) => ({ cells: [one.primitive, one.figures,
+          fixed(one.scalar, 3), fixed(one.vector, 4), fixed(one.cyber720, 2),
+          fixed(one.vector_over_scalar, 2), fixed(one.vector_over_720, 0)] })))),
     el("p", { class: "note" }, `CPU seconds for ${count(PAPER[0] * PAPER[1])} rays, of which ${count(across * down)} `
       + "were traced, and how much faster the vector form of the 205 is."));
   }

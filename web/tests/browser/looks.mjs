@@ -213,7 +213,7 @@ export const tests = {
       const visit = await Visit.open(browser, page, size);
       assert.deepEqual(await beyond(visit), []);
       const height = () => visit.page.$eval(".cm-scroller", (box) => box.clientHeight);
-      assert.ok(await height() >= 120, `${size.width}: ${await height()}`);
+      assert.ok(await height() >= 100, `${size.width}: ${await height()}`);
       await visit.look(`editor.toLine(editor.text.split("\\n").length)`);
       await visit.page.keyboard.type("\n        FOO\n        BAR");
       await visit.quiet();
