@@ -117,6 +117,8 @@ DOCS ?= quick
 # named.
 UNITS ?= $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 SCENES ?= $(wildcard scenes/*.pov tests/scenes/*.pov)
+# Scenes that are named are traced in all ways, the others each in half of them.
+WAYS ?= $(if $(filter file,$(origin SCENES)),some,all)
 USED ?= $(wildcard scenes/*.pov)
 PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md docs/course/*/*.md)
 # So many compilers, unit tests and scenes at a time.
@@ -159,6 +161,7 @@ check-long: export HEAT_POINTS = 4096
 check-long: export HISTORY_JUMPS = 1000
 check-long: export USES = all
 check-long: export KILLS = 20
+check-long: export WAYS = all
 check-long: export USED = $(SCENES)
 check-long: export LANGUAGE = 5000
 check-long: export TEXTS = 300
@@ -456,7 +459,7 @@ check-hosts:
 
 check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 	@printf '%s\n' $(SCENES) | \
-		xargs -n 1 -P $(JOBS) sh tests/check_scenes.sh $(BUILD)
+		xargs -n 1 -P $(JOBS) sh tests/check_scenes.sh $(BUILD) $(WAYS)
 
 # Heat and mass of scenes.
 check-uses: $(programs)
