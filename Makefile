@@ -92,12 +92,11 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 # random programs, polynomials of a kind, scenes of solids, of many regions, with lines
 # and masses, and as texts, tries a row of the table, compilers.  Those that take longest
 # come first.
-check_parts = check-scenes check-unit check-hosts check-rooms check-programs \
-	check-bugs check-isa check-docs check-arithmetic check-narrow \
-	check-adaptive check-random check-quartic check-faces check-regions \
-	check-lines check-mass check-heat check-uses check-language-scenes check-language \
-	check-library check-course check-commands check-install check-fit \
-	check-web-engine check-web-tracer
+check_parts = check-unit check-scenes check-hosts check-commands check-web-engine \
+	check-web-tracer check-library check-random check-language-scenes check-uses \
+	check-regions check-faces check-heat check-fit check-arithmetic check-course \
+	check-mass check-quartic check-docs check-adaptive check-bugs check-lines \
+	check-install check-language check-narrow check-rooms check-programs check-isa
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -500,8 +499,10 @@ check-install: all
 
 # For the browser's kind of machine: vm and asm, the c205 command, and the engine of the
 # page; how large that is.  The page has the texts of lessons itself.
-in_wasm = @TITLES=yes $(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" \
-	AR=llvm-ar $(addprefix $(BUILD)/wasm/,$(1))
+# One at a time, however many ask for it.
+in_wasm = @mkdir -p $(BUILD)/wasm && TITLES=yes flock $(BUILD)/wasm/lock \
+	$(MAKE) --no-print-directory BUILD=$(BUILD)/wasm CC="$(WASM_CC)" AR=llvm-ar \
+	$(addprefix $(BUILD)/wasm/,$(1))
 wasm-check:
 	$(call in_wasm,c205 engine.wasm)
 web-engine:
