@@ -98,7 +98,13 @@ put_picture() { # FILE
     cp "$1" "$manual/$1"
 }
 
+# A page that lies elsewhere is one as it is, any other file as its text.
 show_file() { # FILE
+    case $1 in *.md)
+        lay "$1" "$1"
+        return
+        ;;
+    esac
     mkdir -p "$(dirname "$manual/$1")"
     case $1 in
     *.s) language=nasm ;;

@@ -47,6 +47,8 @@ function mended(target,    path, anchor) {
     path = path == "" ? page : joined(folder, path)
     if (path == "docs/isa.md" && anchor in family)
         return from_here(family[anchor]) "#" anchor
+    if (path ~ /\.md$/ && path != "README.md" && path !~ /^docs\//)
+        print path >linked
     if (path ~ /\.(md|png|svg|jpg|html|pdf)$/)
         return path == page ? "#" anchor : from_here(path) (anchor == "" ? "" : "#" anchor)
     print path >linked
