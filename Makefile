@@ -698,8 +698,8 @@ install: all $(installed) $(installed_pc) $(pages)
 	for header in $(vm_api) $(asm_api) $(rt_api); do \
 		install -D -m 644 $$header \
 			$(DESTDIR)$(PREFIX)/include/c205/$$header; done
-	for file in README.md docs/*.md docs/*.sbatch docs/pictures/* docs/editors/*.* \
-		docs/editors/vscode/* $$(find docs/course -type f); do \
+	for file in README.md LICENSE web/NOTICE.md rt/kernels/shapes/sphere_*.s \
+		docs/*.md docs/*.sbatch docs/pictures/* docs/editors/*.* docs/editors/vscode/* $$(find docs/course -type f); do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done
 	for file in asm/examples/* scenes/*; do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done

@@ -33,7 +33,7 @@ succeeds "$root/bin/rt205" render "$documents/scenes/first.pov" -o b.png -W 20 -
 succeeds test -s "$documents/docs/machine.md"
 lesson=$documents/docs/course/03-first-vector
 succeeds "$root/bin/c205" check "$lesson" "$lesson/solution.s"
-(cd "$documents/docs" && find . -name '*.md' | while read -r page; do
+(cd "$documents" && find . -name '*.md' | while read -r page; do
     grep -o ']([^)#: ]*[)#]' "$page" | sed 's/^](//; s/.$//' |
         while read -r link; do
             [ -e "$(dirname "$page")/$link" ] || echo "$page: $link"
