@@ -699,7 +699,8 @@ install: all $(installed) $(installed_pc) $(pages)
 		install -D -m 644 $$header \
 			$(DESTDIR)$(PREFIX)/include/c205/$$header; done
 	for file in README.md LICENSE web/NOTICE.md rt/kernels/shapes/sphere_*.s \
-		docs/*.md docs/*.sbatch docs/pictures/* docs/editors/*.* docs/editors/vscode/* $$(find docs/course -type f); do \
+		docs/*.md docs/*.sbatch docs/pictures/* docs/editors/*.* docs/editors/vscode/* \
+		$$(find docs/course -type f); do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done
 	for file in asm/examples/* scenes/*; do \
 		install -D -m 644 $$file $(DESTDIR)$(DOCDIR)/$$file; done
