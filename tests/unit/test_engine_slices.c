@@ -1,0 +1,157 @@
+/* test_engine_slices.c - work in slices ends as the same work in one go, and what does not
+ * end ends at its limit.
+ */
+#include "tests/random.h"
+#include "tests/unit/prior_model.h"
+#include "tests/unit/drawn_walk.h"
+#include "tests/unit/talking_engine.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+static uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+/* Some 200,000 steps, calls among them. */
+static const char long_program[] =
+    "        .include \"core.s\"\n"
+    "        .regs r16, turns, to, link, place\n"
+    "        .regs r24, inner, back, n\n"
+    "        ES turns, 6\n"
+    "        EX to, again\n"
+    "again:  call long, link, place\n"
+    "        IS n, 1\n"
+    "        EXIT n, r0, 2\n"
+    "        DBNZ turns, [to]\n"
+    "        EXIT\n"
+    "long:   EX inner, 16000\n"
+    "        EX back, here\n"
+    "here:   IS n, 3\n"
+    "        DBNZ inner, [back]\n"
+    "        return link\n";
+
+static void ask_both(struct talk *whole, struct talk *sliced,
+                     const char *request)
+{
+    size_t slices = 0;
+
+    talk_ask(whole, "%s}", request);
+    talk_ask(sliced, "%s, \"clocks\": %d}", request, 1 + (int)below(30000));
+    while (!json_member_truth(sliced->reply, "done", true)) {
+        slices++;
+        if (below(4) == 0)
+            talk_ask(sliced, "{\"do\": \"about\"}");
+        talk_ask(sliced, "{\"do\": \"more\", \"clocks\": %d}",
+                 1 + (int)below(30000));
+    }
+    assert_string_equal(sliced->text, whole->text);
+    talk_refused(sliced, "nothing is left", "{\"do\": \"more\"}");
+}
+
+static void test_slices(void **state)
+{
+    static const char *const requests[] = {
+        "{\"do\": \"go\", \"how\": \"end\"",
+        "{\"do\": \"go\", \"how\": \"continue\"",
+        "{\"do\": \"go\", \"how\": \"reverse-continue\"",
+        "{\"do\": \"go\", \"how\": \"next\"",
+        "{\"do\": \"go\", \"how\": \"next\", \"n\": 5",
+        "{\"do\": \"go\", \"how\": \"start\"",
+        "{\"do\": \"profile\"",
+        "{\"do\": \"timeline\", \"most\": 100",
+    };
+    enum { REQUESTS = sizeof requests / sizeof *requests, ROUNDS = 50 };
+    struct talk whole, sliced;
+
+    (void)state;
+    talk_begin(&whole);
+    talk_begin(&sliced);
+    talk_load(&whole, long_program, "");
+    talk_load(&sliced, long_program, "");
+    talk_ask(&whole, "{\"do\": \"breaks\", \"lines\": [8]}");
+    talk_ask(&sliced, "{\"do\": \"breaks\", \"lines\": [8]}");
+    for (size_t i = 0; i < ROUNDS; i++) {
+        char jump[80];
+
+        snprintf(jump, sizeof jump,
+                 "{\"do\": \"go\", \"how\": \"%s\", "
+                 "\"n\": %d",
+                 below(2) ? "step-to" : "step", (int)below(200000));
+        if (below(2))
+            ask_both(&whole, &sliced, jump);
+        ask_both(&whole, &sliced, requests[below(REQUESTS)]);
+        talk_ask(&whole, "{\"do\": \"view\"}");
+        talk_ask(&sliced, "{\"do\": \"view\"}");
+        assert_string_equal(sliced.text, whole.text);
+    }
+    talk_end(&whole);
+    talk_end(&sliced);
+}
+
+/* A sweep and a comparison in slices tell the same. */
+static void test_other_work(void **state)
+{
+    static const char *const requests[] = {
+        "{\"do\": \"sweep\", " SWEEP,
+        "{\"do\": \"compare\", \"texts\": [{\"name\": \"a\", \"text\": \" ES "
+        "r10, 5000\\n EX r11, on\\non: IS r12, 1\\n DBNZ r10, [r11]\\n "
+        "EXIT\\n\"}, {\"name\": \"b\", \"text\": \" EXIT\\n\"}]",
+    };
+    struct talk whole, sliced;
+
+    (void)state;
+    talk_begin(&whole);
+    talk_begin(&sliced);
+    for (size_t i = 0; i < 2; i++) {
+        size_t count = 0;
+
+        talk_ask(&whole, "%s}", requests[i]);
+        talk_ask(&sliced, "%s, \"clocks\": 1}", requests[i]);
+        for (; !json_member_truth(sliced.reply, "done", true); count++)
+            talk_ask(&sliced, "{\"do\": \"more\", \"clocks\": 1}");
+        assert_true(count > 0);
+        assert_string_equal(sliced.text, whole.text);
+    }
+    assert_non_null(strstr(whole.text, "The second takes"));
+    talk_end(&whole);
+    talk_end(&sliced);
+}
+
+/* What does not end is stopped by the limit, and can be gone on with. */
+static void test_limit(void **state)
+{
+    struct talk talk;
+
+    (void)state;
+    talk_begin(&talk);
+    talk_load(&talk, " EX r10, on\non: IBNZ r11, [r10]\n EX r11, 1\n EXIT\n",
+              "");
+    for (int i = 0; i < 2; i++) {
+        talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\", "
+                        "\"limit\": 100000}");
+        assert_string_equal(text_of(talk.reply, "why"), "limit");
+    }
+    engine_bound(talk.engine, 1000000);
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    assert_string_equal(text_of(talk.reply, "why"), "limit");
+    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"continue\"}");
+    assert_non_null(strstr(text_of(talk.reply, "text"), "interrupted"));
+    talk_ask(&talk, "{\"do\": \"compare\", \"texts\": [{\"text\": \"on: BIM "
+                    "on\\n\"}, {\"text\": \" EXIT\"}], \"limit\": 262145, "
+                    "\"clocks\": 1}");
+    talk_refused(&talk, "so many clocks were allowed",
+                 "{\"do\": \"more\", \"clocks\": 1}");
+    talk_end(&talk);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_slices),
+        cmocka_unit_test(test_other_work),
+        cmocka_unit_test(test_limit),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}

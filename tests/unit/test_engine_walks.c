@@ -1,0 +1,598 @@
+/* test_engine_walks.c - what a page is told after walks by chance, forward and back, beside
+ * machines that were run for themselves; profiles, timelines and what was printed.
+ */
+#include "asm/line_profile.h"
+#include "asm/print.h"
+#include "base/accounts.h"
+#include "tests/random.h"
+#include "tests/unit/drawn_walk.h"
+#include "tests/unit/plain_run.h"
+#include "tests/unit/talking_engine.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+static uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+/* ---- A machine of its own ------------------------------------------------------- */
+
+struct fresh {
+    c205 *machine;
+    bool has_last;
+    c205_event last; /* without its record */
+    struct text_buffer printed;
+    struct printer printer;
+};
+
+static void keep_last(void *context, const c205 *machine,
+                      const c205_event *event)
+{
+    struct fresh *fresh = context;
+
+    (void)machine;
+    if (event->kind != C205_EVENT_INSTRUCTION
+        && event->kind != C205_EVENT_REQUEST)
+        return;
+    fresh->has_last = true;
+    fresh->last = *event;
+}
+
+/* So many steps from the beginning. */
+static void fresh_run(struct fresh *fresh, const struct object *object,
+                      uint64_t steps)
+{
+    c205_error error;
+    c205_stop stop;
+
+    *fresh = (struct fresh){ .machine = c205_new(prior_model, &error) };
+    fresh->printer.sink = text_buffer_sink(&fresh->printed);
+    assert_true(c205_load(fresh->machine, &object->program, &error));
+    assert_true(c205_listen(fresh->machine, printer_listen, &fresh->printer));
+    assert_true(c205_listen(fresh->machine, keep_last, fresh));
+    for (; steps > 0; steps--)
+        c205_step(fresh->machine, &stop);
+}
+
+static void fresh_end(struct fresh *fresh)
+{
+    c205_free(fresh->machine);
+    text_buffer_free(&fresh->printed);
+}
+
+static void check_registers(const struct json_value *view,
+                            const struct fresh *fresh)
+{
+    const c205 *machine = fresh->machine;
+    const struct json_value *item = json_member_first(view, "registers");
+    unsigned i = 0;
+
+    for (; item; item = item->next, i++) {
+        char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
+        c205_word word = c205_register(machine, i);
+
+        c205_to_hex(word, hex);
+        c205_to_text(word, text);
+        assert_true(number_of(item, "number") == i);
+        assert_string_equal(text_of(item, "hex"), hex);
+        assert_string_equal(text_of(item, "text"), text);
+        assert_true(number_of(item, "integer")
+                    == (double)c205_to_integer(word));
+        assert_int_equal(json_member_truth(item, "changed", false),
+                         fresh->last.written[i / 64] >> i % 64 & 1);
+    }
+    assert_int_equal(i, C205_REGISTERS);
+}
+
+static void check_last(const struct json_value *view,
+                       const struct fresh *fresh)
+{
+    const struct json_value *last = json_member(view, "last");
+    const struct json_value *piece = json_member_first(last, "pieces");
+    double clocks = 0;
+
+    assert_int_equal(last != NULL, fresh->has_last);
+    if (!last)
+        return;
+    for (; piece; piece = piece->next)
+        clocks += number_of(piece, "clocks");
+    assert_true(clocks == (double)fresh->last.clocks);
+    assert_true(number_of(last, "clocks") == clocks);
+    assert_true(number_of(last, "issued") == (double)fresh->last.issued);
+    assert_true(number_of(last, "elements") == (double)fresh->last.elements);
+    assert_string_equal(text_of(last, "mnemonic"),
+                        fresh->last.insn->mnemonic);
+}
+
+static uint64_t clocks_of(const struct json_value *causes, const char *name)
+{
+    uint64_t sum = 0;
+
+    for (const struct json_value *item = causes ? causes->first : NULL; item;
+         item = item->next)
+        if (strcmp(text_of(item, "cause"), name) == 0)
+            sum += (uint64_t)number_of(item, "clocks");
+    return sum;
+}
+
+static void check_causes(const struct json_value *owner,
+                         const c205_account *account)
+{
+    const struct json_value *causes = json_member(owner, "causes");
+
+    for (int i = 0; i < C205_CAUSES; i++)
+        assert_int_equal(clocks_of(causes, c205_cause_name((c205_cause)i)),
+                         account->clocks[i]);
+    assert_true(number_of(owner, "clocks")
+                == (double)accounts_clocks(account));
+    assert_true(number_of(owner, "instructions")
+                == (double)account->instructions);
+    assert_true(number_of(owner, "elements") == (double)account->elements);
+}
+
+static void check_accounts(const struct json_value *view, const c205 *machine)
+{
+    const struct json_value *told = json_member(view, "accounts");
+    const struct json_value *region = json_member_first(told, "regions");
+    struct accounts accounts = { .model = prior_model };
+    c205_account all;
+
+    assert_true(accounts_add(&accounts, machine));
+    all = accounts_together(&accounts);
+    check_causes(told, &all);
+    for (size_t i = 0; i < accounts.count; i++) {
+        if (accounts_clocks(&accounts.items[i]) == 0)
+            continue;
+        assert_string_equal(text_of(region, "region"),
+                            accounts_region(&accounts.items[i]));
+        check_causes(region, &accounts.items[i]);
+        region = region->next;
+    }
+    assert_null(region);
+    accounts_free(&accounts);
+}
+
+static void check_vectors(const struct json_value *view,
+                          const struct object *object, const c205 *machine)
+{
+    const struct json_value *vector = json_member_first(view, "vectors");
+
+    for (; vector; vector = vector->next) {
+        const struct asm_symbol *symbol = object_symbol(object,
+                                                        text_of(vector,
+                                                                "label"));
+        const struct json_value *value = json_member_first(vector, "values");
+        uint64_t at = (uint64_t)symbol->value;
+
+        assert_string_equal(text_of(vector, "kind"), "words");
+        assert_true(number_of(vector, "count") == (double)symbol->count);
+        for (; value; value = value->next, at += 64) {
+            char text[C205_TEXT_SIZE];
+            c205_word word;
+
+            assert_true(c205_read(machine, at, &word, 1));
+            c205_to_text(word, text);
+            assert_string_equal(value->text, text);
+        }
+        assert_int_equal((at - (uint64_t)symbol->value) / 64, symbol->count);
+    }
+}
+
+/* ---- Walks ------------------------------------------------------------------------ */
+
+struct walk {
+    struct talk talk;
+    struct plain plain;
+    uint64_t step, known;
+    size_t line; /* 0: it stops nowhere */
+    uint64_t place;
+};
+
+static void check_place(struct walk *walk, const char *asked)
+{
+    const struct json_value *view =
+        talk_ask(&walk->talk, "{\"do\": \"view\", \"all-registers\": true}");
+    struct fresh fresh;
+
+    fresh_run(&fresh, walk->plain.object, walk->step);
+    if (number_of(view, "step") != (double)walk->step)
+        fail_msg("%s: step %g, not %llu", asked, number_of(view, "step"),
+                 (unsigned long long)walk->step);
+    assert_true(number_of(view, "steps") == (double)walk->known);
+    assert_true(number_of(view, "clock")
+                == (double)c205_clock(fresh.machine));
+    assert_true(number_of(view, "pc") == (double)c205_pc(fresh.machine));
+    assert_int_equal(json_member_truth(view, "ended", false),
+                     walk->step == walk->plain.end);
+    assert_string_equal(text_of(view, "printed"),
+                        fresh.printed.text ? fresh.printed.text : "");
+    check_registers(view, &fresh);
+    check_last(view, &fresh);
+    check_accounts(view, fresh.machine);
+    check_vectors(view, walk->plain.object, fresh.machine);
+    fresh_end(&fresh);
+}
+
+static bool is_stop(const struct walk *walk, uint64_t step)
+{
+    return walk->line > 0 && step < walk->plain.end
+           && walk->plain.moments[step].pc == walk->place;
+}
+
+/* A line, and where it stands: at the first line from there on that has code. */
+static void choose_stop(struct walk *walk)
+{
+    const struct object *object = walk->plain.object;
+    size_t wanted = 1 + below(60);
+    const struct json_value *line;
+
+    walk->line = 0;
+    for (size_t i = 0; i < object->line_count; i++) {
+        const struct asm_line *each = &object->lines[i];
+
+        if (each->is_code && strcmp(each->call_file, "program.s") == 0
+            && each->call_number >= wanted
+            && (walk->line == 0 || each->call_number < walk->line)) {
+            walk->line = each->call_number;
+            walk->place = each->address;
+        }
+    }
+    line =
+        json_member_first(talk_ask(&walk->talk,
+                                   "{\"do\": \"breaks\", \"lines\": [%zu]}",
+                                   wanted),
+                          "lines");
+    assert_true(number_of(line, "wanted") == (double)wanted);
+    if (walk->line > 0)
+        assert_true(number_of(line, "line") == (double)walk->line);
+    else
+        assert_true(*text_of(line, "message"));
+}
+
+static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
+               const char *why)
+{
+    const struct json_value
+        *reply = talk_ask(&walk->talk,
+                          "{\"do\": \"go\", \"how\": \"%s\", \"n\": %llu}",
+                          how, (unsigned long long)n);
+
+    walk->step = step;
+    walk->known = step > walk->known ? step : walk->known;
+    assert_true(json_member_truth(reply, "done", false));
+    if (strcmp(text_of(reply, "why"), why) != 0)
+        fail_msg("%s %llu: %s, not %s", how, (unsigned long long)n,
+                 walk->talk.text, why);
+    check_place(walk, how);
+}
+
+/* Forward to a stop behind one step, at the most so many. */
+static void go_on(struct walk *walk, const char *how, uint64_t n)
+{
+    uint64_t step = walk->step, left = n;
+
+    while (step < walk->plain.end && left > 0) {
+        step++;
+        left--;
+        if (is_stop(walk, step))
+            break;
+    }
+    go(walk, how, n, step,
+       step == walk->plain.end ? "end"
+       : is_stop(walk, step)   ? "breakpoint"
+                               : "moved");
+}
+
+/* Over a call, and all that it does. */
+static void go_next(struct walk *walk)
+{
+    const struct plain *plain = &walk->plain;
+    uint64_t pc = plain->moments[walk->step].pc, step = walk->step + 1;
+    const struct asm_line *line = object_line(plain->object, pc);
+
+    if (strstr(line->source, "BSAVE"))
+        while (step < plain->end && !is_stop(walk, step)
+               && plain->moments[step].pc != pc + 32 * line->halves)
+            step++;
+    go(walk, "next", 1, step,
+       step == plain->end    ? "end"
+       : is_stop(walk, step) ? "breakpoint"
+                             : "moved");
+}
+
+static void go_back_to_stop(struct walk *walk)
+{
+    uint64_t step = walk->step;
+
+    while (step > 0 && !is_stop(walk, --step))
+        continue;
+    go(walk, "reverse-continue", 1, step, step > 0 ? "breakpoint" : "start");
+}
+
+static void go_to_clock(struct walk *walk)
+{
+    const struct plain *plain = &walk->plain;
+    uint64_t clock = 1 + below(plain->moments[plain->end].clock);
+    uint64_t step = 0;
+
+    while (plain->moments[step].clock < clock)
+        step++;
+    go(walk, "clock-to", clock, step, step == plain->end ? "end" : "moved");
+}
+
+static void move(struct walk *walk)
+{
+    uint64_t end = walk->plain.end, n = 1 + below(20);
+
+    switch (below(10)) {
+    case 0: go_on(walk, "continue", UINT64_C(1) << 40); break;
+    case 1: go_on(walk, "step", 1 + below(200)); break;
+    case 2:
+        if (walk->step > 0)
+            go(walk, "back", n, walk->step > n ? walk->step - n : 0, "moved");
+        break;
+    case 3: go_back_to_stop(walk); break;
+    case 4:
+        n = below(end + 1);
+        go(walk, "step-to", n, n, n == end ? "end" : "moved");
+        break;
+    case 5: go_to_clock(walk); break;
+    case 6: go(walk, "end", 1, end, "end"); break;
+    case 7: go_next(walk); break;
+    case 8:
+        for (n = 0; n < 12 && walk->step < end; n++)
+            go_next(walk);
+        break;
+    default: go(walk, "start", 1, 0, "moved"); break;
+    }
+}
+
+/* Whoever is at the end already stays there, and is told so. */
+static void walk_by_chance(struct walk *walk, size_t moves)
+{
+    for (size_t i = 0; i < moves; i++) {
+        if (below(6) == 0)
+            choose_stop(walk);
+        if (walk->step == walk->plain.end)
+            go(walk, "back", 7, walk->step - 7, "moved");
+        move(walk);
+    }
+}
+
+static void walk_begin(struct walk *walk)
+{
+    struct text_buffer text;
+    struct diagnostics said = { 0 };
+
+    draw_walk(&random_state, &text);
+    *walk = (struct walk){ .step = 0 };
+    walk->plain = run_plainly(assemble_text("program.s", text.text, NULL,
+                                            &said),
+                              &random_state);
+    talk_begin(&walk->talk);
+    talk_load(&walk->talk, text.text, ON_PRIOR);
+    text_buffer_free(&text);
+    diagnostics_free(&said);
+}
+
+static void walk_end(struct walk *walk)
+{
+    talk_end(&walk->talk);
+    object_free(walk->plain.object);
+    free(walk->plain.moments);
+}
+
+static void test_walks(void **state)
+{
+    enum { ROUNDS = 10, MOVES = 40 };
+
+    (void)state;
+    for (size_t i = 0; i < ROUNDS; i++) {
+        struct walk walk;
+
+        walk_begin(&walk);
+        check_place(&walk, "load");
+        walk_by_chance(&walk, MOVES);
+        walk_end(&walk);
+    }
+}
+
+/* ---- Profiles and timelines ---------------------------------------------------------- */
+
+/* The keys of causes in tables are their names with underscores. */
+static uint64_t column_sum(const struct json_value *rows, int cause)
+{
+    char key[40];
+    uint64_t sum = 0;
+
+    snprintf(key, sizeof key, "%s", accounts_cause_columns[cause].key);
+    for (const struct json_value *row = rows->first; row; row = row->next)
+        sum += (uint64_t)number_of(row, key);
+    return sum;
+}
+
+/* Of the last reply. */
+static char *copy_of_reply(const struct talk *talk)
+{
+    char *copy = malloc(strlen(talk->text) + 1);
+
+    assert_non_null(copy);
+    return strcpy(copy, talk->text);
+}
+
+static void check_same_view(struct talk *talk, const char *before)
+{
+    talk_ask(talk, "{\"do\": \"view\"}");
+    assert_string_equal(talk->text, before);
+}
+
+static void check_profile(struct walk *walk)
+{
+    struct fresh fresh;
+    const struct json_value *rows;
+
+    fresh_run(&fresh, walk->plain.object, walk->step);
+    rows = json_member(talk_ask(&walk->talk, "{\"do\": \"profile\"}"),
+                       "lines");
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        uint64_t sum = 0;
+
+        for (size_t i = 0; i < c205_account_count(fresh.machine); i++)
+            sum += c205_account_at(fresh.machine, i)->clocks[cause];
+        assert_int_equal(column_sum(rows, cause), sum);
+    }
+    fresh_end(&fresh);
+}
+
+/* What the clock was charged to lies side by side, up to the last step that is known. */
+static void check_timeline(struct walk *walk)
+{
+    const struct json_value *reply =
+        talk_ask(&walk->talk, "{\"do\": \"timeline\", \"most\": 50000}");
+    uint64_t clock = 0, by_cause[C205_CAUSES] = { 0 };
+    struct fresh fresh;
+
+    assert_false(json_member_truth(reply, "full", true));
+    for (const struct json_value *piece = json_member_first(reply, "charged");
+         piece; piece = piece->next) {
+        int cause = 0;
+
+        assert_true(number_of(piece, "begin") == (double)clock);
+        while (strcmp(c205_cause_name((c205_cause)cause),
+                      text_of(piece, "cause"))
+               != 0)
+            cause++;
+        by_cause[cause] += (uint64_t)number_of(piece, "end") - clock;
+        clock = (uint64_t)number_of(piece, "end");
+    }
+    fresh_run(&fresh, walk->plain.object, walk->known);
+    assert_int_equal(clock, c205_clock(fresh.machine));
+    for (int cause = 0; cause < C205_CAUSES; cause++) {
+        for (size_t i = 0; i < c205_account_count(fresh.machine); i++)
+            by_cause[cause] -= c205_account_at(fresh.machine, i)
+                                   ->clocks[cause];
+        assert_int_equal(by_cause[cause], 0);
+    }
+    fresh_end(&fresh);
+}
+
+/* They leave the program where it stood, whether they are done or not. */
+static void test_replays(void **state)
+{
+    enum { ROUNDS = 10, MOVES = 6 };
+
+    (void)state;
+    for (size_t i = 0; i < ROUNDS; i++) {
+        struct walk walk;
+        char *before;
+
+        walk_begin(&walk);
+        for (size_t k = 0; k < MOVES; k++) {
+            walk_by_chance(&walk, 3);
+            talk_ask(&walk.talk, "{\"do\": \"view\"}");
+            before = copy_of_reply(&walk.talk);
+            check_profile(&walk);
+            check_same_view(&walk.talk, before);
+            check_timeline(&walk);
+            check_same_view(&walk.talk, before);
+            talk_ask(&walk.talk, "{\"do\": \"%s\", \"ms\": 0}",
+                     below(2) ? "profile" : "timeline");
+            check_same_view(&walk.talk, before);
+            free(before);
+        }
+        walk_end(&walk);
+    }
+}
+
+/* Somebody has changed a register on the way: what is profiled is that run. */
+static void test_changed(void **state)
+{
+    struct talk talk;
+    const struct json_value *rows, *account;
+    double clocks;
+
+    (void)state;
+    talk_begin(&talk);
+    talk_load(&talk,
+              "        ES r10, 100\n        EX r11, on\non:     IS r12, 1\n"
+              "        DBNZ r10, [r11]\n        EXIT\n",
+              ON_PRIOR);
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step\", \"n\": 10}");
+    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 5\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    account = json_member(talk_ask(&talk, "{\"do\": \"view\"}"), "accounts");
+    clocks = number_of(account, "clocks");
+    rows = json_member_first(talk_ask(&talk, "{\"do\": \"profile\"}"),
+                             "lines");
+    for (; rows; rows = rows->next)
+        clocks -= number_of(rows, "clocks");
+    assert_true(clocks == 0);
+    talk_end(&talk);
+}
+
+/* What is printed then is what that run prints. */
+static void test_changed_prints(void **state)
+{
+    static const char text[] = "        ES r10, 9\n        EX r11, on\n"
+                               "on:     EXIT r10, r0, 2\n"
+                               "        EXIT r0, r0, 5\n"
+                               "        DBNZ r10, [r11]\n        EXIT\n";
+    struct talk talk;
+
+    (void)state;
+    talk_begin(&talk);
+    talk_load(&talk, text, ON_PRIOR);
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step-to\", \"n\": 6}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_string_equal(text_of(talk.reply, "printed"), "9\n8");
+    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 2\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step\"}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_string_equal(text_of(talk.reply, "printed"), "9\n8\n");
+    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 2\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_string_equal(text_of(talk.reply, "printed"), "9\n8\n1\n");
+    talk_end(&talk);
+}
+
+/* A million characters are kept, of each run. */
+static void test_cut(void **state)
+{
+    static const char text[] =
+        "        EX r10, 70000\n        EX r11, on\n"
+        "        EX r12, 100000000000000\n"
+        "on:     EXIT r12, r0, 2\n        DBNZ r10, [r11]\n        EXIT\n";
+    struct talk talk;
+
+    (void)state;
+    talk_begin(&talk);
+    talk_load(&talk, text, "");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_true(json_member_truth(talk.reply, "printed_cut", false));
+    assert_true(strlen(text_of(talk.reply, "printed")) > 1 << 19);
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step-to\", \"n\": 5}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_false(json_member_truth(talk.reply, "printed_cut", true));
+    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 1\"}");
+    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_false(json_member_truth(talk.reply, "printed_cut", true));
+    assert_string_equal(text_of(talk.reply, "printed"),
+                        "100000000000000100000000000000");
+    talk_end(&talk);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_walks),   cmocka_unit_test(test_replays),
+        cmocka_unit_test(test_changed), cmocka_unit_test(test_changed_prints),
+        cmocka_unit_test(test_cut),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
