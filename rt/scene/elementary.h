@@ -1,11 +1,10 @@
-/* elementary.h - elementary functions, rounded to the nearest double; what is halfway between
- * two but for 2^-40 of their distance, as if it were.
+/* elementary.h - elementary functions, rounded to the nearest double.
  *
  * The C libraries of hosts round the last bit now so, now so, even from one
  * processor to the next.  What a scene's numbers come to must not depend on that: of
- * these functions there is one value, so a scene is the same words everywhere.  (What
+ * these functions there is one value, so a scene is the same words everywhere.  What
  * is nearer to the middle of two doubles than 2^-40 of their distance counts as that
- * middle, and goes to the even one.)
+ * middle, and goes to the even one.
  *
  * Errors as in C: what has no value is NaN, what is too large infinite.
  */
