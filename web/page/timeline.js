@@ -132,8 +132,7 @@ export function makeTimeline(panel, session) {
     return svg;
   }
 
-  session.on("loaded"
-, () => { whole = true; from = 0; to = FIRST; told = null; show(); });
+  session.on("loaded", () => { whole = true; from = 0; to = FIRST; told = null; show(); });
   session.on("view", () => { follow(); sayClock(); ask(); });
   new ResizeObserver(() => { if (told && picture.clientWidth > 0) show(); }).observe(picture);
 }
