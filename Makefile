@@ -539,7 +539,6 @@ $(npm_done): web/package.json web/package-lock.json
 # those of which the name says so.
 browser_packages = chromium firefox-esr
 BROWSERS ?= chromium firefox
-.PHONY: web check-web
 check-web:
 	@sh .ci/need $(build_packages) $(browser_packages)
 	@$(MAKE) --no-print-directory web $(programs)
