@@ -2,6 +2,7 @@
  * flags, for every length and place, for words and half words. */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"
+#include "tests/unit/lane_operands.h"
 #include "vm/number/lanes.h"
 
 #include <setjmp.h>
@@ -23,256 +24,6 @@ enum {
 };
 
 #define SIZE(table) (sizeof(table) / sizeof *(table))
-
-/* ---- Operands ----------------------------------------------------------- */
-
-/* Both sides of the edges: of the special exponents, of exponents and
- * coefficients, of integers; and one. */
-enum {
-    EXPONENTS = 10,
-    COEFFICIENTS = 8,
-    SPECIALS = EXPONENTS * COEFFICIENTS
-};
-
-static c205_word special_at(word_format f, size_t i)
-{
-    int32_t top = format_exponent_max(f);
-    int32_t bottom = format_exponent_min(f);
-    int32_t end = 1 << (f.exponent_bits - 1);
-    int64_t half = INT64_C(1) << (f.digits - 1);
-    const int32_t exponents[EXPONENTS] = { -end,     bottom - 1, top + 1,
-                                           end - 1,  bottom,     top,
-                                           0,        -1,         1 - f.digits,
-                                           -f.digits };
-    const int64_t coefficients[COEFFICIENTS] = {
-        0, 1, -1, half, -half, 2 * half - 1, -2 * half, -half - 1
-    };
-
-    return format_make(f, exponents[i / COEFFICIENTS],
-                       coefficients[i % COEFFICIENTS]);
-}
-
-static c205_word special(word_format f, uint64_t *seed)
-{
-    return special_at(f, xorshift(seed) % SPECIALS);
-}
-
-static c205_word near(word_format f, uint64_t *seed)
-{
-    return xorshift_normalised_of(f, seed, -f.digits - 2, -f.digits + 2);
-}
-
-static c205_word around(word_format f, uint64_t *seed)
-{
-    return xorshift_normalised_of(f, seed, -2 * f.digits - 6, 10);
-}
-
-static c205_word near_top(word_format f, uint64_t *seed)
-{
-    int32_t top = format_exponent_max(f);
-
-    return xorshift_normalised_of(f, seed, top - 3, top);
-}
-
-static c205_word near_bottom(word_format f, uint64_t *seed)
-{
-    int32_t bottom = format_exponent_min(f);
-
-    return xorshift_normalised_of(f, seed, bottom, bottom + f.digits + 3);
-}
-
-static c205_word anywhere(word_format f, uint64_t *seed)
-{
-    return xorshift_normalised_of(f, seed, format_exponent_min(f),
-                                  format_exponent_max(f));
-}
-
-static c205_word or_machine_zero(word_format f, uint64_t *seed)
-{
-    return xorshift(seed) % 4 == 0 ? C205_MACHINE_ZERO : around(f, seed);
-}
-
-static c205_word unnormalised(word_format f, uint64_t *seed)
-{
-    return xorshift_unnormalised_of(f, seed, -2 * f.digits - 6, 10);
-}
-
-static c205_word any_bits(word_format f, uint64_t *seed)
-{
-    return xorshift(seed) & format_mask(f);
-}
-
-/* Coefficients of few ones or zeros: where carries go far. */
-static c205_word sparse(word_format f, uint64_t *seed)
-{
-    c205_word word = around(f, seed);
-    int64_t c = format_coefficient(f, word);
-    int64_t kept = -(INT64_C(1) << xorshift_between(seed, 0, f.digits - 1));
-
-    return format_make(f, format_exponent(f, word),
-                       c < 0 ? c | ~kept : c & kept);
-}
-
-static c205_word mostly_usual(word_format f, uint64_t *seed)
-{
-    return xorshift(seed) % 64 == 0 ? special(f, seed) : near(f, seed);
-}
-
-/* A machine zero, whatever its digits. */
-static c205_word zero(word_format f, uint64_t *seed)
-{
-    c205_word digits = xorshift(seed) & UINT64_C(0x0FFFFFFFFFFFFFFF);
-
-    return (C205_MACHINE_ZERO | digits) & format_mask(f);
-}
-
-static c205_word mostly_zero(word_format f, uint64_t *seed)
-{
-    return xorshift(seed) % 128 == 0 ? special(f, seed) : zero(f, seed);
-}
-
-/* From the ends of exponents with so many bits less than there are. */
-static c205_word at_the_ends(word_format f, uint64_t *seed, int less)
-{
-    int32_t end = 1 << (f.exponent_bits - 1 - less);
-    int32_t e = xorshift(seed) % 2 ? end - 1 : -end;
-
-    return xorshift_normalised_of(f, seed, e, e);
-}
-
-/* Of what is usual (vm/number/usual.h), with others rarely; just not usual. */
-static c205_word about_usual(word_format f, uint64_t *seed)
-{
-    return at_the_ends(f, seed, xorshift(seed) % 128 == 0 ? 1 : 2);
-}
-
-static c205_word beyond_usual(word_format f, uint64_t *seed)
-{
-    return at_the_ends(f, seed, 1);
-}
-
-typedef c205_word supply(word_format f, uint64_t *seed);
-
-/* With exponents of so many bits less than there are; the ends of coefficients,
- * and machine zeros, among them. */
-static c205_word within(word_format f, uint64_t *seed, int less)
-{
-    int32_t end = 1 << (f.exponent_bits - 1) >> less;
-    int64_t half = INT64_C(1) << (f.digits - 1);
-    const int64_t ends[] = { half, 2 * half - 1, -half - 1, -2 * half };
-    size_t kind = xorshift(seed) % 16;
-    int32_t e = (int32_t)xorshift_between(seed, -end, end > 0 ? end - 1 : 0);
-
-    if (kind < SIZE(ends))
-        return format_make(f, e, ends[kind]);
-    return kind == SIZE(ends) ? C205_MACHINE_ZERO
-                              : xorshift_normalised_of(f, seed, e, e);
-}
-
-/* What doubles hold (vm/number/floored.h); likewise, of much the same exponents;
- * with others rarely; and just not. */
-static c205_word moderate(word_format f, uint64_t *seed)
-{
-    return within(f, seed, 7);
-}
-
-static c205_word moderate_near(word_format f, uint64_t *seed)
-{
-    return within(f, seed, 13);
-}
-
-static c205_word mostly_moderate(word_format f, uint64_t *seed)
-{
-    supply *const others[] = { special, zero, unnormalised, anywhere };
-    uint64_t which = xorshift(seed) % 1024;
-
-    return which < SIZE(others) ? others[which](f, seed) : moderate(f, seed);
-}
-
-static c205_word beyond_moderate(word_format f, uint64_t *seed)
-{
-    return within(f, seed, 6);
-}
-
-/* As indices are, of few digits or many, machine zeros among them; with others
- * rarely. */
-static c205_word whole(word_format f, uint64_t *seed)
-{
-    int64_t end = INT64_C(1) << xorshift_between(seed, 0, f.digits);
-
-    if (xorshift(seed) % 8 == 0)
-        return zero(f, seed);
-    return format_make(f, 0, xorshift_between(seed, -end, end - 1));
-}
-
-static c205_word mostly_whole(word_format f, uint64_t *seed)
-{
-    supply *const others[] = { special, unnormalised, anywhere };
-    uint64_t which = xorshift(seed) % 256;
-
-    return which < SIZE(others) ? others[which](f, seed) : whole(f, seed);
-}
-
-static c205_word absolute(word_format f, c205_word word)
-{
-    uint64_t flags = 0;
-
-    return f.digits == WORD_DIGITS ? arith_absolute(word, &flags)
-                                   : half_absolute(word, &flags);
-}
-
-static c205_word positive(word_format f, uint64_t *seed)
-{
-    return absolute(f, anywhere(f, seed));
-}
-
-static c205_word moderate_positive(word_format f, uint64_t *seed)
-{
-    return absolute(f, moderate(f, seed));
-}
-
-/* Squares and their neighbours, where a root turns. */
-static c205_word about_a_square(word_format f, uint64_t *seed)
-{
-    int64_t least = INT64_C(1) << (f.digits / 2);
-    int64_t root = xorshift_between(seed, least, least * 707 / 500);
-
-    return format_make(f, (int32_t)xorshift_between(seed, -90, 90),
-                       root * root - (int64_t)(xorshift(seed) & 1));
-}
-
-static supply *const supplies[] = {
-    special,
-    near,
-    around,
-    near_top,
-    near_bottom,
-    anywhere,
-    any_bits,
-    unnormalised,
-    sparse,
-    mostly_usual,
-    or_machine_zero,
-    positive,
-    zero,
-    mostly_zero,
-    about_usual,
-    beyond_usual,
-    moderate,
-    moderate_near,
-    mostly_moderate,
-    beyond_moderate,
-    moderate_positive,
-    whole,
-    mostly_whole,
-};
-
-static void fill(c205_word *words, size_t n, supply *next, word_format f,
-                 uint64_t *seed)
-{
-    for (size_t i = 0; i < n; i++)
-        words[i] = next(f, seed);
-}
 
 /* ---- The operations ----------------------------------------------------- */
 
@@ -487,17 +238,18 @@ static void check_unaries(const operations *size, const c205_word *a,
         check_unary(&size->unaries[i], a, n, place);
 }
 
-/* Every length, with the supplies of the two operands taking turns. */
+/* Every length, with the lane_supplies of the two operands taking turns. */
 static void check_lengths(const operations *size, size_t place, uint64_t seed)
 {
     static c205_word a[SPAN], b[SPAN];
-    size_t turns = SIZE(supplies);
+    size_t turns = LANE_SUPPLIES;
 
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
         c205_word *placed_a = a + place;
         c205_word *placed_b = b + 3 * place % PLACES;
-        fill(placed_a, n, supplies[n % turns], size->format, &seed);
-        fill(placed_b, n, supplies[n / turns % turns], size->format, &seed);
+        lane_fill(placed_a, n, lane_supplies[n % turns], size->format, &seed);
+        lane_fill(placed_b, n, lane_supplies[n / turns % turns], size->format,
+                  &seed);
         check_pairs(size, placed_a, placed_b, n, 5 * place % PLACES);
         check_unaries(size, placed_a, n, 5 * place % PLACES);
     }
@@ -566,8 +318,8 @@ static void check_upon(const operations *size, size_t n, size_t below,
     static c205_word a[UPON_LENGTH], b[UPON_LENGTH];
     struct upon upon = { a, b, n, below };
 
-    fill(a, n, mostly_usual, size->format, seed);
-    fill(b, n, or_machine_zero, size->format, seed);
+    lane_fill(a, n, lane_mostly_usual, size->format, seed);
+    lane_fill(b, n, lane_or_machine_zero, size->format, seed);
     for (size_t i = 0; i < BINARIES; i++)
         check_binary_upon(&size->binaries[i], &upon);
     for (size_t i = 0; i < size->unary_count; i++)
@@ -599,11 +351,11 @@ static void test_every_length_and_place(void **state)
 /* Alone in a span, so that no other word sends the block to the exact rule. */
 static void check_specials(const operations *size)
 {
-    for (size_t i = 0; i < SPECIALS; i++) {
-        c205_word a = special_at(size->format, i);
+    for (size_t i = 0; i < LANE_SPECIALS; i++) {
+        c205_word a = lane_special_at(size->format, i);
         check_unaries(size, &a, 1, 0);
-        for (size_t j = 0; j < SPECIALS; j++) {
-            c205_word b = special_at(size->format, j);
+        for (size_t j = 0; j < LANE_SPECIALS; j++) {
+            c205_word b = lane_special_at(size->format, j);
             check_pairs(size, &a, &b, 1, 0);
         }
     }
@@ -620,11 +372,13 @@ static void test_every_pair_of_specials(void **state)
 static void check_supplies(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
-    size_t turns = SIZE(supplies);
+    size_t turns = LANE_SUPPLIES;
 
     for (size_t s = 0; s < turns * turns; s++) {
-        fill(a, LONG_LENGTH, supplies[s / turns], size->format, &seed);
-        fill(b, LONG_LENGTH, supplies[s % turns], size->format, &seed);
+        lane_fill(a, LONG_LENGTH, lane_supplies[s / turns], size->format,
+                  &seed);
+        lane_fill(b, LONG_LENGTH, lane_supplies[s % turns], size->format,
+                  &seed);
         check_pairs(size, a, b, LONG_LENGTH, 0);
     }
 }
@@ -636,7 +390,7 @@ static void test_every_pair_of_supplies(void **state)
         check_supplies(&sizes[i], RANDOM_SEED + 1);
 }
 
-/* Close operands: cancellation, quotients near 1, sums near 0. */
+/* Close operands: cancellation, quotients lane_near 1, sums lane_near 0. */
 static c205_word close_to(word_format f, c205_word a, uint64_t *seed)
 {
     uint64_t shift = xorshift(seed) % 7;
@@ -651,7 +405,8 @@ static void check_close_operands(const operations *size, uint64_t seed)
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
 
     for (int round = 0; round < ROUNDS; round++) {
-        fill(a, LONG_LENGTH, round & 1 ? sparse : near, size->format, &seed);
+        lane_fill(a, LONG_LENGTH, round & 1 ? lane_sparse : lane_near,
+                  size->format, &seed);
         for (size_t i = 0; i < LONG_LENGTH; i++)
             b[i] = close_to(size->format, a[i], &seed);
         check_pairs(size, a, b, LONG_LENGTH, 0);
@@ -670,8 +425,8 @@ static void check_by_integers(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
 
-    for (size_t s = 0; s < SIZE(supplies); s++) {
-        fill(a, LONG_LENGTH, supplies[s], size->format, &seed);
+    for (size_t s = 0; s < LANE_SUPPLIES; s++) {
+        lane_fill(a, LONG_LENGTH, lane_supplies[s], size->format, &seed);
         for (size_t i = 0; i < LONG_LENGTH; i++)
             b[i] = format_make(size->format, (int32_t)(xorshift(&seed) & 3),
                                xorshift_between(&seed, -140, 140));
@@ -690,10 +445,10 @@ static void check_unary_operands(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH];
 
-    for (size_t s = 0; s < SIZE(supplies) + ROUNDS; s++) {
-        fill(a, LONG_LENGTH,
-             s < SIZE(supplies) ? supplies[s] : about_a_square, size->format,
-             &seed);
+    for (size_t s = 0; s < LANE_SUPPLIES + ROUNDS; s++) {
+        lane_fill(a, LONG_LENGTH,
+                  s < LANE_SUPPLIES ? lane_supplies[s] : lane_about_a_square,
+                  size->format, &seed);
         check_unaries(size, a, LONG_LENGTH, 0);
     }
 }
@@ -731,9 +486,9 @@ static void test_store_masked(void **state)
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
         c205_word a[SPAN], c[SPAN], expected[SPAN];
         uint64_t bits[BITS];
-        fill(a, SPAN, any_bits, whole_words, &seed);
-        fill(c, SPAN, any_bits, whole_words, &seed);
-        fill(bits, BITS, any_bits, whole_words, &seed);
+        lane_fill(a, SPAN, lane_any_bits, whole_words, &seed);
+        lane_fill(c, SPAN, lane_any_bits, whole_words, &seed);
+        lane_fill(bits, BITS, lane_any_bits, whole_words, &seed);
         for (size_t i = 0; i < SPAN; i++)
             expected[i] = i < n && bits[i / 64] >> (63 - i % 64) & 1 ? a[i]
                                                                      : c[i];
@@ -749,7 +504,7 @@ static void check_reduction(const reduction *op, supply *next, word_format f,
         c205_word a[SPAN];
         uint64_t flags = other_flags, exact_flags = other_flags;
         c205_word accumulator = next(f, &seed), expected = accumulator;
-        fill(a, n, next, f, &seed);
+        lane_fill(a, n, next, f, &seed);
         for (size_t i = 0; i < n; i++)
             expected = op->step(expected, a[i], &exact_flags);
         op->span(&accumulator, a, n, &flags);
@@ -762,9 +517,9 @@ static void test_reductions(void **state)
 {
     (void)state;
     for (size_t i = 0; i < SIZE(sizes); i++)
-        for (size_t s = 0; s < SIZE(supplies); s++)
+        for (size_t s = 0; s < LANE_SUPPLIES; s++)
             for (size_t r = 0; r < REDUCTIONS; r++)
-                check_reduction(&sizes[i].reductions[r], supplies[s],
+                check_reduction(&sizes[i].reductions[r], lane_supplies[s],
                                 sizes[i].format, RANDOM_SEED);
 }
 

@@ -1,0 +1,30 @@
+/* lane_operands.h - words and half words by chance, for spans of them: of all kinds that one of
+ * the quick ways of vm/number may take for usual, or must not. */
+#ifndef TESTS_LANE_OPERANDS_H
+#define TESTS_LANE_OPERANDS_H
+
+#include "tests/random.h"
+#include "vm/number/word.h"
+
+typedef c205_word supply(word_format f, uint64_t *seed);
+
+/* Both sides of the edges: of the special exponents, of exponents and
+ * coefficients, of integers; and one. */
+enum {
+    LANE_EXPONENTS = 10,
+    LANE_COEFFICIENTS = 8,
+    LANE_SPECIALS = LANE_EXPONENTS * LANE_COEFFICIENTS
+};
+c205_word lane_special_at(word_format f, size_t i);
+
+supply lane_near, lane_or_machine_zero, lane_any_bits, lane_sparse,
+    lane_mostly_usual, lane_about_a_square;
+
+/* All of these but squares, and more. */
+enum { LANE_SUPPLIES = 23 };
+extern supply *const lane_supplies[LANE_SUPPLIES];
+
+void lane_fill(c205_word *words, size_t n, supply *next, word_format f,
+               uint64_t *seed);
+
+#endif
