@@ -1,0 +1,142 @@
+// shown.mjs - what the panels show is what the engine tells: numbers beside numbers, bits
+// beside elements, boxes as long as their clocks, after every instruction of a program.
+
+import assert from "node:assert/strict";
+import { Visit } from "./visit.mjs";
+
+// Bits that let results through, a link, a scalar that waits for its load, a region.
+const PROGRAM = `        .include "vectors.s"
+        .regs   r16, xs, ys, zs, at, one, link
+        .data
+        .vector x, 5, 1.0, -2.0, 3.0, -4.0, 5.0
+        .vector y, 5
+        .bitvector z, 5
+a:      .word   2.5
+        .code
+        descriptor xs, x, 5
+        descriptor ys, y, 5
+        descriptor zs, z, 5
+        descriptor link, y, 5
+        EX      at, a
+        LOD     [at], one
+        ADDN    one, one, one
+        .kernel marked
+        CMPGEV  [xs], r0, [zs]
+        ADDNV   [xs], [xs], [ys] ? [zs]
+        LINKV
+        MPYSV   [xs], one, [link]
+        ADDNV   [link], [ys], [ys]
+        .endkernel
+        EXIT
+`;
+const BITS = "10101";
+
+const open = async ({ browser, page }) => {
+  const visit = await Visit.open(browser, page);
+  await visit.write(PROGRAM);
+  return visit;
+};
+
+const number = (text) => Number(text.replaceAll(",", ""));
+const rows = (visit, selector) => visit.page.$$eval(`${selector} tbody tr`, (list) => list.map((row) =>
+  [...row.children].map((cell) => cell.textContent)));
+
+// Every step of the program, told with what the engine says of it.
+async function eachStep(visit, look) {
+  for (let ended = false; !ended;) {
+    await visit.press("step");
+    const view = await visit.view();
+    await look(view);
+    ({ ended } = view);
+  }
+}
+
+// "3 memory wait, .. + 1 issue": the clocks of each term of the N-th formula.
+const terms = (visit, n) => visit.page.$$eval("#instruction .formula", (list, which) =>
+  [...list[which]?.querySelectorAll(".term b") ?? []].map((one) => one.textContent), n);
+
+export const tests = {
+  async "an instruction's time is the sum of its pieces, and of its phases"(world) {
+    const visit = await open(world);
+    let vectors = 0;
+    await eachStep(visit, async ({ last }) => {
+      const pieces = (await terms(visit, 0)).map(number);
+      assert.deepEqual(pieces, last.pieces.map(({ clocks }) => clocks), last.text);
+      assert.equal(pieces.reduce((sum, clocks) => sum + clocks, 0), last.clocks, last.text);
+      if (last.phases.length === 0) return;
+      vectors++;
+      const phases = (await terms(visit, 1)).map(number);
+      assert.deepEqual(phases, last.phases.map(({ begin, end }) => end - begin), last.text);
+      assert.match(await visit.text("#instruction .formula:nth-of-type(3)"),
+        new RegExp(`works for ${phases.reduce((sum, clocks) => sum + clocks, 0)} clocks`));
+    });
+    assert.ok(vectors >= 3);
+    await visit.close();
+  },
+
+  async "causes and regions are the accounts"(world) {
+    const visit = await open(world);
+    await eachStep(visit, async ({ accounts }) => {
+      const told = accounts.causes.map(({ cause, clocks, percent }) => [cause, clocks, percent.toFixed(1)]);
+      const shown = (await rows(visit, "#causes table:nth-of-type(1)"))
+        .map(([cause, clocks, percent]) => [cause, number(clocks), percent]);
+      assert.deepEqual(shown, [...told, ["all", accounts.clocks, "100.0"]]);
+    });
+    const { accounts } = await visit.view();
+    const regions = (await rows(visit, "#causes table:nth-of-type(2)"))
+      .map(([region, ...figures]) => [region, ...figures.map(number)]);
+    assert.deepEqual(regions, accounts.regions.map((row) =>
+      [row.region, row.instructions, row.vector, row.elements, row.clocks]));
+    await visit.close();
+  },
+
+  async "control bits stand beside the elements that they let through"(world) {
+    const visit = await open(world);
+    const marked = [];
+    await eachStep(visit, async ({ vectors }) => {
+      const shown = await visit.page.$$eval("#vectors .vector", (list) => Object.fromEntries(list.map((row) =>
+        [row.querySelector("code").textContent, [...row.querySelectorAll("li")].map((cell) => ({
+          value: cell.lastChild.textContent, bit: cell.querySelector(".bit")?.lastChild.textContent ?? "",
+          masked: cell.classList.contains("masked"), changed: cell.classList.contains("changed") }))])));
+      assert.deepEqual(Object.keys(shown), vectors.map(({ label }) => label));
+      const control = [...vectors.find(({ label }) => label === "z").values];
+      for (const { label, kind, values, first, stored } of vectors) {
+        const beside = kind !== "bits" && label !== "a";
+        const changed = (i) => stored.some(({ first: from, count }) => i >= from && i < from + count);
+        assert.deepEqual(shown[label], [...values].map((value, i) => ({ value,
+          bit: beside ? control[i] : "", masked: beside && control[i] === "0",
+          changed: changed(first + i) })), label);
+        if (shown[label].some((cell) => cell.changed)) marked.push(label);
+      }
+    });
+    assert.deepEqual(marked, ["z", "y", "y"]);
+    assert.equal((await visit.view()).vectors.find(({ label }) => label === "z").values, BITS);
+    await visit.close();
+  },
+
+  async "boxes of the time line are as long as their clocks"(world) {
+    const visit = await open(world);
+    await visit.press("run");
+    for (const button of [null, "A shorter stretch", "Later", "Earlier", "A longer stretch", "All of the run"]) {
+      if (button) await visit.page.click(`#timeline button[aria-label="${button}"]`);
+      await visit.quiet();
+      // Clocks to pixels: by two ticks, of which the clocks are written above them.
+      const { boxes, ticks } = await visit.page.$eval("#timeline svg", (svg) => ({
+        boxes: [...svg.querySelectorAll("g.insn rect")].map((rect) => ({
+          x: Number(rect.getAttribute("x")), width: Number(rect.getAttribute("width")),
+          title: rect.textContent })),
+        ticks: [...svg.querySelectorAll("text.clock")].map((text) => [Number(text.getAttribute("x")),
+          Number(text.textContent.replaceAll(",", ""))]) }));
+      const [[x0, clock0], [x1, clock1]] = [ticks[0], ticks.at(-1)];
+      const x = (clock) => x0 + (x1 - x0) * (clock - clock0) / (clock1 - clock0);
+      const whole = boxes.map((box) => ({ ...box, clocks: /, (\d+) \.\. (\d+)\n/.exec(box.title).slice(1).map(Number) }))
+        .filter(({ clocks: [begin, end] }) => x(begin) >= x0 && x(end) <= x1 && x(end) - x(begin) > 2);
+      assert.ok(whole.length > 0, button);
+      for (const { x: left, width, clocks: [begin, end], title } of whole) {
+        assert.ok(Math.abs(left - x(begin)) < 0.5, `${button}: ${title}`);
+        assert.ok(Math.abs(width - (x(end) - x(begin))) < 0.5, `${button}: ${title}`);
+      }
+    }
+    await visit.close();
+  },
+};
