@@ -121,14 +121,17 @@ export const tests = {
       if (button) await visit.page.click(`#timeline button[aria-label="${button}"]`);
       await visit.quiet();
       // Clocks to pixels: by two ticks, of which the clocks are written above them.
-      const { boxes, ticks } = await visit.page.$eval("#timeline svg", (svg) => ({
+      const { boxes, ticks, width: all, stretch } = await visit.page.$eval("#timeline svg", (svg) => ({
         boxes: [...svg.querySelectorAll("g.insn rect")].map((rect) => ({
           x: Number(rect.getAttribute("x")), width: Number(rect.getAttribute("width")),
           title: rect.textContent })),
         ticks: [...svg.querySelectorAll("text.clock")].map((text) => [Number(text.getAttribute("x")),
-          Number(text.textContent.replaceAll(",", ""))]) }));
+          Number(text.textContent.replaceAll(",", ""))]),
+        width: svg.clientWidth, stretch: svg.parentNode.getAttribute("aria-label") }));
       const [[x0, clock0], [x1, clock1]] = [ticks[0], ticks.at(-1)];
       const x = (clock) => x0 + (x1 - x0) * (clock - clock0) / (clock1 - clock0);
+      const end = number(/to (\S+)$/.exec(stretch)[1]);
+      assert.ok(x(end) > 0.95 * all && x(end) <= all, `${button}: the stretch fills the picture`);
       const whole = boxes.map((box) => ({ ...box, clocks: /, (\d+) \.\. (\d+)\n/.exec(box.title).slice(1).map(Number) }))
         .filter(({ clocks: [begin, end] }) => x(begin) >= x0 && x(end) <= x1 && x(end) - x(begin) > 2);
       assert.ok(whole.length > 0, button);
