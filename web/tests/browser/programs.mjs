@@ -43,6 +43,11 @@ export const tests = {
       [...row.children].map((cell) => cell.textContent.replaceAll(",", ""))));
     assert.deepEqual(rows.map(([n, first, , second]) => [n, first, second].map(Number)),
       told.points.map((point) => [point.value, point.first_clocks, point.second_clocks]));
+    const lines = await visit.page.$$eval("#laboratory .result > table tbody tr", (list) => list.map((row) =>
+      [...row.children].slice(1).map((cell) => Number(cell.textContent.replaceAll(",", "").replace("−", "-")))));
+    const to = (places, value) => Number(value.toFixed(places)) || 0;
+    assert.deepEqual(lines, told.lines.map((line) => [to(1, line.startup), to(4, line.per_element),
+      to(2, line.mflops), to(1, line.n_half), to(2, line.off_percent)]));
     await visit.close();
   },
 
