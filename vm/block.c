@@ -2,6 +2,7 @@
 
 #include "vm/machine.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* ---- Which instructions go into blocks ----------------------------------- */
@@ -43,13 +44,26 @@ static bool may_go_on(const struct c205 *machine,
 
 /* ---- Making them --------------------------------------------------------- */
 
+static void forget_all(struct blocks *blocks)
+{
+    memset(blocks->at, 0, sizeof blocks->at);
+    blocks->count = blocks->decoded_count = 0;
+}
+
+struct blocks *blocks_new(void)
+{
+    struct blocks *blocks = malloc(sizeof *blocks);
+    if (blocks)
+        forget_all(blocks);
+    return blocks;
+}
+
 static void make_room(struct blocks *blocks)
 {
     if (blocks->count < BLOCKS
         && blocks->decoded_count + BLOCK_INSNS <= BLOCK_DECODED)
         return;
-    memset(blocks->at, 0, sizeof blocks->at);
-    blocks->count = blocks->decoded_count = 0;
+    forget_all(blocks);
 }
 
 /* Take the next instruction into the block, if it belongs there; true: and

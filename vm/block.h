@@ -42,6 +42,9 @@ struct blocks {
     struct decoded decoded[BLOCK_DECODED];
 };
 
+/* NULL: no memory; the caller frees them.  What is not yet used is not cleared. */
+struct blocks *blocks_new(void);
+
 static inline struct code_block **block_place(struct blocks *blocks,
                                               uint64_t pc)
 {

@@ -4,6 +4,7 @@
 #include "vm/machine.h"
 
 #include <ctype.h>
+#include <stdlib.h>
 #include <string.h>
 
 static semantics *const functions[] = {
@@ -277,6 +278,14 @@ static bool is_plain(const struct decoded *decoded)
 
 /* ---- The cache ---------------------------------------------------------- */
 
+struct decode_cache *decode_cache_new(void)
+{
+    struct decode_cache *cache = malloc(sizeof *cache);
+    for (size_t i = 0; cache && i < DECODE_ENTRIES; i++)
+        cache->pc[i] = NOT_DECODED;
+    return cache;
+}
+
 c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded)
 {
     c205_word word;
@@ -309,9 +318,10 @@ c205_trap decode_at(struct c205 *machine, uint64_t pc,
                                                  pc);
     c205_trap trap = C205_TRAP_NONE;
     if (!cached) {
-        struct decoded *entry =
-            &machine->cache->entry[pc / INSTRUCTION_STEP % DECODE_ENTRIES];
+        size_t i = pc / INSTRUCTION_STEP % DECODE_ENTRIES;
+        struct decoded *entry = &machine->cache->entry[i];
         trap = decode(machine, pc, entry);
+        machine->cache->pc[i] = trap == C205_TRAP_NONE ? pc : NOT_DECODED;
         cached = entry;
     }
     *decoded = cached;

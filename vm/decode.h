@@ -73,18 +73,24 @@ struct effect {
     size_t saved;             /* .. so many of them to memory */
 };
 
-/* Recently decoded instructions, found by their address. */
+/* Recently decoded instructions, found by their address.  There are many machines
+ * that run for a short time: what is not yet used is not cleared. */
 enum { DECODE_ENTRIES = 1 << 14, INSTRUCTION_STEP = 32 };
+#define NOT_DECODED UINT64_MAX
 struct decode_cache {
+    uint64_t pc[DECODE_ENTRIES]; /* of the entry, or NOT_DECODED */
     struct decoded entry[DECODE_ENTRIES];
 };
+
+/* NULL: no memory; the caller frees it. */
+struct decode_cache *decode_cache_new(void);
 
 static inline const struct decoded *
 decode_cached(const struct decode_cache *cache, uint64_t version, uint64_t pc)
 {
     size_t i = pc / INSTRUCTION_STEP % DECODE_ENTRIES;
     const struct decoded *entry = &cache->entry[i];
-    return entry->pc == pc && entry->version == version ? entry : NULL;
+    return cache->pc[i] == pc && entry->version == version ? entry : NULL;
 }
 
 /* Decode the instruction at pc; marks its words as code. */

@@ -51,8 +51,8 @@ c205 *c205_new(const c205_model *model, c205_error *error)
     memory_init(&machine->memory);
     clear_registers(machine);
     machine->clock = clock_new(model, error);
-    machine->cache = calloc(1, sizeof *machine->cache);
-    machine->blocks = calloc(1, sizeof *machine->blocks);
+    machine->cache = decode_cache_new();
+    machine->blocks = blocks_new();
     if (machine->clock && machine->cache && machine->blocks)
         return machine;
     if (machine->clock)
