@@ -201,6 +201,16 @@ struct mesh_table {
     double *nodes; /* rows, from the first on */
 };
 
+/* The first node at which rays are asked, of it and those below it. */
+static size_t first_asked(const struct mesh_node *nodes, size_t node,
+                          size_t direction)
+{
+    while (nodes[node].is_passed)
+        node = direction >> nodes[node].axis & 1 ? nodes[node + 1].next
+                                                 : node + 1;
+    return node;
+}
+
 /* Where rays of a direction go on from a node and all below it: to that below
  * which they come to first, or if they do not come near to `miss`. */
 static void put_links(const struct mesh_table *table, size_t node,
@@ -210,6 +220,7 @@ static void put_links(const struct mesh_table *table, size_t node,
     double *links = table->nodes + NODE_ROW * node + NODE_LINKS
                     + 2 * direction;
     size_t near = node + 1, far = nodes[node + 1].next;
+    double to_far;
 
     links[1] = miss;
     if (nodes[node].count > 0) {
@@ -220,8 +231,9 @@ static void put_links(const struct mesh_table *table, size_t node,
         near = far;
         far = node + 1;
     }
-    links[0] = node_place(near);
-    put_links(table, near, direction, node_place(far));
+    links[0] = node_place(first_asked(nodes, near, direction));
+    to_far = node_place(first_asked(nodes, far, direction));
+    put_links(table, near, direction, to_far);
     put_links(table, far, direction, miss);
 }
 

@@ -11,14 +11,21 @@ struct mesh_build {
     struct mesh_hierarchy *hierarchy;
 };
 
+/* Half of the surface of a box, to which the number of rays that come near it is in
+ * proportion. */
+static double surface_of(const struct box *box)
+{
+    double x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
+           z = box->high[2] - box->low[2];
+
+    return x * y + y * z + z * x;
+}
+
 /* Triangles that rays are expected to meet. */
 static double part_cost(const struct cut_part *part, const struct box *whole)
 {
-    const double *low = part->box.low, *high = part->box.high;
-    double x = high[0] - low[0], y = high[1] - low[1], z = high[2] - low[2];
-
     (void)whole;
-    return (double)part->count * (x * y + y * z + z * x);
+    return (double)part->count * surface_of(&part->box);
 }
 
 /* ---- Parts --------------------------------------------------------------- */
@@ -92,6 +99,24 @@ static void build_node(const struct mesh_build *build, size_t first,
     node->next = hierarchy->node_count;
 }
 
+/* ---- Tests --------------------------------------------------------------- */
+
+/* A test spares the two below it where a ray passes by: that pays only if more than
+ * half of the rays do which come near the last box asked above. */
+static void plan_tests(struct mesh_node *nodes, size_t number, double above)
+{
+    struct mesh_node *node = &nodes[number];
+    bool is_leaf = node->count > 0;
+    double surface = surface_of(&node->box);
+
+    node->is_passed = !is_leaf && number > 0 && surface > above / 2;
+    if (is_leaf)
+        return;
+    surface = node->is_passed ? above : surface;
+    plan_tests(nodes, number + 1, surface);
+    plan_tests(nodes, nodes[number + 1].next, surface);
+}
+
 size_t mesh_hierarchy_nodes(size_t triangles)
 {
     return 2 * ((triangles + TRIANGLES_IN_LEAF - 1) / TRIANGLES_IN_LEAF) - 1;
@@ -111,8 +136,10 @@ bool mesh_hierarchy_build(const struct boxed *triangles, size_t count,
     good = other && hierarchy->nodes && hierarchy->order;
     for (size_t i = 0; good && i < count; i++)
         hierarchy->order[i] = i;
-    if (good)
+    if (good) {
         build_node(&build, 0, count, 1);
+        plan_tests(hierarchy->nodes, 0, 0);
+    }
     free(other);
     return good;
 }

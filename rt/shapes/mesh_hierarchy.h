@@ -16,10 +16,11 @@ enum { TRIANGLES_IN_LEAF = 2 };
 
 struct mesh_node {
     struct box box;
-    size_t next;  /* the node behind all that is below this one */
-    size_t first; /* of a leaf: its triangles' places in the order */
-    size_t count; /* .. and how many; 0: there are two nodes below, */
-    int axis;     /* cut across this axis, the lower one first */
+    size_t next;    /* the node behind all that is below this one */
+    size_t first;   /* of a leaf: its triangles' places in the order */
+    size_t count;   /* .. and how many; 0: there are two nodes below, */
+    int axis;       /* cut across this axis, the lower one first */
+    bool is_passed; /* rays are asked at the nodes below it instead */
 };
 
 struct mesh_hierarchy {
