@@ -324,12 +324,15 @@ helpers = $(BUILD)/tests/unit/libhelpers.a
 $(helpers): $(call objects,$(filter-out tests/unit/test_%,\
 	$(wildcard tests/unit/*.c)))
 
+# What is assembled of the kernels is kept (kept_programs.c), but where memory is short.
+keeping = -Wl,--wrap=program_assemble,--wrap=object_free,-u,__wrap_object_free
+$(BUILD)/tests/unit/test_allocation: keeping =
 # All allocations go through the test that makes them fail.
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
 		$(engine) $(libraries)
-	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
+	$(CC) $(LDFLAGS) $(keeping) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # Its client starts the command.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)): | $(BUILD)/c205
 # goal.c alone: what it asks of the fit, the test answers.
@@ -348,8 +351,9 @@ $(BUILD)/tests/oracle/digest: $(BUILD)/tests/oracle/digest.o \
 		$(call objects,$(wildcard $(addprefix tests/oracle/,random_*.c reference*.c \
 			operand*.c plain_memory.c *_oracle.c))) $(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm
-$(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(libraries)
-	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
+$(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(helpers) \
+		$(libraries)
+	$(CC) $(LDFLAGS) $(keeping) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
 		$(BUILD)/tests/fuzz/fuzz_%.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl -lpthread

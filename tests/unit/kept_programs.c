@@ -1,0 +1,123 @@
+/* kept_programs.c - what tests have assembled of the kernels is kept.
+ *
+ * A program depends on the kernel and the constants alone, and a test of many scenes
+ * asks for the same few again and again.  Calls of program_assemble and object_free
+ * come here (--wrap in the Makefile).  What nobody uses goes when there is no more
+ * room, the oldest first.
+ */
+#include "rt/layout/program.h"
+
+#include <pthread.h>
+#include <stdio.h>
+#include <string.h>
+
+struct object *__real_program_assemble(const char *kernel,
+                                       const struct asm_define *defines,
+                                       c205_error *error);
+struct object *__wrap_program_assemble(const char *kernel,
+                                       const struct asm_define *defines,
+                                       c205_error *error);
+void __real_object_free(struct object *object);
+void __wrap_object_free(struct object *object);
+
+enum { KEPT = 32, ASKED_ROOM = 2000 };
+
+static struct kept {
+    char asked[ASKED_ROOM]; /* kernel and constants */
+    struct object *object;  /* NULL: the place is free */
+    size_t users;
+    unsigned long used; /* when it was asked for last */
+} all_kept[KEPT];
+static unsigned long now;
+static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
+
+/* False: there is no room for it. */
+static bool write_asked(const char *kernel, const struct asm_define *defines,
+                        char asked[ASKED_ROOM])
+{
+    size_t n = (size_t)snprintf(asked, ASKED_ROOM, "%s", kernel);
+
+    for (; defines && defines->name && n < ASKED_ROOM; defines++)
+        n += (size_t)snprintf(asked + n, ASKED_ROOM - n, " %s=%lld",
+                              defines->name, (long long)defines->value);
+    return n < ASKED_ROOM;
+}
+
+static struct kept *find(const char *asked)
+{
+    for (size_t i = 0; i < KEPT; i++)
+        if (all_kept[i].object && !strcmp(all_kept[i].asked, asked))
+            return &all_kept[i];
+    return NULL;
+}
+
+/* NULL: all are in use. */
+static struct kept *make_room(void)
+{
+    struct kept *oldest = NULL;
+
+    for (size_t i = 0; i < KEPT; i++)
+        if (all_kept[i].users == 0
+            && (!oldest || all_kept[i].used < oldest->used))
+            oldest = &all_kept[i];
+    if (oldest && oldest->object)
+        __real_object_free(oldest->object);
+    if (oldest)
+        *oldest = (struct kept){ .object = NULL };
+    return oldest;
+}
+
+static struct object *assemble(const char *kernel,
+                               const struct asm_define *defines,
+                               c205_error *error)
+{
+    char asked[ASKED_ROOM];
+    bool told = write_asked(kernel, defines, asked);
+    struct kept *kept = told ? find(asked) : NULL;
+    struct object *object;
+
+    if (!kept) {
+        object = __real_program_assemble(kernel, defines, error);
+        kept = object && told ? make_room() : NULL;
+        if (!kept)
+            return object;
+        memcpy(kept->asked, asked, sizeof asked);
+        kept->object = object;
+    }
+    kept->users++;
+    kept->used = ++now;
+    return kept->object;
+}
+
+struct object *__wrap_program_assemble(const char *kernel,
+                                       const struct asm_define *defines,
+                                       c205_error *error)
+{
+    struct object *object;
+
+    pthread_mutex_lock(&one_at_a_time);
+    object = assemble(kernel, defines, error);
+    pthread_mutex_unlock(&one_at_a_time);
+    return object;
+}
+
+static bool give_back(const struct object *object)
+{
+    for (size_t i = 0; object && i < KEPT; i++)
+        if (all_kept[i].object == object) {
+            all_kept[i].users--;
+            return true;
+        }
+    return false;
+}
+
+void __wrap_object_free(struct object *object)
+{
+    bool kept;
+
+    pthread_mutex_lock(&one_at_a_time);
+    kept = give_back(object);
+    pthread_mutex_unlock(&one_at_a_time);
+    if (!kept)
+        __real_object_free(object);
+}
