@@ -12,10 +12,10 @@ RT205_LIBDIR=$build
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export RT205_LIBDIR OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
 
-frame="render scenes/bracket.pov -W 960 -H 720 --samples 3"
-mass="mass scenes/bracket.pov --density default=1 --rays 1048576"
-rays="heat scenes/burner.pov --by part --rays 2048"
-lines="heat scenes/burner.pov --by part --lines 4194304"
+frame="render scenes/bracket.pov -W 1360 -H 1020 --samples 3"
+mass="mass scenes/bracket.pov --density default=1 --rays 2097152"
+rays="heat scenes/burner.pov --by part --rays 4096"
+lines="heat scenes/burner.pov --by part --lines 8388608"
 
 seconds() { # OPTION ..: of the command in $run
     [ $kind != frame ] || set -- "$@" -o "$work/frame.png"
