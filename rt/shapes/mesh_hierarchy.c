@@ -102,7 +102,8 @@ static void build_node(const struct mesh_build *build, size_t first,
 /* ---- Tests --------------------------------------------------------------- */
 
 /* A test spares the two below it where a ray passes by: that pays only if more than
- * half of the rays do which come near the last box asked above. */
+ * half of the rays do which come near the last box asked above.  The first node is
+ * asked. */
 static void plan_tests(struct mesh_node *nodes, size_t number, double above)
 {
     struct mesh_node *node = &nodes[number];
@@ -116,6 +117,8 @@ static void plan_tests(struct mesh_node *nodes, size_t number, double above)
     plan_tests(nodes, number + 1, surface);
     plan_tests(nodes, nodes[number + 1].next, surface);
 }
+
+/* ---- The whole ----------------------------------------------------------- */
 
 size_t mesh_hierarchy_nodes(size_t triangles)
 {
