@@ -3,7 +3,7 @@
 # least of several runs, in turn; beside them two processes that know nothing of each other and
 # do half of the units each, which is what the machine can do with both of its processors;
 # what their units are; and what rank 0 does for a unit of another rank.  docs/cluster.md
-# reads a model from it.
+# reads a model from it.  RANKS: of these rows.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
@@ -46,7 +46,7 @@ units_of() { # OPTION ..
 
 printf '%-8s %7s %11s %9s %8s %9s %6s %9s\n' ranks units bytes/unit ms/unit \
     "one, s" "two, s" times "apart, s"
-for kind in frame mass rays lines; do
+for kind in ${RANKS:-frame mass rays lines}; do
     eval "run=\$$kind"
     units_of | paste -s -d ' ' >"$work/units.of"
     read -r units bytes <"$work/units.of"
