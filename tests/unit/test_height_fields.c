@@ -1,18 +1,15 @@
 /* height_field: the triangles that it becomes, against the surface that
- * POV-Ray's documentation describes, asked for one point at a time; heights of
- * files of all kinds, which POV-Ray 3.7 told of the same bytes; what is no
- * height_field.
+ * POV-Ray's documentation describes, asked for one point at a time; what is no
+ * height_field.  Kinds of files: test_height_files.c.
  *
  *     test_height_fields [FIELDS [SEED]]
  */
-#include "rt/shapes/primitive.h"
 #include "rt/shapes/shape.h"
 #include "tests/oracle/plain_shapes.h"
 #include "tests/random.h"
-#include "tests/unit/scene_reading.h"
+#include "tests/unit/field_reading.h"
 
 #include <stdio.h>
-#include <unistd.h>
 
 enum { GRID_MOST = 9, SAMPLES = 100 };
 
@@ -22,54 +19,6 @@ static uint64_t random_state = RANDOM_SEED;
 static double between(double low, double high)
 {
     return xorshift_real(&random_state, low, high);
-}
-
-/* ---- Files --------------------------------------------------------------- */
-
-static char path[64];
-
-static void keep(const char *bytes, size_t count)
-{
-    write_bytes(path, bytes, count);
-}
-
-static struct scene *read_field(const char *words, const char *modifiers,
-                                const struct scene_options *how,
-                                struct diagnostics *reports)
-{
-    char text[1000];
-
-    snprintf(text, sizeof text, "height_field { %s \"%s\" %s }", words, path,
-             modifiers);
-    return scene_read_text("test.pov", text, how, reports);
-}
-
-static struct scene *expect_field(const char *words, const char *modifiers)
-{
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_field(words, modifiers, &with_images,
-                                     &reports);
-
-    diagnostics_print(&reports, stderr);
-    assert_non_null(scene);
-    assert_int_equal(reports.count, 0);
-    diagnostics_free(&reports);
-    return scene;
-}
-
-static void expect_fault(const char *words, const char *modifiers,
-                         size_t column, const char *message)
-{
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_field(words, modifiers, &with_images,
-                                     &reports);
-
-    if (scene || reports.count != 1 || reports.items->column != column
-        || !strstr(reports.items->message, message)) {
-        diagnostics_print(&reports, stderr);
-        fail_msg("not '%s' at %zu", message, column);
-    }
-    diagnostics_free(&reports);
 }
 
 /* ---- The surface --------------------------------------------------------- */
@@ -100,7 +49,7 @@ static void keep_grid(const struct grid *grid)
     for (int z = grid->rows - 1; z >= 0; z--)
         for (int x = 0; x < grid->columns; x++)
             end += sprintf(text + end, "\n%d", grid->heights[z][x]);
-    keep(text, (size_t)end);
+    field_keep(text, (size_t)end);
 }
 
 static double height_of(const struct grid *grid, int x, int z)
@@ -123,48 +72,13 @@ static double surface(const struct grid *grid, double x, double z)
     return d + (1 - u) * (c - d) + (1 - v) * (b - d);
 }
 
-/* The shares of a triangle's corners at a point of the x-z plane; false: it is
- * outside. */
-static bool find_shares(const struct triangle *triangle, double x, double z,
-                        double shares[3])
-{
-    const double(*at)[3] = triangle->corners;
-    double area = (at[1][0] - at[0][0]) * (at[2][2] - at[0][2])
-                  - (at[2][0] - at[0][0]) * (at[1][2] - at[0][2]);
-
-    for (int k = 0; k < 3; k++) {
-        const double *a = at[(k + 1) % 3], *b = at[(k + 2) % 3];
-        shares[k] = ((a[0] - x) * (b[2] - z) - (b[0] - x) * (a[2] - z))
-                    / area;
-    }
-    return shares[0] > 0 && shares[1] > 0 && shares[2] > 0;
-}
-
-/* How many triangles a line along y meets; the height is that of the last. */
-static int meet(const struct triangles *triangles, double x, double z,
-                double *height)
-{
-    int count = 0;
-
-    for (size_t i = 0; i < triangles->count; i++) {
-        double shares[3];
-        if (!find_shares(&triangles->list[i], x, z, shares))
-            continue;
-        *height = 0;
-        for (int k = 0; k < 3; k++)
-            *height += shares[k] * triangles->list[i].corners[k][1];
-        count++;
-    }
-    return count;
-}
-
 static void check_surface(const struct grid *grid,
                           const struct triangles *triangles, double water)
 {
     for (int i = 0; i < SAMPLES; i++) {
         double x = between(0, 1), z = between(0, 1), met = -1;
         double expected = surface(grid, x, z);
-        int count = meet(triangles, x, z, &met);
+        int count = field_meet(triangles, x, z, &met);
         if (fabs(expected - water) < 1e-6)
             continue;
         assert_int_equal(count, expected > water);
@@ -186,7 +100,7 @@ static void test_surface(void **state)
         snprintf(words, sizeof words, "water_level %.9f", water);
         if (water > surface(&grid, .5, .5))
             continue; /* perhaps nothing is left */
-        scene = expect_field(i % 2 ? "pgm" : "", water == 0 ? "" : words);
+        scene = field_expect(i % 2 ? "pgm" : "", water == 0 ? "" : words);
         check_surface(&grid, triangles_of(scene), water);
         scene_free(scene);
     }
@@ -266,7 +180,7 @@ static void test_normals(void **state)
         keep_grid(&grid);
         snprintf(words, sizeof words, "smooth scale <%.17g, %.17g, 1>", wide,
                  high);
-        scene = expect_field("", words);
+        scene = field_expect("", words);
         triangles = triangles_of(scene);
         assert_int_equal(triangles->count,
                          2 * (grid.columns - 1) * (grid.rows - 1));
@@ -294,8 +208,8 @@ static void test_known_normals(void **state)
     size_t found = 0;
 
     (void)state;
-    keep(field, strlen(field));
-    scene = expect_field("pgm", "smooth");
+    field_keep(field, strlen(field));
+    scene = field_expect("pgm", "smooth");
     for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++) {
         const struct triangle *triangle = &triangles_of(scene)->list[k / 3];
         for (int i = 0; i < 3; i++) {
@@ -313,174 +227,6 @@ static void test_known_normals(void **state)
     scene_free(scene);
 }
 
-/* ---- Kinds of files ------------------------------------------------------ */
-
-struct known_file {
-    const char *word;
-    const char *bytes;
-    size_t count;
-    int heights[6]; /* of an image of 3 x 2: the upper row, the lower one */
-};
-#define FILE_OF(word, bytes) word, bytes, sizeof bytes - 1
-
-/* In all of them the grey ones have 0, 50, 100, 150, 200, 250; the coloured
- * ones the six colours of COLORS. */
-#define GREYS "\x00\x32\x64\x96\xc8\xfa"
-#define COLORS \
-    "\xff\x00\x00\x00\xff\x00\x00\x00\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff"
-#define BGRS \
-    "\x00\x00\xff\x00\xff\x00\xff\x00\x00\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff"
-
-static const struct known_file known_files[] = {
-    { FILE_OF("pgm", "P5\n3 2\n255\n" GREYS),
-      { 0, 12850, 25700, 38550, 51400, 64250 } },
-    { FILE_OF("pgm", "P2\n3 2\n100\n0 10 33 50 77 100\n"),
-      { 0, 6553, 21626, 32767, 50461, 65535 } },
-    { FILE_OF("pgm", "P2\n3 2\n1000\n0 10 333 500 777 1000"),
-      { 0, 655, 21823, 32767, 50920, 65535 } },
-    { FILE_OF("pgm", "P5 3 2 65535\n\0\0\x27\x10\x4e\x20\x75\x30\x9c\x40"
-                     "\xc3\x50"),
-      { 0, 10000, 20000, 30000, 40000, 50000 } },
-    { FILE_OF("ppm", "P6\n3 2\n255\n" COLORS),
-      { 65280, 255, 0, 2580, 51300, 65535 } },
-    { FILE_OF("ppm",
-              "P3\n3 2\n100\n0 10 33 50 77 100 100 0 0 0 100 0 0 0 100 "
-              "99 98 97\n"),
-      { 25, 32836, 65280, 255, 0, 64877 } },
-    { FILE_OF("ppm",
-              "P3\n3 2\n65535\n65535 0 0 0 65535 0 0 0 65535 2570 5140 "
-              "7710 51400 25700 12850 65535 65535 65535"),
-      { 19463, 38600, 7470, 4669, 31868, 65534 } },
-    { FILE_OF("tga", "\0\0\x02\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x18\x20" BGRS),
-      { 65280, 255, 0, 2580, 51300, 65535 } },
-    { FILE_OF("tga", "\0\0\x02\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x18\0" BGRS),
-      { 2580, 51300, 65535, 65280, 255, 0 } },
-    { FILE_OF("tga", "\0\0\x02\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x10\x20\0\x7c"
-                     "\xe0\x03\x1f\0\x43\x04\x86\x65\xff\x7f"),
-      { 63488, 248, 0, 2064, 51296, 63736 } },
-    { FILE_OF("tga", "\0\0\x03\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x08\x20" GREYS),
-      { 0, 12850, 25700, 38550, 51400, 64250 } },
-    { FILE_OF("tga",
-              "\0\x01\x01\0\0\x06\0\x18\0\0\0\0\x03\0\x02\0\x08\x20" BGRS
-              "\0\x01\x02\x03\x04\x05"),
-      { 0, 256, 512, 768, 1024, 1280 } },
-    { FILE_OF("gif",
-              "GIF89a\x03\0\x02\0\xf2\0\0" COLORS "\x01\x02\x03\x04\x05"
-              "\x06,\0\0\0\0\x03\0\x02\0\0\x03\x05\x08\x21\x38\x54\x09"
-              "\0;"),
-      { 0, 256, 512, 768, 1024, 1280 } },
-    { FILE_OF("png",
-              "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
-              "\x03\x00\x00\x00\x02\x08\x00\x00\x00\x00\xb8\x1f\x39"
-              "\xc6\x00\x00\x00\x13IDATx\x01\x01\x08\x00\xf7\xff\x00"
-              "\x00\x32\x64\x00\x96\xc8\xfa\x07t\x02\xef\x03\x12^\x0b\x00"
-              "\x00\x00\x00IEND\xae\x42`\x82"),
-      { 0, 12593, 25443, 38293, 51143, 64250 } },
-    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
-                     "\x03\x00\x00\x00\x02\x10\x00\x00\x00\x00\xe8\x8f\xe5"
-                     "\x85\x00\x00\x00\x19IDATx\x01\x01\x0e\x00\xf1\xff\x00"
-                     "\x00\x00'\x10N \x00u0\x9c@\xc3P\x0e\xcd\x03:\x8e\xf5Y"
-                     "\xa5\x00\x00\x00\x00IEND\xae\x42`\x82"),
-      { 0, 10000, 20000, 30000, 40000, 50000 } },
-    { FILE_OF("png",
-              "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
-              "\x03\x00\x00\x00\x02\x08\x02\x00\x00\x00\x12\x16\xf1M"
-              "\x00\x00\x00\x1fIDATx\x01\x01\x14\x00\xeb\xff\x00\xff"
-              "\x00\x00\x00\xff\x00\x00\x00\xff\x00\x0a\x14\x1e\xc8"
-              "\x64\x32\xff\xff\xff<\x19\x07\x95\x1b\xa7\xeb\xb9\x00\x00"
-              "\x00\x00IEND\xae\x42`\x82"),
-      { 65280, 255, 0, 2580, 51300, 65535 } },
-    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
-                     "\x03\x00\x00\x00\x02\x08\x06\x00\x00\x00\x9dtf\x1a\x00"
-                     "\x00\x00%IDATx\x01\x01\x1a\x00\xe5\xff\x00\xff\x00\x00"
-                     "\x80\x00\xff\x00\x80\x00\x00\xff\x80\x00\x0a\x14\x1e"
-                     "\xff\xc8\x64\x32\xff\xff\xff\xff\xff{n\x0c\x12\x97M\xe1"
-                     "\xd7\x00\x00\x00\x00IEND\xae\x42`\x82"),
-      { 65280, 255, 0, 2580, 51300, 65535 } },
-    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
-                     "\x03\x00\x00\x00\x02\x08\x03\x00\x00\x00\xaa\xaa\x96("
-                     "\x00\x00\x00\x12PLTE\xff\x00\x00\x00\xff\x00\x00\x00"
-                     "\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff>3\xf9\xf6\x00"
-                     "\x00\x00\x13IDATx\x01\x01\x08\x00\xf7\xff\x00\x00\x01"
-                     "\x02\x00\x03\x04\x05\x00.\x00\x10]\xd9\xc1\x16\x00\x00"
-                     "\x00\x00IEND\xae\x42`\x82"),
-      { 0, 256, 512, 768, 1024, 1280 } },
-    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
-                     "\x03\x00\x00\x00\x02\x04\x03\x00\x00\x00oZ{)\x00\x00"
-                     "\x00\x12PLTE\xff\x00\x00\x00\xff\x00\x00\x00\xff\x0a"
-                     "\x14\x1e\xc8\x64\x32\xff\xff\xff>3\xf9\xf6\x00\x00\x00"
-                     "\x11IDATx\x01\x01\x06\x00\xf9\xff\x00\x01 \x00\x34P\x01"
-                     "\x43\x00\xa6\x63~\xb7\x9a\x00\x00\x00\x00IEND\xae\x42`"
-                     "\x82"),
-      { 0, 256, 512, 768, 1024, 1280 } },
-    { FILE_OF("bmp",
-              "BM\x4e\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x03\0\0\0\x02\0\0"
-              "\0\x01\0\x18\0\0\0\0\0\x18\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
-              "\0\0\0\0\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff\0\0\0"
-              "\0\0\xff\0\xff\0\xff\0\0\0\0\0"),
-      { 65280, 255, 0, 2580, 51300, 65535 } },
-};
-
-static void check_file(const struct known_file *file)
-{
-    struct scene *scene;
-
-    keep(file->bytes, file->count);
-    scene = expect_field(file->word, "");
-    for (int i = 0; i < 6; i++) {
-        double x = i % 3 / 2., z = i < 3;
-        double height = -1, x_in = x + (x < .5 ? 1 : -1) * 1e-9;
-        if (!meet(triangles_of(scene), x_in, z + (i < 3 ? -1 : 1) * 1e-9,
-                  &height))
-            fail_msg("%s %d: nothing is met", file->word, i);
-        if (fabs(height * 65536 - file->heights[i]) > .01)
-            fail_msg("%s %d: %.3f, not %d", file->word, i, height * 65536,
-                     file->heights[i]);
-    }
-    scene_free(scene);
-}
-
-static void test_kinds(void **state)
-{
-    (void)state;
-    for (size_t i = 0; i < COUNT(known_files); i++)
-        check_file(&known_files[i]);
-}
-
-/* Each colour of the table is in it twice; the second table is the image's. */
-static void test_tables(void **state)
-{
-    static const struct known_file own_table = {
-        FILE_OF("gif",
-                "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
-                "\x02\0\x82"
-                "aaaaaabbbbbbccccccdddddd"
-                "\x03\x05\x08\x21\x38\x54\x09\0;"),
-        { 0, 256, 512, 768, 1024, 1280 }
-    };
-
-    (void)state;
-    check_file(&own_table);
-}
-
-/* A file without its end.  Of a broken PNG file the library forgets to free what it
- * has read so far, which a leak checker would take for ours. */
-static void test_broken(void **state)
-{
-    (void)state;
-    for (size_t i = 0; i < COUNT(known_files); i++)
-        for (size_t k = 0; k < 8 && strcmp(known_files[i].word, "png"); k++) {
-            const struct known_file *file = &known_files[i];
-            struct diagnostics reports = { 0 };
-            struct scene *scene;
-            keep(file->bytes, file->count * k / 8);
-            scene = read_field(file->word, "", &with_images, &reports);
-            assert_true(scene || reports.errors == 1);
-            scene_free(scene);
-            diagnostics_free(&reports);
-        }
-}
-
 /* ---- Functions ----------------------------------------------------------- */
 
 static void expect_height(const char *text, double x, double z, double height)
@@ -488,7 +234,7 @@ static void expect_height(const char *text, double x, double z, double height)
     struct scene *scene = read_scene(text);
     double met = -1;
 
-    assert_int_equal(meet(triangles_of(scene), x, z, &met), 1);
+    assert_int_equal(field_meet(triangles_of(scene), x, z, &met), 1);
     assert_close(met, height / 65536, 1e-8);
     scene_free(scene);
 }
@@ -517,49 +263,6 @@ static void test_below_water(void **state)
     (void)state;
     assert_int_equal(scene->primitive_count, 0);
     scene_free(scene);
-}
-
-/* ---- What is none -------------------------------------------------------- */
-
-static void expect_file_fault(const char *word, const char *bytes,
-                              const char *message)
-{
-    keep(bytes, strlen(bytes));
-    expect_fault(word, "", 17 + strlen(word), message);
-}
-
-static void test_faulty_files(void **state)
-{
-    (void)state;
-    expect_file_fault("pgm", "", "empty");
-    expect_file_fault("", "P2 3 1 255 1 2 3", "two rows of two heights");
-    expect_file_fault("", "P2 1 3 255 1 2 3", "two rows of two heights");
-    expect_file_fault("", "P2 2 2 255 1 2 3", "only 3 of its 4 samples");
-    expect_file_fault("", "P5 2 2 255 123", "only 3 of its 4 samples");
-    expect_file_fault("", "P2 2 2 255 1 2 3 256", "a sample is 256");
-    expect_file_fault("", "P2 2 2 65536 1 2 3 4", "from 1 to 65535");
-    expect_file_fault("", "P2 2 2 0 0 0 0 0", "from 1 to 65535");
-    expect_file_fault("", "P2 0 2 255", "no pixels");
-    expect_file_fault("", "P2 x", "first numbers are wrong");
-    expect_file_fault("", "P2 9999 9999 255", "more than 8388608 pixels");
-    expect_file_fault("pgm", "P3 2 2 1 1 1 1", "the file is not 'pgm'");
-    expect_file_fault("png", "what is this", "the file is not 'png'");
-    expect_file_fault("tga", "what is this", "cannot be read");
-    expect_file_fault("gif", "GIF89a", "table of colours is broken");
-}
-
-static void test_large_file(void **state)
-{
-    enum { SIDE = 1500 };
-    char *bytes = calloc(1, SIDE * SIDE + 100);
-    int head;
-
-    (void)state;
-    assert_non_null(bytes);
-    head = sprintf(bytes, "P5 %d %d 255\n", SIDE, SIDE);
-    keep(bytes, (size_t)head + SIDE * SIDE);
-    expect_fault("pgm", "", 20, "more than 4000000 triangles");
-    free(bytes);
 }
 
 /* --- what lies below ------------------------------------------------------ */
@@ -636,29 +339,6 @@ static void test_bodies(void **state)
     scene_free(scene);
 }
 
-/* Without an adapter PGM is read, and nothing else. */
-static void test_no_adapter(void **state)
-{
-    struct diagnostics reports = { 0 };
-
-    (void)state;
-    for (size_t i = 0; i < COUNT(known_files); i++) {
-        const struct known_file *file = &known_files[i];
-        bool own = *file->word == 'p' && file->word[1] != 'n';
-        struct scene *scene;
-        keep(file->bytes, file->count);
-        scene = read_field(file->word, "", &reading_options, &reports);
-        assert_int_equal(!scene, !own);
-        assert_int_equal(reports.errors, !own);
-        if (!own)
-            assert_non_null(
-                strstr(reports.items->message, "cannot be read here"));
-        scene_free(scene);
-        diagnostics_free(&reports);
-        memset(&reports, 0, sizeof reports);
-    }
-}
-
 static void test_errors(void **state)
 {
     static const struct line_error errors[] = {
@@ -694,15 +374,9 @@ int main(int count, char **words)
         cmocka_unit_test(test_surface),
         cmocka_unit_test(test_normals),
         cmocka_unit_test(test_known_normals),
-        cmocka_unit_test(test_kinds),
-        cmocka_unit_test(test_tables),
-        cmocka_unit_test(test_broken),
         cmocka_unit_test(test_functions),
         cmocka_unit_test(test_below_water),
         cmocka_unit_test(test_bodies),
-        cmocka_unit_test(test_faulty_files),
-        cmocka_unit_test(test_large_file),
-        cmocka_unit_test(test_no_adapter),
         cmocka_unit_test(test_errors),
     };
     int result;
@@ -711,8 +385,8 @@ int main(int count, char **words)
         field_count = strtoul(words[1], NULL, 10);
     if (count > 2)
         random_state = strtoull(words[2], NULL, 10);
-    snprintf(path, sizeof path, "/tmp/rt205-heights-%ld", (long)getpid());
+    field_begin();
     result = cmocka_run_group_tests(tests, NULL, NULL);
-    remove(path);
+    field_end();
     return result;
 }

@@ -1,0 +1,258 @@
+/* The files that a height_field takes its heights from: files of all kinds, of whose
+ * bytes POV-Ray 3.7 told the heights; broken ones; what is none.
+ */
+#include "tests/unit/field_reading.h"
+
+#include <stdio.h>
+
+/* ---- Kinds of files ------------------------------------------------------ */
+
+struct known_file {
+    const char *word;
+    const char *bytes;
+    size_t count;
+    int heights[6]; /* of an image of 3 x 2: the upper row, the lower one */
+};
+#define FILE_OF(word, bytes) word, bytes, sizeof bytes - 1
+
+/* In all of them the grey ones have 0, 50, 100, 150, 200, 250; the coloured
+ * ones the six colours of COLORS. */
+#define GREYS "\x00\x32\x64\x96\xc8\xfa"
+#define COLORS \
+    "\xff\x00\x00\x00\xff\x00\x00\x00\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff"
+#define BGRS \
+    "\x00\x00\xff\x00\xff\x00\xff\x00\x00\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff"
+
+static const struct known_file known_files[] = {
+    { FILE_OF("pgm", "P5\n3 2\n255\n" GREYS),
+      { 0, 12850, 25700, 38550, 51400, 64250 } },
+    { FILE_OF("pgm", "P2\n3 2\n100\n0 10 33 50 77 100\n"),
+      { 0, 6553, 21626, 32767, 50461, 65535 } },
+    { FILE_OF("pgm", "P2\n3 2\n1000\n0 10 333 500 777 1000"),
+      { 0, 655, 21823, 32767, 50920, 65535 } },
+    { FILE_OF("pgm", "P5 3 2 65535\n\0\0\x27\x10\x4e\x20\x75\x30\x9c\x40"
+                     "\xc3\x50"),
+      { 0, 10000, 20000, 30000, 40000, 50000 } },
+    { FILE_OF("ppm", "P6\n3 2\n255\n" COLORS),
+      { 65280, 255, 0, 2580, 51300, 65535 } },
+    { FILE_OF("ppm",
+              "P3\n3 2\n100\n0 10 33 50 77 100 100 0 0 0 100 0 0 0 100 "
+              "99 98 97\n"),
+      { 25, 32836, 65280, 255, 0, 64877 } },
+    { FILE_OF("ppm",
+              "P3\n3 2\n65535\n65535 0 0 0 65535 0 0 0 65535 2570 5140 "
+              "7710 51400 25700 12850 65535 65535 65535"),
+      { 19463, 38600, 7470, 4669, 31868, 65534 } },
+    { FILE_OF("tga", "\0\0\x02\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x18\x20" BGRS),
+      { 65280, 255, 0, 2580, 51300, 65535 } },
+    { FILE_OF("tga", "\0\0\x02\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x18\0" BGRS),
+      { 2580, 51300, 65535, 65280, 255, 0 } },
+    { FILE_OF("tga", "\0\0\x02\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x10\x20\0\x7c"
+                     "\xe0\x03\x1f\0\x43\x04\x86\x65\xff\x7f"),
+      { 63488, 248, 0, 2064, 51296, 63736 } },
+    { FILE_OF("tga", "\0\0\x03\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x08\x20" GREYS),
+      { 0, 12850, 25700, 38550, 51400, 64250 } },
+    { FILE_OF("tga",
+              "\0\x01\x01\0\0\x06\0\x18\0\0\0\0\x03\0\x02\0\x08\x20" BGRS
+              "\0\x01\x02\x03\x04\x05"),
+      { 0, 256, 512, 768, 1024, 1280 } },
+    { FILE_OF("gif",
+              "GIF89a\x03\0\x02\0\xf2\0\0" COLORS "\x01\x02\x03\x04\x05"
+              "\x06,\0\0\0\0\x03\0\x02\0\0\x03\x05\x08\x21\x38\x54\x09"
+              "\0;"),
+      { 0, 256, 512, 768, 1024, 1280 } },
+    { FILE_OF("png",
+              "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
+              "\x03\x00\x00\x00\x02\x08\x00\x00\x00\x00\xb8\x1f\x39"
+              "\xc6\x00\x00\x00\x13IDATx\x01\x01\x08\x00\xf7\xff\x00"
+              "\x00\x32\x64\x00\x96\xc8\xfa\x07t\x02\xef\x03\x12^\x0b\x00"
+              "\x00\x00\x00IEND\xae\x42`\x82"),
+      { 0, 12593, 25443, 38293, 51143, 64250 } },
+    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
+                     "\x03\x00\x00\x00\x02\x10\x00\x00\x00\x00\xe8\x8f\xe5"
+                     "\x85\x00\x00\x00\x19IDATx\x01\x01\x0e\x00\xf1\xff\x00"
+                     "\x00\x00'\x10N \x00u0\x9c@\xc3P\x0e\xcd\x03:\x8e\xf5Y"
+                     "\xa5\x00\x00\x00\x00IEND\xae\x42`\x82"),
+      { 0, 10000, 20000, 30000, 40000, 50000 } },
+    { FILE_OF("png",
+              "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
+              "\x03\x00\x00\x00\x02\x08\x02\x00\x00\x00\x12\x16\xf1M"
+              "\x00\x00\x00\x1fIDATx\x01\x01\x14\x00\xeb\xff\x00\xff"
+              "\x00\x00\x00\xff\x00\x00\x00\xff\x00\x0a\x14\x1e\xc8"
+              "\x64\x32\xff\xff\xff<\x19\x07\x95\x1b\xa7\xeb\xb9\x00\x00"
+              "\x00\x00IEND\xae\x42`\x82"),
+      { 65280, 255, 0, 2580, 51300, 65535 } },
+    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
+                     "\x03\x00\x00\x00\x02\x08\x06\x00\x00\x00\x9dtf\x1a\x00"
+                     "\x00\x00%IDATx\x01\x01\x1a\x00\xe5\xff\x00\xff\x00\x00"
+                     "\x80\x00\xff\x00\x80\x00\x00\xff\x80\x00\x0a\x14\x1e"
+                     "\xff\xc8\x64\x32\xff\xff\xff\xff\xff{n\x0c\x12\x97M\xe1"
+                     "\xd7\x00\x00\x00\x00IEND\xae\x42`\x82"),
+      { 65280, 255, 0, 2580, 51300, 65535 } },
+    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
+                     "\x03\x00\x00\x00\x02\x08\x03\x00\x00\x00\xaa\xaa\x96("
+                     "\x00\x00\x00\x12PLTE\xff\x00\x00\x00\xff\x00\x00\x00"
+                     "\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff>3\xf9\xf6\x00"
+                     "\x00\x00\x13IDATx\x01\x01\x08\x00\xf7\xff\x00\x00\x01"
+                     "\x02\x00\x03\x04\x05\x00.\x00\x10]\xd9\xc1\x16\x00\x00"
+                     "\x00\x00IEND\xae\x42`\x82"),
+      { 0, 256, 512, 768, 1024, 1280 } },
+    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
+                     "\x03\x00\x00\x00\x02\x04\x03\x00\x00\x00oZ{)\x00\x00"
+                     "\x00\x12PLTE\xff\x00\x00\x00\xff\x00\x00\x00\xff\x0a"
+                     "\x14\x1e\xc8\x64\x32\xff\xff\xff>3\xf9\xf6\x00\x00\x00"
+                     "\x11IDATx\x01\x01\x06\x00\xf9\xff\x00\x01 \x00\x34P\x01"
+                     "\x43\x00\xa6\x63~\xb7\x9a\x00\x00\x00\x00IEND\xae\x42`"
+                     "\x82"),
+      { 0, 256, 512, 768, 1024, 1280 } },
+    { FILE_OF("bmp",
+              "BM\x4e\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x03\0\0\0\x02\0\0"
+              "\0\x01\0\x18\0\0\0\0\0\x18\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
+              "\0\0\0\0\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff\0\0\0"
+              "\0\0\xff\0\xff\0\xff\0\0\0\0\0"),
+      { 65280, 255, 0, 2580, 51300, 65535 } },
+};
+
+static void check_file(const struct known_file *file)
+{
+    struct scene *scene;
+
+    field_keep(file->bytes, file->count);
+    scene = field_expect(file->word, "");
+    for (int i = 0; i < 6; i++) {
+        double x = i % 3 / 2., z = i < 3;
+        double height = -1, x_in = x + (x < .5 ? 1 : -1) * 1e-9;
+        if (!field_meet(triangles_of(scene), x_in,
+                        z + (i < 3 ? -1 : 1) * 1e-9, &height))
+            fail_msg("%s %d: nothing is met", file->word, i);
+        if (fabs(height * 65536 - file->heights[i]) > .01)
+            fail_msg("%s %d: %.3f, not %d", file->word, i, height * 65536,
+                     file->heights[i]);
+    }
+    scene_free(scene);
+}
+
+static void test_kinds(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COUNT(known_files); i++)
+        check_file(&known_files[i]);
+}
+
+/* Each colour of the table is in it twice; the second table is the image's. */
+static void test_tables(void **state)
+{
+    static const struct known_file own_table = {
+        FILE_OF("gif",
+                "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
+                "\x02\0\x82"
+                "aaaaaabbbbbbccccccdddddd"
+                "\x03\x05\x08\x21\x38\x54\x09\0;"),
+        { 0, 256, 512, 768, 1024, 1280 }
+    };
+
+    (void)state;
+    check_file(&own_table);
+}
+
+/* A file without its end.  Of a broken PNG file the library forgets to free what it
+ * has read so far, which a leak checker would take for ours. */
+static void test_broken(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < COUNT(known_files); i++)
+        for (size_t k = 0; k < 8 && strcmp(known_files[i].word, "png"); k++) {
+            const struct known_file *file = &known_files[i];
+            struct diagnostics reports = { 0 };
+            struct scene *scene;
+            field_keep(file->bytes, file->count * k / 8);
+            scene = field_read(file->word, "", &with_images, &reports);
+            assert_true(scene || reports.errors == 1);
+            scene_free(scene);
+            diagnostics_free(&reports);
+        }
+}
+
+/* ---- What is none -------------------------------------------------------- */
+
+static void expect_file_fault(const char *word, const char *bytes,
+                              const char *message)
+{
+    field_keep(bytes, strlen(bytes));
+    field_expect_fault(word, "", 17 + strlen(word), message);
+}
+
+static void test_faulty_files(void **state)
+{
+    (void)state;
+    expect_file_fault("pgm", "", "empty");
+    expect_file_fault("", "P2 3 1 255 1 2 3", "two rows of two heights");
+    expect_file_fault("", "P2 1 3 255 1 2 3", "two rows of two heights");
+    expect_file_fault("", "P2 2 2 255 1 2 3", "only 3 of its 4 samples");
+    expect_file_fault("", "P5 2 2 255 123", "only 3 of its 4 samples");
+    expect_file_fault("", "P2 2 2 255 1 2 3 256", "a sample is 256");
+    expect_file_fault("", "P2 2 2 65536 1 2 3 4", "from 1 to 65535");
+    expect_file_fault("", "P2 2 2 0 0 0 0 0", "from 1 to 65535");
+    expect_file_fault("", "P2 0 2 255", "no pixels");
+    expect_file_fault("", "P2 x", "first numbers are wrong");
+    expect_file_fault("", "P2 9999 9999 255", "more than 8388608 pixels");
+    expect_file_fault("pgm", "P3 2 2 1 1 1 1", "the file is not 'pgm'");
+    expect_file_fault("png", "what is this", "the file is not 'png'");
+    expect_file_fault("tga", "what is this", "cannot be read");
+    expect_file_fault("gif", "GIF89a", "table of colours is broken");
+}
+
+static void test_large_file(void **state)
+{
+    enum { SIDE = 1500 };
+    char *bytes = calloc(1, SIDE * SIDE + 100);
+    int head;
+
+    (void)state;
+    assert_non_null(bytes);
+    head = sprintf(bytes, "P5 %d %d 255\n", SIDE, SIDE);
+    field_keep(bytes, (size_t)head + SIDE * SIDE);
+    field_expect_fault("pgm", "", 20, "more than 4000000 triangles");
+    free(bytes);
+}
+
+/* Without an adapter PGM is read, and nothing else. */
+static void test_no_adapter(void **state)
+{
+    struct diagnostics reports = { 0 };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(known_files); i++) {
+        const struct known_file *file = &known_files[i];
+        bool own = *file->word == 'p' && file->word[1] != 'n';
+        struct scene *scene;
+        field_keep(file->bytes, file->count);
+        scene = field_read(file->word, "", &reading_options, &reports);
+        assert_int_equal(!scene, !own);
+        assert_int_equal(reports.errors, !own);
+        if (!own)
+            assert_non_null(
+                strstr(reports.items->message, "cannot be read here"));
+        scene_free(scene);
+        diagnostics_free(&reports);
+        memset(&reports, 0, sizeof reports);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_kinds),
+        cmocka_unit_test(test_tables),
+        cmocka_unit_test(test_broken),
+        cmocka_unit_test(test_faulty_files),
+        cmocka_unit_test(test_large_file),
+        cmocka_unit_test(test_no_adapter),
+    };
+    int result;
+
+    field_begin();
+    result = cmocka_run_group_tests(tests, NULL, NULL);
+    field_end();
+    return result;
+}
