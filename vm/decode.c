@@ -318,7 +318,7 @@ c205_trap decode_at(struct c205 *machine, uint64_t pc,
                                                  pc);
     c205_trap trap = C205_TRAP_NONE;
     if (!cached) {
-        size_t i = pc / INSTRUCTION_STEP % DECODE_ENTRIES;
+        size_t i = decode_place(pc);
         struct decoded *entry = &machine->cache->entry[i];
         trap = decode(machine, pc, entry);
         machine->cache->pc[i] = trap == C205_TRAP_NONE ? pc : NOT_DECODED;
@@ -330,9 +330,7 @@ c205_trap decode_at(struct c205 *machine, uint64_t pc,
 
 c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix)
 {
-    struct decoded
-        *entry = &machine->cache
-                      ->entry[prefix->pc / INSTRUCTION_STEP % DECODE_ENTRIES];
+    struct decoded *entry = &machine->cache->entry[decode_place(prefix->pc)];
     uint64_t pc = (prefix->pc + INSTRUCTION_STEP) & ADDRESS_MASK;
     for (size_t i = 0; i < 2; i++) {
         c205_trap trap = decode_at(machine, pc, &entry->linked[i]);

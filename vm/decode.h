@@ -85,10 +85,15 @@ struct decode_cache {
 /* NULL: no memory; the caller frees it. */
 struct decode_cache *decode_cache_new(void);
 
+static inline size_t decode_place(uint64_t pc)
+{
+    return pc / INSTRUCTION_STEP % DECODE_ENTRIES;
+}
+
 static inline const struct decoded *
 decode_cached(const struct decode_cache *cache, uint64_t version, uint64_t pc)
 {
-    size_t i = pc / INSTRUCTION_STEP % DECODE_ENTRIES;
+    size_t i = decode_place(pc);
     const struct decoded *entry = &cache->entry[i];
     return cache->pc[i] == pc && entry->version == version ? entry : NULL;
 }
