@@ -8,7 +8,7 @@
 #include "base/json_read.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
-#include "tests/unit/drawn_lesson.h"
+#include "tests/unit/drawn_words.h"
 
 static uint64_t random_state = RANDOM_SEED;
 static size_t tries = 150;
@@ -97,133 +97,6 @@ static void draw_goals(struct drawn_test *test, uint64_t clocks,
     }
 }
 
-/* ---- What is to be said ---------------------------------------------------- */
-
-static void say_value(const struct drawn_lesson *drawn, c205_word element,
-                      const struct sink *sink)
-{
-    char text[C205_TEXT_SIZE];
-
-    if (drawn->kind == DRAWN_BITS)
-        strcpy(text, element ? "1" : "0");
-    else if (drawn->kind == DRAWN_HALVES)
-        c205_half_to_text(element, text);
-    else
-        c205_to_text(element, text);
-    sink_put(sink, text);
-}
-
-static void say_element(const struct drawn_lesson *drawn, c205_word found,
-                        c205_word wanted, const struct sink *sink)
-{
-    sink_put(sink, " is ");
-    say_value(drawn, found, sink);
-    sink_put(sink, " and should be ");
-    say_value(drawn, wanted, sink);
-}
-
-/* What the answer leaves at an element. */
-static c205_word found_at(const struct drawn_lesson *drawn, size_t i)
-{
-    const struct drawn_test *test = &drawn->tests[drawn->faulty];
-
-    switch (drawn->fault) {
-    case FAULT_NOTHING: return 0;
-    case FAULT_LATE: return i > 0 ? test->wanted[i - 1] : 0;
-    case FAULT_BACKWARDS: return test->wanted[test->n - 1 - i];
-    case FAULT_SIGN:
-        return drawn->kind == DRAWN_WORDS
-                   ? c205_from_double(-c205_to_double(test->wanted[i]))
-                   : c205_half_from_double(
-                       -c205_half_to_double(test->wanted[i]));
-    case FAULT_ELEMENT:
-    case FAULT_LAST_BIT:
-        return i == drawn->element ? drawn->found : test->wanted[i];
-    default: return test->wanted[i];
-    }
-}
-
-static bool is_near(const struct drawn_lesson *drawn, c205_word found,
-                    c205_word wanted)
-{
-    return found == wanted
-           || (drawn->tests[drawn->faulty].tolerant
-               && fabs(drawn_number(drawn, found)
-                       - drawn_number(drawn, wanted))
-                      <= c205_to_double(c205_from_double(1e-3)));
-}
-
-static size_t count_wrong(const struct drawn_lesson *drawn)
-{
-    const struct drawn_test *test = &drawn->tests[drawn->faulty];
-    size_t wrong = 0;
-
-    for (size_t i = 0; i < test->n; i++)
-        wrong += !is_near(drawn, found_at(drawn, i), test->wanted[i]);
-    return wrong;
-}
-
-static void say_wrong(const struct drawn_lesson *drawn, size_t wrong,
-                      const struct sink *sink)
-{
-    const struct drawn_test *test = &drawn->tests[drawn->faulty];
-    size_t told = 0;
-
-    if (test->n == 1) {
-        sink_put(sink, "y");
-        say_element(drawn, found_at(drawn, 0), test->wanted[0], sink);
-        sink_put(sink, ".");
-        return;
-    }
-    if (wrong == test->n && wrong == 2)
-        sink_put(sink, "Both elements of y are");
-    else if (wrong == test->n)
-        sink_print(sink, "All %zu elements of y are", test->n);
-    else
-        sink_print(sink, "%zu of the %zu elements of y %s", wrong, test->n,
-                   wrong == 1 ? "is" : "are");
-    sink_put(sink, " wrong: element");
-    for (size_t i = 0; i < test->n && told < 3; i++) {
-        if (is_near(drawn, found_at(drawn, i), test->wanted[i]))
-            continue;
-        sink_print(sink, "%s %zu", told++ ? "," : "", i);
-        say_element(drawn, found_at(drawn, i), test->wanted[i], sink);
-    }
-    if (wrong > told)
-        sink_print(sink, ", and %zu more", wrong - told);
-    sink_put(sink, " (counted from 0).");
-}
-
-/* Bits that are flipped by chance look like many things. */
-static const char *likeness_of(const struct drawn_lesson *drawn)
-{
-    static const char *const sentences[DRAWN_FAULTS] = {
-        [FAULT_ELEMENT] = "",
-        [FAULT_LAST_BIT] = "  Only the last bits are wrong: other "
-                           "operations, or the same in another order, round "
-                           "otherwise.",
-        [FAULT_NOTHING] = "  It holds what it held before the run: nothing "
-                          "was stored there, or nothing new.",
-        [FAULT_LATE] = "  The right elements stand one place too far behind: "
-                       "element 1 has what element 0 should have.",
-        [FAULT_BACKWARDS] = "  The right elements stand there from back to "
-                            "front.",
-        [FAULT_SIGN] = "  The sign is wrong.",
-    };
-
-    return drawn->kind == DRAWN_BITS ? NULL : sentences[drawn->fault];
-}
-
-static size_t fault_line(const struct drawn_lesson *drawn)
-{
-    const char *at = drawn->answer, *fault = strstr(at, "; fault");
-    size_t line = 1;
-
-    for (; at < fault; at++)
-        line += *at == '\n';
-    return line;
-}
-
 /* ---- What was said --------------------------------------------------------- */
 
 static void check_begins(const struct drawn_lesson *drawn,
@@ -243,9 +116,9 @@ static void check_wrong(const struct drawn_lesson *drawn,
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
-    const char *likeness = likeness_of(drawn);
+    const char *likeness = drawn_likeness(drawn);
 
-    say_wrong(drawn, count_wrong(drawn), &sink);
+    drawn_say_wrong(drawn, drawn_count_wrong(drawn), &sink);
     sink_put(&sink, likeness ? likeness : "");
     assert_false(trial->right);
     assert_int_equal(trial->report.count, 1);
@@ -265,7 +138,7 @@ static void check_trap(const struct drawn_lesson *drawn,
     snprintf(wanted, sizeof wanted,
              "It was stopped by a trap:\nmy.s:%zu:9: error: trap "
              "unmapped-address",
-             fault_line(drawn));
+             drawn_fault_line(drawn));
     check_begins(drawn, trial, 0, wanted);
     assert_int_equal(trial->clocks, c205_clock(plain->machine));
 }
@@ -280,7 +153,7 @@ static void check_loop(const struct drawn_lesson *drawn,
              "It had not ended after %" PRIu64
              " clocks: is this an endless loop?  It was in line %zu then: "
              "here:   BIM     here ; fault",
-             trial->clocks, fault_line(drawn));
+             trial->clocks, drawn_fault_line(drawn));
     check_begins(drawn, trial, 0, wanted);
 }
 
@@ -532,7 +405,7 @@ static void check_trial(const struct drawn_lesson *drawn, size_t index,
         check_trap(drawn, trial, plain);
     else if (faulty && drawn->fault == FAULT_LOOP)
         check_loop(drawn, trial);
-    else if (faulty && count_wrong(drawn) > 0)
+    else if (faulty && drawn_count_wrong(drawn) > 0)
         check_wrong(drawn, trial);
     else
         check_right(drawn, trial, plain, medal);
