@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "rt/layout/eyes.h"
 #include "rt/layout/images.h"
 #include "rt/layout/interiors.h"
 #include "rt/layout/lens.h"
@@ -187,12 +188,14 @@ static void layout_things(struct record_layout *layout,
 {
     uint64_t *images = images_layout(layout, scene);
     struct interiors interiors;
+    struct eyes eyes;
 
     if (!images)
         return;
+    eyes_find(scene, &eyes);
     layout_sky(layout, scene, images);
     if (interiors_find(scene, &interiors)) {
-        layout_solids(layout, scene, &interiors, images, bounding);
+        layout_solids(layout, scene, &interiors, images, &eyes, bounding);
         interiors_layout(layout, &interiors, scene);
     } else {
         layout_fail(layout, "no memory");

@@ -25,6 +25,11 @@ static size_t points_of(const struct light *light)
     return count > 1 && !light->shadowless ? count : 0;
 }
 
+bool light_shadows_from_point(const struct light *light)
+{
+    return !light->shadowless && !light->parallel && points_of(light) == 0;
+}
+
 static bool has_beam(const struct light *light)
 {
     return dims(light) || light->parallel || points_of(light) > 0;

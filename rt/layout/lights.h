@@ -9,6 +9,8 @@
 bool scene_has_beams(const struct scene *scene);
 /* .. and light/area_vector.s. */
 bool scene_has_areas(const struct scene *scene);
+/* It casts shadows, all of them from the place where it is. */
+bool light_shadows_from_point(const struct light *light);
 void layout_lights(struct record_layout *layout, const struct scene *scene);
 
 #endif

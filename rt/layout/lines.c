@@ -15,7 +15,8 @@ struct lines_layout {
     size_t objects;
 };
 
-/* Plain surfaces have no bodies that rays remember, and no images. */
+/* Plain surfaces have no bodies that rays remember, and no images; lines come from
+ * anywhere. */
 static void layout_bare_solids(struct record_layout *layout,
                                const struct scene *scene,
                                enum bounding bounding)
@@ -23,7 +24,7 @@ static void layout_bare_solids(struct record_layout *layout,
     struct interiors interiors;
 
     if (interiors_find(scene, &interiors))
-        layout_solids(layout, scene, &interiors, NULL, bounding);
+        layout_solids(layout, scene, &interiors, NULL, NULL, bounding);
     else
         layout_fail(layout, "no memory");
     interiors_free(&interiors);

@@ -15,7 +15,8 @@
 
 /* False: there is no memory. */
 static bool put_integers(const struct primitive *primitive,
-                         const double *table, size_t count, c205_word *words)
+                         const struct eyes *eyes, const double *table,
+                         size_t count, c205_word *words)
 {
     const struct shape *shape = shape_of(primitive);
     bool *marks;
@@ -25,7 +26,7 @@ static bool put_integers(const struct primitive *primitive,
     marks = calloc(count + 1, sizeof *marks);
     if (!marks)
         return false;
-    shape->mark_integers(primitive, marks);
+    shape->mark_integers(primitive, eyes, marks);
     for (size_t i = 0; i < count; i++)
         if (marks[i])
             words[i] = c205_from_integer((int64_t)table[i]);
@@ -34,10 +35,11 @@ static bool put_integers(const struct primitive *primitive,
 }
 
 static void put_table(struct record *record,
-                      const struct primitive *primitive)
+                      const struct primitive *primitive,
+                      const struct eyes *eyes)
 {
-    size_t count = shape_table_count(primitive);
-    double *table = shape_table(primitive, count);
+    size_t count = shape_table_count(primitive, eyes);
+    double *table = shape_table(primitive, eyes, count);
     c205_word *words = calloc(count + 1, sizeof *words);
 
     if (!table || !words) {
@@ -45,7 +47,7 @@ static void put_table(struct record *record,
     } else if (count > 0) {
         record_check(record, table, count);
         put_numbers(words, table, count);
-        if (put_integers(primitive, table, count, words))
+        if (put_integers(primitive, eyes, table, count, words))
             record_table(record, "P_TABLE", words, count);
         else
             layout_fail(record->layout, "no memory");
@@ -65,7 +67,7 @@ static size_t mesh_sort(const struct primitive *primitive,
 
 static void put_shape(struct record *record,
                       const struct primitive *primitive,
-                      const struct leaf_plan *plan)
+                      const struct leaf_plan *plan, const struct eyes *eyes)
 {
     struct shape_words shape;
     const char *kernel;
@@ -93,7 +95,7 @@ static void put_shape(struct record *record,
     record_integer(record, "P_EVENTS", shape.events);
     record_integer(record, "P_INVERTED", primitive->inverted);
     record_numbers(record, "P_SHAPE", shape.words, shape.count);
-    put_table(record, primitive);
+    put_table(record, primitive, plan->simple ? eyes : NULL);
     record_numbers(record, "P_LOCAL", &primitive->to_local.rows[0][0], 12);
 }
 
@@ -281,7 +283,9 @@ static void put_mirror(struct record *record,
     record_numbers(record, "P_INDEX", index, 2);
 }
 
-static size_t table_words(const struct scene *scene)
+static size_t table_words(const struct scene *scene,
+                          const struct leaf_plan *plans,
+                          const struct eyes *eyes)
 {
     const struct pigment *before = NULL;
     size_t count = 0;
@@ -289,7 +293,8 @@ static size_t table_words(const struct scene *scene)
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct pigment *pigment = &scene->primitives[i].pigment;
 
-        count += shape_table_count(&scene->primitives[i]);
+        count += shape_table_count(&scene->primitives[i],
+                                   plans[i].simple ? eyes : NULL);
         if (!pigment_has_map(pigment)
             || (before && has_stops_of(pigment, before)))
             continue;
@@ -359,7 +364,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
                   const struct leaf_plan *plans,
                   const struct interiors *interiors, const uint64_t *images,
                   const uint64_t *bumps, const struct row *crossings,
-                  const struct row *values)
+                  const struct row *values, const struct eyes *eyes)
 {
     struct looks *looks = looks_new(scene->primitive_count);
     bool alike = false;
@@ -372,7 +377,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     if (!looks)
         layout_fail(layout, "no memory");
     record_begin(&record, layout, "P_SIZE", scene->primitive_count,
-                 table_words(scene));
+                 table_words(scene, plans, eyes));
     row = record_row(&record);
     for (size_t i = 0; i < scene->primitive_count && !layout->failed; i++) {
         record.line = scene->primitives[i].line;
@@ -381,7 +386,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
         record_integer(&record, "P_SPACE", space);
         if (object_symbol(layout->program, "P_OBJECT"))
             record_integer(&record, "P_OBJECT", scene->primitives[i].object);
-        put_shape(&record, &scene->primitives[i], &plans[i]);
+        put_shape(&record, &scene->primitives[i], &plans[i], eyes);
         put_part(&record, &plans[i], crossings, values);
         put_surface(&record, scene, &scene->primitives[i], &map);
         put_mirror(&record, &scene->primitives[i]);
@@ -423,7 +428,7 @@ static struct row layout_values(struct record_layout *layout,
 
 void layout_solids(struct record_layout *layout, const struct scene *scene,
                    const struct interiors *interiors, const uint64_t *images,
-                   enum bounding bounding)
+                   const struct eyes *eyes, enum bounding bounding)
 {
     struct leaf_plan *plans = calloc(scene->primitive_count + 1,
                                      sizeof *plans);
@@ -445,7 +450,7 @@ void layout_solids(struct record_layout *layout, const struct scene *scene,
     places.values = layout_values(layout, scene);
     places.primitives = layout_primitives(layout, scene, plans, interiors,
                                           images, bumps, &crossings,
-                                          &places.values);
+                                          &places.values, eyes);
     layout_regions(layout, scene, bounding, &places);
     free(plans);
     free(bumps);

@@ -7,6 +7,7 @@
 #include "rt/scene/transform.h"
 #include "rt/scene/vector.h"
 #include "rt/shapes/mesh_hierarchy.h"
+#include "rt/shapes/mesh_windows.h"
 
 /* rt/scene/language/mesh.c and mesh2.c read what stands in its braces. */
 static const struct shape_field fields[] = {
@@ -102,6 +103,20 @@ static struct boxed boxed_of(const struct triangle *triangle)
     return boxed;
 }
 
+static struct box box_of(const struct primitive *primitive,
+                         const struct triangles *triangles)
+{
+    struct box box = box_empty;
+
+    for (size_t i = 0; i < triangles->count; i++) {
+        struct triangle triangle = carried(primitive, triangles, i);
+        struct boxed boxed = boxed_of(&triangle);
+
+        box_join(&box, &boxed.box);
+    }
+    return box;
+}
+
 static double reach_of(const struct triangle *triangle,
                        const double center[3])
 {
@@ -119,14 +134,8 @@ static void bound_many(const struct primitive *primitive,
                        const struct triangles *triangles, struct bound *bound)
 {
     size_t count = triangles->count;
-    struct box box = box_empty;
+    struct box box = box_of(primitive, triangles);
 
-    for (size_t i = 0; i < count; i++) {
-        struct triangle triangle = carried(primitive, triangles, i);
-        struct boxed boxed = boxed_of(&triangle);
-
-        box_join(&box, &boxed.box);
-    }
     copy3(box.low, bound->low);
     copy3(box.high, bound->high);
     for (int i = 0; i < 3; i++)
@@ -169,10 +178,11 @@ enum {
     DIRECTIONS = 8, /* signs of a ray's direction: 1 of x, 2 of y, 4 of z */
     NODE_FIRST = NODE_LINKS + 2 * DIRECTIONS,
     NODE_COUNT,
+    EYES_FIRST = NODE_FIRST, /* in the row of zeros */
+    EYES_COUNT = NODE_COUNT,
     FLAT_ROW = 13,
     SMOOTH_ROW = 21
 };
-#define MET 0x1p40 /* of a leaf, added to where its rays go on */
 
 static bool is_flat(const struct primitive *primitive)
 {
@@ -200,42 +210,6 @@ struct mesh_table {
     double margin; /* of the boxes: more than what is rounded */
     double *nodes; /* rows, from the first on */
 };
-
-/* The first node at which rays are asked, of it and those below it. */
-static size_t first_asked(const struct mesh_node *nodes, size_t node,
-                          size_t direction)
-{
-    while (nodes[node].is_passed)
-        node = direction >> nodes[node].axis & 1 ? nodes[node + 1].next
-                                                 : node + 1;
-    return node;
-}
-
-/* Where rays of a direction go on from a node and all below it: to that below
- * which they come to first, or if they do not come near to `miss`. */
-static void put_links(const struct mesh_table *table, size_t node,
-                      size_t direction, double miss)
-{
-    const struct mesh_node *nodes = table->hierarchy->nodes;
-    double *links = table->nodes + NODE_ROW * node + NODE_LINKS
-                    + 2 * direction;
-    size_t near = node + 1, far = nodes[node + 1].next;
-    double to_far;
-
-    links[1] = miss;
-    if (nodes[node].count > 0) {
-        links[0] = miss + MET;
-        return;
-    }
-    if (direction >> nodes[node].axis & 1) {
-        near = far;
-        far = node + 1;
-    }
-    links[0] = node_place(first_asked(nodes, near, direction));
-    to_far = node_place(first_asked(nodes, far, direction));
-    put_links(table, near, direction, to_far);
-    put_links(table, far, direction, miss);
-}
 
 static void put_node(const struct mesh_table *table, size_t node)
 {
@@ -324,15 +298,38 @@ static void put_triangle(const struct primitive *primitive,
         turn_up(primitive, row + 9);
 }
 
-static void put_nodes(const struct mesh_table *table)
+/* Rays whose directions have the same signs go one way. */
+static void put_links(const struct mesh_table *table, size_t direction,
+                      unsigned char *ways)
 {
-    for (size_t i = 0; i < table->hierarchy->node_count; i++)
-        put_node(table, i);
-    for (size_t i = 0; i < DIRECTIONS; i++)
-        put_links(table, 0, i, 0);
+    const struct mesh_hierarchy *hierarchy = table->hierarchy;
+
+    for (size_t i = 0; i < hierarchy->node_count; i++) {
+        const struct mesh_node *node = &hierarchy->nodes[i];
+
+        ways[i] = node->is_passed ? MESH_PASSED : 0;
+        if (direction >> node->axis & 1)
+            ways[i] |= MESH_UPPER_FIRST;
+    }
+    mesh_hierarchy_thread(hierarchy, ways,
+                          &(struct mesh_rows){ table->nodes + NODE_LINKS
+                                                   + 2 * direction,
+                                               NODE_ROW });
 }
 
-static void fill_table(const struct primitive *primitive,
+static bool put_nodes(const struct mesh_table *table)
+{
+    unsigned char *ways = malloc(table->hierarchy->node_count);
+
+    for (size_t i = 0; i < table->hierarchy->node_count; i++)
+        put_node(table, i);
+    for (size_t i = 0; ways && i < DIRECTIONS; i++)
+        put_links(table, i, ways);
+    free(ways);
+    return ways;
+}
+
+static bool fill_table(const struct primitive *primitive,
                        const struct triangles *triangles,
                        const struct mesh_hierarchy *hierarchy, double *table)
 {
@@ -346,10 +343,10 @@ static void fill_table(const struct primitive *primitive,
     };
     double *row = filled.nodes + NODE_ROW * hierarchy->node_count;
 
-    put_nodes(&filled);
     for (size_t i = 0; i < triangles->count; i++)
         put_triangle(primitive, triangles, hierarchy->order[i],
                      row + filled.row * i);
+    return put_nodes(&filled);
 }
 
 static bool plan(const struct primitive *primitive,
@@ -381,14 +378,35 @@ static size_t table_size(const struct primitive *primitive,
     return nodes_size(triangles) + row_size(primitive) * triangles->count;
 }
 
+static bool put_windows(const struct primitive *primitive,
+                        const struct mesh_hierarchy *hierarchy,
+                        const struct eyes *eyes, size_t place, double *table)
+{
+    size_t nodes = NODE_ROW * (hierarchy->node_count + 1);
+    struct mesh_windows windows = { .hierarchy = hierarchy,
+                                    .triangles = table + nodes,
+                                    .row = row_size(primitive),
+                                    .triangles_place = (double)nodes };
+    size_t seeing;
+
+    mesh_windows_size(eyes, &hierarchy->nodes[0].box, hierarchy->node_count,
+                      &seeing);
+    table[EYES_FIRST] = (double)place;
+    table[EYES_COUNT] = (double)seeing;
+    return mesh_windows_put(&windows, eyes, (double)place, table + place);
+}
+
+/* The windows of eyes begin at place. */
 static bool put_hierarchy(const struct primitive *primitive,
-                          const struct triangles *triangles, double *table)
+                          const struct triangles *triangles,
+                          const struct eyes *eyes, size_t place,
+                          double *table)
 {
     struct mesh_hierarchy hierarchy = { 0 };
-    bool good = plan(primitive, triangles, &hierarchy);
+    bool good = plan(primitive, triangles, &hierarchy)
+                && fill_table(primitive, triangles, &hierarchy, table)
+                && put_windows(primitive, &hierarchy, eyes, place, table);
 
-    if (good)
-        fill_table(primitive, triangles, &hierarchy, table);
     mesh_hierarchy_free(&hierarchy);
     return good;
 }
@@ -411,20 +429,41 @@ size_t mesh_row(const struct primitive *mesh, size_t words)
     return (words - nodes_size(&mesh->shape.mesh.triangles)) / row_size(mesh);
 }
 
-/* What is seen, and behind it the body.  Returns 0 without memory. */
-static size_t put_table(const struct primitive *primitive, double *table)
+/* .. of what the eyes see. */
+static size_t windows_size(const struct primitive *primitive,
+                           const struct eyes *eyes, size_t *seeing)
+{
+    const struct triangles *seen = &primitive->shape.mesh.triangles;
+    struct box box = box_of(primitive, seen);
+
+    return mesh_windows_size(eyes, &box, mesh_hierarchy_nodes(seen->count),
+                             seeing);
+}
+
+/* Words of what is seen and of the body behind it. */
+static size_t tables_size(const struct primitive *primitive)
+{
+    const struct triangles *body = &primitive->shape.mesh.body;
+
+    return table_size(primitive, &primitive->shape.mesh.triangles)
+           + (body->count > 0 ? table_size(primitive, body) : 0);
+}
+
+/* What is seen, the body, what the eyes see.  Returns 0 without memory. */
+static size_t put_table(const struct primitive *primitive,
+                        const struct eyes *eyes, double *table)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
-    size_t size = table_size(primitive, seen);
+    size_t size = table_size(primitive, seen), place = tables_size(primitive);
+    size_t seeing;
 
-    if (table && !put_hierarchy(primitive, seen, table))
+    if (table && !put_hierarchy(primitive, seen, eyes, place, table))
         return 0;
-    if (body->count == 0)
-        return size;
-    if (table && !put_hierarchy(primitive, body, table + size))
+    if (table && body->count > 0
+        && !put_hierarchy(primitive, body, NULL, 0, table + size))
         return 0;
-    return size + table_size(primitive, body);
+    return place + windows_size(primitive, eyes, &seeing);
 }
 
 /* What the triangles are made of; boxes are between their corners. */
@@ -452,14 +491,19 @@ static void mark_links(const struct triangles *triangles, bool *marks)
         marks[i] = i % NODE_ROW >= NODE_LINKS;
 }
 
-static void mark_integers(const struct primitive *primitive, bool *marks)
+static void mark_integers(const struct primitive *primitive,
+                          const struct eyes *eyes, bool *marks)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
+    size_t seeing;
 
     mark_links(seen, marks);
     if (body->count > 0)
         mark_links(body, marks + table_size(primitive, seen));
+    windows_size(primitive, eyes, &seeing);
+    mesh_windows_mark(seeing, mesh_hierarchy_nodes(seen->count),
+                      marks + tables_size(primitive));
 }
 
 /* A line crosses each triangle once at the most, and where that comes to an odd

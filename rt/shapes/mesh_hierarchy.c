@@ -118,6 +118,66 @@ static void plan_tests(struct mesh_node *nodes, size_t number, double above)
     plan_tests(nodes, nodes[number + 1].next, surface);
 }
 
+/* ---- Links --------------------------------------------------------------- */
+
+struct threading {
+    const struct mesh_node *nodes;
+    const unsigned char *ways;
+    const struct mesh_rows *rows;
+};
+
+static double place_of(const struct threading *threading, size_t node)
+{
+    return (double)(threading->rows->size * (node + 1));
+}
+
+static bool upper_first(const struct threading *threading, size_t node)
+{
+    return threading->ways[node] & MESH_UPPER_FIRST;
+}
+
+/* The first node at which rays are asked, of it and those below it. */
+static size_t first_asked(const struct threading *threading, size_t node)
+{
+    while (threading->ways[node] & MESH_PASSED)
+        node = upper_first(threading, node) ? threading->nodes[node + 1].next
+                                            : node + 1;
+    return node;
+}
+
+/* From a node and all below it: those that do not come near go to `miss`. */
+static void put_links(const struct threading *threading, size_t node,
+                      double miss)
+{
+    const struct mesh_node *nodes = threading->nodes;
+    double *links = threading->rows->links + threading->rows->size * node;
+    size_t near = node + 1, far = nodes[node + 1].next;
+    double to_far;
+
+    links[1] = miss;
+    if (nodes[node].count > 0) {
+        links[0] = miss + MESH_MET;
+        return;
+    }
+    if (upper_first(threading, node)) {
+        near = far;
+        far = node + 1;
+    }
+    links[0] = place_of(threading, first_asked(threading, near));
+    to_far = place_of(threading, first_asked(threading, far));
+    put_links(threading, near, to_far);
+    put_links(threading, far, miss);
+}
+
+void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
+                           const unsigned char *ways,
+                           const struct mesh_rows *rows)
+{
+    struct threading threading = { hierarchy->nodes, ways, rows };
+
+    put_links(&threading, 0, 0);
+}
+
 /* ---- The whole ----------------------------------------------------------- */
 
 size_t mesh_hierarchy_nodes(size_t triangles)

@@ -36,4 +36,26 @@ bool mesh_hierarchy_build(const struct boxed *triangles, size_t count,
                           struct mesh_hierarchy *hierarchy);
 void mesh_hierarchy_free(struct mesh_hierarchy *hierarchy);
 
+/* How rays of one sort go through it, node by node. */
+enum mesh_way {
+    MESH_UPPER_FIRST = 1, /* they come to the second of the two below first */
+    MESH_PASSED = 2,      /* they are asked at the nodes below instead */
+};
+
+/* Rows of some words, behind one of zeros, in which a node is told by how many words
+ * stand before its row, and 0 is the end. */
+struct mesh_rows {
+    double *links; /* of the first node; they stand beside one another */
+    size_t size;   /* words of a row */
+};
+/* More than where any row stands. */
+#define MESH_MET 0x1p40
+
+/* Where such rays go on, from each node: those that come near it, and the others; so
+ * there is no stack.  Near a leaf they go on as the others do, and the link is greater
+ * by MESH_MET. */
+void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
+                           const unsigned char *ways,
+                           const struct mesh_rows *rows);
+
 #endif

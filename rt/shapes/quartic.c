@@ -32,8 +32,10 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 2;
 }
 
-static size_t put_table(const struct primitive *primitive, double *table)
+static size_t put_table(const struct primitive *primitive,
+                        const struct eyes *eyes, double *table)
 {
+    (void)eyes;
     if (table)
         memcpy(table, primitive->shape.quartic.coefficients,
                QUARTIC_TERMS * sizeof *table);

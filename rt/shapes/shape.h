@@ -9,6 +9,7 @@
 
 #include "rt/shapes/bound.h"
 #include "rt/shapes/emitter.h"
+#include "rt/shapes/eyes.h"
 #include "rt/shapes/primitive.h"
 
 /* How closely roots are found, beside the size of the shape. */
@@ -88,11 +89,14 @@ struct shape {
     size_t (*words)(const struct primitive *primitive, double *words);
     /* Any number of further words, to which the record has an address: how
      * many, and, if table is not NULL, the words, or 0 if there is no memory
-     * to work them out.  NULL: none. */
-    size_t (*table)(const struct primitive *primitive, double *table);
+     * to work them out.  What is asked of it may be planned by where many
+     * rays go through; eyes may be NULL.  NULL: none. */
+    size_t (*table)(const struct primitive *primitive,
+                    const struct eyes *eyes, double *table);
     /* Which of them are integers: marks these where no mark is.  NULL: all are
      * numbers. */
-    void (*mark_integers)(const struct primitive *primitive, bool *marks);
+    void (*mark_integers)(const struct primitive *primitive,
+                          const struct eyes *eyes, bool *marks);
     /* Whether all are finite, if that is told sooner than by working them
      * out; or NULL. */
     bool (*is_finite)(const struct primitive *primitive);

@@ -54,19 +54,21 @@ bool shape_words_historical(const struct primitive *primitive,
     return true;
 }
 
-size_t shape_table_count(const struct primitive *primitive)
+size_t shape_table_count(const struct primitive *primitive,
+                         const struct eyes *eyes)
 {
     const struct shape *shape = shape_of(primitive);
 
-    return shape->table ? shape->table(primitive, NULL) : 0;
+    return shape->table ? shape->table(primitive, eyes, NULL) : 0;
 }
 
-double *shape_table(const struct primitive *primitive, size_t count)
+double *shape_table(const struct primitive *primitive,
+                    const struct eyes *eyes, size_t count)
 {
     double *table = calloc(count + 1, sizeof *table);
 
     if (table && count > 0
-        && shape_of(primitive)->table(primitive, table) == 0) {
+        && shape_of(primitive)->table(primitive, eyes, table) == 0) {
         free(table);
         return NULL;
     }
@@ -83,8 +85,8 @@ static bool are_finite(const double *numbers, size_t count)
 
 static bool table_is_finite(const struct primitive *primitive)
 {
-    size_t count = shape_table_count(primitive);
-    double *table = shape_table(primitive, count);
+    size_t count = shape_table_count(primitive, NULL);
+    double *table = shape_table(primitive, NULL, count);
     bool finite = !table || are_finite(table, count);
 
     free(table);

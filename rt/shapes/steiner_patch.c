@@ -40,11 +40,13 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return STEINER_SHAPE;
 }
 
-static size_t put_table(const struct primitive *primitive, double *table)
+static size_t put_table(const struct primitive *primitive,
+                        const struct eyes *eyes, double *table)
 {
     double found[STEINER_TABLE_MOST];
     size_t count = steiner_table(primitive, found);
 
+    (void)eyes;
     if (table)
         memcpy(table, found, count * sizeof *table);
     return count;
@@ -53,7 +55,7 @@ static size_t put_table(const struct primitive *primitive, double *table)
 /* The implicit way wants a surface of the fourth degree. */
 static bool is_historical(const struct primitive *primitive)
 {
-    return put_table(primitive, NULL) > STEINER_TABLE;
+    return put_table(primitive, NULL, NULL) > STEINER_TABLE;
 }
 
 /* The polynomials K0 .. K5 axis by axis, those of the squares twice. */

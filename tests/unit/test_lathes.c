@@ -216,7 +216,7 @@ static size_t segments_of(const char *path)
     snprintf(text, sizeof text, "lathe { %s }", path);
     scene = read_text(text);
     shape_words(scene->primitives, &words);
-    assert_int_equal(shape_table_count(scene->primitives) % 16, 0);
+    assert_int_equal(shape_table_count(scene->primitives, NULL) % 16, 0);
     scene_free(scene);
     return words.segments;
 }
@@ -277,8 +277,8 @@ static bool is_closed(const struct primitive *lathe)
  * may be outside. */
 static void check_normals(const struct primitive *lathe)
 {
-    size_t count = shape_table_count(lathe);
-    double *table = shape_table(lathe, count);
+    size_t count = shape_table_count(lathe, NULL);
+    double *table = shape_table(lathe, NULL, count);
     struct shape_words words;
 
     shape_words(lathe, &words);

@@ -161,7 +161,7 @@ static size_t segments_of(const char *path)
     snprintf(text, sizeof text, "prism { 0, 1, %s }", path);
     scene = read_text(text);
     shape_words(scene->primitives, &words);
-    assert_int_equal(shape_table_count(scene->primitives) % 8, 0);
+    assert_int_equal(shape_table_count(scene->primitives, NULL) % 8, 0);
     scene_free(scene);
     return words.segments;
 }
@@ -193,8 +193,8 @@ static void test_segments(void **state)
 /* The normal of each edge leads from inside to outside. */
 static void check_normals(const struct primitive *prism)
 {
-    size_t count = shape_table_count(prism);
-    double *table = shape_table(prism, count);
+    size_t count = shape_table_count(prism, NULL);
+    double *table = shape_table(prism, NULL, count);
 
     assert_non_null(table);
     for (double *row = table; row < table + count; row += 8) {

@@ -164,7 +164,7 @@ static size_t segments_of(const char *path)
     snprintf(text, sizeof text, PRISM "0, 1, %s }", path);
     scene = read_text(text);
     shape_words(scene->primitives, &words);
-    assert_int_equal(shape_table_count(scene->primitives) % 16, 0);
+    assert_int_equal(shape_table_count(scene->primitives, NULL) % 16, 0);
     scene_free(scene);
     return words.segments;
 }
@@ -247,8 +247,8 @@ static void check_point(const struct primitive *prism, const double *corner,
 
 static void check_table(const struct primitive *prism, bool tangled)
 {
-    size_t count = shape_table_count(prism);
-    double *table = shape_table(prism, count);
+    size_t count = shape_table_count(prism, NULL);
+    double *table = shape_table(prism, NULL, count);
 
     assert_non_null(table);
     for (double *row = table; row < table + count; row += 16)

@@ -175,11 +175,11 @@ static void test_rows(void **state)
         "}");
     const struct primitive *primitive = scene->primitives;
     struct shape_words words;
-    double *table = shape_table(primitive, 3 * ROW);
+    double *table = shape_table(primitive, NULL, 3 * ROW);
     static const double ends[2][3] = { { 1, 4, 3 }, { 1, 10, 7 } };
 
     (void)state;
-    assert_int_equal(shape_table_count(primitive), 3 * ROW);
+    assert_int_equal(shape_table_count(primitive, NULL), 3 * ROW);
     shape_words(primitive, &words);
     assert_close(words.words[4], 1, 0);
     assert_close(words.words[5], 3, 0);

@@ -103,8 +103,8 @@ static struct words words_of(const struct primitive *primitive)
     double *table;
 
     shape_words(primitive, &words.shape);
-    words.table_count = shape_table_count(primitive);
-    table = shape_table(primitive, words.table_count);
+    words.table_count = shape_table_count(primitive, NULL);
+    table = shape_table(primitive, NULL, words.table_count);
     assert_true(table && words.table_count <= STEINER_TABLE_MOST);
     memcpy(words.table, table, words.table_count * sizeof *table);
     free(table);

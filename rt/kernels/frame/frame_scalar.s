@@ -8,6 +8,7 @@
         .if     ADAPTIVE
         .include "frame/adaptive.s"
         .endif
+        .equ    CASTS_SHADOWS, 1
         .include "frame/linkage.s"
         .include "frame/vectors_scalar.s"
         .include "light/power_constants.s"

@@ -16,6 +16,11 @@
 ; finds there.  r200-r238 are those of power, r240-r252 the main program's, r253
 ; and r254 scratch.
 
+; 1: there are rays to lights (light/shadow_scalar.s).
+        .ifndef CASTS_SHADOWS
+        .equ    CASTS_SHADOWS, 0
+        .endif
+
         .regs   r7, link, arguments, save_at, image_at, target
         .share  main
         .reg    inner, r12

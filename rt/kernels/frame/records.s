@@ -303,7 +303,9 @@
 ; By the signs of a ray's direction (1: x below 0, 2: y, 4: z) a node tells where
 ; the rays that come near it go on, and where the others do: among the nodes, or
 ; 0, the end.  Near a leaf they go on where the others do, and the link is
-; greater by MESH_MET.
+; greater by MESH_MET.  Of the row of zeros MESH_FIRST and MESH_COUNT tell of the eyes
+; that the mesh is seen from (rt/shapes/mesh_windows.h): where their rows begin, and how
+; many they are.
         .record MESH
         .field  MESH_BOX, 6        ; centre 3, half sides 3
         .field  MESH_LINKS, 16     ; near, not near; for each of eight signs
@@ -312,6 +314,28 @@
         .at     25              ; odd, for the banks
         .endrecord
         .equ    MESH_MET, 1 << 40
+
+; .. and of an eye's rows, where a node is told as above, in the same order.
+        .record EYE
+        .field  EYE_PLACE, 3
+        .field  EYE_AXIS           ; it looks along x, y, z: 0, 1, 2
+        .field  EYE_SIGN           ; 1, or -1: down that axis; a number
+        .field  EYE_FAR            ; no ray that comes from farther away is told here
+        .field  EYE_WINDOWS        ; its rows
+        .endrecord
+
+        .record WINDOW
+        .field  WINDOW_SIDES, 4    ; least and greatest u, then v
+        .field  WINDOW_NEAR        ; the least z
+        .field  WINDOW_LINKS, 2    ; near, not near
+        .field  WINDOW_FIRST       ; as MESH_FIRST and
+        .field  WINDOW_COUNT       ; MESH_COUNT; a size that is odd, for the banks
+        .endrecord
+
+; 1: boxes are asked of all rays, of those through an eye, too.
+        .ifndef MESH_BOXES
+        .equ    MESH_BOXES, 0
+        .endif
 
         .record TRIANGLE
         .field  TRIANGLE_CORNERS, 9

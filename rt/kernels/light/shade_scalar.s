@@ -16,7 +16,7 @@ shadow_list:    .descriptor 6, shadow_ray
                 .descriptor 1, shadow_limit
                 .descriptor 3, shadow_light
 shadow_ray:     .space 8
-shadow_limit:   .space 1
+shadow_limit:   .space 2                ; and where it goes
 shadow_light:   .space 3
         .code
 
@@ -29,10 +29,12 @@ shadow_light:   .space 3
         .equ    SHADE_ARGUMENTS, 4
         .endif
 
-; The ray of shadow_ray up to a limit: here = what is left of the light.
-        .macro  cast_shadow limit
+; The ray of shadow_ray up to a limit, to the place at to, or r0 if it goes to no light's
+; own place: here = what is left of the light.
+        .macro  cast_shadow limit, to
         EX      here, shadow_limit
         STO     [here], \limit
+        STO     [here, m_index_one], \to
         EX      here, shadow_light
         ELEN    here, 3
         SWAP    [r0], light_r, [here]
@@ -87,7 +89,14 @@ shade_point_light:
         EX      here, k_shadow
         LOD     [here], t0
         SUBN    light_distance, t0, t0
-        cast_shadow t0
+        RTOR    light_at, t1
+        .if     BEAMS
+        IBXEQ   light_beam, r0, r0, shade_to_place
+        IBXEQ   beam_parallel, r0, r0, shade_to_place
+        RTOR    r0, t1
+shade_to_place:
+        .endif
+        cast_shadow t0, t1
         ELEN    here, 3
         SWAP    [here], light_r, [r0]
 shade_passed:

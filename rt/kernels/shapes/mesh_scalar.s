@@ -19,9 +19,9 @@
         .regs   r112, mesh_less, mesh_zero, triangle, triangles_left, nearest_side
         .regs   r117, side_x0, side_y0, side_z0, side_x1, side_y1, side_z1
         .regs   r123, side_x2, side_y2, side_z2, side_u, side_v, side_w
-        .regs   r129, triangle_at, mesh_least
+        .regs   r129, triangle_at, mesh_least, mesh_stops
         .endshare
-        .equ    MESH_REGISTERS, 99
+        .equ    MESH_REGISTERS, 100
 
         .data
 mesh_numbers:   .word 0.99999999999909050529   ; bound_less
@@ -112,12 +112,25 @@ mesh_turned\@:
         RTOR    big, tin
         .endm
 
-; Through the nodes before tin; the sides of the ray that a triangle has to sides.
-        .macro  walk_mesh sides
-        ES      node, MESH_SIZE
-mesh_node\@:
-        SHIFTI  node, 6, node_at
-        ADDX    node_at, mesh_table, node_at
+; A ray to a light ends at the first triangle that it meets before the light
+; (mesh_stops = 1); what is met at its limit stops none.
+        .macro  begin_limit
+        ES      mesh_stops, 0
+        RTOR    met_link, nearest_side          ; behind all triangles
+        .if     CASTS_SHADOWS
+        EX      t0, shadow_ray
+        IBXNE   t0, r0, a_ray, limit_none\@
+        ES      mesh_stops, 1
+        RTOR    r0, nearest_side                ; before them
+        EX      t0, shadow_limit
+        LOD     [t0], tin
+limit_none\@:
+        .endif
+        .endm
+
+; The node at node_at, which then is at its links; to beside if the ray does not come
+; near.
+        .macro  near_boxes beside
         LOD     [node_at], box_x
         IX      node_at, 64
         LOD     [node_at], box_y
@@ -150,13 +163,27 @@ mesh_node\@:
         greater low_x, low_z
         lesser  high_x, high_z
         MPYS    low_x, mesh_less, low_x
-        CFPLT   high_x, r0, mesh_beside\@
-        CFPLT   high_x, low_x, mesh_beside\@
-        CFPGE   low_x, tin, mesh_beside\@
+        CFPLT   high_x, r0, \beside
+        CFPLT   high_x, low_x, \beside
+        CFPGE   low_x, tin, \beside
+        .endm
+
+        .if     MESH_BOXES == 0
+        .include "shapes/mesh_windows_scalar.s"
+        .endif
+
+; Through the nodes before tin; the sides of the ray that a triangle has to sides.
+; Rows of nodes; so far behind the links stands what a leaf has.
+        .macro  walk_mesh sides, way=boxes, rows=mesh_table, size=MESH_SIZE, first=MESH_FIRST - MESH_LINKS
+        ES      node, \size
+mesh_node\@:
+        SHIFTI  node, 6, node_at
+        ADDX    node_at, \rows, node_at
+        near_\way mesh_beside\@
         LOD     [node_at, signs], node
         IBXLT   node, r0, met_link, mesh_node\@
         SUBX    node, met_link, node
-        IX      node_at, 64 * (MESH_FIRST - MESH_LINKS)
+        IX      node_at, 64 * (\first)
         ELEN    node_at, 2
         SWAP    [node_at], triangle, [r0]       ; and triangles_left
         BIM     mesh_triangle\@
@@ -212,15 +239,15 @@ mesh_walked\@:
 ; What is met first: tin, nearest_side.
         .macro  nearest_sides
         subtract_sides
-        CFPLT   side_u, r0, mesh_all_below
-        CFPLT   side_v, r0, mesh_not_above
-        CFPGE   side_w, r0, mesh_side
-mesh_not_above:
-        CFPLT   r0, side_u, mesh_next
-mesh_all_below:
-        CFPLT   r0, side_v, mesh_next
-        CFPLT   r0, side_w, mesh_next
-mesh_side:
+        CFPLT   side_u, r0, mesh_all_below\@
+        CFPLT   side_v, r0, mesh_not_above\@
+        CFPGE   side_w, r0, mesh_side\@
+mesh_not_above\@:
+        CFPLT   r0, side_u, mesh_next\@
+mesh_all_below\@:
+        CFPLT   r0, side_v, mesh_next\@
+        CFPLT   r0, side_w, mesh_next\@
+mesh_side\@:
         MPYS    side_u, side_z0, t0
         MPYS    side_v, side_z1, t1
         MPYS    side_w, side_z2, t2
@@ -228,17 +255,18 @@ mesh_side:
         ADDN    t0, t1, t0
         ADDN    t3, side_w, t3
         ADDN    t0, t2, t0
-        CFPEQ   t3, r0, mesh_next
+        CFPEQ   t3, r0, mesh_next\@
         MPYS    t0, own_z, t0
         DIVS    t0, t3, t0
-        CFPGE   mesh_least, t0, mesh_next
-        CFPLT   tin, t0, mesh_next
-        CFPNE   t0, tin, mesh_nearer
-        IBXGE   triangle, r0, nearest_side, mesh_next
-mesh_nearer:
+        CFPGE   mesh_least, t0, mesh_next\@
+        CFPLT   tin, t0, mesh_next\@
+        CFPNE   t0, tin, mesh_nearer\@
+        IBXGE   triangle, r0, nearest_side, mesh_next\@
+mesh_nearer\@:
         RTOR    t0, tin
         RTOR    triangle, nearest_side
-mesh_next:
+        IBXNE   mesh_stops, r0, r0, mesh_met
+mesh_next\@:
         .endm
 
         .kernel mesh
@@ -246,9 +274,18 @@ mesh:
         enter_solver 1, mesh_save, MESH_REGISTERS
         RTOR    lower, mesh_least
         begin_mesh
-        RTOR    met_link, nearest_side          ; behind all triangles
+        begin_limit
+        .if     MESH_BOXES == 0
+        begin_windows mesh_boxes, mesh_missed
+        walk_mesh nearest_sides, windows, mesh_windows, WINDOW_SIZE, WINDOW_FIRST - WINDOW_LINKS
+        BIM     mesh_walk_done
+        .endif
+mesh_boxes:
         walk_mesh nearest_sides
+mesh_walk_done:
+        IBXEQ   nearest_side, r0, r0, mesh_missed
         CFPGE   tin, big, mesh_missed
+mesh_met:
         RTOR    tin, tout
         IX      a_primitive, 64 * P_PATCH_POINT
         STO     [a_primitive], nearest_side

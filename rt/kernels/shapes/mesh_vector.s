@@ -262,27 +262,9 @@ side_bases:
         MPYSV   [w4], [w5], [w4]
         .endm
 
-; All stand at the first node.
-        .macro  start_walk limits
-        ES      s2, MESH_SIZE
-        VTOV    s2, [mesh_at]
-        .if     QUEUE < PARTS || QUEUE > 65535 - PARTS
-        VTOV    [iota], [mesh_place]
-        .else
-        mix_rays
-        .endif
-        VXTOV   [mesh_place], [\limits], [mesh_limit]
-        VTOV    r0, [mesh_signs]
-        load_word mesh_zero, s1
-        begin_axis ox, dx, 1, mesh_ox, mesh_ix, mesh_ax
-        begin_axis oy, dy, 2, mesh_oy, mesh_iy, mesh_ay
-        begin_axis oz, dz, 4, mesh_oz, mesh_iz, mesh_az
-        .endm
-
-; To the end; pairs are met by the routine meet, which may change limits or
-; not.
-        .macro  walk_mesh meet, limits
-mesh_step\@:
+; A step of the rays that walk: [mesh_bits] = those that come near their node, [mesh_g1] =
+; where all go on.
+        .macro  step_boxes
         load_word bound_less, s1
         box_axis 0, mesh_ox, mesh_ix, mesh_ax, mesh_low, mesh_high
         box_next 1, mesh_oy, mesh_iy, mesh_ay
@@ -296,17 +278,9 @@ mesh_step\@:
         ADDXV   [mesh_at], [mesh_signs], [mesh_g0]
         ADDXV   [mesh_g0], one_index, [mesh_g0] ?! [mesh_bits]
         VXTOV   [mesh_g0], [mesh_links], [mesh_g1]
-        CMPGEV  [mesh_g1], mesh_leaf_link, [mesh_met]
-        CNTOB   [mesh_met], leaf_count
-        IBXNE   leaf_count, r0, r0, mesh_leaves\@
-mesh_on\@:
-        VTOV    [mesh_g1], [mesh_at]
-        CMPNEV  [mesh_at], r0, [mesh_bits]
-        CNTOB   [mesh_bits], s2
-        IBXEQ   s2, r0, r0, mesh_walked\@
-        if_few  s2, m, mesh_narrow\@
-        BIM     mesh_step\@
-mesh_narrow\@:
+        .endm
+
+        .macro  keep_boxes
         walk_keep mesh_at
         walk_keep mesh_place
         walk_keep mesh_ox
@@ -320,6 +294,55 @@ mesh_narrow\@:
         walk_keep mesh_az
         walk_keep mesh_signs
         walk_keep mesh_limit
+        .endm
+
+        .macro  limit_boxes limits
+        VXTOV   [mesh_place], [\limits], [mesh_limit]
+        .endm
+
+; Those at hand, in the order in which they walk.
+        .macro  place_rays
+        .if     QUEUE < PARTS || QUEUE > 65535 - PARTS
+        VTOV    [iota], [mesh_place]
+        .else
+        mix_rays
+        .endif
+        .endm
+
+; All stand at the first node.
+        .macro  start_walk limits
+        ES      s2, MESH_SIZE
+        VTOV    s2, [mesh_at]
+        place_rays
+        limit_boxes \limits
+        VTOV    r0, [mesh_signs]
+        load_word mesh_zero, s1
+        begin_axis ox, dx, 1, mesh_ox, mesh_ix, mesh_ax
+        begin_axis oy, dy, 2, mesh_oy, mesh_iy, mesh_ay
+        begin_axis oz, dz, 4, mesh_oz, mesh_iz, mesh_az
+        .endm
+
+        .if     MESH_BOXES == 0
+        .include "shapes/mesh_windows_vector.s"
+        .endif
+
+; To the end; pairs are met by the routine meet, which may change limits or
+; not.  So far behind the links stands what a leaf has.
+        .macro  walk_mesh meet, limits, way=boxes, first=MESH_FIRST - MESH_LINKS
+mesh_step\@:
+        step_\way
+        CMPGEV  [mesh_g1], mesh_leaf_link, [mesh_met]
+        CNTOB   [mesh_met], leaf_count
+        IBXNE   leaf_count, r0, r0, mesh_leaves\@
+mesh_on\@:
+        VTOV    [mesh_g1], [mesh_at]
+        CMPNEV  [mesh_at], r0, [mesh_bits]
+        CNTOB   [mesh_bits], s2
+        IBXEQ   s2, r0, r0, mesh_walked\@
+        if_few  s2, m, mesh_narrow\@
+        BIM     mesh_step\@
+mesh_narrow\@:
+        keep_\way
         RTOR    s2, m
         set_walk
         BIM     mesh_step\@
@@ -332,10 +355,10 @@ mesh_leaves\@:
         RTOR    mesh_g0, leaf_left
         CPSV    [mesh_at], [leaf_triangle] ? [mesh_met]
         CPSV    [mesh_place], [leaf_place] ? [mesh_met]
-        RTOR    mesh_table, s0
-        IX      s0, 64 * MESH_COUNT
+        RTOR    mesh_links, s0
+        IX      s0, 64 * (\first + 1)
         VXTOV   [leaf_triangle], [s0], [leaf_left]
-        IX      s0, 64 * (MESH_FIRST - MESH_COUNT)
+        IX      s0, -64
         VXTOV   [leaf_triangle], [s0], [leaf_triangle]
 leaf_next\@:
         ADDX    mesh_pairs, leaf_count, s0
@@ -343,7 +366,7 @@ leaf_next\@:
         EX      target, \meet
         BSAVE   lane_link, [target]
         .if     \limits
-        VXTOV   [mesh_place], [w9], [mesh_limit]
+        limit_\way w9
         .endif
 leaf_pairs\@:
         SHIFTI  mesh_pairs, 6, s0
@@ -389,8 +412,16 @@ mesh:
         VTOV    mesh_leaf_link, [patch_s]       ; behind all: at the limit counts
 mesh_begin:
         VTOV    r0, [patch_t]
+        .if     MESH_BOXES == 0
+        find_eye mesh_boxes
+        start_windows mesh_walk_done
+        walk_mesh meet_sides, 1, windows, WINDOW_FIRST - WINDOW_LINKS
+        BIM     mesh_walk_done
+        .endif
+mesh_boxes:
         start_walk near_limit
         walk_mesh meet_sides, 1
+mesh_walk_done:
         CMPLTV  [tin], big, [bits0]
         MASKV   [tin], minus_big, [tout] ? [bits0]
         BIM     0, link_kernel

@@ -1,0 +1,159 @@
+; mesh_windows_vector.s - rays that all go through one point, an eye: a camera, or a
+; light.  From there a mesh is seen as windows (rt/shapes/mesh_windows.h), at which they
+; are asked in place of boxes.
+;
+; Of a ray, in the order of the eye's axes, with g = sign dw:
+;
+;   u = du / g    v = dv / g    z = |g| t
+;
+; where t is told from the eye.  A ray to a light comes from z = |g| (limit + k_shadow),
+; and nothing counts in the first k_shadow of its way.
+;
+; Part of mesh_vector.s, as macros: where the rays that walk have origin, 1/d and so on,
+; these have u, v, |g|.
+; Source: mesh_windows.h.
+
+        .reg    mesh_u, mesh_ox
+        .reg    mesh_v, mesh_oy
+        .reg    mesh_forth, mesh_oz             ; |g|
+        .share  hits
+        .reg    mesh_eye, r167                  ; address of its row
+        .endshare
+
+; The eye that the rays at hand go through, or to none.
+        .macro  find_eye none
+        RTOR    shadows, s0
+        if_to_point eye_place\@, s1
+        IBXNE   shadows, r0, r0, \none
+        IBXEQ   from_one_point, r0, r0, \none
+        EX      s0, queue_origin
+eye_place\@:
+        ELEN    s0, 3
+        SWAP    [s0], s1, [r0]                  ; the point
+        RTOR    mesh_table, s0
+        IX      s0, 64 * MESH_FIRST
+        ELEN    s0, 2
+        SWAP    [s0], s4, [r0]                  ; and s5: how many
+        SHIFTI  s4, 6, s4
+        ADDX    mesh_table, s4, mesh_eye
+        BIM     eye_next\@
+eye_look\@:
+        RTOR    mesh_eye, s0
+        ELEN    s0, 3
+        SWAP    [s0], s6, [r0]
+        CFPNE   s6, s1, eye_other\@
+        CFPNE   s7, s2, eye_other\@
+        CFPEQ   s8, s3, eye_found\@
+eye_other\@:
+        IX      mesh_eye, 64 * EYE_SIZE
+eye_next\@:
+        IBXNE   s5, minus_one_index, minus_one_index, eye_look\@, s5
+        BIM     \none
+eye_found\@:
+        IBXEQ   shadows, r0, r0, eye_near\@
+        RTOR    mesh_eye, s0
+        IX      s0, 64 * EYE_FAR
+        LOD     [s0], s0
+        CMPLTV  s0, [near_limit], [bits0]
+        CNTOB   [bits0], s0
+        IBXNE   s0, r0, r0, \none
+eye_near\@:
+        .endm
+
+; s2, s3, s4 = the directions along the eye's axes w, u, v; s5, s6 its axis and sign.
+        .macro  eye_axes
+        RTOR    mesh_eye, s0
+        IX      s0, 64 * EYE_AXIS
+        ELEN    s0, 2
+        SWAP    [s0], s5, [r0]
+        RTOR    dx, s2
+        RTOR    dy, s3
+        RTOR    dz, s4
+        IBXEQ   s5, r0, r0, eye_turned\@
+        RTOR    dy, s2
+        RTOR    dz, s3
+        RTOR    dx, s4
+        IBXEQ   s5, r0, one_index, eye_turned\@
+        RTOR    dz, s2
+        RTOR    dx, s3
+        RTOR    dy, s4
+eye_turned\@:
+        .endm
+
+; Those that come towards the mesh stand at the first node; to none if none does.
+        .macro  start_windows none
+        place_rays
+        eye_axes
+        VXTOV   [mesh_place], [s2], [mesh_forth]
+        VXTOV   [mesh_place], [s3], [mesh_u]
+        VXTOV   [mesh_place], [s4], [mesh_v]
+        MPYSV   [mesh_forth], s6, [mesh_forth]
+        CMPLTV  [mesh_forth], r0, [mesh_bits]
+        IBXNE   shadows, r0, r0, windows_bound\@
+        CMPLTV  r0, [mesh_forth], [mesh_bits]
+windows_bound\@:
+        CNTOB   [mesh_bits], m
+        IBXEQ   m, r0, r0, \none
+        walk_keep mesh_place
+        walk_keep mesh_u
+        walk_keep mesh_v
+        walk_keep mesh_forth
+        set_walk
+        DIVSV   one, [mesh_forth], [mesh_g0]
+        MPYSV   [mesh_u], [mesh_g0], [mesh_u]
+        MPYSV   [mesh_v], [mesh_g0], [mesh_v]
+        ABSV    [mesh_forth], [mesh_forth]
+        limit_windows near_limit
+        ES      s2, WINDOW_SIZE
+        VTOV    s2, [mesh_at]
+        RTOR    mesh_eye, s0
+        IX      s0, 64 * EYE_WINDOWS
+        LOD     [s0], s0
+        SHIFTI  s0, 6, s0
+        ADDX    mesh_table, s0, mesh_links
+        IX      mesh_links, 64 * WINDOW_LINKS
+        .endm
+
+        .macro  window_below least, greatest
+        CMPGEV  \greatest, \least, [mesh_met]
+        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
+        .endm
+
+; The next word of the windows.
+        .macro  window_word
+        VXTOV   [mesh_at], [s0], [mesh_g0]
+        IX      s0, 64
+        .endm
+
+        .macro  step_windows
+        RTOR    mesh_links, s0
+        IX      s0, -64 * WINDOW_LINKS
+        window_word
+        CMPGEV  [mesh_u], [mesh_g0], [mesh_bits]
+        window_word
+        window_below [mesh_u], [mesh_g0]
+        window_word
+        window_below [mesh_g0], [mesh_v]
+        window_word
+        window_below [mesh_v], [mesh_g0]
+        window_word
+        CMPLTV  [mesh_g0], [mesh_limit], [mesh_met]
+        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
+        ADDXV   [mesh_at], one_index, [mesh_at] ?! [mesh_bits]
+        VXTOV   [mesh_at], [s0], [mesh_g1]
+        .endm
+
+        .macro  keep_windows
+        walk_keep mesh_at
+        walk_keep mesh_place
+        walk_keep mesh_u
+        walk_keep mesh_v
+        walk_keep mesh_forth
+        walk_keep mesh_limit
+        .endm
+
+        .macro  limit_windows limits
+        VXTOV   [mesh_place], [\limits], [mesh_limit]
+        MPYSV   [mesh_limit], [mesh_forth], [mesh_limit]
+        .endm
+

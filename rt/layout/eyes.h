@@ -1,0 +1,12 @@
+/* eyes.h - the points of a scene that many rays go through. */
+#ifndef RT_LAYOUT_EYES_H
+#define RT_LAYOUT_EYES_H
+
+#include "rt/scene/scene.h"
+#include "rt/shapes/eyes.h"
+
+/* Where the camera is, if its rays start at one point, then the lights that cast
+ * shadows from one, as far as there is room. */
+void eyes_find(const struct scene *scene, struct eyes *eyes);
+
+#endif

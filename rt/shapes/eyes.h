@@ -1,0 +1,15 @@
+/* eyes.h - the points through which many rays go: where a camera is, and lights. */
+#ifndef RT_EYES_H
+#define RT_EYES_H
+
+#include <stddef.h>
+
+/* The first ones of a scene; for each a large mesh takes room in memory. */
+enum { EYES_MOST = 4 };
+
+struct eyes {
+    size_t count;
+    double places[EYES_MOST][3];
+};
+
+#endif

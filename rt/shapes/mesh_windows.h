@@ -1,0 +1,40 @@
+/* mesh_windows.h - a mesh as it is seen from a point that many rays go through, an
+ * eye: of each node of its hierarchy a window.
+ *
+ * The eye looks along the axis w on which it lies farthest beside the mesh.  With
+ * u, v the axes next after w, a point p stands at
+ *
+ *     z = sign (p - eye)_w     (p - eye)_u / z     (p - eye)_v / z
+ *
+ * and a window is between the least and the greatest of these last two that any
+ * corner below the node has, behind the least z.  A ray through the eye has one
+ * u and one v all along, so it passes a node beside whose window it is.
+ * Source: the buffers of Weghorst, Hooper and Greenberg 1984 and of Haines and
+ * Greenberg 1986, here with a tree of windows in place of cells.
+ */
+#ifndef RT_MESH_WINDOWS_H
+#define RT_MESH_WINDOWS_H
+
+#include "rt/shapes/eyes.h"
+#include "rt/shapes/mesh_hierarchy.h"
+
+/* What is behind the other words of a mesh's table (records.s): rows for the eyes
+ * that see it, then for each of these a row of zeros and one for each node. */
+struct mesh_windows {
+    const struct mesh_hierarchy *hierarchy;
+    const double
+        *triangles;         /* the first one's row: three corners, and more */
+    size_t row;             /* words of a row */
+    double triangles_place; /* words before them in the table */
+};
+
+/* Words for the eyes that see what is in the box; their number to *seeing. */
+size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole,
+                         size_t nodes, size_t *seeing);
+/* Those words; so many stand before them in the table.  False: no memory. */
+bool mesh_windows_put(const struct mesh_windows *windows,
+                      const struct eyes *eyes, double place, double *words);
+/* Which of them are integers. */
+void mesh_windows_mark(size_t seeing, size_t nodes, bool *marks);
+
+#endif

@@ -1,0 +1,415 @@
+/* Meshes as they are seen from an eye: whatever point of a triangle a ray through the
+ * eye goes to, the walk by windows comes to that triangle; and frames are the same
+ * with windows and with boxes alone, in all stages, whatever stands where.
+ *
+ *     test_mesh_windows [SCENES [SEED]]
+ */
+#define SMALL_FRAMES
+#include "rt/shapes/mesh_hierarchy.h"
+#include "rt/shapes/shape_words.h"
+#include "tests/unit/nets.h"
+#include "tests/unit/random_solids.h"
+
+static size_t scene_count = 24;
+static struct net net;
+static char text[1 << 18];
+
+/* ---- What a table says ---------------------------------------------------- */
+
+/* Of records.s. */
+enum {
+    TABLE_EYES = 22,
+    TABLE_EYE_COUNT,
+    EYE_AXIS = 3,
+    EYE_SIGN,
+    EYE_FAR,
+    EYE_WINDOWS,
+    EYE_ROW,
+    WINDOW_NEAR = 4,
+    WINDOW_LINKS,
+    WINDOW_FIRST = 7,
+    WINDOW_COUNT
+};
+#define MET 0x1p40
+
+/* A ray through an eye, as far as z. */
+struct look {
+    double u, v, z;
+};
+
+static struct look look_at(const double *eye, const double point[3])
+{
+    int w = (int)eye[EYE_AXIS], u = (w + 1) % 3, v = (w + 2) % 3;
+    double z = eye[EYE_SIGN] * (point[w] - eye[w]);
+
+    return (struct look){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z,
+                          z };
+}
+
+static bool is_within(const struct look *look, const double *window)
+{
+    return window[0] <= look->u && look->u <= window[1]
+           && window[2] <= look->v && look->v <= window[3]
+           && window[WINDOW_NEAR] < look->z;
+}
+
+/* Whether the walk comes to the triangle that stands there; *asked counts windows. */
+static bool comes_to(const double *table, const double *eye,
+                     const struct look *look, double triangle, double row,
+                     size_t *asked)
+{
+    const double *rows = table + (size_t)eye[EYE_WINDOWS];
+    bool found = false;
+
+    for (double at = 9; at != 0;) {
+        const double *window = rows + (size_t)at;
+        bool within = is_within(look, window);
+
+        at = window[WINDOW_LINKS + !within];
+        ++*asked;
+        if (at < MET)
+            continue;
+        at -= MET;
+        for (double i = 0; i < window[WINDOW_COUNT]; i++)
+            found = found || window[WINDOW_FIRST] + row * i == triangle;
+    }
+    return found;
+}
+
+/* ---- Nets and eyes -------------------------------------------------------- */
+
+static void random_net(void)
+{
+    switch (below(5)) {
+    case 0: net_random_body(&net, 1 + below(3), &traced.random); break;
+    case 1: net_sheet(&net, among(2, 12), .3, &traced.random); break;
+    case 2: net_soup(&net, among(3, 200), below(2), &traced.random); break;
+    case 3: net_cube(&net, 1, among(1, 6), &traced.random); break;
+    default: net_fan(&net, among(3, 60), between(.2, 1), between(-1, 1));
+    }
+    if (below(3) == 0)
+        net_shuffle(&net, &traced.random);
+}
+
+/* Beside it or within, near or far, its numbers whole or not. */
+static void random_place(double place[3])
+{
+    double reach = below(4) ? between(1.2, 6) : pow(10, between(-2, 2));
+
+    for (int k = 0; k < 3; k++) {
+        place[k] = between(-1, 1) * reach;
+        if (below(3) == 0)
+            place[k] = round(place[k]);
+    }
+}
+
+/* Corners, points of edges and within. */
+static void random_point(const double *corners, double point[3])
+{
+    double a = between(0, 1), b = between(0, 1 - a);
+    size_t sort = below(3);
+
+    if (sort == 0)
+        a = (double)below(2), b = 0;
+    if (sort == 1)
+        b = 0;
+    for (int k = 0; k < 3; k++)
+        point[k] = corners[k] + a * (corners[3 + k] - corners[k])
+                   + b * (corners[6 + k] - corners[k]);
+}
+
+/* To all of its triangles.  Returns windows that were asked for each. */
+static double check_eye(const struct primitive *mesh, const double *table,
+                        const double *eye, double row)
+{
+    size_t count = mesh->shape.mesh.triangles.count, asked = 0;
+    double first = 25. * (double)(mesh_hierarchy_nodes(count) + 1);
+
+    for (size_t i = 0; i < count; i++) {
+        double place = first + row * (double)i, point[3];
+        struct look look;
+
+        random_point(table + (size_t)place, point);
+        look = look_at(eye, point);
+        assert_true(look.z > 0);
+        if (!comes_to(table, eye, &look, place, row, &asked))
+            fail_msg("from %.17g, %.17g, %.17g a ray to %.17g, %.17g, %.17g "
+                     "does not come to triangle %zu of %zu",
+                     eye[0], eye[1], eye[2], point[0], point[1], point[2], i,
+                     count);
+    }
+    return (double)asked / (double)count;
+}
+
+static bool is_inside(const double place[3], const double *table, double row,
+                      size_t triangles)
+{
+    double first = 25. * (double)(mesh_hierarchy_nodes(triangles) + 1);
+
+    for (int k = 0; k < 3; k++) {
+        double low = INFINITY, high = -INFINITY;
+
+        for (size_t i = 0; i < 3 * triangles; i++) {
+            const double *corner = table + (size_t)first
+                                   + (size_t)row * (i / 3) + i % 3 * 3;
+
+            low = fmin(low, corner[k]);
+            high = fmax(high, corner[k]);
+        }
+        if (place[k] < low || place[k] > high)
+            return false;
+    }
+    return true;
+}
+
+/* As it stands. */
+static void take_primitive(struct primitive *mesh)
+{
+    static const struct transform nowhere = {
+        { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } }
+    };
+
+    net_primitive(&net, mesh);
+    mesh->to_world = mesh->to_local = nowhere;
+}
+
+/* Three eyes of a net, at any scale and place. */
+static void check_net(size_t *seeing, size_t *within)
+{
+    struct eyes eyes = { .count = 3 };
+    struct primitive mesh;
+    double *table, scale = pow(10, between(-3, 3)), by[3];
+    size_t count;
+    double row = 13;
+
+    for (int k = 0; k < 3; k++)
+        by[k] = below(2) ? 0 : between(-50, 50);
+    random_net();
+    for (size_t i = 0; i < eyes.count; i++) {
+        random_place(eyes.places[i]);
+        for (int k = 0; k < 3; k++)
+            eyes.places[i][k] = scale * (eyes.places[i][k] + by[k]);
+    }
+    for (int k = 0; k < 3; k++)
+        by[k] *= scale;
+    net_move(&net, scale, by);
+    take_primitive(&mesh);
+    count = shape_table_count(&mesh, &eyes);
+    table = shape_table(&mesh, &eyes, count);
+    assert_non_null(table);
+    if (net.smooth)
+        row = 21;
+    for (size_t i = 0; i < table[TABLE_EYE_COUNT]; i++) {
+        const double *eye = table + (size_t)table[TABLE_EYES] + EYE_ROW * i;
+
+        assert_true(eye[EYE_WINDOWS] < (double)count);
+        assert_false(
+            is_inside(eye, table, row, mesh.shape.mesh.triangles.count));
+        check_eye(&mesh, table, eye, row);
+    }
+    for (size_t i = 0; i < eyes.count; i++)
+        *within += is_inside(eyes.places[i], table, row,
+                             mesh.shape.mesh.triangles.count);
+    *seeing += (size_t)table[TABLE_EYE_COUNT];
+    free(table);
+    free(mesh.shape.mesh.triangles.list);
+}
+
+/* Most eyes beside a mesh see it. */
+static void test_ways(void **state)
+{
+    size_t seeing = 0, within = 0, nets = 40 * scene_count;
+
+    (void)state;
+    for (size_t i = 0; i < nets; i++)
+        check_net(&seeing, &within);
+    assert_true(within > nets / 40);
+    assert_true(seeing > (3 * nets - within) * 3 / 4);
+}
+
+/* Of a ball of many triangles a ray is asked at few windows. */
+static void test_few_are_asked(void **state)
+{
+    struct eyes eyes = { 1, { { 1, 2, -9 } } };
+    struct primitive mesh;
+    double *table;
+
+    (void)state;
+    net_take(&net, OCTAHEDRON);
+    for (int i = 0; i < 3; i++)
+        net_divide(&net);
+    take_primitive(&mesh);
+    table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
+    assert_non_null(table);
+    assert_int_equal((int)table[TABLE_EYE_COUNT], 1);
+    assert_in_range((int)check_eye(&mesh, table,
+                                   table + (size_t)table[TABLE_EYES], 13),
+                    8, 48);
+    free(table);
+    free(mesh.shape.mesh.triangles.list);
+}
+
+/* ---- Frames --------------------------------------------------------------- */
+
+static void add_vector(const char *name, const double vector[3])
+{
+    add_text(text, sizeof text, "%s <%.17g, %.17g, %.17g> ", name, vector[0],
+             vector[1], vector[2]);
+}
+
+/* Of all sorts, two of them now and then in one place. */
+static void add_lights(void)
+{
+    static const char *const sorts[] = {
+        "",
+        "",
+        "",
+        "",
+        "parallel point_at <.1, .2, .3>",
+        "area_light <1, 0, 0>, <0, 1, 0>, 2, 2",
+        "spotlight point_at <0, 0, 0> radius 20 falloff 40",
+        "shadowless"
+    };
+    double place[3];
+
+    random_place(place);
+    for (size_t i = among(1, 5); i > 0; i--) {
+        if (below(3))
+            random_place(place);
+        add_vector("light_source {", place);
+        add_text(text, sizeof text, ", rgb %.3f %s }\n", between(.1, .6),
+                 sorts[below(sizeof sorts / sizeof *sorts)]);
+    }
+}
+
+static void add_mesh(void)
+{
+    random_net();
+    if (below(4) == 0)
+        net_smooth(&net, .3, &traced.random);
+    net_text(&net, text, sizeof text, &traced.random);
+    add_text(text, sizeof text, "pigment { rgb <%.2f, .5, .8> }",
+             between(.2, 1));
+    if (below(3) == 0)
+        add_text(text, sizeof text, " finish { reflection .4 }");
+    add_text(text, sizeof text, " }\n");
+}
+
+/* Meshes, what stands far behind them, a mirror: rays come from everywhere. */
+static void write_scene(void)
+{
+    double place[3];
+
+    strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
+    random_place(place);
+    add_vector("camera { location", place);
+    add_text(text, sizeof text,
+             "angle %.3f %s look_at <%.3f, %.3f, %.3f> }\n", between(20, 90),
+             below(8) ? "" : "orthographic", between(-.5, .5),
+             between(-.5, .5), between(-.5, .5));
+    add_lights();
+    for (size_t i = among(1, 2); i > 0; i--)
+        add_mesh();
+    if (below(2))
+        add_text(text, sizeof text, "plane { y, %.3f pigment { rgb .7 } }\n",
+                 between(-4, -1));
+    if (below(2))
+        add_text(text, sizeof text,
+                 "sphere { <%.3f, %.3f, %.3f>, .6 pigment { rgb .3 } finish "
+                 "{ reflection .6 } }\n",
+                 place_between(-2, 2), place_between(-2, 2),
+                 place_between(-2, 2));
+}
+
+static void test_frames(void **state)
+{
+    size_t seen = 0;
+
+    (void)state;
+    traced.reported = true;
+    for (size_t i = 0; i < scene_count; i++) {
+        struct words *words, *boxes;
+
+        write_scene();
+        words = same_frame(text);
+        check_paper_stage(text, words);
+        traced.variant = "MESH_BOXES";
+        boxes = same_frame(text);
+        traced.variant = NULL;
+        if (memcmp(words, boxes, sizeof *words) != 0)
+            fail_msg("by boxes there is another frame of\n%s", text);
+        seen += hits(words);
+        free(words);
+        free(boxes);
+    }
+    assert_true(seen > scene_count * traced.pixels / 4);
+}
+
+/* ---- What it is for ------------------------------------------------------- */
+
+static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
+                          const char *variant)
+{
+    const struct trace_options options = { .mode = mode,
+                                           .queue = TRACE_QUEUE,
+                                           .width = 48,
+                                           .height = 36,
+                                           .variant = variant,
+                                           .model = prior_model };
+    struct trace *trace = run_trace(scene, &options);
+    uint64_t clocks = trace_accounts(trace)->clocks;
+
+    trace_free(trace);
+    return clocks;
+}
+
+/* From the camera, from a light. */
+static void test_clocks(void **state)
+{
+    static const char *const lights[] = { " shadowless", "" };
+    uint64_t windows[2], boxes[2];
+
+    (void)state;
+    net_take(&net, OCTAHEDRON);
+    for (int i = 0; i < 3; i++)
+        net_divide(&net);
+    net_stretch(&net, .9, 1.1, 0, &traced.random);
+    for (int mode = 0; mode < 2; mode++) {
+        for (int i = 0; i < 2; i++) {
+            struct scene *scene;
+
+            sprintf(text,
+                    "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                    "camera { location <0, 1, -3> look_at 0 angle 44 }\n"
+                    "light_source { <-4, 3, -2>, rgb 1 %s }\n",
+                    lights[i]);
+            net_mesh_text(&net, text, sizeof text);
+            add_text(text, sizeof text, "pigment { rgb 1 } }\n");
+            scene = read_text(text);
+            windows[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR,
+                                   NULL);
+            boxes[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR,
+                                 "MESH_BOXES");
+            scene_free(scene);
+        }
+        assert_true(windows[0] < boxes[0] * 9 / 10);
+        assert_true(windows[1] - windows[0] < (boxes[1] - boxes[0]) * 9 / 10);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ways),
+        cmocka_unit_test(test_few_are_asked),
+        cmocka_unit_test(test_frames),
+        cmocka_unit_test(test_clocks),
+    };
+
+    if (argc > 1)
+        scene_count = strtoul(argv[1], NULL, 10);
+    if (argc > 2)
+        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    return cmocka_run_group_tests_name("mesh windows", tests, set_up_frames,
+                                       tear_down_model);
+}
