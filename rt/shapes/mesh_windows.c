@@ -85,15 +85,15 @@ size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole,
 
 /* ---- What is seen from one ------------------------------------------------ */
 
-struct window {
+struct mesh_window {
     double low[2], high[2], near;
 };
 
-static const struct window no_window = { { INFINITY, INFINITY },
-                                         { -INFINITY, -INFINITY },
-                                         INFINITY };
+static const struct mesh_window no_window = { { INFINITY, INFINITY },
+                                              { -INFINITY, -INFINITY },
+                                              INFINITY };
 
-static void join(struct window *window, const struct window *other)
+static void join(struct mesh_window *window, const struct mesh_window *other)
 {
     for (int i = 0; i < 2; i++) {
         window->low[i] = fmin(window->low[i], other->low[i]);
@@ -102,9 +102,10 @@ static void join(struct window *window, const struct window *other)
     window->near = fmin(window->near, other->near);
 }
 
-static struct window window_of(const struct eye *eye, const double corner[3])
+static struct mesh_window window_of(const struct eye *eye,
+                                    const double corner[3])
 {
-    struct window window;
+    struct mesh_window window;
     double away[3];
 
     subtract3(corner, eye->place, away);
@@ -117,7 +118,7 @@ static struct window window_of(const struct eye *eye, const double corner[3])
 
 /* Nodes stand before those below them. */
 static void find_windows(const struct mesh_windows *of, const struct eye *eye,
-                         struct window *windows)
+                         struct mesh_window *windows)
 {
     const struct mesh_node *nodes = of->hierarchy->nodes;
 
@@ -126,7 +127,7 @@ static void find_windows(const struct mesh_windows *of, const struct eye *eye,
         for (size_t k = 0; k < 3 * nodes[i].count; k++) {
             const double *triangle = of->triangles
                                      + of->row * (nodes[i].first + k / 3);
-            struct window corner = window_of(eye, triangle + k % 3 * 3);
+            struct mesh_window corner = window_of(eye, triangle + k % 3 * 3);
 
             join(&windows[i], &corner);
         }
@@ -154,10 +155,11 @@ static bool upper_is_first(const struct mesh_node *nodes, size_t node,
  * window is passed over at a greater share, as it costs less to be asked (.6 was
  * the best of .4 to .7, for a ball of 100,352 triangles). */
 static void plan_ways(const struct mesh_node *nodes, size_t node,
-                      const struct eye *eye, const struct window *windows,
-                      double above, unsigned char *ways)
+                      const struct eye *eye,
+                      const struct mesh_window *windows, double above,
+                      unsigned char *ways)
 {
-    const struct window *window = &windows[node];
+    const struct mesh_window *window = &windows[node];
     double area = (window->high[0] - window->low[0])
                   * (window->high[1] - window->low[1]);
 
@@ -179,7 +181,8 @@ static void plan_ways(const struct mesh_node *nodes, size_t node,
 /* Wider by more than what is rounded of corners, of rays, and of triangles that are
  * met: 2^-34 of the greatest coordinate, where they are. */
 static void put_window(const struct mesh_windows *of, const struct eye *eye,
-                       const struct window *window, size_t node, double *row)
+                       const struct mesh_window *window, size_t node,
+                       double *row)
 {
     const struct mesh_node *from = &of->hierarchy->nodes[node];
     double margin = 0x1p-34 * eye->size;
@@ -207,7 +210,7 @@ static void put_eye(const struct eye *eye, double windows, double *row)
 
 /* What one eye sees of all nodes; rows from that of zeros on. */
 struct view {
-    struct window *windows;
+    struct mesh_window *windows;
     unsigned char *ways;
 };
 

@@ -12,7 +12,7 @@
 
 static size_t scene_count = 24;
 static struct net net;
-static char text[1 << 18];
+static char text[1 << 20];
 
 /* ---- What a table says ---------------------------------------------------- */
 
