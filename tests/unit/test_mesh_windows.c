@@ -267,7 +267,7 @@ static void add_lights(void)
         "",
         "parallel point_at <.1, .2, .3>",
         "area_light <1, 0, 0>, <0, 1, 0>, 2, 2",
-        "spotlight point_at <0, 0, 0> radius 20 falloff 40",
+        "spotlight point_at <.13, .27, .41> radius 20 falloff 40",
         "shadowless"
     };
     double place[3];
