@@ -57,9 +57,22 @@ static c205_trap fetch(struct c205 *machine, uint64_t pc,
 
 /* ---- Is the coding possible? -------------------------------------------- */
 
+/* A program's every instruction is asked this often when it is met first: a loop over a
+ * few letters that are known here costs less than a call. */
+static inline bool is_one_of(char letter, const char *letters)
+{
+    for (; *letters; letters++)
+        if (letter == *letters)
+            return true;
+    return false;
+}
+
 static bool has_letter(const char *syntax, const char *letters)
 {
-    return syntax[strcspn(syntax, letters)] != '\0';
+    for (; *syntax; syntax++)
+        if (is_one_of(*syntax, letters))
+            return true;
+    return false;
 }
 
 /* The operand letter of field C of a vector instruction. */
@@ -84,7 +97,7 @@ static bool may_be_given(const c205_insn *insn)
 static bool may_have_offset(const c205_insn *insn)
 {
     char letter = result_letter(insn);
-    return letter && strchr("dDeqco", letter) && !may_be_given(insn);
+    return is_one_of(letter, "dDeqco") && !may_be_given(insn);
 }
 
 /* The bits of G that an instruction may have. */
@@ -146,10 +159,10 @@ static uint16_t add_result(struct decoded *decoded, unsigned number)
 static uint16_t slot_of(struct decoded *decoded, unsigned number, char letter,
                         bool broadcast)
 {
-    if (letter && strchr("wkp", letter))
+    if (is_one_of(letter, "wkp"))
         return add_result(decoded, number);
     add_source(decoded, number);
-    if (letter && strchr("mco", letter))
+    if (is_one_of(letter, "mco"))
         add_result(decoded, number);
     if (number == 0 && (letter == 'f' || (letter == 'v' && broadcast)))
         return SLOT_MACHINE_ZERO;
@@ -163,7 +176,7 @@ static char sized(const struct decoded *decoded, char letter)
                 && decoded->fields.g & C205_G_HALF;
     if (letter == 'g')
         return decoded->fields.g & C205_G_GIVEN ? 'b' : 'o';
-    if (!half || !strchr("fwvudcxp", letter))
+    if (!half || !is_one_of(letter, "fwvudcxp"))
         return letter;
     return (char)toupper((unsigned char)letter);
 }
@@ -172,7 +185,7 @@ static uint8_t width_of(char letter)
 {
     if (isupper((unsigned char)letter))
         return HALF_BITS;
-    return strchr("beo", letter) ? 1 : WORD_BITS;
+    return is_one_of(letter, "beo") ? 1 : WORD_BITS;
 }
 
 /* A, B or C; R, S or T of the short formats. */
@@ -181,7 +194,8 @@ static uint16_t bind_operand(struct decoded *decoded, unsigned operand,
 {
     letter = sized(decoded, letter);
     decoded->width[operand] = width_of(letter);
-    if (strchr("FIWMP", letter) || (broadcast && strchr("VU", letter))) {
+    if (is_one_of(letter, "FIWMP")
+        || (broadcast && is_one_of(letter, "VU"))) {
         bool right = number > 1 && number % 2;
         decoded->shift[operand] = right ? HALF_BITS : 0;
         number /= 2;
@@ -256,7 +270,7 @@ static void bind_all(struct decoded *decoded)
     for (const char *c = c205_format_syntax(insn->format); *c; c++)
         if (*c == '+')
             bind(decoded, *++c, 'i');
-        else if (!strchr("[],?! 0123456789", *c))
+        else if (!is_one_of(*c, "[],?! 0123456789"))
             bind(decoded, *c, *letter++);
     if (may_have_offset(insn) && decoded->fields.g & C205_G_OFFSET)
         add_source(decoded, decoded->fields.c + 1u);
