@@ -27,10 +27,15 @@ enum {
 
 /* ---- Eyes ---------------------------------------------------------------- */
 
-/* Of these the windows are wide enough for what is rounded: no point stands at more
- * than this beside the axis, and no ray comes from farther away, in sizes of the
- * greatest coordinate. */
-enum { SLOPE_MOST = 64, FAR_MOST = 512 };
+/* In sizes of the greatest coordinate: windows are wider by MARGIN, where their corners
+ * are, which is eight times what is rounded of a ray that comes from no farther than
+ * FAR_MOST, and of a triangle that it meets.  An eye that is nearer than NEAR_LEAST would
+ * see little else than that. */
+#define MARGIN 0x1p-31
+#define NEAR_LEAST 0x1p-20
+enum { FAR_MOST = 512 };
+/* Points stand no farther beside the eye's axis, in depths. */
+enum { SLOPE_MOST = 64 };
 
 struct eye {
     const double *place;
@@ -50,7 +55,7 @@ static double greatest_side(const struct box *box, const double place[3])
     return most;
 }
 
-/* False: it is within the box, or so near that it would look far to the sides. */
+/* False: it is within the box, or so near that little would be seen. */
 static bool eye_find(const double place[3], const struct box *whole,
                      struct eye *eye)
 {
@@ -67,7 +72,7 @@ static bool eye_find(const double place[3], const struct box *whole,
     }
     eye->size = fmax(greatest3(place),
                      fmax(greatest3(whole->low), greatest3(whole->high)));
-    return eye->near > 0
+    return eye->near > NEAR_LEAST * eye->size
            && greatest_side(whole, place) <= SLOPE_MOST * eye->near
            && isfinite(FAR_MOST * eye->size);
 }
@@ -178,14 +183,13 @@ static void plan_ways(const struct mesh_node *nodes, size_t node,
 
 /* ---- Its words ----------------------------------------------------------- */
 
-/* Wider by more than what is rounded of corners, of rays, and of triangles that are
- * met: 2^-34 of the greatest coordinate, where they are. */
+/* Depth counts for as much less. */
 static void put_window(const struct mesh_windows *of, const struct eye *eye,
                        const struct mesh_window *window, size_t node,
                        double *row)
 {
     const struct mesh_node *from = &of->hierarchy->nodes[node];
-    double margin = 0x1p-34 * eye->size;
+    double margin = MARGIN * eye->size;
 
     for (size_t i = 0; i < 2; i++) {
         double most = fmax(fabs(window->low[i]), fabs(window->high[i]));
