@@ -422,7 +422,8 @@ typedef struct c205_times {
     uint64_t
         unit_free; /* .. its unit takes the next one: of a vector instruction,
                            one whose start-up does not overlap */
-    uint64_t misses; /* pages that the associative registers did not know .. */
+    uint64_t
+        misses; /* pages that the associative registers did not know .. */
     uint64_t faults; /* .. and of them those that were not in memory */
     size_t piece_count, phase_count;
     c205_piece piece[C205_PIECES];
@@ -479,6 +480,17 @@ typedef enum c205_access {
  * they were not mapped before. */
 bool c205_map(c205 *machine, uint64_t address, size_t words,
               c205_access access, c205_error *error);
+
+/* Words that machines have in common, in any threads: a page is copied before the first
+ * of them writes there, for that machine.  They must stay until all of these are free, or
+ * loaded anew. */
+typedef struct c205_shared c205_shared;
+/* With zeros behind them, to the end of a page.  NULL: no memory. */
+c205_shared *c205_shared_new(const c205_word *words, size_t count);
+void c205_shared_free(c205_shared *shared);
+/* From the address of a page on; no page must be mapped there. */
+bool c205_map_shared(c205 *machine, uint64_t address,
+                     const c205_shared *shared, c205_error *error);
 
 /* The first mapped page from an address on, whether it may be written, and whether a page
  * that is mapped when it is touched was; false: there is none. */

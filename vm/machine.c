@@ -1,4 +1,5 @@
 #include "vm/machine.h"
+#include "vm/shared.h"
 #include "vm/events.h"
 #include "vm/stops.h"
 #include "vm/time/schedule.h"
@@ -479,6 +480,12 @@ bool c205_map(c205 *machine, uint64_t address, size_t words,
     return memory_map(&machine->memory, address, words, access, error);
 }
 
+bool c205_map_shared(c205 *machine, uint64_t address,
+                     const c205_shared *shared, c205_error *error)
+{
+    return shared_map(shared, &machine->memory, address, error);
+}
+
 void c205_warm(c205 *machine)
 {
     uint64_t address = memory_next_page(&machine->memory, 0);
@@ -497,7 +504,7 @@ bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page)
     found = memory_peek(&machine->memory, address);
     page->address = address;
     page->touched = !memory_is_untouched(found);
-    page->writable = !page->touched || found->writable;
+    page->writable = !page->touched || memory_may_write(found);
     return true;
 }
 

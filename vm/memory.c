@@ -35,7 +35,7 @@ void memory_init(struct memory *memory)
 static void spare_pages(struct memory *memory, struct page **pages)
 {
     for (size_t i = 0; i < DIRECTORY_PAGES; i++) {
-        if (!pages[i] || memory_is_untouched(pages[i]))
+        if (!pages[i] || memory_is_untouched(pages[i]) || pages[i]->shared)
             continue;
         pages[i]->next = memory->spare;
         memory->spare = pages[i];
@@ -107,6 +107,9 @@ static bool map_page(struct memory *memory, uint64_t address,
 {
     struct page **place = page_place(memory, address);
     bool untouched = place && (!*place || memory_is_untouched(*place));
+    if (place && !untouched && (*place)->shared
+        && !memory_own(memory, address))
+        return false;
     if (untouched && access == C205_WHEN_TOUCHED) {
         *place = (struct page *)&memory_untouched;
         return true;
@@ -141,6 +144,41 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
     return true;
 }
 
+/* ---- Pages that are shared ------------------------------------------------ */
+
+bool memory_map_shared(struct memory *memory, uint64_t address,
+                       struct page *pages, size_t count, c205_error *error)
+{
+    forget_near(memory);
+    for (size_t i = 0; i < count; i++, address += PAGE_BITS) {
+        struct page **place = page_place(memory, address);
+        if (!place || *place) {
+            snprintf(error->message, sizeof error->message, "%s",
+                     place ? "pages are mapped there" : MEMORY_NO_PAGE);
+            return false;
+        }
+        *place = &pages[i];
+    }
+    return true;
+}
+
+/* As memory_touch: what is read does not change. */
+struct page *memory_own(const struct memory *memory, uint64_t address)
+{
+    struct memory *owner = (struct memory *)memory;
+    struct page **place = page_place(owner, address);
+    struct page *page = take_spare(owner);
+    if (!page)
+        page = malloc(sizeof *page);
+    if (!page)
+        return NULL;
+    *page = **place;
+    page->shared = false;
+    page->writable = true;
+    forget_near(owner);
+    return *place = page;
+}
+
 uint64_t memory_next_page(const struct memory *memory, uint64_t address)
 {
     uint64_t directory_bits = UINT64_C(1) << DIRECTORY_SHIFT;
@@ -155,7 +193,8 @@ uint64_t memory_next_page(const struct memory *memory, uint64_t address)
 static c205_trap check_page(const struct memory *memory, uint64_t address,
                             bool write)
 {
-    const struct page *page = memory_page(memory, address);
+    const struct page *page = write ? memory_own_page(memory, address)
+                                    : memory_page(memory, address);
     if (!page)
         return C205_TRAP_UNMAPPED_ADDRESS;
     return write && !page->writable ? C205_TRAP_PROTECTED_ADDRESS
@@ -184,7 +223,7 @@ c205_trap memory_check(const struct memory *memory, uint64_t address,
 
 void memory_mark_code(struct memory *memory, uint64_t address)
 {
-    struct page *page = memory_page(memory, address);
+    struct page *page = memory_own_page(memory, address);
     size_t index = memory_word_index(address);
     page->code[index / 64] |= UINT64_C(1) << index % 64;
     if (!page->holds_code)
@@ -231,7 +270,7 @@ const c205_word *memory_read_span(const struct memory *memory,
 c205_word *memory_write_span(struct memory *memory, uint64_t address,
                              size_t *count)
 {
-    struct page *page = memory_page(memory, address);
+    struct page *page = memory_own_page(memory, address);
     size_t index = memory_word_index(address);
     limit_to_page(index, count);
     if (!page)

@@ -33,6 +33,8 @@ struct page {
     uint64_t code[C205_PAGE_WORDS / 64];
     bool holds_code; /* some bit of code was set */
     bool writable;
+    bool
+        shared; /* by machines that have not written there: not this one's own */
 };
 
 /* A page that was found lately, so that it need not be looked for: its number,
@@ -63,6 +65,13 @@ void memory_free(struct memory *memory);
 /* Pages mapped before keep their words and take the new access. */
 bool memory_map(struct memory *memory, uint64_t address, size_t words,
                 c205_access access, c205_error *error);
+
+/* A row of pages from that address on, where nothing is mapped; each is copied before
+ * it is written, and then to be read and written. */
+bool memory_map_shared(struct memory *memory, uint64_t address,
+                       struct page *pages, size_t count, c205_error *error);
+/* The copy.  NULL: no memory. */
+struct page *memory_own(const struct memory *memory, uint64_t address);
 
 /* Is every bit of the range mapped (and writable)?  NONE, UNMAPPED_ADDRESS
  * or PROTECTED_ADDRESS with the first such address in *fault.  A range does
@@ -140,12 +149,25 @@ static inline struct page *memory_peek(const struct memory *memory,
 
 struct page *memory_touch(const struct memory *memory, uint64_t address);
 
+static inline bool memory_may_write(const struct page *page)
+{
+    return page->writable || page->shared;
+}
+
 /* NULL: not mapped, or no memory for a page that was not touched yet. */
 static inline struct page *memory_page(const struct memory *memory,
                                        uint64_t address)
 {
     struct page *page = memory_peek(memory, address);
     return memory_is_untouched(page) ? memory_touch(memory, address) : page;
+}
+
+/* To be written by this machine; NULL likewise. */
+static inline struct page *memory_own_page(const struct memory *memory,
+                                           uint64_t address)
+{
+    struct page *page = memory_page(memory, address);
+    return page && page->shared ? memory_own(memory, address) : page;
 }
 
 static inline size_t memory_word_index(uint64_t address)
@@ -169,7 +191,7 @@ static inline c205_trap memory_load(const struct memory *memory,
 static inline c205_trap memory_store(struct memory *memory, uint64_t address,
                                      c205_word word)
 {
-    struct page *page = memory_page(memory, address);
+    struct page *page = memory_own_page(memory, address);
     size_t index = memory_word_index(address);
     if (address % WORD_BITS)
         return C205_TRAP_MISALIGNED_OPERAND;

@@ -112,7 +112,8 @@ static void walk_page(struct memory *memory, uint64_t address,
         return;
     }
     struct page *page = memory_page(memory, address);
-    size_t access = page && page->writable ? C205_READ_WRITE : C205_READ_ONLY;
+    size_t access = page && memory_may_write(page) ? C205_READ_WRITE
+                                                   : C205_READ_ONLY;
     tape_size(tape, &access, C205_READ_WRITE);
     if (!page && !tape->failed
         && !memory_map(memory, address, C205_PAGE_WORDS, (c205_access)access,

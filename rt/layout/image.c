@@ -1,10 +1,10 @@
 #include "rt/layout/image.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/array.h"
+#include "base/error.h"
 
 static bool add(struct image *image, struct image_block block)
 {
@@ -20,7 +20,8 @@ static bool add(struct image *image, struct image_block block)
 
 bool image_reserve(struct image *image, uint64_t address, size_t count)
 {
-    return add(image, (struct image_block){ address, count, NULL, true });
+    return add(image,
+               (struct image_block){ address, count, NULL, NULL, true });
 }
 
 /* The mapped block that has the words, or NULL. */
@@ -44,7 +45,8 @@ bool image_write(struct image *image, uint64_t address,
     struct image_block *block = block_of(image, address, count);
 
     if (!block) {
-        if (!add(image, (struct image_block){ address, count, NULL, false }))
+        if (!add(image,
+                 (struct image_block){ address, count, NULL, NULL, false }))
             return false;
         block = &image->blocks[image->count - 1];
     }
@@ -57,32 +59,51 @@ bool image_write(struct image *image, uint64_t address,
     return true;
 }
 
-bool image_load(const struct image *image, c205 *machine, c205_error *error)
+void image_share(struct image *image)
 {
     for (size_t i = 0; i < image->count; i++) {
-        const struct image_block *block = &image->blocks[i];
+        struct image_block *block = &image->blocks[i];
 
-        if (block->mapped
-            && !c205_map(machine, block->address, block->count,
-                         block->words ? C205_READ_WRITE : C205_WHEN_TOUCHED,
-                         error))
-            return false;
-        if (block->words
-            && !c205_write(machine, block->address, block->words,
-                           block->count)) {
-            snprintf(error->message, sizeof error->message,
-                     "nothing is mapped at %012llX",
-                     (unsigned long long)block->address);
-            return false;
+        if (!block->mapped || !block->words)
+            continue;
+        block->shared = c205_shared_new(block->words, block->count);
+        if (block->shared) {
+            free(block->words);
+            block->words = NULL;
         }
     }
+}
+
+static bool load_block(const struct image_block *block, c205 *machine,
+                       c205_error *error)
+{
+    if (block->shared)
+        return c205_map_shared(machine, block->address, block->shared, error);
+    if (block->mapped
+        && !c205_map(machine, block->address, block->count,
+                     block->words ? C205_READ_WRITE : C205_WHEN_TOUCHED,
+                     error))
+        return false;
+    return !block->words
+           || c205_write(machine, block->address, block->words, block->count)
+           || error_say(error, "nothing is mapped at %012llX",
+                        (unsigned long long)block->address);
+}
+
+bool image_load(const struct image *image, c205 *machine, c205_error *error)
+{
+    for (size_t i = 0; i < image->count; i++)
+        if (!load_block(&image->blocks[i], machine, error))
+            return false;
     return true;
 }
 
 void image_free(struct image *image)
 {
-    for (size_t i = 0; i < image->count; i++)
+    for (size_t i = 0; i < image->count; i++) {
         free(image->blocks[i].words);
+        c205_shared_free(image->blocks[i].shared);
+    }
     free(image->blocks);
     *image = (struct image){ 0 };
 }

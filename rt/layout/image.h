@@ -15,7 +15,8 @@
 struct image_block {
     uint64_t address;
     size_t count;
-    c205_word *words; /* NULL: zeros */
+    c205_word *words;    /* NULL: zeros, or .. */
+    c205_shared *shared; /* .. these */
     bool mapped;
 };
 
@@ -30,7 +31,10 @@ bool image_reserve(struct image *image, uint64_t address, size_t count);
  * False: no memory. */
 bool image_write(struct image *image, uint64_t address,
                  const c205_word *words, size_t count);
-/* Into a machine's memory. */
+/* Nothing more is written: machines have in common what they only read, as far as there
+ * is memory for that. */
+void image_share(struct image *image);
+/* Into a machine's memory; the image stays until that is free, or loaded anew. */
 bool image_load(const struct image *image, c205 *machine, c205_error *error);
 void image_free(struct image *image);
 

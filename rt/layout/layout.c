@@ -231,6 +231,7 @@ struct scene_layout *layout_new(const struct object *program,
     whole->end = layout.free;
     whole->gamma = scene->assumed_gamma;
     whole->camera = scene->camera;
+    image_share(&whole->image);
     if (!layout.failed)
         return whole;
     layout_free(whole);

@@ -50,6 +50,7 @@ struct lines_layout *lines_layout_new(const struct object *program,
     whole->end = layout.free;
     whole->most = seen_crossings_most(scene);
     whole->objects = scene->object_count;
+    image_share(&whole->image);
     if (!layout.failed)
         return whole;
     lines_layout_free(whole);

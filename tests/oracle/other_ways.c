@@ -174,6 +174,31 @@ static uint64_t hash_at_end(const struct random_program *program,
     return hash;
 }
 
+/* A run on pages in common with others: what these have stays as it was. */
+static const char *disagreeing_share(const struct random_program *program,
+                                     uint64_t limit, uint64_t expected)
+{
+    static const struct way way = { "a run of shared pages", true, false,
+                                    false };
+    struct random_shared shared;
+    uint64_t before, hash;
+    struct run run = { .way = &way, .random = program->seed, .limit = limit };
+
+    run.machine = random_machine_load_shared(program, &shared);
+    before = random_shared_hash(run.machine, &shared);
+    random_shared_free(&shared);
+    run.machine = random_machine_load_shared(program, &shared);
+    while (run_on(&run))
+        continue;
+    hash = machine_hash(run.machine);
+    before ^= random_shared_hash(run.machine, &shared);
+    random_machine_load(program);
+    random_shared_free(&shared);
+    return hash != expected ? way.name
+           : before != 0    ? "a program that writes to pages of others"
+                            : NULL;
+}
+
 const char *disagreeing_way(const struct random_program *program,
                             const uint64_t *stepped)
 {
@@ -192,5 +217,5 @@ const char *disagreeing_way(const struct random_program *program,
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)
         if (hash_at_end(program, others + i, limit) != expected)
             return others[i].name;
-    return NULL;
+    return disagreeing_share(program, limit, expected);
 }

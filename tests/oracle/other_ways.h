@@ -2,8 +2,8 @@
  *
  * As a whole; in slices, each ended by the clock limit; in slices between
  * which the machine is saved and another one restored from that; with somebody
- * who listens, from the beginning or now and then.  What traps
- * is skipped.  All ways must end in one state: everything that a saved
+ * who listens, from the beginning or now and then; on pages in common with others,
+ * which keep what they have.  What traps is skipped.  All ways must end in one state: everything that a saved
  * machine holds, clock and accounts among it.
  */
 #ifndef OTHER_WAYS_H

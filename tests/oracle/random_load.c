@@ -42,15 +42,26 @@ uint64_t random_region_end(const struct random_program *program)
     return program_address(program, (program->insn_count + 1) / 2);
 }
 
+static bool load_nothing(c205 *machine, const struct random_program *program,
+                         c205_error *error)
+{
+    const c205_region region = { "first", program->code,
+                                 random_region_end(program) };
+    const c205_program empty = { program->code, 0, NULL, 1, &region, false };
+
+    return c205_load(machine, &empty, error);
+}
+
+static void put_registers(c205 *machine, const struct random_program *program)
+{
+    for (unsigned i = 0; i < C205_REGISTERS; i++)
+        c205_set_register(machine, i, program->registers[i]);
+}
+
 bool random_load(c205 *machine, const struct random_program *program,
                  c205_error *error)
 {
-    const c205_segment page = { random_pages[0].address, 1, NULL };
-    const c205_region region = { "first", program->code,
-                                 random_region_end(program) };
-    const c205_program empty = { program->code, 1, &page, 1, &region, false };
-
-    if (!c205_load(machine, &empty, error))
+    if (!load_nothing(machine, program, error))
         return false;
     for (size_t i = 0; i < RANDOM_PAGES; i++)
         if (!c205_map(machine, random_pages[i].address, C205_PAGE_WORDS,
@@ -58,7 +69,80 @@ bool random_load(c205 *machine, const struct random_program *program,
             return false;
     put_data(machine, program);
     put_code(machine, program);
-    for (unsigned i = 0; i < C205_REGISTERS; i++)
-        c205_set_register(machine, i, program->registers[i]);
+    put_registers(machine, program);
     return true;
+}
+
+/* ---- Shared pages ---------------------------------------------------------- */
+
+/* What the page has now; one that is only read stays the machine's own. */
+static bool share_page(const c205 *machine, size_t i,
+                       struct random_shared *shared)
+{
+    static c205_word words[C205_PAGE_WORDS];
+
+    shared->page[i] = NULL;
+    if (random_pages[i].access != C205_READ_WRITE)
+        return true;
+    if (!c205_read(machine, random_pages[i].address, words, C205_PAGE_WORDS))
+        return false;
+    shared->page[i] = c205_shared_new(words, C205_PAGE_WORDS);
+    return shared->page[i];
+}
+
+static bool map_page(c205 *machine, size_t i,
+                     const struct random_shared *shared, c205_error *error)
+{
+    return shared->page[i]
+               ? c205_map_shared(machine, random_pages[i].address,
+                                 shared->page[i], error)
+               : c205_map(machine, random_pages[i].address, C205_PAGE_WORDS,
+                          random_pages[i].access, error);
+}
+
+static void put_own_data(c205 *machine, const struct random_program *program)
+{
+    c205_word words[AREA_MOST];
+
+    for (size_t i = 0; i < random_area_count; i++)
+        if (random_areas[i].access != C205_READ_WRITE) {
+            program_data(program, random_areas + i, words);
+            c205_write(machine, random_areas[i].address, words,
+                       random_areas[i].words);
+        }
+}
+
+bool random_load_shared(c205 *machine, const struct random_program *program,
+                        struct random_shared *shared, c205_error *error)
+{
+    if (!random_load(machine, program, error))
+        return false;
+    for (size_t i = 0; i < RANDOM_PAGES; i++)
+        if (!share_page(machine, i, shared))
+            return false;
+    if (!load_nothing(machine, program, error))
+        return false;
+    for (size_t i = 0; i < RANDOM_PAGES; i++)
+        if (!map_page(machine, i, shared, error))
+            return false;
+    put_own_data(machine, program);
+    put_registers(machine, program);
+    return true;
+}
+
+void random_shared_free(struct random_shared *shared)
+{
+    for (size_t i = 0; i < RANDOM_PAGES; i++)
+        c205_shared_free(shared->page[i]);
+}
+
+bool random_shared_read(c205 *machine, const struct random_shared *shared,
+                        size_t page, c205_word *words, c205_error *error)
+{
+    const c205_program nothing = { 0, 0, NULL, 0, NULL, false };
+    uint64_t address = random_pages[page].address;
+
+    return c205_load(machine, &nothing, error)
+           && c205_map_shared(machine, address, shared->page[page], error)
+           && c205_read(machine, address, words, C205_PAGE_WORDS);
 }

@@ -1,6 +1,8 @@
 /* random_machine.c - machines loaded with random programs. */
 #include "random_machine.h"
 
+#include "vm/hash.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,6 +63,34 @@ c205 *random_machine_load(const struct random_program *program)
     if (!random_load(machine, program, &error))
         random_machine_fail(error.message);
     return machine;
+}
+
+c205 *random_machine_load_shared(const struct random_program *program,
+                                 struct random_shared *shared)
+{
+    c205 *machine = machines[program->model];
+    c205_error error = { "no memory" };
+
+    if (!random_load_shared(machine, program, shared, &error))
+        random_machine_fail(error.message);
+    return machine;
+}
+
+uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared)
+{
+    static c205_word words[C205_PAGE_WORDS];
+    uint64_t hash = HASH_BEGIN;
+    c205_error error = { "no memory" };
+
+    for (size_t i = 0; i < RANDOM_PAGES; i++) {
+        if (!shared->page[i])
+            continue;
+        if (!random_shared_read(machine, shared, i, words, &error))
+            random_machine_fail(error.message);
+        for (size_t k = 0; k < C205_PAGE_WORDS; k++)
+            hash = hash_word(hash, words[k]);
+    }
+    return hash;
 }
 
 /* ---- Images ------------------------------------------------------------ */

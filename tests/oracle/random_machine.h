@@ -15,6 +15,12 @@ void random_machine_fail(const char *what);
 
 /* The machine of the program's model before its first step. */
 c205 *random_machine_load(const struct random_program *program);
+/* .. with pages in common with others. */
+c205 *random_machine_load_shared(const struct random_program *program,
+                                 struct random_shared *shared);
+/* Of the words of all these pages, which the machine gives up its program for. */
+uint64_t random_shared_hash(c205 *machine,
+                            const struct random_shared *shared);
 
 /* What a machine has in its pages goes into the images, and what a program
  * finds there into memory, which is empty. */

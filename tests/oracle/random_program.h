@@ -73,6 +73,17 @@ void program_data(const struct random_program *program,
  * region "first", up to random_region_end. */
 bool random_load(c205 *machine, const struct random_program *program,
                  c205_error *error);
+/* The same, with pages to be written that it has in common with others, which the
+ * caller frees when the machine is loaded anew. */
+struct random_shared {
+    c205_shared *page[RANDOM_PAGES]; /* NULL: its own */
+};
+bool random_load_shared(c205 *machine, const struct random_program *program,
+                        struct random_shared *shared, c205_error *error);
+void random_shared_free(struct random_shared *shared);
+/* A page of them, as it is; on a machine that is free for it. */
+bool random_shared_read(c205 *machine, const struct random_shared *shared,
+                        size_t page, c205_word *words, c205_error *error);
 uint64_t random_region_end(const struct random_program *program);
 
 #endif

@@ -1,0 +1,10 @@
+/* shared.h - pages that machines have in common. */
+#ifndef C205_SHARED_H
+#define C205_SHARED_H
+
+#include "vm/memory.h"
+
+bool shared_map(const c205_shared *shared, struct memory *memory,
+                uint64_t address, c205_error *error);
+
+#endif
