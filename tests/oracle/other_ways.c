@@ -178,8 +178,8 @@ static uint64_t hash_at_end(const struct random_program *program,
 static const char *disagreeing_share(const struct random_program *program,
                                      uint64_t limit, uint64_t expected)
 {
-    const struct way way = { "a run of shared pages", program->seed % 3 == 0,
-                             false, false };
+    const struct way way = { "a run of shared pages",
+                             program->insn_count % 3 == 0, false, false };
     struct random_shared shared;
     uint64_t before, hash;
     struct run run = { .way = &way, .random = program->seed, .limit = limit };
