@@ -482,8 +482,8 @@ bool c205_map(c205 *machine, uint64_t address, size_t words,
               c205_access access, c205_error *error);
 
 /* Words that machines have in common, in any threads: a page is copied before the first
- * of them writes there, for that machine.  They must stay until all of these are free, or
- * loaded anew. */
+ * of them writes there, for that machine.  They must stay as long as any of these runs or is
+ * looked at; to free it, or load it anew, is not that. */
 typedef struct c205_shared c205_shared;
 /* With zeros behind them, to the end of a page.  NULL: no memory. */
 c205_shared *c205_shared_new(const c205_word *words, size_t count);

@@ -32,23 +32,17 @@ void memory_init(struct memory *memory)
     memory->code_changes = 1;
 }
 
-static void spare_pages(struct memory *memory, struct page **pages)
-{
-    for (size_t i = 0; i < DIRECTORY_PAGES; i++) {
-        if (!pages[i] || memory_is_untouched(pages[i]) || pages[i]->shared)
-            continue;
-        pages[i]->next = memory->spare;
-        memory->spare = pages[i];
-    }
-    free(pages);
-}
-
+/* Pages that are shared may be gone already. */
 void memory_clear(struct memory *memory)
 {
     forget_near(memory);
+    for (struct page *page; (page = memory->own);) {
+        memory->own = page->next;
+        page->next = memory->spare;
+        memory->spare = page;
+    }
     for (size_t i = 0; i < DIRECTORIES; i++) {
-        if (memory->directory[i])
-            spare_pages(memory, memory->directory[i]);
+        free(memory->directory[i]);
         memory->directory[i] = NULL;
     }
     memory->rewritten = false;
@@ -81,10 +75,20 @@ static struct page **page_place(struct memory *memory, uint64_t address)
                   : NULL;
 }
 
+static struct page *add_own(struct memory *memory, struct page *page)
+{
+    if (page) {
+        page->next = memory->own;
+        memory->own = page;
+    }
+    return page;
+}
+
 static struct page *new_page(struct memory *memory)
 {
     struct page *page = take_spare(memory);
-    return page ? memset(page, 0, sizeof *page) : calloc(1, sizeof *page);
+    return add_own(memory, page ? memset(page, 0, sizeof *page)
+                                : calloc(1, sizeof *page));
 }
 
 const uint64_t memory_untouched = 0;
@@ -176,7 +180,7 @@ struct page *memory_own(const struct memory *memory, uint64_t address)
     page->shared = false;
     page->writable = true;
     forget_near(owner);
-    return *place = page;
+    return *place = add_own(owner, page);
 }
 
 uint64_t memory_next_page(const struct memory *memory, uint64_t address)

@@ -26,7 +26,7 @@ enum {
 #define PAGE_BITS (UINT64_C(1) << PAGE_SHIFT)
 
 struct page {
-    struct page *next; /* of the spare ones */
+    struct page *next; /* of a machine's own, or of the spare ones */
     c205_word word[C205_PAGE_WORDS];
     /* Which words hold decoded code: bit i % 64, counted from the right, of
      * code[i / 64]. */
@@ -50,7 +50,8 @@ enum { NEAR_PAGES = 16 };
 struct memory {
     struct page **directory[DIRECTORIES];
     struct near_page near_page[NEAR_PAGES]; /* by the last bits of numbers */
-    struct page *spare;    /* pages for the next that are mapped */
+    struct page *own;   /* pages that are mapped, but those that are shared */
+    struct page *spare; /* .. for the next that are */
     uint64_t code_changes; /* how often a word that held decoded code was
                               written, and one; the decode cache looks at it */
     bool rewritten;        /* one was, since all was unmapped */

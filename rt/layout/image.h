@@ -34,7 +34,7 @@ bool image_write(struct image *image, uint64_t address,
 /* Nothing more is written: machines have in common what they only read, as far as there
  * is memory for that. */
 void image_share(struct image *image);
-/* Into a machine's memory; the image stays until that is free, or loaded anew. */
+/* Into a machine's memory; the image stays as long as that runs or is looked at. */
 bool image_load(const struct image *image, c205 *machine, c205_error *error);
 void image_free(struct image *image);
 

@@ -33,7 +33,7 @@ struct scene_layout *layout_new(const struct object *program,
 void layout_free(struct scene_layout *layout);
 
 /* After c205_load: map and fill what the program reads, map the planes that
- * it writes. */
+ * it writes.  The layout stays as long as the machine runs or is looked at. */
 bool layout_put(const struct scene_layout *layout, c205 *machine,
                 struct frame_layout *frame, c205_error *error);
 

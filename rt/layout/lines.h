@@ -32,7 +32,8 @@ struct lines_layout *lines_layout_new(const struct object *program,
                                       c205_error *error);
 void lines_layout_free(struct lines_layout *layout);
 
-/* After c205_load: map and fill what the program reads, map what it writes. */
+/* After c205_load: map and fill what the program reads, map what it writes.
+ * The layout stays as long as the machine runs or is looked at. */
 bool lines_layout_put(const struct lines_layout *layout, c205 *machine,
                       struct packet_layout *packet, c205_error *error);
 

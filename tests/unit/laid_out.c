@@ -75,23 +75,22 @@ void raise_curtain(struct stage *stage, const char *text,
                    enum bounding bounding)
 {
     struct frame_layout frame = { .width = 4, .height = 2, .rows = 2 };
-    struct scene_layout *layout;
     c205_error error = { "" };
 
     stage->scene = read_scene(text);
     stage->program = stage_program();
     stage->machine = c205_new(prior_model, &error);
-    layout = layout_new(stage->program, stage->scene, bounding, NULL, NULL,
-                        &error);
-    if (!stage->machine || !layout
+    stage->layout = layout_new(stage->program, stage->scene, bounding, NULL,
+                               NULL, &error);
+    if (!stage->machine || !stage->layout
         || !c205_load(stage->machine, &stage->program->program, &error)
-        || !layout_put(layout, stage->machine, &frame, &error))
+        || !layout_put(stage->layout, stage->machine, &frame, &error))
         fail_msg("%s: %s", text, error.message);
-    layout_free(layout);
 }
 
 void drop_curtain(struct stage *stage)
 {
+    layout_free(stage->layout);
     c205_free(stage->machine);
     object_free(stage->program);
     scene_free(stage->scene);

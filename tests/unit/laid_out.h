@@ -10,6 +10,7 @@
 #include "rt/layout/program.h"
 
 struct stage {
+    struct scene_layout *layout;
     struct scene *scene;
     struct object *program;
     c205 *machine;
