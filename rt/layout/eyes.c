@@ -1,11 +1,21 @@
 #include "rt/layout/eyes.h"
 
+#include <string.h>
+
 #include "rt/layout/lights.h"
 #include "rt/scene/vector.h"
 
+static bool is_there(const struct eyes *eyes, const double place[3])
+{
+    for (size_t i = 0; i < eyes->count; i++)
+        if (memcmp(eyes->places[i], place, sizeof eyes->places[i]) == 0)
+            return true;
+    return false;
+}
+
 static void add(struct eyes *eyes, const double place[3])
 {
-    if (eyes->count < EYES_MOST)
+    if (eyes->count < EYES_MOST && !is_there(eyes, place))
         copy3(place, eyes->places[eyes->count++]);
 }
 

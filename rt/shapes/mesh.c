@@ -169,9 +169,10 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 
 /* ---- Its words ----------------------------------------------------------- */
 
-/* The table, whose rows are told in records.s: a row of zeros, which stands for
- * the end of a walk, the nodes, and the triangles as the leaves have them.  A
- * row is told by how many words stand before it. */
+/* The table, whose rows are told in records.s: a row that stands for the end of a
+ * walk, of zeros but for what tells of the eyes; the nodes, and the triangles as the
+ * leaves have them; behind all the windows of the eyes.  A row is told by how many words
+ * stand before it. */
 enum {
     NODE_ROW = 25,
     NODE_LINKS = 6, /* from here on they are integers */
@@ -387,13 +388,13 @@ static bool put_windows(const struct primitive *primitive,
                                     .triangles = table + nodes,
                                     .row = row_size(primitive),
                                     .triangles_place = (double)nodes };
-    size_t seeing;
+    size_t planned;
+    bool good = mesh_windows_put(&windows, eyes, (double)place, table + place,
+                                 &planned);
 
-    mesh_windows_size(eyes, &hierarchy->nodes[0].box, hierarchy->node_count,
-                      &seeing);
     table[EYES_FIRST] = (double)place;
-    table[EYES_COUNT] = (double)seeing;
-    return mesh_windows_put(&windows, eyes, (double)place, table + place);
+    table[EYES_COUNT] = (double)planned;
+    return good;
 }
 
 /* The windows of eyes begin at place. */

@@ -36,6 +36,9 @@ enum {
 enum { FAR_MOST = 512 };
 /* Points stand no farther beside the eye's axis, in depths. */
 enum { SLOPE_MOST = 64 };
+/* Words of an eye's windows: more would not stay in the real memory of the machine, and
+ * each ray would wait for pages. */
+enum { WINDOWS_MOST = 1 << 20 };
 
 struct eye {
     const double *place;
@@ -80,12 +83,15 @@ static bool eye_find(const double place[3], const struct box *whole,
 size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole,
                          size_t nodes, size_t *seeing)
 {
+    size_t words = (nodes + 1) * WINDOW_ROW;
     struct eye eye;
 
     *seeing = 0;
+    if (words > WINDOWS_MOST)
+        return 0;
     for (size_t i = 0; eyes && i < eyes->count; i++)
         *seeing += eye_find(eyes->places[i], whole, &eye);
-    return *seeing * (EYE_ROW + (nodes + 1) * WINDOW_ROW);
+    return *seeing * (EYE_ROW + words);
 }
 
 /* ---- What is seen from one ------------------------------------------------ */
@@ -143,6 +149,59 @@ static void find_windows(const struct mesh_windows *of, const struct eye *eye,
     }
 }
 
+/* ---- What it costs ---------------------------------------------------------- */
+
+/* Clocks of a vector program for a ray, measured for a ball of 100,352 triangles: where it
+ * is asked at a box, at a window, where it meets a triangle. */
+enum { BOX_CLOCKS = 25, WINDOW_CLOCKS = 14, TRIANGLE_CLOCKS = 60 };
+
+/* Of all rays from the eye so many come near something as the area says that it has in
+ * the plane where z is 1.  Each asks the two nodes below one, or meets a leaf's triangles. */
+static double cost_below(const struct mesh_node *node, double area,
+                         int clocks)
+{
+    return area
+           * (node->count > 0 ? TRIANGLE_CLOCKS * (double)node->count
+                              : 2. * clocks);
+}
+
+/* Of a box that is small, as seen from there; for the others it need not be right. */
+static double silhouette(const struct box *box, const struct eye *eye)
+{
+    double away[3], size[3], z, area = 0;
+
+    for (int k = 0; k < 3; k++) {
+        away[k] = box->low[k] / 2 + box->high[k] / 2 - eye->place[k];
+        size[k] = box->high[k] - box->low[k];
+    }
+    z = eye->sign * away[eye->axis];
+    for (int k = 0; k < 3; k++)
+        area += fabs(away[k]) / z * (size[(k + 1) % 3] / z)
+                * (size[(k + 2) % 3] / z);
+    return area;
+}
+
+static double area_of(const struct mesh_window *window)
+{
+    return (window->high[0] - window->low[0])
+           * (window->high[1] - window->low[1]);
+}
+
+/* Whether rays from the eye are asked less by windows than by boxes. */
+static bool windows_pay(const struct mesh_windows *of, const struct eye *eye,
+                        const struct mesh_window *windows)
+{
+    double by_boxes = 0, by_windows = 0;
+
+    for (size_t i = 0; i < of->hierarchy->node_count; i++) {
+        const struct mesh_node *node = &of->hierarchy->nodes[i];
+
+        by_boxes += cost_below(node, silhouette(&node->box, eye), BOX_CLOCKS);
+        by_windows += cost_below(node, area_of(&windows[i]), WINDOW_CLOCKS);
+    }
+    return by_windows <= by_boxes;
+}
+
 /* ---- Ways ---------------------------------------------------------------- */
 
 /* Who looks from an eye sees the half of a node on its own side first. */
@@ -164,9 +223,7 @@ static void plan_ways(const struct mesh_node *nodes, size_t node,
                       const struct mesh_window *windows, double above,
                       unsigned char *ways)
 {
-    const struct mesh_window *window = &windows[node];
-    double area = (window->high[0] - window->low[0])
-                  * (window->high[1] - window->low[1]);
+    double area = area_of(&windows[node]);
 
     ways[node] = 0;
     if (nodes[node].count > 0)
@@ -218,41 +275,46 @@ struct view {
     unsigned char *ways;
 };
 
-static void put_view(const struct mesh_windows *of, const struct eye *eye,
+/* False: they do not pay, and there are none. */
+static bool put_view(const struct mesh_windows *of, const struct eye *eye,
                      const struct view *view, double *rows)
 {
     const struct mesh_hierarchy *hierarchy = of->hierarchy;
     double *first = rows + WINDOW_ROW;
 
     find_windows(of, eye, view->windows);
+    if (!windows_pay(of, eye, view->windows))
+        return false;
     plan_ways(hierarchy->nodes, 0, eye, view->windows, 0, view->ways);
     for (size_t i = 0; i < hierarchy->node_count; i++)
         put_window(of, eye, &view->windows[i], i, first + WINDOW_ROW * i);
     mesh_hierarchy_thread(hierarchy, view->ways,
                           &(struct mesh_rows){ first + WINDOW_LINKS,
                                                WINDOW_ROW });
+    return true;
 }
 
 bool mesh_windows_put(const struct mesh_windows *of, const struct eyes *eyes,
-                      double place, double *words)
+                      double place, double *words, size_t *planned)
 {
-    size_t nodes = of->hierarchy->node_count, seeing;
+    size_t nodes = of->hierarchy->node_count, seeing, at;
     const struct box *whole = &of->hierarchy->nodes[0].box;
     struct view view = { malloc(nodes * sizeof *view.windows),
                          malloc(nodes) };
-    size_t at;
     bool good = view.windows && view.ways;
 
     mesh_windows_size(eyes, whole, nodes, &seeing);
     at = seeing * EYE_ROW;
-    for (size_t i = 0, row = 0; good && row < seeing; i++) {
+    *planned = 0;
+    for (size_t i = 0; good && seeing > 0 && i < eyes->count; i++) {
         struct eye eye;
 
-        if (!eye_find(eyes->places[i], whole, &eye))
+        if (!eye_find(eyes->places[i], whole, &eye)
+            || !put_view(of, &eye, &view, words + at))
             continue;
-        put_eye(&eye, place + (double)at, words + EYE_ROW * row++);
-        put_view(of, &eye, &view, words + at);
+        put_eye(&eye, place + (double)at, words + EYE_ROW * *planned);
         at += WINDOW_ROW * (nodes + 1);
+        ++*planned;
     }
     free(view.windows);
     free(view.ways);

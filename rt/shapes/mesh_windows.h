@@ -8,7 +8,9 @@
  *
  * and a window is between the least and the greatest of these last two that any
  * corner below the node has, behind the least z.  A ray through the eye has one
- * u and one v all along, so it passes a node beside whose window it is.
+ * u and one v all along, so it passes a node beside whose window it is.  A window is
+ * square to the axes, and of what is slender and stands askew it is much wider than a box:
+ * so there are windows only where they cost less, by the areas of both.
  * Source: the buffers of Weghorst, Hooper and Greenberg 1984 and of Haines and
  * Greenberg 1986, here with a tree of windows in place of cells.
  */
@@ -28,12 +30,14 @@ struct mesh_windows {
     double triangles_place; /* words before them in the table */
 };
 
-/* Words for the eyes that see what is in the box; their number to *seeing. */
+/* Room for the eyes that see what is in the box, in words; their number to *seeing. */
 size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole,
                          size_t nodes, size_t *seeing);
-/* Those words; so many stand before them in the table.  False: no memory. */
+/* Those words, and for how many eyes there are windows; so many words stand before them
+ * in the table.  False: no memory. */
 bool mesh_windows_put(const struct mesh_windows *windows,
-                      const struct eyes *eyes, double place, double *words);
+                      const struct eyes *eyes, double place, double *words,
+                      size_t *planned);
 /* Which of them are integers. */
 void mesh_windows_mark(size_t seeing, size_t nodes, bool *marks);
 

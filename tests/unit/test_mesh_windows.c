@@ -1,6 +1,7 @@
 /* Meshes as they are seen from an eye: whatever point of a triangle a ray through the
- * eye goes to, the walk by windows comes to that triangle; and frames are the same
- * with windows and with boxes alone, in all stages, whatever stands where.
+ * eye goes to, the walk by windows comes to that triangle; frames are the same with
+ * windows and with boxes alone, in all stages, whatever stands where, unless a triangle is
+ * seen edge-on; and then in all stages, queues and orders. There are windows where they pay.
  *
  *     test_mesh_windows [SCENES [SEED]]
  */
@@ -215,7 +216,7 @@ static void check_net(size_t *seeing, size_t *within)
     free(mesh.shape.mesh.triangles.list);
 }
 
-/* Most eyes beside a mesh see it. */
+/* Many eyes beside a mesh have windows. */
 static void test_ways(void **state)
 {
     size_t seeing = 0, within = 0, nets = 40 * scene_count;
@@ -224,7 +225,7 @@ static void test_ways(void **state)
     for (size_t i = 0; i < nets; i++)
         check_net(&seeing, &within);
     assert_true(within > nets / 40);
-    assert_true(seeing > (3 * nets - within) * 3 / 4);
+    assert_true(seeing > (3 * nets - within) / 3);
 }
 
 /* Of a ball of many triangles a ray is asked at few windows. */
@@ -345,6 +346,107 @@ static void test_frames(void **state)
     assert_true(seen > scene_count * traced.pixels / 4);
 }
 
+/* ---- Edge-on ---------------------------------------------------------------- */
+
+/* Whether a ray in its plane meets a triangle is up to rounding; whoever traces it says
+ * the same. */
+static void check_edge_on(void)
+{
+    struct words *words = same_frame(text), *others;
+
+    check_paper_stage(text, words);
+    traced.no_bounds = true;
+    others = same_frame(text);
+    traced.no_bounds = false;
+    if (memcmp(words, others, sizeof *words) != 0)
+        fail_msg("without bounds there is another frame of\n%s", text);
+    free(words);
+    free(others);
+}
+
+/* On a slope through the eye; numbers of which few are whole. */
+static void add_edge_on(const double eye[3])
+{
+    double corners[3][3];
+
+    for (int k = 0; k < 3; k++) {
+        corners[0][k] = round(between(-40, 40)) / 20;
+        corners[1][k] = round(between(-40, 40)) / 20;
+    }
+    for (int k = 0; k < 3; k++)
+        corners[2][k] = corners[0][k] + .25 * (corners[1][k] - corners[0][k])
+                        + .5 * (eye[k] - corners[0][k]);
+    add_text(text, sizeof text, "triangle {");
+    for (int i = 0; i < 3; i++)
+        add_vector(i > 0 ? "," : "", corners[i]);
+    add_text(text, sizeof text, "}\n");
+}
+
+/* Two lights in one place, one with an area; what they shine on is near and very far. */
+static void write_edge_on(void)
+{
+    double eye[3], light[3];
+
+    strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
+    for (int k = 0; k < 3; k++) {
+        eye[k] = round(between(-5, 5));
+        light[k] = round(between(-9, 9)) / 2 + (k == 1 ? 6 : 0);
+    }
+    eye[2] -= 6;
+    add_vector("camera { location", eye);
+    add_text(text, sizeof text, "look_at 0 angle 50 }\n");
+    add_vector("light_source {", light);
+    add_text(text, sizeof text, ", rgb .2 }\n");
+    add_vector("light_source {", light);
+    add_text(text, sizeof text,
+             ", rgb .6 area_light <1, 0, 0>, <0, 0, 1>, 3, 3 }\nmesh {\n");
+    for (size_t i = among(1, 6); i > 0; i--)
+        add_edge_on(below(2) ? eye : light);
+    add_text(
+        text, sizeof text,
+        "pigment { rgb 1 } }\n"
+        "intersection { plane { y, -6 } plane { x, 5 } pigment { rgb 1 } "
+        "}\n"
+        "plane { y, -9000 pigment { rgb 1 } }\n");
+}
+
+static void test_edge_on(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < scene_count; i++) {
+        write_edge_on();
+        check_edge_on();
+    }
+}
+
+/* One that was wrong: the point in the middle of the area is where the other light is;
+ * rays from the lower plane come from far away. */
+static void test_known(void **state)
+{
+    (void)state;
+    strcpy(
+        text,
+        "#version 3.7; global_settings { assumed_gamma 1 }\n"
+        "camera { location <2.5, 8, 10> look_at <-1.5, .5, 2> angle 50 }\n"
+        "light_source { <1.5, 5, 8>, rgb .1 }\n"
+        "light_source { <1.5, 5, 8>, rgb 1\n"
+        "    area_light <1, 0, 0>, <0, 0, 1>, 3, 3 }\n"
+        "mesh {\n"
+        "    triangle { <-2, -1, 0>, <-1, .8, 3>, <.1, 3, 5> }\n"
+        "    triangle { <-2.1, -.6, .8>, <-1.5, .6, 2>, <-1.7, .4, 1.6> }\n"
+        "    pigment { rgb 1 }\n"
+        "}\n"
+        "intersection { plane { y, -6 } plane { x, 5 } pigment { rgb 1 } }\n"
+        "plane { y, -9000 pigment { rgb 1 } }\n");
+    traced.width = 41;
+    traced.height = 31;
+    traced.pixels = traced.width * traced.height;
+    check_edge_on();
+    traced.width = WIDTH;
+    traced.height = HEIGHT;
+    traced.pixels = PIXELS;
+}
+
 /* ---- What it is for ------------------------------------------------------- */
 
 static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
@@ -397,13 +499,42 @@ static void test_clocks(void **state)
     }
 }
 
+/* Slender blades that stand askew fill little of their windows. */
+static void test_where_they_do_not_pay(void **state)
+{
+    struct eyes eyes = { 1, { { -6, 8, -6 } } };
+    struct triangle blades[100] = { { .smooth = false } };
+    struct primitive mesh = { .kind = PRIMITIVE_MESH };
+    double *table;
+
+    (void)state;
+    take_primitive(&mesh);
+    free(mesh.shape.mesh.triangles.list);
+    for (int i = 0; i < 100; i++) {
+        double x = .2 * (i % 10), z = .2 * (double)(i / 10);
+
+        blades[i] = (struct triangle){ .corners = { { x - .01, 0, z + .01 },
+                                                    { x + .01, 0, z - .01 },
+                                                    { x, 2, z } } };
+    }
+    mesh.shape.mesh.triangles.list = blades;
+    mesh.shape.mesh.triangles.count = 100;
+    table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
+    assert_non_null(table);
+    assert_int_equal((int)table[TABLE_EYE_COUNT], 0);
+    free(table);
+}
+
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ways),
         cmocka_unit_test(test_few_are_asked),
         cmocka_unit_test(test_frames),
+        cmocka_unit_test(test_known),
+        cmocka_unit_test(test_edge_on),
         cmocka_unit_test(test_clocks),
+        cmocka_unit_test(test_where_they_do_not_pay),
     };
 
     if (argc > 1)

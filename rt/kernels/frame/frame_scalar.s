@@ -18,7 +18,9 @@
         .equ    CROSSING_SIZE, 1
         .equ    VALUE_SIZE, 1
 
-; Registers of the main program, besides those of linkage.s and levels_scalar.s.
+; Registers of the main program, besides those of linkage.s and levels_scalar.s: of levels
+; of reflection, where kernels see them, too; its own.
+        .regs   r13, level, levels_left, first_level, trace_link
         .regs   r156, column, width, row, last_row, hit_id, plane_size
         .reg    plane_at, r162
 

@@ -298,12 +298,12 @@
                                 ; factors and a shift
         .endrecord
 
-; The table of a mesh: a row of zeros, the nodes of a hierarchy of boxes, in
-; preorder, and the triangles.  A row is told by how many words stand before it.
+; The table of a mesh: a row of zeros but for its end, the nodes of a hierarchy of boxes,
+; in preorder, the triangles, and what eyes see of it.  A row is told by how many words stand before it.
 ; By the signs of a ray's direction (1: x below 0, 2: y, 4: z) a node tells where
 ; the rays that come near it go on, and where the others do: among the nodes, or
 ; 0, the end.  Near a leaf they go on where the others do, and the link is
-; greater by MESH_MET.  Of the row of zeros MESH_FIRST and MESH_COUNT tell of the eyes
+; greater by MESH_MET.  Of the first row MESH_FIRST and MESH_COUNT tell of the eyes
 ; that the mesh is seen from (rt/shapes/mesh_windows.h): where their rows begin, and how
 ; many they are.
         .record MESH

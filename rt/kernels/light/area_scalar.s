@@ -37,7 +37,7 @@ area_point\@:
         EX      here, shadow_ray + 64 * 3
         ELEN    here, 3
         SWAP    [r0], area_x, [here]
-        cast_shadow area_distance, r0
+        cast_shadow area_distance, area_at
         ELEN    here, 3
         SWAP    [here], area_passing_r, [r0]
         area_add area_r, area_passing_r

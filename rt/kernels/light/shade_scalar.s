@@ -16,7 +16,7 @@ shadow_list:    .descriptor 6, shadow_ray
                 .descriptor 1, shadow_limit
                 .descriptor 3, shadow_light
 shadow_ray:     .space 8
-shadow_limit:   .space 2                ; and where it goes
+shadow_limit:   .space 2                ; and where it goes, or 0: to no place
 shadow_light:   .space 3
         .code
 
@@ -29,12 +29,19 @@ shadow_light:   .space 3
         .equ    SHADE_ARGUMENTS, 4
         .endif
 
-; The ray of shadow_ray up to a limit, to the place at to, or r0 if it goes to no light's
-; own place: here = what is left of the light.
-        .macro  cast_shadow limit, to
+; The ray of shadow_ray up to a limit, to the place that stands there: here = what is left
+; of the light.
+        .macro  cast_shadow limit, place
         EX      here, shadow_limit
         STO     [here], \limit
-        STO     [here, m_index_one], \to
+        RTOR    \place, t1
+        .if     BEAMS
+        IBXEQ   light_beam, r0, r0, cast_to_place\@
+        IBXEQ   beam_parallel, r0, r0, cast_to_place\@
+        RTOR    r0, t1
+cast_to_place\@:
+        .endif
+        STO     [here, m_index_one], t1
         EX      here, shadow_light
         ELEN    here, 3
         SWAP    [r0], light_r, [here]
@@ -89,14 +96,7 @@ shade_point_light:
         EX      here, k_shadow
         LOD     [here], t0
         SUBN    light_distance, t0, t0
-        RTOR    light_at, t1
-        .if     BEAMS
-        IBXEQ   light_beam, r0, r0, shade_to_place
-        IBXEQ   beam_parallel, r0, r0, shade_to_place
-        RTOR    r0, t1
-shade_to_place:
-        .endif
-        cast_shadow t0, t1
+        cast_shadow t0, light_at
         ELEN    here, 3
         SWAP    [here], light_r, [r0]
 shade_passed:

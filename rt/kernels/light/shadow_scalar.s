@@ -3,7 +3,8 @@
 ;       CALL SHADOW (RAY, LIMIT, LIGHT)
 ;
 ; RAY = from the point towards the light, its least distance k_shadow (8 words,
-; as in regions_scalar.s); LIMIT = the light's distance less k_shadow (1);
+; as in regions_scalar.s); LIMIT = the light's distance less k_shadow (1),
+; behind which a mesh looks for the address of the light's place, or 0;
 ; LIGHT = its colour (3 words), what is left of it afterwards.
 ;
 ; An opaque surface between the two takes it away, and ends the work; a clear

@@ -3,7 +3,9 @@
 ;       CALL MESH (RAY, PRIMITIVE, SEGMENT)
 ;
 ; Arguments as in sphere_scalar.s, method as in mesh_vector.s.  Where a triangle
-; that is met stands in the table is written to the primitive's P_PATCH_POINT.
+; that is met stands in the table is written to the primitive's P_PATCH_POINT.  Of a ray to
+; a light (RAY = SHADOW_RAY) SEGMENT is any hit before its limit, which stands in
+; SHADOW_LIMIT; behind that stands where it goes.
 
         .ifndef LANE_REGISTERS
         .include "shapes/lanes_scalar.s"

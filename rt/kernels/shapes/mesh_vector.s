@@ -309,12 +309,16 @@ side_bases:
         .endif
         .endm
 
-; All stand at the first node.
-        .macro  start_walk limits
+        .macro  among_all
+        .endm
+
+; All, or some of them, stand at the first node.
+        .macro  start_walk limits, some=all
         ES      s2, MESH_SIZE
         VTOV    s2, [mesh_at]
         place_rays
         limit_boxes \limits
+        among_\some
         VTOV    r0, [mesh_signs]
         load_word mesh_zero, s1
         begin_axis ox, dx, 1, mesh_ox, mesh_ix, mesh_ax
@@ -413,13 +417,19 @@ mesh:
 mesh_begin:
         VTOV    r0, [patch_t]
         .if     MESH_BOXES == 0
-        find_eye mesh_boxes
-        start_windows mesh_walk_done
+        find_eye mesh_no_eye
+        start_windows mesh_by_windows
         walk_mesh meet_sides, 1, windows, WINDOW_FIRST - WINDOW_LINKS
-        BIM     mesh_walk_done
-        .endif
+mesh_by_windows:
+        find_far mesh_walk_done
+        BIM     mesh_boxes
+mesh_no_eye:
+        ES      mesh_eye, 0
 mesh_boxes:
+        start_walk near_limit, far
+        .else
         start_walk near_limit
+        .endif
         walk_mesh meet_sides, 1
 mesh_walk_done:
         CMPLTV  [tin], big, [bits0]

@@ -5,6 +5,7 @@
         .reg    mesh_v, inverse_y
         .reg    mesh_forth, inverse_z
         .reg    mesh_windows, size_x
+; Until the walk begins, where its boxes are.
         .share  local
         .regs   r100, eye_x, eye_y, eye_z, eye_axis, eye_sign, eye_far, eye_windows
         .endshare
@@ -27,7 +28,14 @@
         RTOR    oy, t4
         RTOR    oz, t5
         .if     CASTS_SHADOWS
-        IBXEQ   mesh_stops, r0, r0, eye_place\@
+        IBXNE   mesh_stops, r0, r0, eye_light\@
+        .if     EYES_APART
+        BIM     \none
+        .else
+        IBXEQ   level, r0, first_level, eye_place\@
+        BIM     \none
+        .endif
+eye_light\@:
         EX      t0, shadow_limit
         LOD     [t0, index_one], t0
         IBXEQ   t0, r0, r0, \none

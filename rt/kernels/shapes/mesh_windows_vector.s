@@ -2,12 +2,16 @@
 ; light.  From there a mesh is seen as windows (rt/shapes/mesh_windows.h), at which they
 ; are asked in place of boxes.
 ;
+; That is each ray's own matter, not its queue's: where a mesh is seen edge-on, from a
+; point in the plane of a triangle, rounding says whether it is met, and a window may leave
+; out what a box lets through.
+;
 ; Of a ray, in the order of the eye's axes, with g = sign dw:
 ;
 ;   u = du / g    v = dv / g    z = |g| t
 ;
-; where t is told from the eye.  A ray to a light comes from z = |g| (limit + k_shadow),
-; and nothing counts in the first k_shadow of its way.
+; where t is told from the eye.  A ray to a light comes from no farther than
+; z = |g| (limit + k_shadow), and nothing counts in the first k_shadow of its way.
 ;
 ; Part of mesh_vector.s, as macros: where the rays that walk have origin, 1/d and so on,
 ; these have u, v, |g|.
@@ -50,21 +54,13 @@ eye_next\@:
         IBXNE   s5, minus_one_index, minus_one_index, eye_look\@, s5
         BIM     \none
 eye_found\@:
-        IBXEQ   shadows, r0, r0, eye_near\@
-        RTOR    mesh_eye, s0
-        IX      s0, 64 * EYE_FAR
-        LOD     [s0], s0
-        CMPLTV  s0, [near_limit], [bits0]
-        CNTOB   [bits0], s0
-        IBXNE   s0, r0, r0, \none
-eye_near\@:
         .endm
 
-; s2, s3, s4 = the directions along the eye's axes w, u, v; s5, s6 its axis and sign.
+; s2, s3, s4 = the directions along the eye's axes w, u, v; s5, s6, s7 = EYE_AXIS and so on.
         .macro  eye_axes
         RTOR    mesh_eye, s0
         IX      s0, 64 * EYE_AXIS
-        ELEN    s0, 2
+        ELEN    s0, 3
         SWAP    [s0], s5, [r0]
         RTOR    dx, s2
         RTOR    dy, s3
@@ -80,7 +76,8 @@ eye_near\@:
 eye_turned\@:
         .endm
 
-; Those that come towards the mesh stand at the first node; to none if none does.
+; Those that come towards the mesh, but for rays to a light from far away, stand at the
+; first node; to none if none does.
         .macro  start_windows none
         place_rays
         eye_axes
@@ -88,9 +85,12 @@ eye_turned\@:
         VXTOV   [mesh_place], [s3], [mesh_u]
         VXTOV   [mesh_place], [s4], [mesh_v]
         MPYSV   [mesh_forth], s6, [mesh_forth]
-        CMPLTV  [mesh_forth], r0, [mesh_bits]
-        IBXNE   shadows, r0, r0, windows_bound\@
         CMPLTV  r0, [mesh_forth], [mesh_bits]
+        IBXEQ   shadows, r0, r0, windows_bound\@
+        CMPLTV  [mesh_forth], r0, [mesh_bits]
+        VXTOV   [mesh_place], [near_limit], [mesh_limit]
+        CMPGEV  s7, [mesh_limit], [mesh_met]
+        ANDB    [mesh_bits], [mesh_met], [mesh_bits]
 windows_bound\@:
         CNTOB   [mesh_bits], m
         IBXEQ   m, r0, r0, \none
@@ -112,6 +112,35 @@ windows_bound\@:
         SHIFTI  s0, 6, s0
         ADDX    mesh_table, s0, mesh_links
         IX      mesh_links, 64 * WINDOW_LINKS
+        .endm
+
+; The others, who go by boxes; to none if there are none.
+        .macro  find_far none
+        IBXEQ   shadows, r0, r0, \none
+        RTOR    mesh_eye, s0
+        IX      s0, 64 * EYE_FAR
+        LOD     [s0], s0
+        CMPLTV  s0, [near_limit], [bits0]
+        CNTOB   [bits0], s0
+        IBXEQ   s0, r0, r0, \none
+        RTOR    near, m
+        set_walk
+        RTOR    mesh_table, mesh_links
+        IX      mesh_links, 64 * MESH_LINKS
+        .endm
+
+; .. of the rays that are placed, if there is an eye.
+        .macro  among_far
+        IBXEQ   mesh_eye, r0, r0, far_placed\@
+        RTOR    mesh_eye, s2
+        IX      s2, 64 * EYE_FAR
+        LOD     [s2], s2
+        CMPLTV  s2, [mesh_limit], [mesh_bits]
+        CNTOB   [mesh_bits], m
+        walk_keep mesh_place
+        walk_keep mesh_limit
+        set_walk
+far_placed\@:
         .endm
 
         .macro  window_below least, greatest

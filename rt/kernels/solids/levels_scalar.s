@@ -35,7 +35,6 @@
         .at     64
         .endrecord
 
-        .regs   r13, level, levels_left, first_level, trace_link
         .reg    sky_stops, r163         ; of scene_sky, or 0
         .regs   r240, first_distance, first_primitive, distance
         .regs   r243, hit_primitive, main_at, main_t
