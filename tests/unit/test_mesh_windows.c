@@ -11,7 +11,7 @@
 #include "tests/unit/nets.h"
 #include "tests/unit/random_solids.h"
 
-static size_t scene_count = 24;
+static size_t scene_count = 12;
 static struct net net;
 static char text[1 << 20];
 
