@@ -179,7 +179,7 @@ enum {
     DIRECTIONS = 8, /* signs of a ray's direction: 1 of x, 2 of y, 4 of z */
     NODE_FIRST = NODE_LINKS + 2 * DIRECTIONS,
     NODE_COUNT,
-    EYES_FIRST = NODE_FIRST, /* in the row of zeros */
+    EYES_FIRST = NODE_FIRST, /* in the first row */
     EYES_COUNT = NODE_COUNT,
     FLAT_ROW = 13,
     SMOOTH_ROW = 21
@@ -441,8 +441,8 @@ static size_t windows_size(const struct primitive *primitive,
                              seeing);
 }
 
-/* Words of what is seen and of the body behind it. */
-static size_t tables_size(const struct primitive *primitive)
+/* Behind what is seen and the body. */
+static size_t eyes_place(const struct primitive *primitive)
 {
     const struct triangles *body = &primitive->shape.mesh.body;
 
@@ -456,7 +456,7 @@ static size_t put_table(const struct primitive *primitive,
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
-    size_t size = table_size(primitive, seen), place = tables_size(primitive);
+    size_t size = table_size(primitive, seen), place = eyes_place(primitive);
     size_t seeing;
 
     if (table && !put_hierarchy(primitive, seen, eyes, place, table))
@@ -504,7 +504,7 @@ static void mark_integers(const struct primitive *primitive,
         mark_links(body, marks + table_size(primitive, seen));
     windows_size(primitive, eyes, &seeing);
     mesh_windows_mark(seeing, mesh_hierarchy_nodes(seen->count),
-                      marks + tables_size(primitive));
+                      marks + eyes_place(primitive));
 }
 
 /* A line crosses each triangle once at the most, and where that comes to an odd
