@@ -1,13 +1,17 @@
 #!/bin/sh
-# bench_ranks.sh BUILD - two ranks to one process, seconds on the wall of whole commands, the
-# least of several runs, in turn; beside them two processes that know nothing of each other and
-# do half of the units each, which is what the machine can do with both of its processors;
-# what their units are; and what rank 0 does for a unit of another rank.  docs/cluster.md
-# reads a model from it.  RANKS: of these rows.
+# bench_ranks.sh BUILD - two ranks to one process, seconds on the wall of whole commands;
+# beside them two processes that know nothing of each other and do half of the units each,
+# which is what the machine can do with both of its processors; what their units are; and
+# what rank 0 does for a unit of another rank.  docs/cluster.md reads a model from it.
+# RANKS: of these rows.
+#
+# What one processor does in a minute changes by a tenth on a machine that others use, too,
+# and the least of several runs compares the best moment of one with that of two.  So the three
+# are timed at once, one after the other, and of several such trials the one counts whose
+# ratio is in the middle; the lowest and the highest ratio stand beside it.
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
-trials=${TRIALS:-3} # the machine may be busy elsewhere
 RT205_LIBDIR=$build
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 export RT205_LIBDIR OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
@@ -44,22 +48,30 @@ units_of() { # OPTION ..
     wc -c <"$work/units"
 }
 
-printf '%-8s %7s %11s %9s %8s %9s %6s %9s\n' ranks units bytes/unit ms/unit \
-    "one, s" "two, s" times "apart, s"
+# Of lines with the seconds of one, of two and of two apart: the ratio in the middle, the
+# line that has it, the lowest ratio, the highest.
+middle() {
+    awk '{ printf "%.2f %s\n", $1 / $2, $0 }' | sort -n |
+        awk '{ line[NR] = $0; ratio[NR] = $1 }
+            END { print line[int((NR + 1) / 2)], ratio[1], ratio[NR] }'
+}
+
+printf '%-8s %7s %11s %9s %8s %9s %6s %13s %9s\n' ranks units bytes/unit ms/unit \
+    "one, s" "two, s" times "of all trials" "apart, s"
 for kind in ${RANKS:-frame mass rays lines}; do
     eval "run=\$$kind"
     units_of | paste -s -d ' ' >"$work/units.of"
     read -r units bytes <"$work/units.of"
     for _ in $(seq "$trials"); do
         echo "$(seconds --jobs 1) $(seconds --ranks 2) $(seconds_apart)"
-    done | least >"$work/times"
-    read -r one two apart <"$work/times"
-    each=$((bytes / units)) times=$(quotient "$one" "$two")
+    done | middle >"$work/times"
+    read -r times one two apart low high <"$work/times"
+    each=$((bytes / units))
     unit=$(awk -v s="$one" -v n="$units" 'BEGIN { printf "%.1f", 1000 * s / n }')
-    printf '%-8s %7d %11d %9s %8s %9s %6s %9s\n' $kind "$units" "$each" \
-        "$unit" "$one" "$two" "$times" "$apart"
+    printf '%-8s %7d %11d %9s %8s %9s %6s %13s %9s\n' $kind "$units" "$each" \
+        "$unit" "$one" "$two" "$times" "$low to $high" "$apart"
     keep ranks $kind units "$units" bytes/unit "$each" ms/unit "$unit" \
-        one "$one" two "$two" times "$times" apart "$apart"
+        one "$one" two "$two" times "$times" apart "$apart" low "$low" high "$high"
 done
 
 run="render scenes/bracket.pov -W 8 -H 8" kind=frame

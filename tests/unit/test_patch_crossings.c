@@ -1,6 +1,8 @@
 /* A patch that is a part of a tree, or clear, has all its crossings with a
  * ray: where the nearest is cut away, or lets light pass, the next is seen. */
 #define SMALL_FRAMES
+#include "rt/layout/program.h"
+#include "rt/layout/trees.h"
 #include "tests/unit/traced_frame.h"
 
 #define BENT \
@@ -118,6 +120,87 @@ static void test_random_patches(void **state)
     }
 }
 
+/* The crossings of regions are the first thing that a scene has in memory. */
+static void check_behind_crossings(const struct scene *scene,
+                                   const struct trace *trace, c205 *machine,
+                                   const char *text)
+{
+    const struct object *program = trace_program(trace);
+    struct leaf_plan *plans = calloc(scene->primitive_count, sizeof *plans);
+    uint64_t at = program_round_up(program_end(program)), end;
+
+    assert_non_null(plans);
+    at += UINT64_C(64) * plan_leaves(scene, plans)
+          * (uint64_t)object_symbol(program, "CROSSING_SIZE")->value;
+    end = program_round_up(at);
+    free(plans);
+    assert_true(at < end);
+    for (c205_word word; at < end; at += 64) {
+        assert_true(c205_read(machine, at, &word, 1));
+        if (word != 0)
+            fail_msg("%llX is written, which is behind the crossings, by\n%s",
+                     (unsigned long long)at, text);
+    }
+}
+
+/* A kernel that finds something writes where its region has room, or none wants it: of all
+ * rays, as many as the one before it had. */
+static void check_memory(const char *text)
+{
+    struct scene *scene = read_text(text);
+    struct trace_options options = { .mode = TRACE_VECTOR,
+                                     .width = WIDTH,
+                                     .height = HEIGHT,
+                                     .queue = PIXELS,
+                                     .no_bounds = true,
+                                     .model = prior_model };
+    c205_error error;
+    struct trace *trace = trace_new(scene, &options, &error);
+    c205 *machine = trace ? trace_machine(trace, 0, &error) : NULL;
+
+    if (!machine || !program_run(machine, NULL, NULL, NULL, &error))
+        fail_msg("%s", error.message);
+    check_behind_crossings(scene, trace, machine, text);
+    c205_free(machine);
+    trace_free(trace);
+    scene_free(scene);
+}
+
+static void add_flat(char *text, size_t size)
+{
+    add_text(text, size, "polygon { 4");
+    for (int i = 0; i < 4; i++)
+        add_text(text, size, ", <%.3f, %.3f>", between(-9, 9),
+                 between(-9, 9));
+    add_text(text, size, " } ");
+}
+
+/* Trees of which no ray sees anything, so that none is done, and meshes after them. */
+static void test_memory(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 12; i++) {
+        char text[4096] = HEAD
+            "camera { location <0, 1, -7> look_at 0 angle 50 }\n";
+
+        for (size_t k = among(1, 2); k > 0; k--) {
+            bool before = xorshift(&traced.random) % 2;
+
+            add_text(text, sizeof text, "intersection { %s",
+                     before ? "sphere { 99*y, 9 inverse } " : "");
+            if (xorshift(&traced.random) % 2)
+                add_patch(text, sizeof text);
+            else
+                add_flat(text, sizeof text);
+            add_text(text, sizeof text, "%s translate -30*z }\n",
+                     before ? "" : "sphere { 99*y, 9 inverse } ");
+        }
+        add_text(text, sizeof text, "mesh { triangle { -9, 9*x, 9*y } }\n");
+        add_text(text, sizeof text, "mesh { triangle { 9, -9*x, -9*y } }\n");
+        check_memory(text);
+    }
+}
+
 static void test_the_way_of_1984(void **state)
 {
     traced.historical = true;
@@ -134,6 +217,7 @@ int main(void)
         cmocka_unit_test(test_shadows_and_glass),
         cmocka_unit_test(test_pairs_of_lines),
         cmocka_unit_test(test_random_patches),
+        cmocka_unit_test(test_memory),
         cmocka_unit_test(test_the_way_of_1984),
     };
 

@@ -68,6 +68,7 @@
         .reg    llower, r87
         .regs   r88, w0, w1, w2, w3, w4, w5, w6, w7, w8, w9, w10, w11
         .regs   r100, patch_s, patch_t                    ; of the kernel
+        .equ    PATCH_VECTORS, 20                         ; before them
         .regs   r102, bits0, bits1, bits2                 ; bit vectors
         .equ    NEAR_VECTORS, 25
 
@@ -181,6 +182,13 @@ count_store:    .space QUEUE            ; 0, 1, 2, ...
         RTOR    \count, near
         set_lengths near, s2, near_bases, near_descriptors, NEAR_VECTORS, lox
 near_set\@:
+        .endm
+
+; patch_s and patch_t are again where they go if no region wants them.
+        .macro  leave_parameters
+        EX      s0, near_descriptors + 64 * PATCH_VECTORS
+        ELEN    s0, 2
+        SWAP    [s0], patch_s, [r0]                       ; and patch_t
         .endm
 
 ; Load number words at offset of the primitive's record into registers.

@@ -247,9 +247,14 @@ node_leaf:
         IBXNE   leaf_segments, r0, r0, node_solid
         ES      leaf_needed, 0
         find_parameters
+        RTOR    primitive, shape_at
+        call_kernel
+        leave_parameters
+        BIM     node_listed
 node_solid:
         RTOR    primitive, shape_at
         call_kernel
+node_listed:
         load_field P_STATE_KERNEL, s0
         .if     MESH_CROSSINGS
         IBXEQ   s0, r0, r0, node_counted
