@@ -79,7 +79,7 @@ void reader_jump(struct reader *reader, const struct text_place *place)
 {
     if (reader->stopped)
         return;
-    lexer_top(&reader->lexer)->place = *place;
+    lexer_jump(&reader->lexer, place);
     reader->token.kind = TOKEN_END;
     reader_step(reader);
 }

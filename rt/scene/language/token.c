@@ -55,9 +55,17 @@ bool lexer_call(struct lexer *lexer, const struct scene_source *source,
         return false;
     frame->place = place;
     frame->end = end;
-    frame->is_macro = true;
+    frame->is_macro = frame->comes_again = true;
     frame->call = *call;
     return true;
+}
+
+void lexer_jump(struct lexer *lexer, const struct text_place *place)
+{
+    struct open_text *frame = lexer_top(lexer);
+
+    frame->place = *place;
+    frame->comes_again = true;
 }
 
 void lexer_close(struct lexer *lexer)
@@ -296,7 +304,7 @@ static bool skip_blank(struct lexer *lexer, struct scene_token *opened)
     return true;
 }
 
-struct scene_token lexer_next(struct lexer *lexer)
+static struct scene_token read_token(struct lexer *lexer)
 {
     struct scene_token opened;
     char c;
@@ -315,21 +323,74 @@ struct scene_token lexer_next(struct lexer *lexer)
     return c == '#' ? read_directive(lexer) : read_sign(lexer);
 }
 
-static bool has_text(const struct scene_token *token, const char *word)
+/* ---- What comes again ---------------------------------------------------- */
+
+static struct kept_token *kept_at(struct lexer *lexer,
+                                  const struct open_text *frame)
 {
-    return *token->text == *word && !strncmp(token->text, word, token->length)
-           && word[token->length] == '\0';
+    return &lexer->kept[frame->place.at % KEPT_TOKENS];
 }
 
-bool is_token(const struct scene_token *token, const char *word)
+static bool is_kept(const struct kept_token *kept,
+                    const struct open_text *frame)
 {
-    return token->kind == TOKEN_WORD && has_text(token, word);
+    return kept->token.source == frame->source
+           && kept->from == frame->place.at && kept->behind.at <= frame->end;
+}
+
+/* Where a token ends depends on two bytes behind it at the most (1e+5). */
+static void keep(struct kept_token *kept, const struct scene_token *token,
+                 size_t from, const struct open_text *frame)
+{
+    enum { LOOKED_AT = 2 };
+
+    if (token->kind == TOKEN_END || token->fault
+        || frame->place.at + LOOKED_AT >= frame->end)
+        return;
+    *kept = (struct kept_token){ from, *token, frame->place };
+}
+
+/* What here() says of it. */
+static struct scene_token again(struct lexer *lexer,
+                                const struct kept_token *kept)
+{
+    struct scene_token token = kept->token;
+
+    lexer_top(lexer)->place = kept->token.place;
+    token.depth = lexer->depth;
+    token.main_line = lexer->frames[0].place.line;
+    lexer_top(lexer)->place = kept->behind;
+    return token;
+}
+
+struct scene_token lexer_next(struct lexer *lexer)
+{
+    struct open_text *frame = lexer_top(lexer);
+    struct kept_token *kept = kept_at(lexer, frame);
+    size_t from = frame->place.at;
+    struct scene_token token;
+
+    if (!frame->comes_again)
+        return read_token(lexer);
+    if (is_kept(kept, frame))
+        return again(lexer, kept);
+    token = read_token(lexer);
+    keep(kept, &token, from, frame);
+    return token;
+}
+
+/* ---- What it is ---------------------------------------------------------- */
+
+bool token_is_text(const struct scene_token *token, const char *word)
+{
+    return !strncmp(token->text, word, token->length)
+           && word[token->length] == '\0';
 }
 
 bool is_one_of(const struct scene_token *token, const char *const *words)
 {
     for (; *words; words++)
-        if (has_text(token, *words))
+        if (*token->text == **words && token_is_text(token, *words))
             return true;
     return false;
 }

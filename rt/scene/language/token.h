@@ -76,13 +76,24 @@ struct open_text {
     size_t end;              /* offset */
     size_t serial;           /* no other frame has it */
     bool is_macro;
+    bool comes_again;        /* a macro's body, or some of it is a loop's */
     struct scene_token call; /* the macro's name where it is called */
 };
+
+/* A token of what comes again, behind its place the next one. */
+struct kept_token {
+    size_t from; /* offset in its source from which it was read */
+    struct scene_token token;
+    struct text_place behind;
+};
+enum { KEPT_TOKENS = 4096 };
 
 struct lexer {
     size_t depth, files; /* open frames, and those of files */
     size_t serial;
     struct open_text frames[FRAMES_MOST];
+    struct kept_token
+        kept[KEPT_TOKENS]; /* each in one place, by its offset */
 };
 
 /* The tokens of a source come next; false: too deep. */
@@ -93,10 +104,19 @@ bool lexer_call(struct lexer *lexer, const struct scene_source *source,
                 const struct scene_token *call);
 /* The frame below goes on. */
 void lexer_close(struct lexer *lexer);
+/* On from another place of the frame, as a loop's turn begins. */
+void lexer_jump(struct lexer *lexer, const struct text_place *place);
 struct open_text *lexer_top(struct lexer *lexer);
 struct scene_token lexer_next(struct lexer *lexer);
 
-bool is_token(const struct scene_token *token, const char *word);
+/* Whether the text is this word, which begins as it does. */
+bool token_is_text(const struct scene_token *token, const char *word);
+/* Asked of each word for many others. */
+static inline bool is_token(const struct scene_token *token, const char *word)
+{
+    return token->kind == TOKEN_WORD && *token->text == *word
+           && token_is_text(token, word);
+}
 bool is_one_of(const struct scene_token *token, const char *const *words);
 bool is_directive(const struct scene_token *token, const char *const *words);
 bool token_is_sign(const struct scene_token *token, int sign);

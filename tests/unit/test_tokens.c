@@ -1,0 +1,136 @@
+/* The tokens of what comes again, of macros' bodies and of loops' turns, which are kept, are those
+ * that a lexer reads that has kept none: wherever a body begins and ends. */
+#include "rt/scene/language/token.h"
+
+#include "tests/random.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { TEXTS = 200, CUTS = 60, PIECES = 40, TEXT_MOST = 200 };
+
+static uint64_t random_state = RANDOM_SEED;
+
+static size_t below(size_t count)
+{
+    return (size_t)(xorshift(&random_state) % count);
+}
+
+/* Pieces that are other tokens with others behind them, or none. */
+static void draw_text(char *text)
+{
+    static const char *const pieces[] = {
+        "1",   "1e", "e",  "+",  "5",    ".",    "<",  "=", ">",
+        "!",   "/",  "*",  "/*", "*/",   "//",   "\n", " ", "a",
+        "end", "#",  "\"", "\\", "\x01", "1e+5", "{",  "}"
+    };
+
+    text[0] = '\0';
+    for (size_t i = 0; i < PIECES; i++)
+        strcat(text, pieces[below(sizeof pieces / sizeof *pieces)]);
+}
+
+static struct text_place place_of(const struct scene_source *source,
+                                  size_t at)
+{
+    struct text_place place = { 0, 1, 0 };
+
+    for (; place.at < at; place.at++)
+        if (source->text[place.at] == '\n') {
+            place.line++;
+            place.line_at = place.at + 1;
+        }
+    return place;
+}
+
+static void assert_same(const struct scene_token *a,
+                        const struct scene_token *b, const char *text)
+{
+    if (a->kind != b->kind || a->source != b->source || a->text != b->text
+        || a->length != b->length || a->sign != b->sign
+        || a->depth != b->depth || a->main_line != b->main_line
+        || a->fault != b->fault
+        || memcmp(&a->number, &b->number, sizeof a->number) != 0
+        || memcmp(&a->place, &b->place, sizeof a->place) != 0)
+        fail_msg("'%.*s' at %zu is kept as '%.*s' of\n%s", (int)a->length,
+                 a->text, a->place.at, (int)b->length, b->text, text);
+}
+
+/* All tokens of a body, of both; some of them are gone back to. */
+static void compare(struct lexer *keeping, struct lexer *fresh,
+                    const struct scene_source *source, size_t from,
+                    size_t end)
+{
+    struct text_place place = place_of(source, from);
+    struct scene_token call = { .kind = TOKEN_WORD }, kept, read;
+
+    assert_true(lexer_call(keeping, source, place, end, &call));
+    do {
+        struct text_place back = lexer_top(keeping)->place;
+
+        memset(fresh->kept, 0, sizeof fresh->kept);
+        assert_true(lexer_call(fresh, source, back, end, &call));
+        kept = lexer_next(keeping);
+        read = lexer_next(fresh);
+        assert_same(&read, &kept, source->text);
+        assert_memory_equal(&lexer_top(fresh)->place,
+                            &lexer_top(keeping)->place, sizeof back);
+        if (below(4) == 0) {
+            lexer_jump(keeping, &back);
+            kept = lexer_next(keeping);
+            assert_same(&read, &kept, source->text);
+        }
+        lexer_close(fresh);
+    } while (kept.kind != TOKEN_END);
+    lexer_close(keeping);
+}
+
+static void test_any_cut(void **state)
+{
+    struct lexer *keeping = calloc(1, sizeof *keeping);
+    struct lexer *fresh = calloc(1, sizeof *fresh);
+    struct scene_source *sources = NULL;
+
+    (void)state;
+    assert_non_null(keeping);
+    assert_non_null(fresh);
+    for (size_t i = 0; i < TEXTS; i++) {
+        char text[TEXT_MOST];
+        struct scene_source *source;
+
+        draw_text(text);
+        source = source_add(&sources, "drawn", text, strlen(text));
+        assert_non_null(source);
+        if (i % 2) { /* else the body is the main file's */
+            assert_true(lexer_open(keeping, source));
+            assert_true(lexer_open(fresh, source));
+        }
+        for (size_t k = 0; k < CUTS; k++) {
+            size_t from = below(source->length);
+
+            compare(keeping, fresh, source, from,
+                    from + below(source->length - from + 1));
+        }
+        if (i % 2) {
+            lexer_close(keeping);
+            lexer_close(fresh);
+        }
+    }
+    sources_free(sources);
+    free(keeping);
+    free(fresh);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_any_cut),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
