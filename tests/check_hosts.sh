@@ -4,9 +4,9 @@
 # what this host's vector unit can do, as on a host with AVX2 alone, and word by
 # word as on one without; full: all of these, and valgrind.
 #
-# Each variant is built in a folder of its own and prints one number for the
-# final states, clocks and accounts of the examples, the test programs and some
-# random programs (tests/oracle/digest.c).  All must print the same.
+# Each variant is built in a folder of its own, but what is built already, and prints
+# one number for the final states, clocks and accounts of the examples, the test
+# programs and some random programs (tests/oracle/digest.c).  All must print the same.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 make=$2 size=${3:-quick}
@@ -21,7 +21,10 @@ grep -qw avx2 /proc/cpuinfo || avx2=-DHOST_VECTORS=HOST_LANES
 [ "$size" = full ] && programs=20000 || programs=4000
 
 digest() { # NAME WRAPPER ..: into out/NAME
-    binary=$place/${1%%,*}/tests/oracle/digest
+    case $1 in
+    own) binary=$build/tests/oracle/digest ;;
+    *) binary=$place/${1%%,*}/tests/oracle/digest ;;
+    esac
     name=$1
     shift
     "$@" "$binary" -v -n "$count" asm/examples/*.s tests/programs/*.s \
@@ -45,26 +48,34 @@ compare() { # NAME WRAPPER ..: with the first that ran
     fi
 }
 
-variant() { # NAME CC OPT [FLAG]
-    if "$make" --no-print-directory BUILD="$place/$1" CC="$2" OPT="$3" \
-        CFLAGS="-g ${4:-}" "$place/$1/tests/oracle/digest" \
-        >"$place/$1.make" 2>&1; then
-        compare "$1"
+compare_built() { # NAME MAKE-ARGUMENT ..
+    name=$1
+    shift
+    if "$make" --no-print-directory "$@" >"$place/$name.make" 2>&1; then
+        compare "$name"
     else
-        fail "$1 is not built:"
-        tail -n 5 "$place/$1.make"
+        fail "$name is not built:"
+        tail -n 5 "$place/$name.make"
     fi
 }
 
+variant() { # NAME CC OPT [FLAG]
+    compare_built "$1" BUILD="$place/$1" CC="$2" OPT="$3" \
+        CFLAGS="-g ${4:-}" "$place/$1/tests/oracle/digest"
+}
+
 count=$programs
-variant gcc-O3 gcc -O3
+compare_built own BUILD="$build" "$build/tests/oracle/digest"
 variant gcc-O0-words gcc -O0 "$words"
-variant gcc-O3-avx2 gcc -O3 "$avx2"
-variant clang-O3 clang -O3
+variant gcc-O1-avx2 gcc -O1 "$avx2"
+variant clang-O2 clang -O2
 if [ "$size" = full ]; then
+    variant gcc-O3 gcc -O3
     variant gcc-O0 gcc -O0
     variant gcc-O3-words gcc -O3 "$words"
+    variant gcc-O3-avx2 gcc -O3 "$avx2"
     variant clang-O0 clang -O0
+    variant clang-O3 clang -O3
     variant clang-O3-avx2 clang -O3 "$avx2"
     variant clang-O3-words clang -O3 "$words"
     count=200 first=
