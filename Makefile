@@ -107,7 +107,7 @@ SEEN ?= 60
 MASSES ?= 24
 HEATS ?= 16
 USES ?= some
-LANGUAGE ?= 200
+LANGUAGE ?= 150
 TEXTS ?= 20
 TRIES ?= 300
 HOSTS ?= quick
@@ -116,7 +116,7 @@ DOCS ?= quick
 # named.
 UNITS ?= $(patsubst tests/unit/%.c,%,$(wildcard tests/unit/test_*.c))
 SCENES ?= $(wildcard scenes/*.pov tests/scenes/*.pov)
-# Scenes that are named are traced in all ways, the others each in half of them.
+# Scenes that are named are traced in all ways, the others each in a third of them.
 WAYS ?= $(if $(filter file,$(origin SCENES)),some,all)
 USED ?= $(wildcard scenes/*.pov)
 PAGES ?= $(wildcard README.md docs/*.md docs/*/*.md docs/course/*/*.md)
