@@ -80,11 +80,11 @@ struct open_text {
     struct scene_token call; /* the macro's name where it is called */
 };
 
-/* A token of what comes again, behind its place the next one. */
+/* A token of what comes again, as it was read. */
 struct kept_token {
-    size_t from; /* offset in its source from which it was read */
+    size_t from; /* offset in its source, before blanks and comments */
     struct scene_token token;
-    struct text_place behind;
+    struct text_place behind; /* it */
 };
 enum { KEPT_TOKENS = 4096 };
 
@@ -92,8 +92,7 @@ struct lexer {
     size_t depth, files; /* open frames, and those of files */
     size_t serial;
     struct open_text frames[FRAMES_MOST];
-    struct kept_token
-        kept[KEPT_TOKENS]; /* each in one place, by its offset */
+    struct kept_token kept[KEPT_TOKENS]; /* by the offset */
 };
 
 /* The tokens of a source come next; false: too deep. */
