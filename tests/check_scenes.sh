@@ -9,7 +9,7 @@
 # frame, too.
 #
 # some: not in all of these ways but in a third of them, some scenes in these and some in
-# those, as their names have it.
+# those, as their names have it; all three stages are in each third.
 #
 # Frames are small; smaller, stage against stage, of the scenes that are to be looked
 # at, which have many parts.
@@ -110,7 +110,7 @@ same_frames() { # SCENE: of all stages and queues
     same_as_frame 1 "a queue of 77" "$1" --queue 77
     same_as_frame 2 "a queue of 2000" "$1" --queue 2000
     same_as_frame 2 "a queue of 65535" "$1" --queue 65535
-    same_as_frame 1 "the paper's stage" "$1" --mode kernels --queue 333
+    same_as_frame 0 "the paper's stage" "$1" --mode kernels --queue 333
     same_as_frame 0 "by rows the vector form" "$1" --order rows --queue 77
     same_as_frame 2 "the paper's stage by tiles" "$1" --mode kernels \
         --order tiles --queue 50

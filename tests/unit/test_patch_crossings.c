@@ -143,8 +143,8 @@ static void check_behind_crossings(const struct scene *scene,
     }
 }
 
-/* A kernel that finds something writes where its region has room, or none wants it: of all
- * rays, as many as the one before it had. */
+/* All rays are in one queue and none is done before the last region, so what a tree leaves
+ * behind is there when the next kernel writes what it finds. */
 static void check_memory(const char *text)
 {
     struct scene *scene = read_text(text);
