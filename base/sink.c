@@ -87,6 +87,30 @@ struct sink text_line_sink(struct text_line *line)
     return sink;
 }
 
+static void put_tracked(void *context, const char *text, size_t length)
+{
+    struct line_tracker *tracker = context;
+
+    if (length > 0)
+        tracker->open = text[length - 1] != '\n';
+    tracker->to.put(tracker->to.context, text, length);
+}
+
+struct sink line_tracker_sink(struct line_tracker *tracker)
+{
+    struct sink sink = { put_tracked, NULL };
+
+    sink.context = tracker;
+    return sink;
+}
+
+void line_tracker_close(struct line_tracker *tracker)
+{
+    if (tracker->open)
+        sink_put(&tracker->to, "\n");
+    tracker->open = false;
+}
+
 static void put_into_stream(void *context, const char *text, size_t length)
 {
     fwrite(text, 1, length, context);

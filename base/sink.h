@@ -40,6 +40,16 @@ struct text_line {
 };
 
 struct sink text_line_sink(struct text_line *line);
+/* Passes text on to another sink and records whether its last line is open:
+ * text that follows, from elsewhere, then starts on a line of its own. */
+struct line_tracker {
+    struct sink to;
+    bool open;
+};
+
+struct sink line_tracker_sink(struct line_tracker *tracker);
+/* Puts a newline if the last line is open. */
+void line_tracker_close(struct line_tracker *tracker);
 /* Writes to the stdio stream given as its context. */
 struct sink stream_sink(void *stream);
 

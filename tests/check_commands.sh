@@ -194,6 +194,25 @@ tells out '[0-9] clocks, [0-9.]* us$'
 tells out '^time, us  *all  *%$'
 tells out '^page fault  *20.00 '
 tells out '^all  *[0-9.]*  *100.0$'
+# The account, a message and the trace start on a line of their own, whether or
+# not the program has ended its last line, and no empty line is added.
+own_line() { # FILE ARGUMENT ..: stdout and stderr in one stream
+    "$build/c205" run "$@" >joined 2>&1 </dev/null
+    grep -qx '1.5' joined && ! grep -q '1[.]5.' joined &&
+        ! grep -A1 -x '1.5' joined | grep -qx ''
+    verdict $? "the program's output shares its line: $*"
+}
+sed 's/^        EXIT/        EXIT r0, r0, 5\n&/' good.s >ended.s
+sed 's/^        EXIT/        LOD [r0], r11/' good.s >open_trap.s
+sed 's/^        EXIT/        EX r12, 3\n        ADDN r11, r12, r13\n&/' good.s >open_warning.s
+for file in good.s ended.s open_trap.s open_warning.s; do
+    for format in text csv md json; do
+        own_line $file --format $format
+        [ $format = text ] || own_line $file --format $format --trace
+    done
+    own_line $file --json joined.json
+    own_line $file --limit 1060 --save -
+done
 # Line by line.
 ends 0 "$build/c205" run good.s --profile --json profile.json
 tells out "^line  *clocks  *%  *times"

@@ -30,8 +30,8 @@ static void trace(void *context, const c205 *machine, const c205_event *event)
         return;
     }
     disassemble_one(word_at(machine, event->pc), event->pc, text);
-    fprintf(context, "%10" PRIu64 " %+6" PRId64 " %10" PRIX64 "  %s\n",
-            event->issued, (int64_t)event->clocks, event->pc, text);
+    sink_print(context, "%10" PRIu64 " %+6" PRId64 " %10" PRIX64 "  %s\n",
+               event->issued, (int64_t)event->clocks, event->pc, text);
 }
 
 static void stop_json(const c205 *machine, const c205_stop *stop,
@@ -151,26 +151,36 @@ static int save(const struct c205_arguments *arguments,
     return CMD_DONE;
 }
 
-/* What the program prints stands among the results where they are text, else
- * it would spoil their format. */
-static struct printer printer_beside(const struct results *results)
+/* The output of the program is part of text results; it would spoil any other
+ * format, and goes to stderr then. */
+static FILE *program_stream(const struct results *results)
 {
     bool among = results->file == stdout && results->format == RESULTS_TEXT;
-    return (struct printer){ stream_sink(among ? stdout : stderr) };
+    return among ? stdout : stderr;
+}
+
+/* Messages on stderr, where the program may have left a line open. */
+static void put_message(void *context, const char *text, size_t length)
+{
+    struct line_tracker *printed = context;
+    if (printed->to.context == stderr) {
+        line_tracker_close(printed);
+    }
+    fwrite(text, 1, length, stderr);
 }
 
 /* A watch for a program whose object is known; not if nothing is warned of. */
 static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
                         const struct object *object,
+                        const struct sink *report,
                         struct program_watch **watch)
 {
     const struct warning_choice *choice = &arguments->warnings.choice;
-    struct sink report = stream_sink(stderr);
     *watch = NULL;
     if (!object || !warning_any(choice)) {
         return true;
     }
-    *watch = watch_new(object, program_name(arguments), choice, &report);
+    *watch = watch_new(object, program_name(arguments), choice, report);
     if (!*watch || !c205_listen(machine, watch_listen, *watch)) {
         return false;
     }
@@ -228,18 +238,21 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
     if (!results_open(&results, arguments->command, arguments->save)) {
         return CMD_FAILED;
     }
-    struct printer printer = printer_beside(&results);
+    struct line_tracker printed = { stream_sink(program_stream(&results)),
+                                    false };
+    struct printer printer = { line_tracker_sink(&printed) };
+    struct sink messages = { put_message, &printed };
     struct line_profile *profile = NULL;
     if (arguments->profile) {
         profile = line_profile_new(object);
     }
     c205_listen(machine, printer_listen, &printer);
     if (arguments->trace) {
-        c205_listen(machine, trace, stderr);
+        c205_listen(machine, trace, &messages);
     }
     if ((arguments->profile
          && (!profile || !c205_listen(machine, line_profile_listen, profile)))
-        || !start_watch(arguments, machine, object, &watch)) {
+        || !start_watch(arguments, machine, object, &messages, &watch)) {
         results_close(&results, CMD_FAILED);
         line_profile_free(profile);
         return cmd_failed(arguments->command, "no memory");
@@ -248,6 +261,7 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
     c205_stop stop = run_slices(machine, find_limit(arguments, machine));
     bool errors = watch && watch_errors(watch) > 0;
     watch_free(watch);
+    line_tracker_close(&printed);
     int code = show_accounts(arguments, machine, &stop, &results);
     if (profile && code == CMD_DONE) {
         code = show_profile(arguments, profile, &results);

@@ -100,16 +100,6 @@ static bool verb_help(struct debugger *debugger, struct rest *rest)
 
 /* ---- What it hears -------------------------------------------------------- */
 
-static void print(void *context, const char *text, size_t length)
-{
-    struct debugger *debugger = context;
-
-    if (length > 0)
-        debugger->line_open = text[length - 1] != '\n';
-    debugger->setup.printed.put(debugger->setup.printed.context, text,
-                                length);
-}
-
 /* A record has room for more than most have. */
 static void copy_record(c205_times *to, const c205_times *from)
 {
@@ -182,9 +172,10 @@ struct debugger *debugger_new(const struct debugger_setup *setup,
     }
     debugger->setup = *setup;
     debugger->out = setup->out;
-    if (!setup->printed.put)
-        debugger->setup.printed = setup->out;
-    debugger->printer.sink = (struct sink){ print, debugger };
+    debugger->printed.to = setup->out;
+    debugger->printer.sink = setup->printed.put
+                                 ? setup->printed
+                                 : line_tracker_sink(&debugger->printed);
     machine = load(debugger, error);
     if (machine)
         debugger->history = c205_history_new(machine,

@@ -65,9 +65,9 @@ struct debugger {
     struct sink out;
     c205_history *history;
     struct printer printer;
-    bool line_open; /* what the program printed has not ended its line */
-    uint64_t told;  /* steps whose output was printed */
-    bool has_last;  /* there is a last instruction: */
+    struct line_tracker printed; /* the output of the program */
+    uint64_t told;               /* steps whose output was printed */
+    bool has_last;               /* there is a last instruction: */
     c205_event last;
     c205_times record; /* its time */
     bool has_end;      /* .. with which the program ended: */

@@ -7,7 +7,7 @@ static bool arrive(struct debugger *debugger, enum moved moved)
 {
     if (moved == MOVED_NOT)
         return false;
-    show_end_line(debugger);
+    line_tracker_close(&debugger->printed);
     if (moved == MOVED_TO_STOP)
         stops_pass(debugger, true);
     else if (moved == MOVED_TO_START)

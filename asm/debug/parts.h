@@ -22,8 +22,6 @@ debug_verb verb_info;
 /* time.c */
 debug_verb verb_why, verb_account;
 
-/* What the program printed has its line to itself. */
-void show_end_line(struct debugger *debugger);
 /* Step, clock and region, then the next instruction: where the program stands, or that it has ended. */
 void show_place(struct debugger *debugger);
 /* An instruction, and its source line if it is known. */

@@ -63,20 +63,13 @@ void show_halt(struct debugger *debugger)
                     machine_of(debugger), stop, &debugger->out);
 }
 
-void show_end_line(struct debugger *debugger)
-{
-    if (debugger->line_open)
-        sink_put(&debugger->out, "\n");
-    debugger->line_open = false;
-}
-
 void show_place(struct debugger *debugger)
 {
     c205 *machine = machine_of(debugger);
     const char *region = object_region(debugger->setup.object,
                                        c205_pc(machine));
 
-    show_end_line(debugger);
+    line_tracker_close(&debugger->printed);
     sink_print(&debugger->out, "step %" PRIu64 ", clock %" PRIu64 "%s%s\n",
                step_of(debugger), c205_clock(machine),
                *region ? ", region " : "", region);

@@ -28,6 +28,7 @@ bool debug_fault(struct debugger *debugger, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
+    line_tracker_close(&debugger->printed);
     sink_print(&debugger->out, "error: %s\n", text);
     debugger->faults++;
     return false;

@@ -165,6 +165,26 @@ static void test_printed(void **state)
     session_end(&session);
 }
 
+/* An open line of the program's output is ended before the debugger reports, once. */
+static void test_open_line(void **state)
+{
+    static const char program[] = "        ES  r10, 5\n"
+                                  "        EXIT r10, r0, 2\n"
+                                  "        EXIT\n";
+    static const char *const lines[] = { "step 2", "continue", "goto 2" };
+    struct debug_session session;
+
+    (void)state;
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        session_begin(&session, good(program), "-");
+        session_obey(&session, lines[i]);
+        assert_true(session_says(&session, "5\nstep "));
+        session_obey(&session, "account");
+        assert_false(session_says(&session, "\n\n"));
+        session_end(&session);
+    }
+}
+
 /* A call is one for next; a break at an instruction of a linked pair is one at its
  * LINKV. */
 static void test_calls_and_links(void **state)
@@ -337,6 +357,7 @@ int main(void)
         cmocka_unit_test(test_values),
         cmocka_unit_test(test_faults),
         cmocka_unit_test(test_printed),
+        cmocka_unit_test(test_open_line),
         cmocka_unit_test(test_calls_and_links),
         cmocka_unit_test(test_loops_and_conditions),
         cmocka_unit_test(test_end),

@@ -531,6 +531,29 @@ static void test_changed(void **state)
     talk_end(&talk);
 }
 
+/* The output of the program is a text of its own here: an open line in it puts no
+ * newline before the words of the debugger. */
+static void test_open_line(void **state)
+{
+    static const char text[] = "        ES r10, 9\n"
+                               "        EXIT r10, r0, 2\n"
+                               "        EXIT\n";
+    static const char *const lines[] = { "step 2", "account", "continue",
+                                         "where" };
+    struct talk talk;
+
+    (void)state;
+    talk_begin(&talk);
+    talk_load(&talk, text, "");
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        talk_ask(&talk, "{\"do\": \"say\", \"line\": \"%s\"}", lines[i]);
+        assert_true(*text_of(talk.reply, "text") > ' ');
+    }
+    talk_ask(&talk, "{\"do\": \"view\"}");
+    assert_string_equal(text_of(talk.reply, "printed"), "9");
+    talk_end(&talk);
+}
+
 /* What is printed then is what that run prints. */
 static void test_changed_prints(void **state)
 {
@@ -591,7 +614,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_walks),   cmocka_unit_test(test_replays),
         cmocka_unit_test(test_changed), cmocka_unit_test(test_changed_prints),
-        cmocka_unit_test(test_cut),
+        cmocka_unit_test(test_cut),     cmocka_unit_test(test_open_line),
     };
 
     return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
