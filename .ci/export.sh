@@ -1,7 +1,7 @@
 #!/bin/sh
 # export.sh LIBRARY HEADER ... -- OBJECT ... - one library of one object, whose
-# global names are those that the headers declare; all else is its own.  What is
-# wanted of an archive among the objects goes with them.
+# global names are the functions and objects that the headers declare; all else
+# is its own.  What is wanted of an archive among the objects goes with them.
 set -eu
 library=$1
 shift
@@ -12,11 +12,36 @@ while [ "$1" != -- ]; do
 done
 shift
 ${LD:-ld} -r -o "$library.o" "$@"
+
+# Names that the object defines and that are words of the headers.  A word may
+# be in a comment or in a row of a table: the compiler decides which of them
+# are declared.  Each has a function that uses it, in a "file" of its name, so
+# that an error begins with the name.
 # shellcheck disable=SC2086
-cat $headers | grep -oE '[A-Za-z_][A-Za-z_0-9]*' | sort -u >"$library.names"
+cat $headers | grep -oE '[A-Za-z_][A-Za-z_0-9]*' | sort -u >"$library.words"
 ${NM:-nm} -g --defined-only "$library.o" | awk '{ print $3 }' | sort -u |
-    comm -12 - "$library.names" >"$library.api"
+    comm -12 - "$library.words" >"$library.api"
+uses() {
+    for header in $headers; do
+        case $header in *.h) echo "#include \"$header\"" ;; esac
+    done
+    awk '{ printf "#line 1 \"%s\"\nvoid use_%d(void) { (void)%s; }\n", $0, NR, $0 }' \
+        "$library.api"
+}
+# A compiler may stop after some errors, so it is asked until there is none.
+until uses | ${CC:-cc} -std=c99 -I. -fsyntax-only -x c - 2>"$library.errors"
+do
+    sed -n 's/^\([A-Za-z_][A-Za-z_0-9]*\):[0-9:]* error:.*/\1/p' \
+        "$library.errors" | sort -u >"$library.words"
+    comm -23 "$library.api" "$library.words" >"$library.left"
+    if cmp -s "$library.api" "$library.left"; then
+        cat "$library.errors" >&2
+        exit 1
+    fi
+    mv "$library.left" "$library.api"
+done
+
 ${OBJCOPY:-objcopy} --keep-global-symbols="$library.api" "$library.o"
 rm -f "$library"
 ${AR:-ar} qcs "$library" "$library.o"
-rm -f "$library.o" "$library.names"
+rm -f "$library.o" "$library.words" "$library.errors" "$library.left"

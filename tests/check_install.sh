@@ -2,13 +2,14 @@
 # check_install.sh BUILD MAKE - what make install puts into a folder is all
 # that is needed: rt205 finds its adapter there, and C programs that have only
 # the headers, the libraries and pkg-config's files run a program of the machine,
-# assemble one and trace a scene.  The libraries have no names but those of the
-# headers, and each header stands by itself.
+# assemble one and trace a scene.  The libraries have no names but those that the
+# headers declare, a program may have all others, and each header stands by itself.
 set -u
 . "$(dirname "$0")/count.sh"
 build=$1 make=$2
 scene=$(pwd)/scenes/first.pov
 clients=$(pwd)/tests/install
+archives=$(cd "$build" && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 root=$work/root/usr
@@ -80,15 +81,43 @@ for header in header*.c; do
         -I"$include" -I"$include/vm" -fsyntax-only "$header"
 done
 
-names() { # all words of the headers
-    find "$include" -type f -exec cat {} + | grep -oE '[A-Za-z_][A-Za-z_0-9]*' |
-        sort -u
+names() { # ARCHIVE ..: the global names that they define
+    nm -g --defined-only "$@" | awk 'NF == 3 { print $3 }' | sort -u
 }
+
+# Every name of a library is declared in a header.
 for library in libc205 libc205asm librt205; do
-    nm -g --defined-only "$root/lib/$library.a" | awk 'NF == 3 { print $3 }' |
-        sort -u >names.txt
+    names "$root/lib/$library.a" >names.txt
     succeeds test -s names.txt
-    names | comm -13 - names.txt >extra.txt
-    succeeds diff /dev/null extra.txt
+    cat header*.c | grep '^#' >declared.c
+    sed 's/.*/void use_&(void);\nvoid use_&(void) { (void)&; }/' names.txt \
+        >>declared.c
+    # The compiler may be given with options.
+    # shellcheck disable=SC2086
+    succeeds ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror \
+        -I"$include" -I"$include/vm" -fsyntax-only declared.c
 done
+succeeds [ -z "$(names "$root/lib/libc205.a" | grep -v '^c205_')" ]
+
+# A client may have functions of its own under all other names that the
+# libraries use inside, and does what it did without them.
+for library in libc205 libbase libc205asm librt205; do
+    names "$archives/$library.a"
+done | sort -u >inside.txt
+own_names() { # CLIENT PACKAGE
+    for library in $(pkg-config --libs-only-l "$2"); do
+        names "$root/lib/lib${library#-l}.a"
+    done | sort -u | comm -13 - inside.txt >own.txt
+    succeeds grep -qx 'half_add_upper' own.txt
+    succeeds grep -qx 'decode' own.txt
+    sed 's/.*/int &(void);\nint &(void) { return 205; }/' own.txt >own.c
+    # shellcheck disable=SC2046,SC2086
+    succeeds ${CC:-cc} -std=c99 -fno-builtin $(pkg-config --cflags "$2") \
+        -o "own_$1" "$clients/$1.c" own.c $(pkg-config --static --libs "$2")
+    "./own_$1" >own.txt
+    succeeds cmp own.txt "$1.txt"
+}
+own_names machine c205
+own_names program c205asm
+own_names scene rt205
 counted
