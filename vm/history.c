@@ -12,7 +12,9 @@
 
 /* A state is kept after so many instructions, or after so many clocks, for vector
  * instructions are long: what is run again takes some milliseconds. */
-enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20, APART_MOST = 1 << 30 };
+enum { STEPS_APART = 512, CLOCKS_APART = 1 << 20 };
+/* The distances are doubled up to here. */
+#define STEPS_APART_MOST (UINT64_C(1) << 50)
 
 struct snapshot {
     uint64_t step, clock;
@@ -77,6 +79,14 @@ static void drop(struct c205_history *history, size_t i)
     free(history->list[i].bytes);
 }
 
+static void double_distances(struct c205_history *history)
+{
+    if (history->steps >= STEPS_APART_MOST)
+        return;
+    history->steps *= 2;
+    history->clocks *= 2;
+}
+
 /* Every second one goes, the first stays, and those that nothing else leads to; if any
  * went the next are twice as far apart. */
 static void thin(struct c205_history *history)
@@ -88,10 +98,8 @@ static void thin(struct c205_history *history)
         else
             drop(history, i);
     history->count = kept;
-    if (kept == before || history->steps >= APART_MOST)
-        return;
-    history->steps *= 2;
-    history->clocks *= 2;
+    if (kept < before)
+        double_distances(history);
 }
 
 static bool save_state(const struct c205_history *history,
@@ -292,9 +300,9 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
 {
     bool goes_on = forward(history, stop);
     c205_error error;
-    if (goes_on && is_time(history))
-        keep(history,
-             &error); /* without memory it is farther back to the last */
+    /* A snapshot without memory would fail after the next instruction too. */
+    if (goes_on && is_time(history) && !keep(history, &error))
+        double_distances(history);
     return goes_on;
 }
 

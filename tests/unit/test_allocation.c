@@ -614,6 +614,58 @@ static void test_untouched_page(void **state)
     object_free(program);
 }
 
+/* Instructions of an endless loop, with a history that gets no memory once it has begun: how
+ * many allocations it asked for. */
+static size_t calls_without_memory(const char *loop, size_t steps)
+{
+    c205_error error = { "" };
+    struct object *program = assembled(loop, &error);
+    c205 *machine = c205_new(model, &error);
+    assert_non_null(program);
+    assert_non_null(machine);
+    assert_true(c205_load(machine, &program->program, &error));
+    c205_history *history = c205_history_new(machine, SIZE_MAX, &error);
+    c205_stop stop;
+    assert_non_null(history);
+    while (c205_history_step(history) < 16)
+        assert_true(c205_history_forward(history, &stop));
+    host.calls = 0;
+    host.fails = 1;
+    host.for_good = true;
+    while (c205_history_step(history) < steps)
+        assert_true(c205_history_forward(history, &stop));
+    host.fails = 0;
+    size_t calls = host.calls;
+    c205_history_free(history);
+    object_free(program);
+    return calls;
+}
+
+/* Scalar instructions are many, vector instructions long: a snapshot that fails is tried again
+ * after twice as many instructions or clocks, so 16 times as many add four attempts, of two
+ * allocations each. */
+static void test_snapshots(void **state)
+{
+    static const char *const loops[] = {
+        "        EX      r11, loop\n"
+        "loop:   IBXEQ   r0, r0, r0, loop, r12\n",
+        "        .data\n"
+        "a:      .space  60000\n"
+        "        .code\n"
+        "        EX      r10, a\n"
+        "        ELEN    r10, 60000\n"
+        "loop:   ADDNV   [r10], [r10], [r10]\n"
+        "        IBXEQ   r0, r0, r0, loop, r12\n",
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof loops / sizeof *loops; i++) {
+        size_t few = calls_without_memory(loops[i], 10000);
+        size_t many = calls_without_memory(loops[i], 160000);
+        assert_in_range(few, 2, 16);
+        assert_in_range(many, few + 1, few + 10);
+    }
+}
+
 static void test_any_block(void **state)
 {
     (void)state;
@@ -644,8 +696,9 @@ static int tidy(void **state)
 int main(void)
 {
 #define LISTED(task) cmocka_unit_test(test_##task),
-    const struct CMUnitTest tests[] = { TASKS(LISTED) cmocka_unit_test(
-                                            test_untouched_page),
-                                        cmocka_unit_test(test_any_block) };
+    const struct CMUnitTest tests[] = {
+        TASKS(LISTED) cmocka_unit_test(test_untouched_page),
+        cmocka_unit_test(test_any_block), cmocka_unit_test(test_snapshots)
+    };
     return cmocka_run_group_tests_name("allocation", tests, prepare, tidy);
 }
