@@ -33,15 +33,11 @@ static bool make_stop(struct dap *dap, const struct json_value *wanted,
 static void put_place(struct dap *dap, struct json *body,
                       const struct stop_point *stop)
 {
-    const struct asm_line *line = object_line(dap->object, stop->address);
-
     json_count(body, "id", stop->number);
     json_text(body, "message", stop->text);
-    if (stop->kind == STOP_LINE || (stop->kind == STOP_AT && line)) {
-        bool own = stop->kind == STOP_LINE;
-
-        put_source(dap, body, own ? stop->file : line->file);
-        put_line(dap, body, "line", own ? stop->line : line->number);
+    if (stop->file) {
+        put_source(dap, body, stop->file);
+        put_line(dap, body, "line", stop->line);
     }
     if (stop->kind == STOP_LINE || stop->kind == STOP_AT)
         dap_put_address(body, "instructionReference", stop->address);

@@ -49,7 +49,7 @@ struct stop_point {
     char wanted[TEXT_MOST]; /* of the number of hits: "> 4", "% 3"; or "" */
     bool met;               /* where the program stands */
     uint64_t address;
-    const char *file; /* STOP_LINE */
+    const char *file; /* STOP_LINE; STOP_AT, if it is known */
     size_t line;
     const c205_insn *insn;
     const char *region;
@@ -160,16 +160,18 @@ bool debug_jump(struct debugger *debugger, uint64_t address);
 
 /* ---- Places (place.c) ------------------------------------------------------ */
 
-/* What a stop point is at, and its text.  LABEL, LABEL + EXPRESSION, LINE, FILE:LINE,
- * *EXPRESSION, insn NAME, region NAME. */
+/* What a stop point is at, and its text, with the position if that is not the one in the text.
+ * LABEL, LABEL + EXPRESSION, LINE, FILE:LINE, *EXPRESSION, insn NAME, region NAME. */
 bool place_read(struct debugger *debugger, struct rest *rest,
                 struct stop_point *stop);
 /* The same of a source line, or the next that has code. */
 bool place_line(struct debugger *debugger, const char *file, size_t number,
                 struct stop_point *stop);
-/* One address. */
+/* One address; one at which an instruction of the program begins. */
 bool place_address(struct debugger *debugger, struct rest *rest,
                    uint64_t *address);
+bool place_code(struct debugger *debugger, struct rest *rest,
+                uint64_t *address);
 /* Where the machine stands before it executes what is at an address: behind a LINKV that is
  * the LINKV. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address);

@@ -73,8 +73,7 @@ bool verb_until(struct debugger *debugger, struct rest *rest)
 {
     uint64_t address;
 
-    return place_address(debugger, rest, &address)
-           && rest_finish(debugger, rest)
+    return place_code(debugger, rest, &address) && rest_finish(debugger, rest)
            && arrive(debugger,
                      motion_to(debugger, place_of(debugger, address)));
 }

@@ -1,5 +1,6 @@
 /* place.c - where in a program: by label, source line, address, name. */
 #include <ctype.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,6 +56,7 @@ struct line_place {
     const char *file; /* as the object has it */
     size_t number;
     uint64_t address; /* of its first code */
+    size_t wanted;    /* the number that was asked for */
 };
 
 static void consider(struct line_place *found, const char *file,
@@ -64,7 +66,9 @@ static void consider(struct line_place *found, const char *file,
     if (number < least || strcmp(file, name) != 0
         || (found->file && number >= found->number))
         return;
-    *found = (struct line_place){ file, number, address };
+    found->file = file;
+    found->number = number;
+    found->address = address;
 }
 
 /* That line, or the next that has code or calls a macro that has. */
@@ -74,7 +78,9 @@ static bool find_line(struct debugger *debugger, const char *name,
     const struct object *object = debugger->setup.object;
     const char *file = find_file(object, name, is_whole);
 
-    *found = (struct line_place){ .file = NULL };
+    *found = (struct line_place){ .wanted = number };
+    if (number == 0)
+        return debug_fault(debugger, "lines are counted from 1");
     if (!file)
         file = find_file(object, name, ends_with);
     for (size_t i = 0; file && i < object->line_count; i++) {
@@ -122,7 +128,7 @@ bool place_begins(const struct debugger *debugger, const char *file,
                || !is_call(&line[-1], file, number));
 }
 
-/* NAME:LINE, or LINE of the program's own file. */
+/* NAME:LINE, or LINE of the program's own file.  False: the text is another kind of place. */
 static bool read_line(struct debugger *debugger, struct rest *rest,
                       struct line_place *found, bool *good)
 {
@@ -130,14 +136,19 @@ static bool read_line(struct debugger *debugger, struct rest *rest,
     char name[TEXT_MOST];
     size_t length;
 
+    if (*at == '-') {
+        *good = debug_fault(debugger, "no place begins with '-': lines are "
+                                      "counted from 1");
+        return true;
+    }
+
     while (*colon && !isspace((unsigned char)*colon) && *colon != ':')
         colon++;
     length = (size_t)(colon - at);
     if (isdigit((unsigned char)*at) && *colon != ':'
         && !isalpha((unsigned char)at[1])) {
-        unsigned long number = strtoul(at, (char **)&rest->at, 10);
-
-        *good = find_line(debugger, debugger->setup.name, number, found);
+        *good = find_line(debugger, debugger->setup.name,
+                          strtoul(at, (char **)&rest->at, 10), found);
         return true;
     }
     if (*colon != ':' || !isdigit((unsigned char)colon[1])
@@ -185,12 +196,62 @@ static size_t take_name(struct rest *rest, char name[TEXT_MOST])
 }
 
 /* An instruction of the program's text begins there. */
-static bool begins_code(const struct debugger *debugger, uint64_t address)
+static bool begins_line(const struct debugger *debugger, uint64_t address)
 {
     const struct asm_line *line = object_line(debugger->setup.object,
                                               address);
 
     return line && line->is_code && line->address == address;
+}
+
+/* The segment that has the address and words; NULL: none. */
+static const c205_segment *segment_of(const c205_program *program,
+                                      uint64_t address)
+{
+    for (size_t i = 0; i < program->segment_count; i++) {
+        const c205_segment *segment = &program->segments[i];
+
+        if (segment->words && address >= segment->address
+            && address - segment->address < 64 * (uint64_t)segment->length)
+            return segment;
+    }
+    return NULL;
+}
+
+/* Without lines, code is what lies in the segment of the entry or of a region, and is decoded
+ * from the segment's beginning. */
+static bool is_code(const c205_program *program, const c205_segment *segment)
+{
+    bool code = segment_of(program, program->entry) == segment;
+
+    for (size_t i = 0; !code && i < program->region_count; i++)
+        code = segment_of(program, program->regions[i].begin) == segment;
+    return code;
+}
+
+static bool begins_decoded(const struct debugger *debugger, uint64_t address)
+{
+    const c205_program *program = &debugger->setup.object->program;
+    const c205_segment *segment = segment_of(program, address);
+    struct instruction_view view = { .insn = NULL };
+    uint64_t at;
+
+    if (!segment || !is_code(program, segment))
+        return false;
+    for (at = segment->address; at <= address;
+         at += 32 * (uint64_t)view.halves) {
+        view_decode(&view, machine_of(debugger), at);
+        if (at == address)
+            return view.insn;
+    }
+    return false;
+}
+
+static bool begins_code(const struct debugger *debugger, uint64_t address)
+{
+    return debugger->setup.object->line_count > 0
+               ? begins_line(debugger, address)
+               : begins_decoded(debugger, address);
 }
 
 uint64_t place_of(const struct debugger *debugger, uint64_t address)
@@ -204,7 +265,7 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address)
             break;
         view_decode(&view, machine_of(debugger), end);
         if (!view.insn || view.insn->timing != C205_TIMING_vlink
-            || !begins_code(debugger, end))
+            || !begins_line(debugger, end))
             continue;
         end += 32 * (uint64_t)view.halves;
         if (end == address)
@@ -216,18 +277,29 @@ uint64_t place_of(const struct debugger *debugger, uint64_t address)
     return address;
 }
 
-/* A line whose first code is behind a LINKV is that of the LINKV. */
+/* What is behind a LINKV is at the LINKV. */
+static void be_at(const struct debugger *debugger, uint64_t address,
+                  struct stop_point *stop)
+{
+    const struct asm_line *line;
+
+    stop->kind = STOP_AT;
+    stop->address = place_of(debugger, address);
+    line = object_line(debugger->setup.object, stop->address);
+    stop->file = line ? line->file : NULL;
+    stop->line = line ? line->number : 0;
+}
+
 static void be_at_line(const struct debugger *debugger,
                        const struct line_place *found,
                        struct stop_point *stop)
 {
-    stop->kind = STOP_AT;
-    stop->address = place_of(debugger, found->address);
-    if (stop->address == found->address) {
-        stop->kind = STOP_LINE;
-        stop->file = found->file;
-        stop->line = found->number;
-    }
+    be_at(debugger, found->address, stop);
+    if (stop->address != found->address)
+        return;
+    stop->kind = STOP_LINE;
+    stop->file = found->file;
+    stop->line = found->number;
 }
 
 bool place_line(struct debugger *debugger, const char *file, size_t number,
@@ -243,26 +315,39 @@ bool place_line(struct debugger *debugger, const char *file, size_t number,
     return true;
 }
 
+bool place_code(struct debugger *debugger, struct rest *rest,
+                uint64_t *address)
+{
+    return place_address(debugger, rest, address)
+           && (begins_code(debugger, *address)
+               || debug_fault(debugger, "no instruction begins at %" PRIX64,
+                              *address));
+}
+
+/* *moved: it is at another line or instruction than was asked for. */
 static bool read_address(struct debugger *debugger, struct rest *rest,
-                         struct stop_point *stop)
+                         struct stop_point *stop, bool *moved)
 {
     struct line_place found = { .file = NULL };
+    uint64_t address;
     bool good;
 
     rest_skip(rest);
     if (*rest->at != '*' && read_line(debugger, rest, &found, &good)) {
         if (good)
             be_at_line(debugger, &found, stop);
+        *moved = stop->line != found.wanted;
         return good;
     }
-    stop->kind = STOP_AT;
-    good = place_address(debugger, rest, &stop->address);
-    stop->address = place_of(debugger, stop->address);
-    return good;
+    if (!place_code(debugger, rest, &address))
+        return false;
+    be_at(debugger, address, stop);
+    *moved = stop->address != address;
+    return true;
 }
 
 static bool read_place(struct debugger *debugger, struct rest *rest,
-                       struct stop_point *stop)
+                       struct stop_point *stop, bool *moved)
 {
     char name[TEXT_MOST];
 
@@ -281,21 +366,36 @@ static bool read_place(struct debugger *debugger, struct rest *rest,
         return is_region(debugger, name, &stop->region)
                || debug_fault(debugger, "no region is called '%.60s'", name);
     }
-    return read_address(debugger, rest, stop);
+    return read_address(debugger, rest, stop, moved);
+}
+
+static void add_position(struct stop_point *stop)
+{
+    size_t length = strlen(stop->text);
+
+    if (stop->file)
+        snprintf(stop->text + length, sizeof stop->text - length,
+                 " (at %s:%zu)", stop->file, stop->line);
+    else
+        snprintf(stop->text + length, sizeof stop->text - length,
+                 " (at %" PRIX64 ")", stop->address);
 }
 
 bool place_read(struct debugger *debugger, struct rest *rest,
                 struct stop_point *stop)
 {
     const char *from;
+    bool moved = false;
 
     if (rest_end(rest))
         return debug_fault(debugger, "where? a label, a line, FILE:LINE, "
                                      "*ADDRESS, insn NAME or region NAME");
     from = rest->at;
-    if (!read_place(debugger, rest, stop))
+    if (!read_place(debugger, rest, stop, &moved))
         return false;
     rest_text(from, rest, stop->text);
+    if (moved)
+        add_position(stop);
     return true;
 }
 
@@ -308,19 +408,16 @@ static uint64_t read_from(const struct debugger *debugger, uint64_t address)
     enum { FAR_BACK = 32 * 1024 };
     const struct object *object = debugger->setup.object;
     const struct asm_line *line = object_line(object, address);
+    const c205_segment *segment = NULL;
 
     if (line)
         return line->is_code ? line->address : address;
-    for (size_t i = 0;
-         object->line_count == 0 && i < object->program.segment_count; i++) {
-        const c205_segment *segment = &object->program.segments[i];
-
-        if (address >= segment->address
-            && address - segment->address < 64 * (uint64_t)segment->length)
-            return address - segment->address < FAR_BACK ? segment->address
-                                                         : address - FAR_BACK;
-    }
-    return address;
+    if (object->line_count == 0)
+        segment = segment_of(&object->program, address);
+    if (!segment)
+        return address;
+    return address - segment->address < FAR_BACK ? segment->address
+                                                 : address - FAR_BACK;
 }
 
 uint64_t place_before(const struct debugger *debugger, uint64_t address)

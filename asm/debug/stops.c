@@ -285,13 +285,11 @@ bool debugger_break_line(struct debugger *debugger, const char *file,
                          size_t number, size_t *line)
 {
     struct stop_point stop = { .group = GROUP_LINES };
-    const struct asm_line *at;
 
     if (!place_line(debugger, file, number, &stop)
         || !stops_add(debugger, &stop))
         return false;
-    at = object_line(debugger->setup.object, stop.address);
-    *line = stop.kind == STOP_LINE || !at ? stop.line : at->number;
+    *line = stop.line;
     return true;
 }
 

@@ -104,7 +104,7 @@ step 5, clock 5, region sieve
 watch 3: [800000] was 1, is 0
 step 6, clock 1186, region sieve
 => 400120  ES r14, 1                     ; sieve.s:30: ES      one, 1
-(c205) until *0x4000E0
+(c205) until *0x400120
 watch 3: [800040] was 1, is 0
 step 8, clock 1188, region sieve
 => 400160  ES r15, 2                     ; sieve.s:33: ES      p, 2

@@ -245,9 +245,9 @@ static void test_loops_and_conditions(void **state)
 /* Behind its end a program does not go on, whatever is asked. */
 static void test_end(void **state)
 {
-    static const char *const lines[] = { "step",     "rs 0",
-                                         "goto 4",   "c",
-                                         "until *0", "goto clock 100000" };
+    static const char *const lines[] = {
+        "step", "rs 0", "goto 4", "c", "until *0x400000", "goto clock 100000"
+    };
     static const char program[] = "        ES  r10, 5\n"
                                   "        ES  r11, 6\n"
                                   "        DIVS r10, r11, r12\n"

@@ -1,0 +1,270 @@
+/* test_breakpoints.c - random places for break, until and the protocol of editors: accepted where
+ * an instruction of the program begins, and nowhere else. */
+#include "tests/random.h"
+#include "tests/unit/dap_session.h"
+#include "tests/unit/debugger_session.h"
+#include "tests/unit/plain_run.h"
+
+enum { PLACES = 1000, REQUESTS = 200 };
+
+static const char *const programs[] = { "asm/examples/dot.s",
+                                        "asm/examples/horner.s",
+                                        "asm/examples/saxpy_linked.s",
+                                        "asm/examples/saxpy_scalar.s",
+                                        "asm/examples/sieve.s" };
+enum { PROGRAMS = sizeof programs / sizeof *programs };
+
+static uint64_t random_state = RANDOM_SEED;
+
+static uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+static struct object *assembled(const char *path)
+{
+    struct diagnostics errors = { 0 };
+    struct object *object = assemble_file(path, NULL, &errors);
+
+    diagnostics_free(&errors);
+    assert_non_null(object);
+    return object;
+}
+
+/* In, near and far from the code and the data, most at half words. */
+static uint64_t draw_address(const struct object *object)
+{
+    const c205_program *program = &object->program;
+    const c205_segment
+        *segment = &program->segments[below(program->segment_count)];
+    uint64_t half = segment->address / 32 + below(2 * segment->length + 8);
+
+    switch (below(8)) {
+    case 0: return below(2) * 32;
+    case 1: return below(UINT64_C(1) << 48);
+    case 2: return 32 * half + below(32);
+    default: return 32 * half;
+    }
+}
+
+static bool is_instruction(const struct object *object, uint64_t address)
+{
+    for (size_t i = 0; i < object->line_count; i++)
+        if (object->lines[i].is_code && object->lines[i].address == address)
+            return true;
+    return false;
+}
+
+static void check_line(struct debug_session *session, const char *line,
+                       bool good, const char *said)
+{
+    size_t stops = session->debugger->stop_count;
+
+    session_obey(session, line);
+    if (session->debugger->stop_count != stops + good
+        || !session_says(session, said))
+        fail_msg("%s: %s", line, session->said.text);
+    session_obey(session, "delete");
+}
+
+/* ---- Addresses ------------------------------------------------------------ */
+
+/* stripped: the debugger has the words alone, as those of an object file. */
+static void check_addresses(const char *path, bool stripped)
+{
+    struct object *whole = assembled(path), *object = assembled(path);
+    struct debug_session session;
+
+    if (stripped)
+        object->line_count = 0;
+    session_begin(&session, object, path);
+    for (size_t i = 0; i < PLACES; i++) {
+        uint64_t address = draw_address(whole);
+        bool good = is_instruction(whole, address);
+        char line[80];
+
+        snprintf(line, sizeof line, "%s *0x%llX",
+                 below(2) ? "break" : "tbreak", (unsigned long long)address);
+        check_line(&session, line, good,
+                   good ? "break " : "error: no instruction begins at ");
+    }
+    session_end(&session);
+    object_free(whole);
+}
+
+static void test_addresses(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < PROGRAMS; i++) {
+        check_addresses(programs[i], false);
+        check_addresses(programs[i], true);
+    }
+}
+
+/* Wherever a program comes. */
+static void test_visited(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < PROGRAMS; i++) {
+        struct plain plain = run_plainly(assembled(programs[i]),
+                                         &random_state);
+        struct debug_session session;
+        char line[80];
+
+        session_begin(&session, plain.object, programs[i]);
+        for (size_t k = 0; k < plain.end; k++) {
+            snprintf(line, sizeof line, "break *0x%llX",
+                     (unsigned long long)plain.moments[k].pc);
+            check_line(&session, line, true, "break ");
+        }
+        session_end(&session);
+        free(plain.moments);
+    }
+}
+
+/* ---- Lines ---------------------------------------------------------------- */
+
+/* The first line from there on that has code or calls a macro that has; 0: none. */
+static size_t next_line(const struct object *object, const char *file,
+                        size_t number)
+{
+    size_t found = SIZE_MAX;
+
+    for (size_t i = 0; i < object->line_count; i++) {
+        const struct asm_line *line = &object->lines[i];
+
+        if (!line->is_code)
+            continue;
+        if (strcmp(line->file, file) == 0 && line->number >= number
+            && line->number < found)
+            found = line->number;
+        if (strcmp(line->call_file, file) == 0 && line->call_number >= number
+            && line->call_number < found)
+            found = line->call_number;
+    }
+    return number == 0 || found == SIZE_MAX ? 0 : found;
+}
+
+/* Programs without LINKV, whose lines stay where they are. */
+static void test_lines(void **state)
+{
+    static const char *const paths[] = { "asm/examples/dot.s",
+                                         "asm/examples/saxpy_scalar.s",
+                                         "asm/examples/sieve.s" };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        struct object *object = assembled(paths[i]);
+        struct debug_session session;
+
+        session_begin(&session, object, paths[i]);
+        for (long number = -3; number < 100; number++) {
+            size_t wanted = number < 0 ? 0 : (size_t)number;
+            size_t found = next_line(object, paths[i], wanted);
+            char line[80], said[200] = "error: ";
+
+            snprintf(line, sizeof line, "break %ld", number);
+            if (found == wanted && found > 0)
+                snprintf(said, sizeof said, ": %zu\n", found);
+            else if (found > 0)
+                snprintf(said, sizeof said, ": %zu (at %s:%zu)\n", wanted,
+                         paths[i], found);
+            check_line(&session, line, found > 0, said);
+        }
+        session_end(&session);
+    }
+}
+
+/* What moves is shown where it stops, and in the list. */
+static void test_moved(void **state)
+{
+    static const char text[] = "        ES   r10, 5\n"
+                               "; a remark\n"
+                               "        .data\n"
+                               "datum:  .word 1.0\n"
+                               "        .code\n"
+                               "        LINKV\n"
+                               "        MPYSV [r11], r10, [r11]\n"
+                               "pair:   ADDNV [r11], r10, [r11]\n"
+                               "        EXIT\n"
+                               "behind:\n";
+    static const struct line_said lines[] = {
+        { "break 2 if r10 == 5", "break 1: 2 (at test.s:6) if r10 == 5" },
+        { "info breaks", "1 break 2 (at test.s:6) if r10 == 5, met 0" },
+        { "c", "break 1: 2 (at test.s:6)\n" },
+        { "break 8", "break 2: 8 (at test.s:6)\n" },
+        { "break pair", "break 3: pair (at test.s:6)\n" },
+        { "break 6", "break 4: 6\n" },
+        { "break datum", "error: no instruction begins at 800000\n" },
+        { "break behind", "error: no instruction begins at " },
+        { "break 10", "error: test.s has no code at line 10 or behind" },
+        { "break test.s:0", "error: lines are counted from 1" },
+        { "break test.s:-1", "error: " },
+        { "tbreak -1", "error: no place begins with '-'" },
+        { "until datum", "error: no instruction begins at 800000\n" },
+        { "until 0", "error: lines are counted from 1" },
+        { "list 0", "error: lines are counted from 1" },
+    };
+
+    (void)state;
+    check_session(text, lines, sizeof lines / sizeof *lines, 9);
+}
+
+/* ---- The protocol of editors ---------------------------------------------- */
+
+static void check_verified(struct dap_client *client, const char *request,
+                           const char *stop, bool good)
+{
+    const struct json_value *list = the(
+        client_ask(client, request,
+                   "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
+                   client_path, stop),
+        "breakpoints");
+
+    if (json_member_truth(list->first, "verified", !good) != good
+        || !*the_text(list->first, "message"))
+        fail_msg("%s %s", request, stop);
+}
+
+static void test_protocol(void **state)
+{
+    struct object *object = good(client_program);
+    struct dap_client client;
+    char stop[100];
+
+    (void)state;
+    client_enter(&client, client_program);
+    for (size_t i = 0; i < REQUESTS; i++) {
+        uint64_t address = draw_address(object);
+
+        snprintf(stop, sizeof stop, "{\"instructionReference\": \"0x%llX\"}",
+                 (unsigned long long)address);
+        check_verified(&client, "setInstructionBreakpoints", stop,
+                       is_instruction(object, address));
+    }
+    for (int line = -2; line < 60; line++) {
+        snprintf(stop, sizeof stop, "{\"line\": %d}", line);
+        check_verified(&client, "setBreakpoints", stop,
+                       line > 0
+                           && next_line(object, "test.s", (size_t)line) > 0);
+    }
+    check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"0\"}",
+                   false);
+    check_verified(&client, "setFunctionBreakpoints",
+                   "{\"name\": \"a.words\"}", false);
+    check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"again\"}",
+                   true);
+    client_leave(&client);
+    object_free(object);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_addresses), cmocka_unit_test(test_visited),
+        cmocka_unit_test(test_lines),     cmocka_unit_test(test_moved),
+        cmocka_unit_test(test_protocol),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+}
