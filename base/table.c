@@ -306,11 +306,24 @@ static bool write_markdown(const struct table *table, FILE *file)
 
 /* ---- CSV ---- */
 
+/* Spreadsheets evaluate a cell that begins with one of these characters, quoted
+ * or not; with an apostrophe before them the cell is a text. */
+static bool is_formula(const char *text)
+{
+    char *end;
+    if (!*text || !strchr("=+-@\t\r\n", *text)) {
+        return false;
+    }
+    strtod(text, &end);
+    return *end || text[strspn(text, "+-.0123456789eE")];
+}
+
 /* A cell that begins with # would look like a remark. */
 static void put_quoted(const char *text, FILE *file)
 {
     bool quoted = text[0] == '#' || strpbrk(text, ",\"\r\n");
     fputs(quoted ? "\"" : "", file);
+    fputs(is_formula(text) ? "'" : "", file);
     for (; *text; text++) {
         fputs(*text == '"' ? "\"" : "", file);
         putc(*text, file);

@@ -62,7 +62,8 @@ void table_heading(const char *heading, enum table_format format, FILE *file);
 /* What a line of text among the tables begins with. */
 const char *table_remark(enum table_format format);
 
-/* CSV quotes as RFC 4180 says, its lines end in LF.  Markdown is GitHub's.
+/* CSV quotes as RFC 4180 says, its lines end in LF; a text that a spreadsheet
+ * would evaluate as a formula begins with an apostrophe.  Markdown is GitHub's.
  * False: memory ran out, now or while the table was filled. */
 bool table_write(const struct table *table, enum table_format format,
                  FILE *file);

@@ -254,6 +254,37 @@ static void csv_has_no_remarks(void **state)
     table_free(table);
 }
 
+/* Whatever a text begins with, no cell is a formula of a spreadsheet; numbers
+ * stay as they are. */
+static void csv_has_no_formulas(void **state)
+{
+    static const char marks[] = "=+-@\t\r\n";
+    static const char *const ends[] = { "",    "1",  "1.5e3", "1+1", "x",
+                                        "1,2", "\"", "-1",    "0x10" };
+    static struct csv_table back;
+    (void)state;
+    for (char first = 1; first < 127; first++) {
+        for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+            char text[8];
+            snprintf(text, sizeof text, "%c%s", first, ends[i]);
+            struct table_column column = { text, "", TABLE_TEXT, 0 };
+            struct table *table = table_new(&column, 1);
+            table_text(table, text);
+            char *csv = written(table, TABLE_CSV);
+            bool number = strchr("+-", first) && (i == 1 || i == 2);
+            bool marked = strchr(marks, first) && !number;
+            assert_string_equal(csv_table(csv, &back), "");
+            for (int row = 0; row < 2; row++) {
+                const char *cell = back.cell[row][0];
+                assert_string_equal(cell + marked, text);
+                assert_true(!marked || *cell == '\'');
+            }
+            free(csv);
+            table_free(table);
+        }
+    }
+}
+
 static void table_as_markdown(void **state)
 {
     (void)state;
@@ -473,6 +504,7 @@ int main(void)
         cmocka_unit_test(table_as_csv),
         cmocka_unit_test(csv_comes_back),
         cmocka_unit_test(csv_has_no_remarks),
+        cmocka_unit_test(csv_has_no_formulas),
         cmocka_unit_test(table_as_markdown),
         cmocka_unit_test(markdown_has_all_cells),
         cmocka_unit_test(signs_and_decimals),
