@@ -6,6 +6,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/error.h"
+
 /* Up to one byte more than the largest text. */
 static char *read_stream(FILE *file, size_t largest, size_t *length)
 {
@@ -73,11 +75,18 @@ char *file_read(const char *path, size_t largest, size_t *length,
     return NULL;
 }
 
-bool file_is_plain(const char *path)
+bool file_is_plain(const char *path, c205_error *error)
 {
     struct stat is;
 
-    return stat(path, &is) == 0 && S_ISREG(is.st_mode);
+    if (stat(path, &is) == 0)
+        return S_ISREG(is.st_mode)
+               || error_say(error, "%s",
+                            S_ISDIR(is.st_mode) ? "a folder"
+                                                : "a pipe or a device");
+    error_say(error, "%s", strerror(errno));
+    return lstat(path, &is) == 0 && S_ISLNK(is.st_mode)
+           && error_say(error, "a broken link");
 }
 
 /* The folder that a path names a file in, and the file's name there; false:

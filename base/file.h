@@ -17,8 +17,9 @@ enum { FILE_LARGEST = (1 << 28) - 2 }; /* bytes */
 char *file_read(const char *path, size_t largest, size_t *length,
                 c205_error *error);
 
-/* Whether a path names a file that ends: no folder, pipe or device, and it is there. */
-bool file_is_plain(const char *path);
+/* Whether a path names a file that ends: no folder, pipe or device, and it is there.  If not,
+ * the error has what it is instead ("a folder"). */
+bool file_is_plain(const char *path, c205_error *error);
 
 /* Whether two paths name one file, however they are written; neither needs to
  * be there. */

@@ -145,45 +145,106 @@ for folder in class one-lesson; do
     verdict $? "not all are in the JSON: $folder"
 done
 
-# What is not known is told
-mkdir -p few/anna/old few/ben one
-cp drawer/2-silver.s few/anna/scale.s
-cp drawer/8-bad.s few/ben/scale.s
-cp drawer/1-no-gold.s one/anna.s
-touch few/.hidden
-rmdir few/anna/old
-check 0 --folder few "$lesson" --format md
-check 0 --folder few "$lesson"
-cp out known
-mkdir few/anna/old
-touch few/anna/other.s few/notes.txt one/notes.txt
-check 1 --folder few "$lesson" --json few.json
-cmp -s out known
-verdict $? "strange files change the marks"
-for name in anna/old anna/other.s notes.txt; do
-    tells err "^c205 check: few/$name: not graded"
-done
-[ "$(wc -l <err)" -eq 3 ]
-verdict $? "more is told"
-[ "$(grep -c '"student": "' few.json)" -eq 2 ]
-verdict $? "the JSON is not kept"
-check 1 --folder one "$lesson" --format csv
-tells err '^c205 check: one/notes.txt: not graded'
-tells out '^anna,scale,yes,gold,'
-ln -s nowhere one/dangling.s
-mkfifo one/pipe.s
+# Every hand-in is a row of every format, with the reason if it was not graded
+hand_in() { # KIND PATH
+    mkdir -p "$(dirname "$2")"
+    case $1 in
+    folder) mkdir -p "$2" ;;
+    link) ln -s nowhere "$2" ;;
+    pipe) mkfifo "$2" ;;
+    text) cp drawer/1-no-gold.s "$2" ;;
+    esac
+}
+hand_ins() { # FOLDER [LESSON]; stdin: KIND PATH STUDENT LESSON REASON, "-" for none
+    : >rows
+    while read -r kind path student of reason; do
+        hand_in "$kind" "$1/$path"
+        [ "$reason" = - ] ||
+            echo "${student#-},${of#-},no,,,$1/$path: not graded: $reason" >>rows
+    done
+    LC_ALL=C sort rows >wanted
+    check 1 --folder "$@" --format csv --json rows.json
+    cut -d, -f6 wanted | sed 's/^/c205 check: /' | LC_ALL=C sort >messages
+    LC_ALL=C sort err | cmp -s - messages
+    verdict $? "other messages: $*"
+    grep ': not graded: ' out | LC_ALL=C sort | cmp -s - wanted
+    verdict $? "other rows: $*"
+    [ "$(grep -c '^      "student": ' rows.json)" -eq $(($(wc -l <out) - 1)) ]
+    verdict $? "other hand-ins in JSON: $*"
+    [ "$(grep -c ': not graded: ' rows.json)" -eq "$(wc -l <wanted)" ]
+    verdict $? "other reasons in JSON: $*"
+    for format in text md; do
+        check 1 --folder "$@" --format $format
+        [ "$(grep -c 'not graded:' out)" -eq "$(wc -l <wanted)" ]
+        verdict $? "other rows of $format: $*"
+    done
+}
+hand_ins few "$lesson" <<'END'
+text anna/scale.s anna scale -
+text anna/numbers.s anna numbers -
+folder anna/1.s anna scale a folder
+text ben/Scale.s ben - its name is that of no lesson
+text ben/SCALE.S ben - its name does not end in '.s'
+text ben/scale.s.txt ben - its name does not end in '.s'
+text ben/scale ben - its name does not end in '.s'
+link ben/scale.s ben scale a broken link
+link ben/notes.txt ben - a broken link
+folder ben/old ben - a folder
+pipe chloe/scale.s chloe scale a pipe or a device
+text dora/numbers.s dora numbers -
+folder dora dora scale no answer is there
+folder emil emil scale no answer is there
+text .hidden - - -
+text fred/.scale.s fred scale -
+folder fred fred scale no answer is there
+text gina.s gina scale -
+text gina.S gina - its name does not end in '.s'
+text gina.s.txt gina - its name does not end in '.s'
+link hans hans - a broken link
+link hans.s hans scale a broken link
+pipe ida.s ida scale a pipe or a device
+END
+truncate -s 300M few/kate.s
+check 1 --folder few "$lesson" --format csv
+tells out '^kate,scale,no,,,few/kate.s: not graded: this file is too large$'
+[ "$(grep -c ',scale,yes,gold,' out)" -eq 2 ]
+verdict $? "hand-ins that are not graded change the marks"
+hand_ins class-of-one <<'END'
+text numbers.s - numbers -
+text Numbers.s - - its name is that of no lesson
+text numbers.s.txt - - its name does not end in '.s'
+link anna anna - a broken link
+link 1.s - numbers a broken link
+text ben/2.s ben scoreboard -
+text ben/Numbers.S ben - its name does not end in '.s'
+folder chloe chloe - no answer is there
+END
 long=$(printf "%0200d" 205)
-cp drawer/1-no-gold.s "one/$long.s"
-check 1 --folder one "$lesson" --format csv
-tells err "^c205 check: one/dangling.s: not graded, as it is no file$"
-tells err "^c205 check: one/pipe.s: not graded, as it is no file$"
+hand_in text "one/$long.s"
+hand_in text one/anna.s
+check 0 --folder one "$lesson" --format csv
+tells out '^anna,scale,yes,gold,'
 tells out "^$long,scale,yes,gold,"
+for mark in '=1+1' '+1+1' '-1+1' '@a' "$(printf '\t=1')" "$(printf '\r=1')"; do
+    hand_in text "marked/$mark/scale.s"
+done
+check 0 --folder marked "$lesson" --format csv
+[ "$(grep -c "^\"\{0,1\}'.*scale,yes,gold," out)" -eq 6 ]
+verdict $? "a name of a student is a formula"
+if [ "$(id -u)" -ne 0 ]; then
+    chmod 0 one/anna.s marked/=1+1
+    hand_ins one "$lesson" <<'END'
+none anna.s anna scale Permission denied
+END
+    hand_ins marked "$lesson" <<'END'
+none =1+1 '=1+1 scale Permission denied
+END
+    chmod 700 one/anna.s marked/=1+1
+fi
 mkdir -p numbered/anna
 cp drawer/1-no-gold.s numbered/anna/1.s
 check 0 --folder numbered "$lesson" --format csv
 tells out "^anna,scale,yes,gold,"
-check 1 --folder few
-tells err 'few/anna/scale.s: not graded'
 check 1 --folder missing "$lesson"
 tells err '^c205 check: missing: '
 mkdir empty

@@ -97,13 +97,6 @@ struct handed_in {
     bool failed; /* no memory */
 };
 
-static void refuse(struct handed_in *all, const char *path, const char *why)
-{
-    progress_hide(&all->progress);
-    cmd_failed(all->check->arguments->command, "%s: %s", path, why);
-    all->refused++;
-}
-
 /* What is wrong in the first test that is not passed; or slow in the first that says so. */
 static void join_first(struct text_buffer *report,
                        const struct lesson_verdict *verdict)
@@ -130,7 +123,11 @@ static void add_row(struct handed_in *all, const char *student,
     struct text_buffer report = { 0 };
     join_first(&report, verdict);
     table_text(all->table, student);
-    table_text(all->table, verdict->lesson->name);
+    if (verdict->lesson) {
+        table_text(all->table, verdict->lesson->name);
+    } else {
+        table_gap(all->table);
+    }
     table_text(all->table, verdict->passed ? "yes" : "no");
     table_text(all->table, medal_name(verdict->medal));
     if (verdict->clocks > 0) {
@@ -143,24 +140,51 @@ static void add_row(struct handed_in *all, const char *student,
     text_buffer_free(&report);
 }
 
+static void add(struct handed_in *all, const char *student,
+                const struct lesson_verdict *verdict)
+{
+    struct json *json = all->check->results.json;
+    add_row(all, student, verdict);
+    if (json) {
+        json_object(json, NULL);
+        json_text(json, "student", student);
+        lesson_verdict_json(verdict, json);
+        json_end(json);
+    }
+}
+
+/* The reason goes to stderr, too. */
+static void refuse(struct handed_in *all, const char *student,
+                   const struct lesson *lesson, const char *path,
+                   const char *reason)
+{
+    struct lesson_verdict verdict = { 0 };
+    progress_hide(&all->progress);
+    cmd_failed(all->check->arguments->command, "%s: not graded: %s", path,
+               reason);
+    lesson_refuse(&verdict, lesson, path, reason);
+    add(all, student, &verdict);
+    all->refused++;
+    all->failed = all->failed || verdict.kept.failed;
+    lesson_verdict_free(&verdict);
+}
+
+/* Every file gives a row; the lesson is NULL if the name of the file is that of none. */
 static void grade(struct handed_in *all, const char *student,
                   const struct lesson *lesson, const char *path)
 {
-    struct json *json = all->check->results.json;
     struct lesson_verdict verdict = { 0 };
     c205_error error;
-    if (!file_is_plain(path)) {
-        refuse(all, path, "not graded, as it is no file");
+    if (!file_is_plain(path, &error)) {
+        refuse(all, student, lesson, path, error.message);
+    } else if (!lesson) {
+        refuse(all, student, lesson, path,
+               file_ends_with(path, ".s") ? "its name is that of no lesson"
+                                          : "its name does not end in '.s'");
     } else if (!check_grade(lesson, path, &verdict, &error)) {
-        refuse(all, path, error.message);
+        refuse(all, student, lesson, path, error.message);
     } else {
-        add_row(all, student, &verdict);
-        if (json) {
-            json_object(json, NULL);
-            json_text(json, "student", student);
-            lesson_verdict_json(&verdict, json);
-            json_end(json);
-        }
+        add(all, student, &verdict);
     }
     lesson_verdict_free(&verdict);
 }
@@ -178,7 +202,7 @@ static void take_folder(struct handed_in *all, const char *student,
     struct folder folder;
     c205_error error;
     if (!folder_read(&folder, path, &error)) {
-        refuse(all, path, error.message);
+        refuse(all, student, all->check->lesson, path, error.message);
     }
     for (size_t i = 0; i < folder.count && !interrupt_came(); i++) {
         struct text_buffer inner = { 0 };
@@ -216,7 +240,7 @@ static const struct lesson *lesson_named(const struct check_command *check,
                : lessons_find(&check->lessons, name, &error);
 }
 
-/* LESSON.s; answers to lessons that were not asked for are left out. */
+/* LESSON.s; answers to lessons that were not asked for are ignored. */
 static void take_answer(struct handed_in *all, const char *student,
                         const char *name, const char *path)
 {
@@ -227,29 +251,53 @@ static void take_answer(struct handed_in *all, const char *student,
                                       : NULL;
     all->failed = all->failed || stem.failed;
     text_buffer_free(&stem);
-    if (!lesson) {
-        refuse(all, path, "not graded, as it has the name of no lesson");
-    } else if (!asked || lesson == asked) {
+    if (!lesson || !asked || lesson == asked) {
         grade(all, student, lesson, path);
     }
 }
 
+/* STUDENT: a folder without an answer gives a row, too. */
+static void take_student(struct handed_in *all, const char *name,
+                         const char *path)
+{
+    size_t rows = table_rows(all->table);
+    take_folder(all, name, path, take_answer);
+    if (table_rows(all->table) == rows && !interrupt_came()) {
+        refuse(all, name, all->check->lesson, path, "no answer is there");
+    }
+}
+
+/* The student who handed in a file that is in no folder of a student, to be freed; empty:
+ * unknown.  A name without an ending is a student's, as those of folders are. */
+static struct text_buffer student_of(const char *name,
+                                     const struct lesson *asked)
+{
+    struct text_buffer student = { 0 };
+    struct sink sink = text_buffer_sink(&student);
+    size_t length = file_ends_with(name, ".s") ? strlen(name) - 2
+                                               : strcspn(name, ".");
+    if (asked || !name[length]) {
+        sink.put(sink.context, name, length);
+    }
+    return student;
+}
+
 /* STUDENT, LESSON.s or STUDENT.s. */
-static void take_entry(struct handed_in *all, const char *student,
+static void take_entry(struct handed_in *all, const char *nobody,
                        const char *name, const char *path)
 {
-    struct text_buffer stem = stem_of(name);
-    all->failed = all->failed || stem.failed;
+    const struct lesson *asked = all->check->lesson;
+    struct text_buffer student = student_of(name, asked);
+    const char *of = student.text ? student.text : nobody;
+    all->failed = all->failed || student.failed;
     if (folder_is(path)) {
-        take_folder(all, name, path, take_answer);
-    } else if (!all->check->lesson) {
-        take_answer(all, student, name, path);
-    } else if (stem.length > 0) {
-        grade(all, stem.text, all->check->lesson, path);
+        take_student(all, name, path);
+    } else if (!asked) {
+        take_answer(all, of, name, path);
     } else {
-        refuse(all, path, "not graded, as it is no program text");
+        grade(all, of, file_ends_with(name, ".s") ? asked : NULL, path);
     }
-    text_buffer_free(&stem);
+    text_buffer_free(&student);
 }
 
 static struct table *new_table(void)

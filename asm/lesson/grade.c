@@ -385,6 +385,22 @@ static bool begin(struct lesson_verdict *verdict, const struct lesson *lesson,
     return true;
 }
 
+void lesson_refuse(struct lesson_verdict *verdict,
+                   const struct lesson *lesson, const char *name,
+                   const char *reason)
+{
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+
+    verdict->lesson = lesson;
+    verdict->answer = name;
+    verdict->report.kept = &verdict->kept;
+    sink_put(&sink, name);
+    sink_put(&sink, ": not graded: ");
+    sink_put(&sink, reason);
+    report_buffer(&verdict->report, &text);
+}
+
 /* Until one of them says what all would. */
 static bool try_tests(struct lesson_verdict *verdict, const char *text,
                       size_t length, c205_error *error)

@@ -121,6 +121,11 @@ struct lesson_verdict {
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
                   const char *name, const char *text, size_t length,
                   c205_error *error);
+/* The verdict of a hand-in that cannot be graded: not passed, with the reason as its report.
+ * The lesson is NULL if it is not known. */
+void lesson_refuse(struct lesson_verdict *verdict,
+                   const struct lesson *lesson, const char *name,
+                   const char *reason);
 void lesson_verdict_free(struct lesson_verdict *verdict);
 
 void lesson_verdict_put(const struct lesson_verdict *verdict,

@@ -147,11 +147,21 @@ static void write_trial(const struct lesson_trial *trial, struct json *json)
     json_end(json);
 }
 
+static void write_lesson(const struct lesson *lesson, struct json *json)
+{
+    if (lesson) {
+        json_text(json, "lesson", lesson->name);
+        json_text(json, "title", lesson->title);
+    } else {
+        json_null(json, "lesson");
+        json_null(json, "title");
+    }
+}
+
 void lesson_verdict_json(const struct lesson_verdict *verdict,
                          struct json *json)
 {
-    json_text(json, "lesson", verdict->lesson->name);
-    json_text(json, "title", verdict->lesson->title);
+    write_lesson(verdict->lesson, json);
     json_text(json, "answer", verdict->answer);
     json_truth(json, "passed", verdict->passed);
     json_text(json, "medal", medal_name(verdict->medal));
