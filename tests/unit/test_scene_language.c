@@ -125,7 +125,7 @@ static void test_errors(void **state)
         { "sphere { 0, dimensions(x) }", 24, "expected an array" },
         { "#declare str = 1;", 10, "word of the language" },
         { "#declare array = 1;", 10, "word of the language" },
-        { "#declare A = 3 sphere { 0, A }", 16, "expected ';'" },
+        { "#declare A = 3 sphere { 0, A }", 15, "';' is missing" },
         { "#debug 3", 8, "expected a string" },
         { "#include strlen(\"a\")", 10, "the name of a file" },
         { "#include concat(\"no/\", \"such\")", 10, "no such file" },

@@ -60,7 +60,7 @@ static void test_errors(void **state)
         { "camera { up x }", 1, 1, "span no picture" },
         { "union { sphere { 0 1 } scale 2 sphere { 0 1 } }", 1, 32,
           "found 'sphere'" },
-        { "#declare A = 1 sphere { 0, 1 }", 1, 16, "expected ';'" },
+        { "#declare A = 1 sphere { 0, 1 }", 1, 15, "';' is missing" },
         { "#declare x = 1;", 1, 10, "'x' is a word of the language" },
         { "#declare A = ;", 1, 14, "expected a value, found ';'" },
         { "#if (1) sphere { 0, 1 #end", 1, 27, "for the '{' of line 1" },

@@ -3,6 +3,7 @@
 #include "rt/scene/language/directive.h"
 #include "rt/scene/language/element.h"
 #include "rt/scene/language/macro.h"
+#include "rt/scene/language/semicolon.h"
 
 enum { ASKED_EACH = 1 << 20 };
 
@@ -43,13 +44,25 @@ bool reader_spend(struct reader *reader, size_t bytes)
     return reader_stop(reader);
 }
 
+static void count_brackets(struct reader *reader, int sign)
+{
+    size_t *brackets = &reader->declared.brackets;
+
+    if (sign == '{')
+        reader->braces++;
+    else if (sign == '}')
+        reader->braces -= reader->braces > 0;
+    else if (sign == '(' || sign == '[')
+        *brackets += *brackets > 0;
+    else if (sign == ')' || sign == ']')
+        *brackets -= *brackets > 1;
+}
+
 /* Bad bytes are reported here and left out, so that none is passed over. */
 void reader_step(struct reader *reader)
 {
-    if (reader_at_sign(reader, '{'))
-        reader->braces++;
-    else if (reader_at_sign(reader, '}') && reader->braces)
-        reader->braces--;
+    if (reader->token.kind == TOKEN_SIGN)
+        count_brackets(reader, reader->token.sign);
     while (!reader->stopped) {
         struct open_text *top = lexer_top(&reader->lexer);
         reader->before = top->place;
@@ -148,9 +161,10 @@ static bool resolve(struct reader *reader, bool *done)
 
 static void settle(struct reader *reader, size_t depth)
 {
-    size_t hold = reader_nest(reader);
+    size_t hold = reader_nest(reader), brackets = reader->declared.brackets;
     bool directed = false, done = true, again = true;
 
+    reader->declared.brackets = 0;
     while (again && !reader->stopped && reader->lexer.depth > depth) {
         again = false;
         if (close_frame(reader)) {
@@ -163,6 +177,7 @@ static void settle(struct reader *reader, size_t depth)
         }
     }
     reader_release(reader, hold);
+    reader->declared.brackets = brackets;
     reader->directed = directed && done;
     reader->lost = !done;
 }
@@ -187,6 +202,7 @@ void reader_pass(struct reader *reader)
 void reader_next(struct reader *reader)
 {
     bool closes = reader_at_sign(reader, '}');
+    bool ends = reader->declared.brackets && semicolon_may_follow(reader);
 
     if (reader->stopped)
         return;
@@ -194,6 +210,8 @@ void reader_next(struct reader *reader)
         reader_pass(reader);
     } else {
         reader_step(reader);
+        if (ends)
+            semicolon_find(reader);
         reader_settle(reader);
     }
     reader->closed = closes;

@@ -4,6 +4,7 @@
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/element.h"
 #include "rt/scene/language/formula.h"
+#include "rt/scene/language/semicolon.h"
 #include "rt/scene/language/statement.h"
 #include "rt/scene/language/string_value.h"
 
@@ -328,19 +329,24 @@ bool name_expected(struct reader *reader, const struct scene_token *token)
 
 /* ---- #declare, #local, #undef ------------------------------------------- */
 
-/* Behind "=" to behind the ";", which only numbers must have: behind another
- * value nothing is looked at, for it may depend on the name that is made. */
+/* From after "=" to after the ";", which numbers must have.  The text after
+ * another value is not read yet: it may depend on the name. */
 static bool read_right_side(struct reader *reader, size_t depth,
                             struct scene_value *value)
 {
+    struct declared_value outside = reader->declared;
     size_t hold = reader_hold(reader);
-    bool done = value_read(reader, value);
+    bool done;
 
+    reader->declared = (struct declared_value){ .brackets = 1,
+                                                .depth = depth };
+    done = value_read(reader, value);
     reader_release(reader, hold);
+    if (done && value->kind == VALUE_NUMBERS && !reader_at_sign(reader, ';'))
+        semicolon_missing(reader);
+    reader->declared = outside;
     if (!done)
         return false;
-    if (value->kind == VALUE_NUMBERS && !reader_at_sign(reader, ';'))
-        return reader_expected(reader, "';'");
     reader_close_frames(reader, depth);
     if (reader_at_sign(reader, ';'))
         reader_step(reader);

@@ -83,8 +83,11 @@ bool operand_float(struct reader *reader, const struct scene_token *at,
 /* "<" is read already. */
 static bool read_components(struct reader *reader, struct numbers *value)
 {
+    size_t declared = reader->declared.brackets > 0;
+
     *value = numbers_of(0);
     value->count = 0;
+    reader->declared.brackets += declared;
     do {
         if (value->count == COLOR_TERMS)
             return reader_expected(reader, "'>'");
@@ -93,6 +96,7 @@ static bool read_components(struct reader *reader, struct numbers *value)
         value->count++;
         reader_comma(reader);
     } while (value->count < 2 || !reader_at_sign(reader, '>'));
+    reader->declared.brackets -= declared;
     return reader_expect_sign(reader, '>');
 }
 

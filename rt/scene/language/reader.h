@@ -51,6 +51,14 @@ struct scene_condition {
     bool chosen;  /* .. a case is */
 };
 
+/* The value of a declaration that is being read (semicolon.h). */
+struct declared_value {
+    size_t brackets; /* 1 and those open within the value; 0: no value */
+    size_t depth;    /* of frames, where the declaration is */
+    const struct scene_source *source; /* where it ends, if not NULL */
+    struct text_place place;
+};
+
 struct reader {
     struct lexer lexer;
     struct scene_source *sources;
@@ -63,6 +71,7 @@ struct reader {
     bool directed;            /* .. or a directive that was read well, */
     bool lost;                /* .. or one that was not */
     size_t hold; /* of a directive's value: the braces around it */
+    struct declared_value declared;
     size_t nesting;
     size_t condition_count, sealed; /* the latter of them cannot be closed */
     struct scene_condition conditions[CONDITIONS_MOST];
