@@ -158,6 +158,7 @@ check-long: export HEATS = 1000
 check-long: export MASS_RAYS = 262144
 check-long: export HEAT_POINTS = 4096
 check-long: export HISTORY_JUMPS = 1000
+check-long: export SIGNALS = 20
 check-long: export USES = all
 check-long: export KILLS = 20
 check-long: export WAYS = all
@@ -334,7 +335,11 @@ $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
 		$(engine) $(libraries)
 	$(CC) $(LDFLAGS) $(keeping) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # Its client starts the command.
-$(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)): | $(BUILD)/c205
+$(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)) \
+		$(BUILD)/tests/unit/test_breakpoints: | $(BUILD)/c205
+# These run all commands.
+$(BUILD)/tests/unit/test_signals $(BUILD)/tests/unit/test_terminal: | \
+		$(programs) $(adapter)
 # goal.c alone: what it asks of the fit, the test answers.
 $(BUILD)/tests/unit/test_goal: $(BUILD)/tests/unit/test_goal.o \
 		$(BUILD)/rt/study/fit/goal.o $(BUILD)/libbase.a \

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/file.h"
+#include "base/interrupt.h"
 
 enum { SUFFIX_SIZE = 16, ATTEMPTS = 100 };
 
@@ -33,7 +34,7 @@ static int open_beside(struct whole *whole)
     errno = ENOMEM;
     for (int n = 0; whole->temporary && file < 0 && n < ATTEMPTS; n++) {
         snprintf(whole->temporary, size, "%s.new%d", whole->path, n);
-        file = open(whole->temporary, O_WRONLY | O_CREAT | O_EXCL, 0666);
+        file = interrupt_create(whole->temporary);
         if (file < 0 && errno != EEXIST) {
             break;
         }
@@ -43,6 +44,7 @@ static int open_beside(struct whole *whole)
 
 static void whole_free(struct whole *whole)
 {
+    interrupt_release(whole->temporary);
     free(whole->temporary);
     free(whole->path);
     free(whole);

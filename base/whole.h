@@ -1,7 +1,8 @@
 /* whole.h - a file that is written whole or not at all.
  *
  * It is written under a temporary name beside the real one, and gets the real
- * name when all of it has reached the disk.  What is no regular file (a
+ * name when all of it has reached the disk; a signal that ends the program removes
+ * it.  What is no regular file (a
  * device, a pipe, a link; stdout, of which the name is "-") is written directly,
  * as there is nothing to keep.
  */

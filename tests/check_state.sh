@@ -4,7 +4,7 @@
 # told but for what stands here: a signal's.
 set -u
 build=$1
-allowed='interrupt.o:came'
+allowed='interrupt.o:came interrupt.o:files interrupt.o:owner'
 libraries="$build/libc205.a $build/libbase.a $build/libc205asm.a $build/libengine.a $build/librt205.a"
 
 # The words are files.

@@ -1,0 +1,323 @@
+/* test_signals.c - signals at random times to every command that writes: a file is the old one or
+ * the whole new one, nothing is left beside it, and a command that was ended does not succeed. */
+#define _XOPEN_SOURCE 700
+
+#include "tests/unit/asm_helper.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "tests/random.h"
+
+enum { WORDS = 20, PATH = 100, TEXT = 4096 };
+static size_t rounds = 2;
+static uint64_t random_state = RANDOM_SEED;
+
+static int below(int end)
+{
+    return (int)(xorshift(&random_state) % (uint64_t)end);
+}
+
+static char folder[] = "/tmp/signals.XXXXXX";
+
+/* What is read; a word "%name" is a file in the folder. */
+static const struct {
+    const char *name, *text;
+} inputs[] = {
+    { "endless.s", "loop:   BIM loop\n        EXIT\n" },
+    { "bay.pov", "camera { location -5*z look_at 0 }\n"
+                 "cylinder { 0, .7*y, 1 open }\n"
+                 "disc { 0, y, 1.8, 1 } disc { .7*y, -y, 1.8, 1 }\n" },
+};
+enum { INPUTS = sizeof inputs / sizeof *inputs };
+
+static const char *const commands[][WORDS] = {
+    { "c205", "asm", "asm/examples/sieve.s", "-o", "%o" },
+    { "c205", "run", "asm/examples/sieve.s", "--json", "%json" },
+    { "c205", "run", "%endless.s", "--no-limit", "--json", "%json" },
+    { "c205", "run", "%endless.s", "--limit", "900000000000", "--save",
+      "%state" },
+    { "c205", "compare", "asm/examples/saxpy_scalar.s",
+      "asm/examples/saxpy_vector.s", "--json", "%json" },
+    { "c205", "timeline", "asm/examples/dot.s", "-o", "%svg.svg" },
+    { "c205", "sweep", "asm/examples/sieve.s", "--define", "limit=10:300:1",
+      "-o", "%svg.svg", "--json", "%json" },
+    { "c205", "time", "--json", "%json" },
+    { "c205", "model", "--json", "%json" },
+    { "c205", "isa", "--json", "%json" },
+    { "c205", "check", "1", "--start", "-o", "%started.s" },
+    { "c205", "check", "1", "%endless.s", "--json", "%json" },
+    { "rt205", "render", "scenes/first.pov", "-W", "80", "-H", "60", "-o",
+      "%png.png", "--json", "%json" },
+    { "rt205", "render", "scenes/first.pov", "-W", "800", "-H", "600",
+      "--mode", "scalar", "-o", "%png.png", "--resume", "%kept" },
+    { "rt205", "profile", "scenes/first.pov", "-W", "40", "-H", "30",
+      "--json", "%json" },
+    { "rt205", "sweep", "queue", "sphere", "-W", "32", "-H", "32", "--json",
+      "%json" },
+    { "rt205", "speedup", "--json", "%json" },
+    { "rt205", "heat", "%bay.pov", "--rays", "64", "--exchange",
+      "--temperature", "default=300", "--json", "%json", "-o", "%png.png" },
+    { "rt205", "mass", "scenes/piston.pov", "--json", "%json" },
+    { "rt205", "timeline", "scenes/first.pov", "-o", "%svg.svg" },
+};
+enum { COMMANDS = sizeof commands / sizeof *commands };
+
+static const int signals[] = { SIGINT,  SIGTERM, SIGHUP,
+                               SIGQUIT, SIGUSR1, SIGPIPE };
+
+/* ---- Processes --------------------------------------------------------------- */
+
+static void path_of(char path[PATH], const char *name)
+{
+    snprintf(path, PATH, "%s/%s", folder, name);
+}
+
+/* All signals do what they do in a shell; what is printed is not read. */
+static void become(const char *const *given, int in, int out)
+{
+    const char *built = getenv("RT205_LIBDIR");
+    char paths[WORDS][PATH], command[1000], *words[WORDS + 1] = { NULL };
+
+    for (size_t i = 0; given[i]; i++) {
+        snprintf(paths[i], PATH, "%s", given[i]);
+        if (*given[i] == '%')
+            path_of(paths[i], given[i] + 1);
+        words[i] = paths[i];
+    }
+    for (int number = 1; number < 32; number++)
+        signal(number, SIG_DFL);
+    dup2(in, STDIN_FILENO);
+    dup2(out, STDOUT_FILENO);
+    freopen("/dev/null", "w", stderr);
+    snprintf(command, sizeof command, "%s/%s", built ? built : "build",
+             words[0]);
+    execv(command, words);
+    _exit(127);
+}
+
+static pid_t begin(const char *const *words, int in, int out)
+{
+    pid_t process = fork();
+
+    assert_true(process >= 0);
+    if (process == 0)
+        become(words, in, out);
+    return process;
+}
+
+/* The exit status, or minus the signal. */
+static int end(pid_t process)
+{
+    int status = 0;
+
+    assert_int_equal(waitpid(process, &status, 0), process);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+static void wait_for(int milliseconds)
+{
+    poll(NULL, 0, milliseconds);
+}
+
+/* ---- Files -------------------------------------------------------------------- */
+
+static void write_file(const char *name, const char *text)
+{
+    char path[PATH];
+    FILE *file;
+
+    path_of(path, name);
+    file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static size_t read_file(const char *name, char text[TEXT])
+{
+    char path[PATH];
+    FILE *file;
+    size_t length;
+
+    path_of(path, name);
+    file = fopen(path, "r");
+    assert_non_null(file);
+    length = fread(text, 1, TEXT - 1, file);
+    fseek(file, length < TEXT - 1 ? 0 : -16, SEEK_END);
+    if (length == TEXT - 1)
+        length = fread(text, 1, 16, file);
+    fclose(file);
+    text[length] = '\0';
+    return length;
+}
+
+static const char old[] = "the old file\n";
+
+/* How a whole file of that name ends; "": in any way. */
+static const char *ending_of(const char *name)
+{
+    return strcmp(name, "json") == 0      ? "}\n"
+           : strcmp(name, "svg.svg") == 0 ? "</svg>\n"
+           : strcmp(name, "png.png") == 0 ? "IEND\xAE\x42\x60\x82"
+                                          : "";
+}
+
+static void check_file(const char *name, const char *command, int number)
+{
+    char text[TEXT];
+    size_t length = read_file(name, text), wanted = strlen(ending_of(name));
+
+    if (strcmp(text, old) != 0
+        && (length < 2 || length < wanted
+            || memcmp(text + length - wanted, ending_of(name), wanted) != 0))
+        fail_msg("%s, signal %d: %s is no whole file", command, number, name);
+}
+
+static bool is_input(const char *name)
+{
+    for (size_t i = 0; i < INPUTS; i++)
+        if (strcmp(name, inputs[i].name) == 0)
+            return true;
+    return false;
+}
+
+/* No file but those that are named. */
+static void check_folder(const char *const *words, int number)
+{
+    DIR *directory = opendir(folder);
+    struct dirent *entry;
+    char command[100];
+
+    assert_non_null(directory);
+    snprintf(command, sizeof command, "%s %s", words[0], words[1]);
+    while ((entry = readdir(directory))) {
+        size_t i = 0;
+
+        if (*entry->d_name == '.' || is_input(entry->d_name))
+            continue;
+        while (words[i]
+               && !(*words[i] == '%'
+                    && strcmp(words[i] + 1, entry->d_name) == 0))
+            i++;
+        if (!words[i])
+            fail_msg("%s, signal %d: leaves %s", command, number,
+                     entry->d_name);
+        if (strcmp(entry->d_name, "kept") != 0)
+            check_file(entry->d_name, command, number);
+    }
+    closedir(directory);
+}
+
+static void remove_files(void)
+{
+    DIR *directory = opendir(folder);
+    struct dirent *entry;
+    char path[300];
+
+    while (directory && (entry = readdir(directory))) {
+        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
+        if (*entry->d_name != '.' && !is_input(entry->d_name))
+            unlink(path);
+    }
+    closedir(directory);
+}
+
+/* ---- Commands that write --------------------------------------------------------- */
+
+/* Not of what is read, or is there while the command works. */
+static void write_old_files(const char *const *words)
+{
+    for (size_t i = 0; words[i]; i++)
+        if (*words[i] == '%' && !is_input(words[i] + 1)
+            && strcmp(words[i], "%kept") != 0)
+            write_file(words[i] + 1, old);
+}
+
+/* Most work is begun after some milliseconds; a second signal ends what has not ended soon. */
+static void check_command(const char *const *words, int number)
+{
+    int null = open("/dev/null", O_RDWR), status;
+    int delay = below(2) ? below(30) : below(300);
+    pid_t process;
+
+    remove_files();
+    if (below(2))
+        write_old_files(words);
+    process = begin(words, null, null);
+    wait_for(delay);
+    kill(process, number);
+    wait_for(below(100));
+    kill(process, number);
+    status = end(process);
+    close(null);
+    if (status != 0 && status != 1 && status != -number)
+        fail_msg("%s %s, signal %d: ends with %d", words[0], words[1], number,
+                 status);
+    check_folder(words, number);
+}
+
+static void test_commands(void **state)
+{
+    (void)state;
+    for (size_t round = 0; round < rounds; round++)
+        for (size_t i = 0; i < COMMANDS; i++)
+            check_command(commands[i],
+                          signals[below(
+                              (int)(sizeof signals / sizeof *signals))]);
+}
+
+/* nohup has SIGHUP ignored, and so it stays. */
+static void test_nohup(void **state)
+{
+    char command[400];
+
+    (void)state;
+    snprintf(command, sizeof command,
+             "trap '' HUP; \"${RT205_LIBDIR:-build}/c205\" run "
+             "asm/examples/sieve.s --json %s/json >/dev/null & "
+             "kill -HUP $!; wait $!",
+             folder);
+    assert_int_equal(system(command), 0);
+}
+
+static int make_folder(void **state)
+{
+    (void)state;
+    if (!mkdtemp(folder))
+        return -1;
+    for (size_t i = 0; i < INPUTS; i++)
+        write_file(inputs[i].name, inputs[i].text);
+    return 0;
+}
+
+static int remove_folder(void **state)
+{
+    char path[PATH];
+
+    (void)state;
+    remove_files();
+    for (size_t i = 0; i < INPUTS; i++) {
+        path_of(path, inputs[i].name);
+        unlink(path);
+    }
+    return rmdir(folder);
+}
+
+int main(void)
+{
+    const char *wanted = getenv("SIGNALS");
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_commands),
+        cmocka_unit_test(test_nohup),
+    };
+
+    if (wanted)
+        rounds = (size_t)strtoul(wanted, NULL, 10);
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}
