@@ -9,8 +9,15 @@
 struct dialogue {
     const struct dialogue_setup *setup;
     struct debugger *debugger;
-    bool quit, terminal;
+    bool quit, terminal, interrupted;
 };
+
+/* Ctrl-C ends one movement. */
+static void note_interrupt(struct dialogue *dialogue)
+{
+    dialogue->interrupted |= interrupt_came();
+    interrupt_forget();
+}
 
 /* Lines of a script are shown as if somebody had typed them.  False: they cannot be read. */
 static bool obey_all(struct dialogue *dialogue, FILE *file)
@@ -18,13 +25,15 @@ static bool obey_all(struct dialogue *dialogue, FILE *file)
     const char *prompt = dialogue->setup->prompt;
     struct typed_lines lines = typed_lines_of(file, dialogue->setup->verb);
     const char *line;
-    while (!dialogue->quit
+    interrupt_catch_lines(lines.terminal);
+    while (!dialogue->quit && !interrupt_ends()
            && (line = typed_lines_next(&lines, prompt)) != NULL) {
         if (!lines.terminal) {
             printf("%s%s\n", prompt, line);
         }
-        interrupt_forget();
+        note_interrupt(dialogue);
         dialogue->quit = !debugger_obey(dialogue->debugger, line);
+        note_interrupt(dialogue);
     }
     dialogue->terminal |= lines.terminal;
     if (lines.terminal && !dialogue->quit) {
@@ -44,24 +53,36 @@ static bool obey_script(struct dialogue *dialogue, const char *path)
     return good;
 }
 
+static bool is_good(const struct dialogue *dialogue)
+{
+    return dialogue->terminal
+           || (!dialogue->interrupted
+               && debugger_faults(dialogue->debugger) == 0);
+}
+
 int dialogue_hold(const struct dialogue_setup *setup,
                   struct debugger *debugger)
 {
     const struct command_texts *scripts = setup->scripts;
     struct dialogue dialogue = { .setup = setup, .debugger = debugger };
+    const char *unread = NULL;
     interrupt_catch();
     debugger_greet(debugger);
     if (scripts->count == 0 && !obey_all(&dialogue, stdin)) {
-        return cmd_failed(setup->command, "stdin cannot be read");
+        unread = "stdin";
     }
-    for (size_t i = 0; i < scripts->count && !dialogue.quit; i++) {
+    for (size_t i = 0; i < scripts->count && !dialogue.quit && !unread; i++) {
         if (!obey_script(&dialogue, scripts->items[i])) {
-            return cmd_failed(setup->command, "%s: it cannot be read",
-                              scripts->items[i]);
+            unread = scripts->items[i];
         }
     }
-    return dialogue.terminal || debugger_faults(debugger) == 0 ? CMD_DONE
-                                                               : CMD_FAILED;
+    if (interrupt_ends()) {
+        return cmd_failed(setup->command, "interrupted");
+    }
+    if (unread) {
+        return cmd_failed(setup->command, "%s: it cannot be read", unread);
+    }
+    return is_good(&dialogue) ? CMD_DONE : CMD_FAILED;
 }
 
 bool dialogue_interrupted(void *asked)

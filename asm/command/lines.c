@@ -4,12 +4,22 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/interrupt.h"
+
 #ifndef __wasi__
 #include <dlfcn.h>
+#include <errno.h>
+#include <signal.h>
+#include <sys/select.h>
 #endif
 
-/* WebAssembly's system interface opens no libraries. */
+/* WebAssembly's system interface opens no libraries and has no signals. */
 #ifdef __wasi__
+
+static bool wait_for_input(void)
+{
+    return true;
+}
 
 static void open_library(struct typed_lines *lines,
                          const char *(*name)(size_t i))
@@ -19,8 +29,40 @@ static void open_library(struct typed_lines *lines,
 
 #else
 
+/* False: a signal has come, at any time since the last one was forgotten. */
+static bool wait_for_input(void)
+{
+    sigset_t all, before;
+    fd_set input;
+    bool ready = false;
+
+    sigfillset(&all);
+    while (!ready && !interrupt_came()) {
+        FD_ZERO(&input);
+        FD_SET(STDIN_FILENO, &input);
+        sigprocmask(SIG_BLOCK, &all, &before);
+        if (!interrupt_came())
+            ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL,
+                            &before)
+                        >= 0
+                    || errno != EINTR;
+        sigprocmask(SIG_SETMASK, &before, NULL);
+    }
+    return !interrupt_came();
+}
+
 /* What libedit has of readline's interface. */
 typedef char *generator(const char *text, int state);
+typedef int getter(FILE *file);
+
+/* libedit's own function continues after the first signal. */
+static int read_byte(FILE *file)
+{
+    unsigned char byte;
+
+    (void)file;
+    return wait_for_input() && read(STDIN_FILENO, &byte, 1) == 1 ? byte : EOF;
+}
 
 static const char *(*names)(size_t i); /* libedit knows no context */
 
@@ -40,6 +82,7 @@ static void open_library(struct typed_lines *lines,
 {
     void *library = dlopen("libedit.so.2", RTLD_NOW);
     generator **entry;
+    getter **get;
 
     if (!library)
         return;
@@ -47,9 +90,13 @@ static void open_library(struct typed_lines *lines,
     *(void **)&lines->read = dlsym(library, "readline");
     *(void **)&lines->keep = dlsym(library, "add_history");
     entry = (generator **)dlsym(library, "rl_completion_entry_function");
-    if (!lines->read || !lines->keep)
+    get = (getter **)dlsym(library, "rl_getc_function");
+    if (!lines->read || !lines->keep || !get) {
         lines->read = NULL;
-    else if (entry)
+        return;
+    }
+    *get = read_byte;
+    if (entry)
         *entry = complete;
 }
 
@@ -75,17 +122,16 @@ static const char *read_edited(struct typed_lines *lines, const char *prompt)
     return lines->text;
 }
 
-const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
+static const char *read_plain(struct typed_lines *lines, const char *prompt)
 {
     ssize_t length;
 
-    fflush(stdout);
-    if (lines->read)
-        return read_edited(lines, prompt);
     if (lines->terminal) {
         fputs(prompt, stdout);
         fflush(stdout);
     }
+    if (lines->terminal && !wait_for_input())
+        return NULL;
     length = getline(&lines->text, &lines->capacity, lines->file);
     lines->failed = length < 0 && ferror(lines->file);
     if (length < 0)
@@ -93,6 +139,27 @@ const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
     if (length > 0 && lines->text[length - 1] == '\n')
         lines->text[length - 1] = '\0';
     return lines->text;
+}
+
+/* A line without an end, since Ctrl-C came: there is another one. */
+static bool is_dropped(const struct typed_lines *lines)
+{
+    return lines->terminal && interrupt_came() && !interrupt_ends();
+}
+
+const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
+{
+    for (;;) {
+        const char *line;
+
+        fflush(stdout);
+        line = lines->read ? read_edited(lines, prompt)
+                           : read_plain(lines, prompt);
+        if (line || !is_dropped(lines))
+            return line;
+        interrupt_forget();
+        putchar('\n');
+    }
 }
 
 void typed_lines_free(struct typed_lines *lines)

@@ -15,7 +15,7 @@
 #include "tests/random.h"
 
 enum { WORDS = 20, PATH = 100, TEXT = 4096 };
-static size_t rounds = 2;
+static size_t rounds = 1;
 static uint64_t random_state = RANDOM_SEED;
 
 static int below(int end)
@@ -286,6 +286,84 @@ static void test_nohup(void **state)
     assert_int_equal(system(command), 0);
 }
 
+/* ---- Scripts ------------------------------------------------------------------------ */
+
+static const char *const debug_words[] = { "c205", "debug", "%endless.s",
+                                           NULL };
+static const char *const script_words[] = { "c205",   "debug",      "-x",
+                                            "%lines", "%endless.s", NULL };
+static const char *const render_words[] = {
+    "rt205",  "render", "scenes/first.pov", "-W",      "400", "-H",     "300",
+    "--mode", "scalar", "--debug",          "200,150", "-x",  "%lines", NULL
+};
+
+/* From a file or, the end of the input being far, from a pipe: what it prints. */
+static int run_script(const char *const *words, const char *lines, int number,
+                      char said[TEXT])
+{
+    int to[2], from[2], status;
+    size_t length = 0;
+    ssize_t count;
+    pid_t process;
+
+    write_file("lines", lines);
+    assert_int_equal(pipe(to), 0);
+    assert_int_equal(pipe(from), 0);
+    for (int i = 0; i < 2; i++) {
+        fcntl(to[i], F_SETFD, FD_CLOEXEC);
+        fcntl(from[i], F_SETFD, FD_CLOEXEC);
+    }
+    process = begin(words, to[0], from[1]);
+    close(to[0]);
+    close(from[1]);
+    if (words == debug_words)
+        assert_int_equal(write(to[1], lines, strlen(lines)), strlen(lines));
+    /* The debugger has begun when it greets. */
+    said[0] = '\0';
+    while (!strstr(said, "=>") && length < TEXT - 1
+           && (count = read(from[0], said + length, TEXT - 1 - length)) > 0)
+        said[length += (size_t)count] = '\0';
+    wait_for(20 + below(200));
+    kill(process, number);
+    if (number == SIGINT) {
+        wait_for(300);
+        close(to[1]);
+    }
+    while (length < TEXT - 1
+           && (count = read(from[0], said + length, TEXT - 1 - length)) > 0)
+        said[length += (size_t)count] = '\0';
+    status = end(process);
+    if (number != SIGINT)
+        close(to[1]);
+    close(from[0]);
+    return status;
+}
+
+/* SIGTERM and SIGHUP end the command, Ctrl-C one movement; neither ends with 0. */
+static void test_scripts(void **state)
+{
+    static const char lines[] = "continue\nprint 6 * 7\n";
+    static const int ends[] = { SIGTERM, SIGHUP };
+    char said[TEXT];
+
+    (void)state;
+    for (size_t i = 0; i < 2; i++) {
+        assert_int_equal(run_script(script_words, lines, ends[i], said), 1);
+        assert_null(strstr(said, "42  X'2A'"));
+        assert_int_equal(run_script(debug_words, lines, ends[i], said), 1);
+        assert_null(strstr(said, "42  X'2A'"));
+        assert_int_equal(run_script(debug_words, "", ends[i], said), 1);
+    }
+    assert_int_equal(run_script(script_words, lines, SIGINT, said), 1);
+    assert_non_null(strstr(said, "42  X'2A'"));
+    assert_int_equal(run_script(debug_words, lines, SIGINT, said), 1);
+    assert_non_null(strstr(said, "42  X'2A'"));
+    assert_int_equal(run_script(render_words, "goto 100000000\n", SIGTERM,
+                                said),
+                     1);
+    remove_files();
+}
+
 static int make_folder(void **state)
 {
     (void)state;
@@ -315,6 +393,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_commands),
         cmocka_unit_test(test_nohup),
+        cmocka_unit_test(test_scripts),
     };
 
     if (wanted)

@@ -1,0 +1,286 @@
+/* test_terminal.c - a debugger at a terminal: Ctrl-C stops the program or drops the line that is
+ * typed, and nothing else; SIGTERM and SIGHUP end the command.  With libedit and without it. */
+#define _XOPEN_SOURCE 700
+
+#include "tests/unit/asm_helper.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/sink.h"
+#include "tests/random.h"
+
+enum { ROUNDS = 10, MILLISECONDS_MOST = 20000 };
+
+static uint64_t random_state = RANDOM_SEED;
+
+static size_t below(size_t end)
+{
+    return (size_t)(xorshift(&random_state) % end);
+}
+
+/* An endless program; and a folder whose libedit cannot be opened. */
+static char folder[] = "/tmp/terminal.XXXXXX", program[40];
+
+struct terminal {
+    int master;
+    pid_t process;
+    struct text_buffer said;
+    size_t seen; /* of what was said */
+    unsigned
+        asked; /* questions whose answer shows that all before was done */
+};
+
+/* ---- A process at a terminal ----------------------------------------------- */
+
+static void become(const char *name, bool libedit, char *const *words)
+{
+    const char *built = getenv("RT205_LIBDIR");
+    char command[1000];
+
+    signal(SIGHUP, SIG_DFL); /* nohup ignores it */
+    if (setsid() < 0)
+        _exit(127);
+    int slave = open(name, O_RDWR);
+    for (int i = 0; i < 3; i++)
+        dup2(slave, i);
+    setenv("TERM", "xterm", 1);
+    if (!libedit)
+        setenv("LD_LIBRARY_PATH", folder, 1);
+    snprintf(command, sizeof command, "%s/%s", built ? built : "build",
+             words[0]);
+    execv(command, words);
+    _exit(127);
+}
+
+static void begin(struct terminal *terminal, bool libedit, char *const *words)
+{
+    *terminal = (struct terminal){ .master = posix_openpt(O_RDWR
+                                                          | O_NOCTTY) };
+    assert_true(terminal->master >= 0);
+    assert_int_equal(grantpt(terminal->master), 0);
+    assert_int_equal(unlockpt(terminal->master), 0);
+    terminal->process = fork();
+    assert_true(terminal->process >= 0);
+    if (terminal->process == 0)
+        become(ptsname(terminal->master), libedit, words);
+}
+
+static void type(struct terminal *terminal, const char *text)
+{
+    size_t length = strlen(text);
+
+    assert_int_equal(write(terminal->master, text, length), length);
+}
+
+/* More of what it says, for so long at the most; false: nothing came, or it has ended. */
+static bool listen_on(struct terminal *terminal, int milliseconds)
+{
+    struct pollfd input = { .fd = terminal->master, .events = POLLIN };
+    struct sink sink = text_buffer_sink(&terminal->said);
+    char bytes[1000];
+    ssize_t count;
+
+    if (poll(&input, 1, milliseconds) <= 0)
+        return false;
+    count = read(terminal->master, bytes, sizeof bytes);
+    if (count > 0)
+        sink.put(sink.context, bytes, (size_t)count);
+    return count > 0;
+}
+
+static bool hears(struct terminal *terminal, const char *text,
+                  int milliseconds)
+{
+    const char *found = NULL;
+
+    do {
+        found = terminal->said.text
+                    ? strstr(terminal->said.text + terminal->seen, text)
+                    : NULL;
+    } while (!found && listen_on(terminal, milliseconds));
+    if (found)
+        terminal->seen = (size_t)(found - terminal->said.text) + strlen(text);
+    return found;
+}
+
+static void expect(struct terminal *terminal, const char *text)
+{
+    if (!hears(terminal, text, MILLISECONDS_MOST))
+        fail_msg("not '%s': %s", text, terminal->said.text);
+}
+
+/* When it answers, it has obeyed all lines before. */
+static void ask(struct terminal *terminal)
+{
+    char line[80];
+
+    snprintf(line, sizeof line, "print %u\n", 1000 + ++terminal->asked);
+    type(terminal, line);
+    snprintf(line, sizeof line, "%u  X'%X'", 1000 + terminal->asked,
+             1000 + terminal->asked);
+    expect(terminal, line);
+}
+
+static int end(struct terminal *terminal)
+{
+    int status = 0;
+
+    while (listen_on(terminal, MILLISECONDS_MOST))
+        continue;
+    close(terminal->master);
+    assert_int_equal(waitpid(terminal->process, &status, 0),
+                     terminal->process);
+    text_buffer_free(&terminal->said);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+static void wait_a_moment(void)
+{
+    poll(NULL, 0, (int)below(20));
+}
+
+/* ---- Sessions --------------------------------------------------------------- */
+
+static char *const debug_words[] = { "c205", "debug", program, NULL };
+static char *const render_words[] = { "rt205", "render",  "scenes/first.pov",
+                                      "-W",    "40",      "-H",
+                                      "30",    "--debug", "20,15",
+                                      NULL };
+
+/* Parts of lines, and whole ones, with Ctrl-C anywhere: at the end there is the breakpoint of the
+ * beginning, and nothing that was dropped has been obeyed. */
+static void check_drops(struct terminal *terminal)
+{
+    static const char *const dropped[] = {
+        "", "delete", "dele", "qu", "quit", "delete 1", "q", "brea"
+    };
+
+    ask(terminal);
+    type(terminal, "break insn EXIT\n");
+    expect(terminal, "break 1: insn EXIT");
+    for (size_t i = 0; i < ROUNDS; i++) {
+        if (below(2))
+            ask(terminal);
+        wait_a_moment();
+        type(terminal, dropped[below(sizeof dropped / sizeof *dropped)]);
+        wait_a_moment();
+        for (size_t n = below(3); n < 3; n++)
+            type(terminal, "\003");
+        wait_a_moment();
+    }
+    ask(terminal);
+    type(terminal, "info breaks\n");
+    expect(terminal, "1 break insn EXIT, met 0 times");
+}
+
+/* A Ctrl-C before the line is read drops it: so it is typed again. */
+static void check_program(struct terminal *terminal)
+{
+    for (size_t i = 0; i < 3; i++) {
+        size_t tries = 0;
+
+        do {
+            type(terminal, "continue\n");
+            poll(NULL, 0, 100);
+            type(terminal, "\003");
+        } while (!hears(terminal, "interrupted", 500) && ++tries < 40);
+        assert_true(tries < 40);
+        wait_a_moment();
+        type(terminal, "\003\003");
+    }
+}
+
+static void check_session(char *const *words, bool libedit)
+{
+    struct terminal terminal;
+
+    begin(&terminal, libedit, words);
+    check_drops(&terminal);
+    if (words == debug_words)
+        check_program(&terminal);
+    type(&terminal, "# \303\251\377\003pri\t2 * 21\n");
+    expect(&terminal, "42  X'2A'");
+    type(&terminal, "quit\n");
+    assert_int_equal(end(&terminal), 0);
+}
+
+static void test_ctrl_c(void **state)
+{
+    (void)state;
+    check_session(debug_words, true);
+    check_session(debug_words, false);
+    check_session(render_words, true);
+    check_session(render_words, false);
+}
+
+/* At the prompt, in the middle of a line, and while the program runs. */
+static void test_ends(void **state)
+{
+    static const char *const typed[] = { "", "print", "continue\n" };
+    static const int signals[] = { SIGTERM, SIGHUP };
+
+    (void)state;
+    for (size_t i = 0; i < 12; i++) {
+        struct terminal terminal;
+
+        begin(&terminal, i % 2 == 0, debug_words);
+        ask(&terminal);
+        type(&terminal, typed[i / 4]);
+        poll(NULL, 0, 100);
+        kill(terminal.process, signals[i / 2 % 2]);
+        if (end(&terminal) != 1)
+            fail_msg("typed '%s', signal %d", typed[i / 4],
+                     signals[i / 2 % 2]);
+    }
+}
+
+/* ---- The folder -------------------------------------------------------------- */
+
+static void write_file(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+
+    assert_non_null(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+static int make_folder(void **state)
+{
+    char path[80];
+
+    (void)state;
+    if (!mkdtemp(folder))
+        return -1;
+    snprintf(path, sizeof path, "%s/libedit.so.2", folder);
+    write_file(path, "");
+    snprintf(program, sizeof program, "%s/p.s", folder);
+    write_file(program, "loop:   BIM loop\n        EXIT\n");
+    return 0;
+}
+
+static int remove_folder(void **state)
+{
+    char path[80];
+
+    (void)state;
+    snprintf(path, sizeof path, "%s/libedit.so.2", folder);
+    unlink(path);
+    unlink(program);
+    return rmdir(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ctrl_c),
+        cmocka_unit_test(test_ends),
+    };
+
+    return cmocka_run_group_tests(tests, make_folder, remove_folder);
+}
