@@ -268,8 +268,7 @@ static void include(struct expander *expander, struct cursor *cursor)
     if (source_find(expander->assembler, name, from, &source))
         push_source(expander, cursor->line, &source);
     else
-        report(expander->assembler, cursor->line, at,
-               "'%.200s' cannot be read, or is nowhere to be found", name);
+        source_fault(expander->assembler, cursor->line, at, name);
 }
 
 static void stray(struct expander *expander, struct cursor *cursor)

@@ -280,9 +280,7 @@ bool parse_incfile(struct cursor *cursor)
     if (!name || !read_wishes(&file))
         return false;
     if (!source_find(cursor->assembler, name, file_of(cursor->line), &source))
-        return report(cursor->assembler, cursor->line, at,
-                      "'%.200s' cannot be read, or is nowhere to be found",
-                      name);
+        return source_fault(cursor->assembler, cursor->line, at, name);
     return read_lines(&file, &source)
            && layout_known(cursor, file.words, file.count);
 }

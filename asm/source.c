@@ -1,5 +1,6 @@
 #include "asm/source.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -87,6 +88,7 @@ bool source_find(struct assembler *assembler, const char *name,
     const char *const *folder = options ? options->search : NULL;
     const char *slash = strrchr(from, '/');
 
+    errno = 0;
     if (carried)
         return join_lines(assembler, carried, source);
     if (options && options->sealed)
@@ -96,8 +98,19 @@ bool source_find(struct assembler *assembler, const char *name,
     if (read_from(assembler, from, slash ? (size_t)(slash - from) + 1 : 0,
                   name, source))
         return true;
-    for (; folder && *folder; folder++)
+    for (; folder && *folder && errno != ETXTBSY; folder++)
         if (read_from(assembler, *folder, strlen(*folder), name, source))
             return true;
     return false;
+}
+
+bool source_fault(struct assembler *assembler, const struct line *line,
+                  const char *at, const char *name)
+{
+    return errno == ETXTBSY
+               ? report(assembler, line, at, "'%.200s': %s", name,
+                        file_reason(errno))
+               : report(assembler, line, at,
+                        "'%.200s' cannot be read, or is nowhere to be found",
+                        name);
 }

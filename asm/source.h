@@ -13,5 +13,8 @@ struct asm_source {
  * in the folder of the file from; else one in the folders to search. */
 bool source_find(struct assembler *assembler, const char *name,
                  const char *from, struct asm_source *source);
+/* Reports why it was not found, at the directive; false. */
+bool source_fault(struct assembler *assembler, const struct line *line,
+                  const char *at, const char *name);
 
 #endif

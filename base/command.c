@@ -7,6 +7,7 @@
 
 #include "base/command_rows.h"
 #include "base/nearest.h"
+#include "base/outputs.h"
 
 static bool is_one_command(const struct command_program *program)
 {
@@ -79,6 +80,7 @@ static int run(const struct command_program *program,
     memcpy(arguments, &full_name, sizeof full_name);
     int code = start(program, command, argc, argv, arguments);
     command_free(command, arguments);
+    outputs_clear();
     free(arguments);
     return finish(name, code);
 }

@@ -8,6 +8,7 @@
 #include "base/command_rows.h"
 #include "base/file.h"
 #include "base/nearest.h"
+#include "base/outputs.h"
 
 const struct command_option
     command_help_option = { .name = "help",
@@ -409,68 +410,106 @@ static int parse_operands(const struct parsing *parsing, char **words)
 
 /* ---- Files that get in each other's way --------------------------------- */
 
-/* The i-th file that the option has written; NULL: there are no more. */
-static const char *written_by(const struct parsing *parsing,
-                              const struct command_option *option, size_t i)
+static bool is_output(const struct command_option *row)
 {
-    const struct command_texts *texts = place_of(option, parsing->arguments);
+    return row->kind == COMMAND_OUTPUT || row->kind == COMMAND_FILE;
+}
+
+/* The i-th file of an option or operand; NULL: there are no more. */
+static const char *path_of(const struct parsing *parsing,
+                           const struct command_option *row, size_t i)
+{
+    const struct command_texts *texts = place_of(row, parsing->arguments);
     const char *path = NULL;
-    if (option->kind != COMMAND_OUTPUT && option->kind != COMMAND_FILE) {
+    if (!is_output(row) && row->kind != COMMAND_INPUT) {
         return NULL;
     }
-    if (option->many) {
+    if (row->many) {
         return i < texts->count ? texts->items[i] : NULL;
     }
     memcpy(&path, texts, sizeof path);
     return i == 0 ? path : NULL;
 }
 
-static bool writes(const struct parsing *parsing,
-                   const struct command_option *option, const char *path)
+/* Whether a file of the row is the one at the path.  The name of a model is no
+ * file. */
+static bool names(const struct parsing *parsing,
+                  const struct command_option *row, const char *path)
 {
     const char *other;
-    for (size_t i = 0; (other = written_by(parsing, option, i)); i++) {
-        if (file_is_one(path, other)) {
+    int number;
+    for (size_t i = 0; (other = path_of(parsing, row, i)); i++) {
+        bool is_name = row->choice && take_choice(other, row, &number);
+        if (!is_name && file_is_one(path, other)) {
             return true;
         }
     }
     return false;
 }
 
-static int check_outputs(const struct parsing *parsing)
+/* The first of these rows that names the file and is an output, or is an input;
+ * NULL: none does. */
+static const struct command_option *
+row_naming(const struct parsing *parsing, const struct command_option *row,
+           bool output, const char *path)
 {
-    const struct command_option *a = parsing->command->options, *b;
-    for (; command_is_row(a); a++) {
-        const char *path;
-        for (size_t i = 0; (path = written_by(parsing, a, i)); i++) {
-            for (b = a + 1; command_is_row(b); b++) {
-                if (writes(parsing, b, path)) {
-                    return cmd_usage(parsing->name,
-                                     "--%s and --%s name one file", a->name,
-                                     b->name);
-                }
-            }
-        }
+    while (command_is_row(row)
+           && !((output ? is_output(row) : row->kind == COMMAND_INPUT)
+                && names(parsing, row, path))) {
+        row++;
+    }
+    return command_is_row(row) ? row : NULL;
+}
+
+/* No option after this one writes the same file, and none reads it. */
+static int check_output(const struct parsing *parsing,
+                        const struct command_option *option, const char *path)
+{
+    const struct command *command = parsing->command;
+    const struct command_option *other = row_naming(parsing, option + 1, true,
+                                                    path);
+    if (other) {
+        return cmd_usage(parsing->name, "--%s and --%s name one file",
+                         option->name, other->name);
+    }
+    if (!file_is_stream(path) && !outputs_add(path)) {
+        return cmd_failed(parsing->name, "no memory");
+    }
+    if (outputs_has(path)
+        && (row_naming(parsing, command->options, false, path)
+            || row_naming(parsing, command->operands, false, path))) {
+        return cmd_usage(parsing->name, "--%s would write over the input %s",
+                         option->name, path);
     }
     return CMD_DONE;
 }
 
+static int check_outputs(const struct parsing *parsing)
+{
+    const struct command_option *option = parsing->command->options;
+    int code = CMD_DONE;
+    for (; command_is_row(option); option++) {
+        const char *path;
+        for (size_t i = 0; is_output(option) && code == CMD_DONE
+                           && (path = path_of(parsing, option, i));
+             i++) {
+            code = check_output(parsing, option, path);
+        }
+    }
+    return code;
+}
+
 /* How many of the rows' values are stdin. */
-static size_t streams_in(const struct command_option *row, void *arguments)
+static size_t streams_in(const struct parsing *parsing,
+                         const struct command_option *row)
 {
     size_t count = 0;
     for (; command_is_row(row); row++) {
-        const struct command_texts *texts = place_of(row, arguments);
         const char *path;
-        if (row->kind != COMMAND_INPUT) {
-            continue;
-        }
-        for (size_t i = 0; row->many && i < texts->count; i++) {
-            count += file_is_stream(texts->items[i]);
-        }
-        if (!row->many) {
-            memcpy(&path, texts, sizeof path);
-            count += path && file_is_stream(path);
+        for (size_t i = 0;
+             row->kind == COMMAND_INPUT && (path = path_of(parsing, row, i));
+             i++) {
+            count += file_is_stream(path);
         }
     }
     return count;
@@ -478,9 +517,8 @@ static size_t streams_in(const struct command_option *row, void *arguments)
 
 static int check_inputs(const struct parsing *parsing)
 {
-    size_t streams = streams_in(parsing->command->options, parsing->arguments)
-                     + streams_in(parsing->command->operands,
-                                  parsing->arguments);
+    size_t streams = streams_in(parsing, parsing->command->options)
+                     + streams_in(parsing, parsing->command->operands);
     return streams <= 1
                ? CMD_DONE
                : cmd_usage(parsing->name, "only one file can be -, stdin");

@@ -1,5 +1,7 @@
 #include "base/file.h"
 
+#include "base/outputs.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -50,6 +52,24 @@ bool file_ends_with(const char *path, const char *ending)
     return length > rest && strcmp(path + length - rest, ending) == 0;
 }
 
+const char *file_reason(int code)
+{
+    return code == EFBIG     ? "this file is too large"
+           : code == ETXTBSY ? "an output of this command cannot be an input"
+                             : strerror(code);
+}
+
+static bool is_output(FILE *file)
+{
+    struct stat status;
+    bool refused = fstat(fileno(file), &status) == 0
+                   && outputs_refuse(&status);
+
+    if (refused)
+        errno = ETXTBSY;
+    return refused;
+}
+
 char *file_read(const char *path, size_t largest, size_t *length,
                 c205_error *error)
 {
@@ -59,18 +79,19 @@ char *file_read(const char *path, size_t largest, size_t *length,
 
     errno = 0;
     file = file_is_stream(path) ? stdin : fopen(path, "rb");
-    if (file)
+    *length = 0;
+    if (file && !is_output(file)) {
         text = read_stream(file, largest, length);
-    if (file && text && !ferror(file))
-        errno = 0;
-    why = reason(file, text, file ? *length : 0, largest);
+        if (text && !ferror(file))
+            errno = 0;
+    }
+    why = reason(file, text, *length, largest);
     if (file && file != stdin)
         fclose(file);
     if (!why)
         return text;
     free(text);
-    snprintf(error->message, sizeof error->message, "%s",
-             why == EFBIG ? "this file is too large" : strerror(why));
+    snprintf(error->message, sizeof error->message, "%s", file_reason(why));
     errno = why;
     return NULL;
 }
@@ -105,12 +126,18 @@ static bool find_place(const char *path, struct stat *folder,
     return stat(text, folder) == 0;
 }
 
+static bool is_same(const struct stat *a, const struct stat *b)
+{
+    return a->st_dev == b->st_dev && a->st_ino == b->st_ino;
+}
+
 bool file_is_one(const char *a, const char *b)
 {
     struct stat in_a, in_b;
     const char *name_a, *name_b;
 
+    if (stat(a, &in_a) == 0 && stat(b, &in_b) == 0)
+        return is_same(&in_a, &in_b);
     return find_place(a, &in_a, &name_a) && find_place(b, &in_b, &name_b)
-           && in_a.st_dev == in_b.st_dev && in_a.st_ino == in_b.st_ino
-           && strcmp(name_a, name_b) == 0;
+           && is_same(&in_a, &in_b) && strcmp(name_a, name_b) == 0;
 }

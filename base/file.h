@@ -13,16 +13,19 @@ enum { FILE_LARGEST = (1 << 28) - 2 }; /* bytes */
 
 /* The bytes of a file, or of stdin, and a NUL after them, to be freed; NULL: the error says
  * why, without naming the file, and errno is set.  Files of more than so many
- * bytes are refused (EFBIG), endless ones among them. */
+ * bytes are refused (EFBIG), endless ones among them; so is one that the command
+ * writes (ETXTBSY, see outputs.h). */
 char *file_read(const char *path, size_t largest, size_t *length,
                 c205_error *error);
+/* The text of such an errno. */
+const char *file_reason(int code);
 
 /* Whether a path names a file that ends: no folder, pipe or device, and it is there.  If not,
  * the error has what it is instead ("a folder"). */
 bool file_is_plain(const char *path, c205_error *error);
 
-/* Whether two paths name one file, however they are written; neither needs to
- * be there. */
+/* Whether two paths name one file, however they are written, links included;
+ * neither needs to exist. */
 bool file_is_one(const char *a, const char *b);
 
 #endif

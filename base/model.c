@@ -2,8 +2,11 @@
 
 #include "base/complain.h"
 #include "base/diagnostic.h"
+#include "base/error.h"
 #include "base/file.h"
+#include "base/outputs.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -57,6 +60,18 @@ static c205_model *open_file(const char *command, const char *name)
         model = read_model(command, name, text);
     free(text);
     return model;
+}
+
+c205_model *model_find(const char *name, c205_error *error)
+{
+    struct stat status;
+
+    if (c205_model_is_file(name) && stat(name, &status) == 0
+        && outputs_refuse(&status)) {
+        error_say(error, "%.180s: %s", name, file_reason(ETXTBSY));
+        return NULL;
+    }
+    return c205_model_find(name, error);
 }
 
 c205_model *model_open(const char *command, const char *name)

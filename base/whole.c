@@ -10,8 +10,9 @@
 
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/outputs.h"
 
-enum { SUFFIX_SIZE = 16, ATTEMPTS = 100 };
+enum { SUFFIX_SIZE = 16, ATTEMPTS = 100, MAX_LINKS = 40, PATH_SIZE = 4096 };
 
 static void tell(c205_error *error, const char *path, const char *why)
 {
@@ -19,10 +20,62 @@ static void tell(c205_error *error, const char *path, const char *why)
              why);
 }
 
+static bool is_stream(const struct stat *status, int number)
+{
+    struct stat stream;
+    return fstat(number, &stream) == 0 && stream.st_dev == status->st_dev
+           && stream.st_ino == status->st_ino;
+}
+
+/* What has nothing to keep, and where stdout or stderr go. */
 static bool is_special(const char *path)
 {
     struct stat status;
-    return lstat(path, &status) == 0 && !S_ISREG(status.st_mode);
+    if (stat(path, &status) != 0) {
+        return errno == ELOOP;
+    }
+    return !S_ISREG(status.st_mode) || is_stream(&status, STDOUT_FILENO)
+           || is_stream(&status, STDERR_FILENO);
+}
+
+/* What the symbolic link at a path leads to, from where the link is; NULL: it is
+ * no link.  The caller frees it. */
+static char *link_target(const char *path)
+{
+    struct stat status;
+    if (lstat(path, &status) != 0 || !S_ISLNK(status.st_mode)) {
+        return NULL;
+    }
+    const char *slash = strrchr(path, '/');
+    size_t folder = slash ? (size_t)(slash - path) + 1 : 0;
+    size_t size = folder + PATH_SIZE;
+    char *target = calloc(1, size);
+    if (!target || readlink(path, target + folder, PATH_SIZE - 1) < 0) {
+        free(target);
+        return NULL;
+    }
+    if (target[folder] == '/') {
+        memmove(target, target + folder, size - folder);
+    } else {
+        memcpy(target, path, folder);
+    }
+    return target;
+}
+
+/* A copy of the path with all links at its end followed; NULL: no memory. */
+static char *followed(const char *path)
+{
+    char *file = malloc(strlen(path) + 1), *target;
+    if (file) {
+        strcpy(file, path);
+    }
+    for (int i = 0; file && !is_special(file) && i < MAX_LINKS
+                    && (target = link_target(file));
+         i++) {
+        free(file);
+        file = target;
+    }
+    return file;
 }
 
 /* The first name "path.newN" that nobody uses. */
@@ -69,12 +122,11 @@ static bool close_place(struct whole *whole)
 struct whole *whole_open(const char *path, c205_error *error)
 {
     struct whole *whole = calloc(1, sizeof *whole);
-    if (!whole || !(whole->path = malloc(strlen(path) + 1))) {
+    if (!whole || !(whole->path = followed(path))) {
         free(whole);
         tell(error, path, "no memory");
         return NULL;
     }
-    strcpy(whole->path, path);
     whole->file = open_place(whole);
     if (!whole->file) {
         tell(error, path, strerror(errno));
@@ -113,6 +165,11 @@ static bool reaches_disk(const struct whole *whole)
 
 bool whole_commit(struct whole *whole, c205_error *error)
 {
+    if (outputs_refused(whole->path)) {
+        tell(error, whole->path, file_reason(ETXTBSY));
+        whole_discard(whole);
+        return false;
+    }
     errno = 0;
     bool good = reaches_disk(whole);
     good = close_place(whole) && good;

@@ -628,9 +628,11 @@ ends 0 "$build/c205" run vectors.s
 sed 1d out >whole.accounts
 ends 0 "$build/c205" run vectors.s --limit 700 --save middle
 tells out '^700 clocks'
-ends 0 "$build/c205" run --restore middle --limit 3000 --save middle
+ends 2 "$build/c205" run --restore middle --limit 3000 --save middle
+tells err 'save would write over the input middle'
+ends 0 "$build/c205" run --restore middle --limit 3000 --save further
 tells out '^3000 clocks'
-ends 0 "$build/c205" run --restore middle
+ends 0 "$build/c205" run --restore further
 tells out '^3001500'
 sed 1d out | cmp -s - whole.accounts
 verdict $? "a run that was stopped in vector instructions ends otherwise"

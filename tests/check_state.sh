@@ -1,10 +1,11 @@
 #!/bin/sh
 # check_state.sh BUILD - no library keeps state of its own: bands are traced in
 # threads, and a caller may have several machines.  Data that can be written is
-# told but for what stands here: a signal's.
+# reported but for these: the state of signals, and the list of the files that the
+# process writes, which is empty unless a command line is parsed.
 set -u
 build=$1
-allowed='interrupt.o:came interrupt.o:files interrupt.o:owner'
+allowed='interrupt.o:came interrupt.o:files interrupt.o:owner outputs.o:outputs'
 libraries="$build/libc205.a $build/libbase.a $build/libc205asm.a $build/libengine.a $build/librt205.a"
 
 # The words are files.

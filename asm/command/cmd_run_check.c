@@ -9,6 +9,7 @@
 #include "asm/expect.h"
 #include "asm/print.h"
 #include "asm/watch.h"
+#include "base/model.h"
 
 /* A program that never ends is a failure, too. */
 static const uint64_t patience = 100000000;
@@ -69,7 +70,7 @@ static bool make_machine(struct checker *checker, const char *model)
 {
     c205_error error;
     drop_machine(checker);
-    checker->model = c205_model_find(model, &error);
+    checker->model = model_find(model, &error);
     checker->machine = checker->model ? c205_new(checker->model, &error)
                                       : NULL;
     if (!checker->machine) {

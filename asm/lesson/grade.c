@@ -9,6 +9,7 @@
 #include "asm/print.h"
 #include "asm/trap_report.h"
 #include "base/error.h"
+#include "base/model.h"
 
 /* An answer that has not ended after so many clocks, and so many times those of bronze, is in an
  * endless loop; one that prints more characters than this never comes to an end either. */
@@ -141,8 +142,8 @@ static bool load_test(struct sitting *sitting)
 {
     const char *model = expect_model(sitting->test);
 
-    sitting->model = c205_model_find(model ? model : C205_DEFAULT_MODEL,
-                                     sitting->error);
+    sitting->model = model_find(model ? model : C205_DEFAULT_MODEL,
+                                sitting->error);
     if (!sitting->model)
         return false;
     sitting->data = c205_new(sitting->model, sitting->error);

@@ -5,6 +5,7 @@
 #include "asm/expect.h"
 #include "asm/lesson/parts.h"
 #include "base/error.h"
+#include "base/model.h"
 
 const char *lesson_wanted(const char *label)
 {
@@ -96,7 +97,7 @@ static bool check_model(const struct lesson_test *test,
 {
     const char *name = expect_model(object);
     c205_error why = { "nothing runs on its model, which only tells times" };
-    c205_model *model = name ? c205_model_find(name, &why) : NULL;
+    c205_model *model = name ? model_find(name, &why) : NULL;
     bool good = !name || (model && !c205_model_is_projection(model));
 
     c205_model_free(model);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/file.h"
+#include "base/outputs.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 
@@ -90,6 +91,8 @@ static int check_files(const struct rt205_arguments *arguments)
             && file_is_one(path, arguments->results.path))
             return cmd_usage(arguments->command,
                              "-o and --json name one file");
+        if (!outputs_add(path))
+            return cmd_failed(arguments->command, "no memory");
     }
     return CMD_DONE;
 }

@@ -33,9 +33,9 @@ function imports(memory, complain) {
   return {
     clock_time_get, fd_write, proc_exit,
     fd_close: noFile, fd_fdstat_get: noFile, fd_fdstat_set_flags: noFile,
-    fd_prestat_get: noFile, fd_prestat_dir_name: noFile, fd_read: noFile,
+    fd_filestat_get: noFile, fd_prestat_get: noFile, fd_prestat_dir_name: noFile, fd_read: noFile,
     fd_seek: noFile, fd_sync: noFile,
-    path_open: noFile, path_rename: noFile, path_unlink_file: noFile,
+    path_filestat_get: noFile, path_open: noFile, path_rename: noFile, path_unlink_file: noFile,
   };
 }
 

@@ -275,6 +275,7 @@ export class System {
       },
       path_filestat_get: (folder, links, path, length, to) =>
         this.statusOf(to, this.pathAt(path, length)),
+      path_readlink: () => errors.invalid, // there are no links
       path_rename: (folder, from, length, other, to, toLength) => {
         const path = this.pathAt(from, length);
         const file = this.files.get(path);

@@ -1,6 +1,8 @@
 /* reader.c - tokens in, reports out. */
 #include "rt/scene/language/reader.h"
 
+#include "base/file.h"
+
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -265,7 +267,7 @@ const struct scene_source *reader_find(struct reader *reader,
         reader_fault(reader, at, "there is no such file");
     else if (!source)
         reader_fault(reader, at, "the file cannot be read: %s",
-                     strerror(errno));
+                     file_reason(errno));
     if (reader->sources == before || ++reader->files <= FILES_MOST)
         return source;
     reader_fault(reader, at, "more than %d files are read", FILES_MOST);

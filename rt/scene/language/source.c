@@ -135,7 +135,7 @@ static struct scene_source *include_from_one(struct scene_source **list,
 {
     struct scene_source *source = NULL;
 
-    for (; !source && folders && *folders; folders++)
+    for (; !source && errno != ETXTBSY && folders && *folders; folders++)
         source = include_from(list, *folders, strlen(*folders), name);
     return source;
 }
@@ -160,7 +160,7 @@ struct scene_source *source_include(struct scene_source **list,
         source = include_from_one(list, search, name);
     if (!source && name[0] != '/')
         source = include_from_one(list, installed, name);
-    if (!source)
+    if (!source && errno != ETXTBSY) /* an output of the command */
         source = carried(list, name);
     if (source)
         source->library = true;

@@ -1,6 +1,7 @@
 #include "rt/study/fit/observations.h"
 
 #include "base/array.h"
+#include "base/model.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -82,7 +83,7 @@ static const c205_model *find_model(struct observations *all,
     if (!models)
         return NULL;
     all->models = models;
-    model = c205_model_find(name, error);
+    model = model_find(name, error);
     if (model)
         models[all->model_count++] = model;
     return model;

@@ -1,0 +1,79 @@
+/* outputs.c - see outputs.h. */
+#include "base/outputs.h"
+
+#include <stdlib.h>
+
+#include "base/array.h"
+
+struct output {
+    dev_t device;
+    ino_t inode;
+    bool is_input;
+};
+
+static struct {
+    struct output *items;
+    size_t count;
+} outputs;
+
+/* Of a regular file only; a device or a pipe has nothing to lose. */
+static struct output *find(const struct stat *status)
+{
+    for (size_t i = 0; S_ISREG(status->st_mode) && i < outputs.count; i++) {
+        if (outputs.items[i].device == status->st_dev
+            && outputs.items[i].inode == status->st_ino) {
+            return &outputs.items[i];
+        }
+    }
+    return NULL;
+}
+
+static struct output *find_path(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 ? find(&status) : NULL;
+}
+
+bool outputs_has(const char *path)
+{
+    return find_path(path) != NULL;
+}
+
+bool outputs_add(const char *path)
+{
+    struct stat status;
+    if (stat(path, &status) != 0) {
+        return true;
+    }
+    struct output *items = array_grow(outputs.items, outputs.count,
+                                      sizeof *items);
+    if (!items) {
+        return false;
+    }
+    outputs.items = items;
+    items[outputs.count++] = (struct output){ status.st_dev, status.st_ino,
+                                              false };
+    return true;
+}
+
+bool outputs_refuse(const struct stat *input)
+{
+    struct output *output = find(input);
+    if (output) {
+        output->is_input = true;
+    }
+    return output != NULL;
+}
+
+bool outputs_refused(const char *path)
+{
+    const struct output *output = find_path(path);
+    return output && output->is_input;
+}
+
+void outputs_clear(void)
+{
+    free(outputs.items);
+    outputs.items = NULL;
+    outputs.count = 0;
+}
