@@ -30,7 +30,8 @@ static bool define(struct assembler *assembler)
 static void start(struct assembler *assembler)
 {
     static const struct section sections[] = {
-        { ".code", CODE_ORIGIN, false }, { ".data", DATA_ORIGIN, false }
+        { .name = ".code", .at = CODE_ORIGIN },
+        { .name = ".data", .at = DATA_ORIGIN }
     };
 
     memcpy(assembler->sections, sections, sizeof sections);

@@ -165,6 +165,7 @@ struct section {
     const char *name;
     uint64_t at;
     bool moved; /* by .org */
+    bool full;  /* reported; what follows is left out, until .org */
 };
 
 /* A warning before it is known which of them the program means. */

@@ -56,6 +56,7 @@ static bool parse_org(struct cursor *cursor)
                       "a .kernel cannot be torn apart by .org");
     assembler->section->at = (uint64_t)address;
     assembler->section->moved = true;
+    assembler->section->full = false;
     return true;
 }
 

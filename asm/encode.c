@@ -168,13 +168,18 @@ static bool check_overlap(struct assembler *assembler)
 {
     const struct layout_item *items = assembler->items;
     size_t i, last = 0, before = assembler->diagnostics->errors;
+    const struct layout_item *run = NULL; /* reported at its first item */
 
     for (i = 1; i < assembler->item_count; i++) {
-        if (items[i].address < end_of(&items[last]))
-            report(assembler, items[i].line, items[i].line->begin,
-                   "address %" PRIX64 " is taken already, by %s:%zu",
-                   items[i].address, items[last].line->file,
-                   items[last].line->number);
+        if (items[i].address < end_of(&items[last])) {
+            if (!run || items[i].order != run->order + 1
+                || items[i].address != end_of(run))
+                report(assembler, items[i].line, items[i].line->begin,
+                       "address %" PRIX64 " is taken already, by %s:%zu",
+                       items[i].address, items[last].line->file,
+                       items[last].line->number);
+            run = &items[i];
+        }
         if (end_of(&items[i]) > end_of(&items[last]))
             last = i;
     }

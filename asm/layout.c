@@ -1,29 +1,50 @@
 /* layout.c - the two location counters and the items that lie at them. */
 #include "asm/statement.h"
 
+#include <stdio.h>
+
 enum { WORD_HALVES = 2, HALF_BITS = 32 };
+
+/* Once for a section: all that follows has no room either. */
+static bool report_full(struct cursor *cursor, const char *message)
+{
+    struct section *section = cursor->assembler->section;
+
+    if (!section->full)
+        report(cursor->assembler, cursor->line, cursor->line->begin, "%s",
+               message);
+    section->full = true;
+    return false;
+}
+
+static bool check_words(struct cursor *cursor, uint64_t halves)
+{
+    struct assembler *assembler = cursor->assembler;
+    char message[80];
+
+    assembler->words += (halves + 1) / WORD_HALVES;
+    if (assembler->words <= MAX_WORDS)
+        return true;
+    assembler->words = MAX_WORDS;
+    snprintf(message, sizeof message, "a program has at most %lu words",
+             (unsigned long)MAX_WORDS);
+    return report_full(cursor, message);
+}
 
 static bool check_room(struct cursor *cursor, uint64_t halves)
 {
-    struct assembler *assembler = cursor->assembler;
-    struct section *section = assembler->section;
+    const struct assembler *assembler = cursor->assembler;
+    const struct section *section = assembler->section;
     uint64_t end = section->at + halves * HALF_BITS;
 
-    assembler->words += (halves + 1) / WORD_HALVES;
-    if (assembler->words > MAX_WORDS) {
-        assembler->words = MAX_WORDS;
-        return report(assembler, cursor->line, cursor->line->begin,
-                      "a program has at most %lu words",
-                      (unsigned long)MAX_WORDS);
-    }
+    if (section->full || !check_words(cursor, halves))
+        return false;
     if (end > (uint64_t)1 << ADDRESS_BITS)
-        return report(assembler, cursor->line, cursor->line->begin,
-                      "this lies beyond the last address");
+        return report_full(cursor, "this lies beyond the last address");
     if (section == &assembler->sections[0] && !section->moved
         && end > DATA_ORIGIN && section->at <= DATA_ORIGIN)
-        return report(assembler, cursor->line, cursor->line->begin,
-                      "the code outgrows its page and runs into the data;"
-                      " move it with .org");
+        return report_full(cursor, "the code outgrows its page and runs into "
+                                   "the data; move it with .org");
     return true;
 }
 
