@@ -220,9 +220,10 @@ static bool draw(const struct rt205_arguments *arguments,
     look.trace.farm = NULL;
     if (!heat_draw(heat, &look, &drawn, error))
         return false;
-    results_say(results, "\npicture %s: %s from %g to %g; %llu clocks\n",
+    results_say(results, "\npicture %s: %s from %g to %g%s; %llu clocks\n",
                 arguments->output, heat_shown_name(look.shown), drawn.least,
-                drawn.most, (unsigned long long)drawn.clocks);
+                drawn.most, heat_shown_unit(look.shown),
+                (unsigned long long)drawn.clocks);
     if (results->json)
         json_text(results->json, "picture", arguments->output);
     return true;

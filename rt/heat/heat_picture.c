@@ -6,14 +6,23 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "rt/heat/color_scale.h"
 
-static const char *const names[HEAT_SHOWN] = {
-    [SHOWN_FLOW] = "flow", [SHOWN_FACTOR] = "factor"
+static const struct shown {
+    const char *name, *unit, *title;
+} shown_values[HEAT_SHOWN] = {
+    [SHOWN_FLOW] = { "flow", " W/m^2", "flow, W/m^2" },
+    [SHOWN_FACTOR] = { "factor", "", "shape factor, no unit" },
 };
 
 const char *heat_shown_name(enum heat_shown shown)
 {
-    return shown < HEAT_SHOWN ? names[shown] : NULL;
+    return shown < HEAT_SHOWN ? shown_values[shown].name : NULL;
+}
+
+const char *heat_shown_unit(enum heat_shown shown)
+{
+    return shown_values[shown].unit;
 }
 
 struct heat_drawing {
@@ -120,9 +129,10 @@ static void mix(const double (*way)[3], size_t count, double share,
         color[k] = way[i][k] + (at - (double)i) * (way[i + 1][k] - way[i][k]);
 }
 
-static void color_of(const struct heat_drawing *drawing, size_t surface,
-                     double color[3])
+/* From -1, the largest gain, to 1, the largest loss or factor. */
+static void color_at(const void *given, double share, double color[3])
 {
+    const struct heat_drawing *drawing = given;
     static const double flow[][3] = { { .02, .08, .6 },
                                       { .2, .45, .85 },
                                       { .9, .9, .9 },
@@ -132,6 +142,16 @@ static void color_of(const struct heat_drawing *drawing, size_t surface,
                                         { .2, .02, .35 },
                                         { .75, .12, .1 },
                                         { .95, .75, .1 } };
+
+    if (drawing->look->shown == SHOWN_FLOW)
+        mix(flow, 5, (1 + share) / 2, color);
+    else
+        mix(factor, 4, share, color);
+}
+
+static void color_of(const struct heat_drawing *drawing, size_t surface,
+                     double color[3])
+{
     const struct heat_drawn *drawn = drawing->drawn;
     double value = drawing->values[surface];
     double most = value < 0 ? -drawn->least : drawn->most;
@@ -139,12 +159,11 @@ static void color_of(const struct heat_drawing *drawing, size_t surface,
 
     if (isnan(value))
         memcpy(color, grey, sizeof grey);
-    else if (drawing->look->shown == SHOWN_FLOW)
-        mix(flow, 5, (1 + share) / 2, color);
-    else if (surface == drawing->from && value == 0)
+    else if (drawing->look->shown == SHOWN_FACTOR && surface == drawing->from
+             && value == 0)
         memcpy(color, green, sizeof green);
     else
-        mix(factor, 4, share, color);
+        color_at(drawing, share, color);
 }
 
 /* Of one colour, half of it without any light. */
@@ -222,12 +241,11 @@ static bool write_frame(const struct heat_drawing *drawing,
     };
     struct picture_error why;
 
-    snprintf(range, sizeof range, "%s from %g to %g",
+    snprintf(range, sizeof range, "%s from %g to %g%s",
              heat_shown_name(look->shown), drawing->drawn->least,
-             drawing->drawn->most);
+             drawing->drawn->most, heat_shown_unit(look->shown));
     snprintf(clocks, sizeof clocks, "%llu",
              (unsigned long long)drawing->drawn->clocks);
-    put_values(drawing, frame);
     return picture_write(look->path, frame, notes, false, &why)
            || error_say(drawing->error, "%s", why.message);
 }
@@ -236,16 +254,27 @@ static bool read_and_write(const struct heat_drawing *drawing,
                            const struct trace *trace)
 {
     const struct trace_options *options = &drawing->look->trace;
-    size_t pixels = options->width * options->height;
+    const struct color_scale scale = {
+        .title = shown_values[drawing->look->shown].title,
+        .least = drawing->drawn->least,
+        .most = drawing->drawn->most,
+        .color = color_at,
+        .context = drawing,
+    };
+    size_t height = options->height
+                    + color_scale_rows(&scale, options->width);
     struct frame frame;
-    double *value = calloc(pixels, sizeof *value);
-    bool good = frame_allocate(&frame, options->width, options->height)
-                && value;
+    double *value = calloc(options->width * height, sizeof *value);
+    bool good = frame_allocate(&frame, options->width, height) && value;
 
     if (good) {
         frame.layer = heat_shown_name(drawing->look->shown);
         frame.value = value;
+        frame.height = options->height;
         trace_read(trace, 0, &frame);
+        put_values(drawing, &frame);
+        frame.height = height;
+        color_scale_draw(&scale, &frame, options->height);
         good = write_frame(drawing, &frame);
     } else {
         error_say(drawing->error, "no memory");

@@ -4,8 +4,9 @@
  * The frame is traced by the machine, of the scene's shapes alone, in the light of a lamp
  * at the camera.  Flows go from blue, what gains most, over white, nothing, to red, what loses
  * most; factors from dark blue, none, to yellow, the largest; the surface that they are from
- * is green, unless it sees itself; what has no value is grey.  Pictures of linear colours have
- * the value as a channel, too, flow or factor: 0 where nothing is seen.
+ * is green, unless it sees itself; what has no value is grey.  A scale with its unit is below
+ * the frame, in rows of its own.  Pictures of linear colours have the value as a channel, too,
+ * flow or factor: 0 where nothing is seen, and in the scale.
  */
 #ifndef RT_HEAT_PICTURE_H
 #define RT_HEAT_PICTURE_H
@@ -19,6 +20,8 @@ enum heat_shown {
     HEAT_SHOWN
 };
 const char *heat_shown_name(enum heat_shown shown);
+/* After a number: " W/m^2"; "" where there is none. */
+const char *heat_shown_unit(enum heat_shown shown);
 
 struct heat_look {
     enum heat_shown shown;

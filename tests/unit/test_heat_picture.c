@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "base/diagnostic.h"
+#include "rt/heat/color_scale.h"
 #include "rt/heat/heat_picture.h"
 #include "rt/scene/language/scene_read.h"
 #include "tests/unit/prior_model.h"
@@ -77,6 +78,40 @@ static double value_of(const struct heat *heat, enum heat_shown shown,
            / heat->surfaces.list[surface].area.value;
 }
 
+static void check_color(const struct frame *frame, size_t row, size_t column,
+                        const double color[3])
+{
+    for (int k = 0; k < 3; k++)
+        assert_true(
+            fabs(frame->channel[k][row * frame->width + column] - color[k])
+            < .05);
+}
+
+/* Below the frame is the scale, which is no part of the scene.  Its ends have the
+ * colours of the extremes, and it has numbers. */
+static void check_scale(const struct frame *frame, enum heat_shown shown,
+                        const struct heat_drawn *drawn)
+{
+    static const double left[][3] = { { .02, .08, .6 }, { .01, .02, .12 } },
+                        right[][3] = { { .55, .01, .02 }, { .95, .75, .1 } },
+                        white[3] = { .9, .9, .9 };
+    bool from_zero = shown == SHOWN_FLOW && drawn->least >= 0;
+    size_t bar = 0, dots = 0;
+
+    assert_int_equal(frame->width, WIDTH);
+    assert_true(frame->height > HEIGHT + 20);
+    for (size_t i = WIDTH * HEIGHT; i < WIDTH * frame->height; i++) {
+        assert_true(frame->channel[CHANNEL_ID][i] == 0
+                    && frame->value[i] == 0);
+        dots += frame->channel[CHANNEL_GREEN][i] > .85;
+        if (bar == 0 && frame->channel[CHANNEL_BLUE][i] > .015)
+            bar = i / WIDTH;
+    }
+    check_color(frame, bar, 4, from_zero ? white : left[shown]);
+    check_color(frame, bar, WIDTH - 5, right[shown]);
+    assert_true(dots > 50);
+}
+
 static void check_picture(const struct heat *heat, enum heat_shown shown,
                           const char *from, size_t number)
 {
@@ -103,6 +138,7 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
         assert_true(frame.value[i] == (double)(float)expected);
     }
     assert_true(seen[0] && seen[1] && seen[2] && seen[3]);
+    check_scale(&frame, shown, &drawn);
     for (size_t i = 0; i < heat->surfaces.count; i++) {
         least = fmin(least, value_of(heat, shown, number, i));
         most = fmax(most, value_of(heat, shown, number, i));
@@ -130,6 +166,54 @@ static void test_values(void **state)
     check_picture(&heat, SHOWN_FACTOR, "Sheet", 2);
     heat_free(&heat);
     scene_free(scene);
+}
+
+static void grey(const void *context, double share, double color[3])
+{
+    (void)context;
+    assert_true(share >= -1 && share <= 1);
+    color[0] = color[1] = color[2] = .5;
+}
+
+/* Pixels of text that a title adds to a scale. */
+static size_t drawn_by(const char *title, double least, double most,
+                       size_t width)
+{
+    const struct color_scale scale = {
+        .title = title, .least = least, .most = most, .color = grey
+    };
+    size_t rows = color_scale_rows(&scale, width), count = 0;
+    struct frame frame;
+
+    assert_true(frame_allocate(&frame, width, rows + 1));
+    color_scale_draw(&scale, &frame, 1);
+    for (size_t i = 0; i < width * (rows + 1); i++) {
+        assert_true(i >= width || frame.channel[CHANNEL_RED][i] == 0);
+        count += frame.channel[CHANNEL_RED][i] > .8;
+    }
+    frame_free(&frame);
+    return count;
+}
+
+/* Every letter that a scale has is drawn, in pictures of every width. */
+static void test_scale(void **state)
+{
+    static const char used[] = "0123456789-+.,/^Wacefhilmnoprstuw";
+    char letter[2] = "";
+    size_t none = drawn_by("", -1, 1, 320), twice = drawn_by("", -1, 1, 640);
+
+    (void)state;
+    for (size_t i = 0; used[i]; i++) {
+        letter[0] = used[i];
+        assert_true(drawn_by(letter, -1, 1, 320) > none);
+    }
+    assert_int_equal(twice, 4 * none);
+    assert_int_equal(drawn_by("", 2, 3, 320), drawn_by("", 0, 3, 320));
+    assert_int_equal(drawn_by("", -3, -2, 320), drawn_by("", -3, 0, 320));
+    for (size_t width = 1; width < 400; width += 7)
+        drawn_by("flow, W/m^2", -1.23457e-10, 9.87654e+20, width);
+    drawn_by("flow, W/m^2", 0, 0, 320);
+    drawn_by("flow, W/m^2", -2, -1, 320);
 }
 
 static void test_refused(void **state)
@@ -166,6 +250,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_values),
         cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_scale),
     };
     int failed;
 
