@@ -94,11 +94,11 @@ static int no_command(const struct command_program *program, const char *word)
     for (; *command; command++) {
         nearest_try(&nearest, (*command)->name);
     }
-    fprintf(stderr, "%s: no such command: %s", program->name, word);
-    if (nearest.name) {
-        fprintf(stderr, " (%s?)", nearest.name);
-    }
-    fputs("\n\n", stderr);
+    cmd_print_line(stderr,
+                   nearest.name ? "%s: no such command: %s (%s?)"
+                                : "%s: no such command: %s",
+                   program->name, word, nearest.name);
+    putc('\n', stderr);
     command_print_summary(program, stderr);
     return CMD_USAGE;
 }

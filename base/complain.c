@@ -3,13 +3,28 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
+
+#include "base/sink.h"
+#include "base/visible.h"
+
+enum { LONGEST = 8192 /* bytes; the rest is cut */ };
+
+static void put_line(FILE *file, const char *format, va_list list)
+{
+    struct sink sink = stream_sink(file);
+    char text[LONGEST];
+
+    vsnprintf(text, sizeof text, format, list);
+    visible_put(&sink, text, strlen(text));
+    putc('\n', file);
+}
 
 static void complain(const char *command, const char *format, va_list list)
 {
     fflush(stdout);
     fprintf(stderr, "%s: ", command);
-    vfprintf(stderr, format, list);
-    putc('\n', stderr);
+    put_line(stderr, format, list);
 }
 
 int cmd_usage(const char *command, const char *format, ...)
@@ -29,4 +44,12 @@ int cmd_failed(const char *command, const char *format, ...)
     complain(command, format, list);
     va_end(list);
     return CMD_FAILED;
+}
+
+void cmd_print_line(FILE *file, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    put_line(file, format, list);
+    va_end(list);
 }

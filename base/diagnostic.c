@@ -1,6 +1,8 @@
 #include "base/diagnostic.h"
 
 #include "base/array.h"
+#include "base/utf8.h"
+#include "base/visible.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -38,6 +40,48 @@ static struct diagnostic *keep(struct diagnostics *diagnostics,
     return &items[diagnostics->count++];
 }
 
+/* Where an invisible character is in the word that an error points to; 0: there
+ * is none. */
+static size_t invisible_column(const struct position *position,
+                               unsigned long *code)
+{
+    size_t i = position->column - 1;
+
+    for (; position->line && i < position->source_length; i++) {
+        const char *at = position->source + i;
+        if (*at && strchr(" \t,;\"'(){}[]<>=", *at))
+            return 0;
+        if (invisible_length(at, position->source_length - i, code))
+            return i + 1;
+    }
+    return 0;
+}
+
+/* A reader of a text takes an invisible character for a wrong word or number:
+ * the error names it. */
+static void name_invisible(struct diagnostic *item,
+                           const struct position *position)
+{
+    unsigned long code;
+    size_t column = position->source ? invisible_column(position, &code) : 0;
+    struct text_buffer text = { 0 };
+    struct sink sink = text_buffer_sink(&text);
+
+    if (!column || !item->message)
+        return;
+    sink_put(&sink, item->message);
+    sink_put(&sink, " (at the caret: ");
+    invisible_name(&sink, code);
+    sink_put(&sink, ")");
+    if (text.failed) {
+        text_buffer_free(&text);
+        return;
+    }
+    free(item->message);
+    item->message = text.text;
+    item->column = column;
+}
+
 void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
                      const struct position *position, const char *message)
 {
@@ -52,6 +96,8 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
                        length < LONGEST_LINE ? length : LONGEST_LINE),
     };
 
+    if (severity == SEVERITY_ERROR)
+        name_invisible(&item, position);
     diagnostics->errors += severity == SEVERITY_ERROR;
     if (!item.file || !item.message || !item.source
         || !keep(diagnostics, &item))
@@ -86,53 +132,44 @@ bool diagnostics_say(struct diagnostics *diagnostics, const char *text)
     return true;
 }
 
-/* Later bytes of a UTF-8 character take no column of their own. */
-static bool starts_character(char c)
-{
-    return ((unsigned char)c & 0xc0) != 0x80;
-}
-
 /* One character as a terminal can bear it, tabs as blanks; the new column. */
-static size_t put_character(const struct sink *sink, char c, size_t column)
+static size_t put_character(const struct sink *sink, const char *text,
+                            size_t length, size_t column)
 {
-    if (c == '\t') {
+    unsigned long code;
+
+    if (*text == '\t') {
         size_t next = (column / TAB + 1) * TAB;
         sink_print(sink, "%*s", (int)(next - column), "");
         return next;
     }
-    if ((unsigned char)c < ' ' || c == 0x7f)
-        c = '?';
-    sink->put(sink->context, &c, 1);
-    return column + starts_character(c);
+    if (length == 0 || invisible_length(text, length, &code))
+        sink_put(sink, "?");
+    else
+        sink->put(sink->context, text, length);
+    return column + 1;
 }
 
 /* The source line, and a caret below the column if the line has it. */
 static void put_source(const struct sink *sink,
                        const struct diagnostic *diagnostic)
 {
-    size_t column = 0, caret = 0, i;
+    const char *source = diagnostic->source;
+    size_t column = 0, caret = 0, i = 0, all = strlen(source);
 
     sink_put(sink, "    ");
-    for (i = 0; diagnostic->source[i]; i++) {
-        if (i + 1 == diagnostic->column)
+    while (i < all) {
+        size_t length = utf8_length(source + i, all - i);
+        if (i < diagnostic->column)
             caret = column;
-        column = put_character(sink, diagnostic->source[i], column);
+        column = put_character(sink, source + i, length, column);
+        i += length ? length : 1;
     }
     if (i + 1 == diagnostic->column)
         caret = column;
     sink_put(sink, "\n");
     if (diagnostic->column <= i + 1)
         sink_print(sink, "    %*s^\n", (int)caret, "");
-}
-
-/* As it is, but for what a terminal takes as a command. */
-static void put_said(const struct sink *sink, const char *text)
-{
-    for (; *text; text++)
-        if (*text == '\n' || *text == '\t')
-            sink->put(sink->context, text, 1);
-        else
-            put_character(sink, *text, 0);
 }
 
 void diagnostic_put(const struct diagnostic *diagnostic,
@@ -145,15 +182,15 @@ void diagnostic_put(const struct diagnostic *diagnostic,
     };
 
     if (diagnostic->severity == SEVERITY_SAID) {
-        put_said(sink, diagnostic->message ? diagnostic->message : "");
+        const char *said = diagnostic->message ? diagnostic->message : "";
+        visible_put_lines(sink, said, strlen(said));
         return;
     }
-    sink_put(sink, diagnostic->file);
+    visible_put(sink, diagnostic->file, strlen(diagnostic->file));
     if (diagnostic->line)
         sink_print(sink, ":%zu:%zu", diagnostic->line, diagnostic->column);
     sink_print(sink, ": %s: ", words[diagnostic->severity]);
-    for (const char *c = diagnostic->message; *c; c++)
-        put_character(sink, *c, 0);
+    visible_put(sink, diagnostic->message, strlen(diagnostic->message));
     sink_put(sink, "\n");
     if (diagnostic->line)
         put_source(sink, diagnostic);

@@ -55,7 +55,9 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
 enum { SAID_MOST = 1 << 16 };
 bool diagnostics_say(struct diagnostics *diagnostics, const char *text);
 
-/* What a terminal would take as a command is printed as a question mark. */
+/* An error that points to a word with an invisible character names it.  Names and
+ * messages are printed with such characters escaped, source lines with a question
+ * mark for each (base/visible.h). */
 void diagnostic_put(const struct diagnostic *diagnostic,
                     const struct sink *sink);
 void diagnostics_put(const struct diagnostics *diagnostics,

@@ -9,6 +9,7 @@
 
 #include "base/sink.h"
 #include "base/utf8.h"
+#include "base/visible.h"
 #include "base/whole.h"
 
 enum { DEEPEST = 16, INDENT = 2 };
@@ -43,13 +44,21 @@ static void new_line(struct json *json)
     sink_print(&json->sink, "\n%*s", (int)json->depth * INDENT, "");
 }
 
+/* A terminal may print the file: what it would obey is escaped. */
+static bool is_hidden(const char *text, size_t length)
+{
+    unsigned long code;
+    return invisible_length(text, length, &code) > 0 && code <= 0xFFFF;
+}
+
 /* So many bytes may stand as they are; a NUL is none of a longer character. */
 static size_t plain_length(const char *text)
 {
     size_t length = 0, step;
     while ((unsigned char)text[length] >= ' ' && text[length] != '"'
            && text[length] != '\\'
-           && (step = utf8_length(text + length, UTF8_MOST)) > 0) {
+           && (step = utf8_length(text + length, UTF8_MOST)) > 0
+           && !is_hidden(text + length, step)) {
         length += step;
     }
     return length;
@@ -62,14 +71,17 @@ static void put_string(const struct sink *sink, const char *text)
         size_t length = plain_length(text);
         sink->put(sink->context, text, length);
         text += length;
+        unsigned long code;
+        size_t hidden = invisible_length(text, UTF8_MOST, &code);
         unsigned char c = (unsigned char)*text++;
         if (!c) {
             break;
         }
         if (c == '"' || c == '\\') {
             sink_print(sink, "\\%c", c);
-        } else if (c < ' ') {
-            sink_print(sink, "\\u%04x", c);
+        } else if (hidden) {
+            sink_print(sink, "\\u%04lx", code);
+            text += hidden - 1;
         } else {
             sink_put(sink, "\\ufffd");
         }

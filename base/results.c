@@ -2,9 +2,12 @@
 #include "base/results.h"
 
 #include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/provenance.h"
+#include "base/sink.h"
+#include "base/visible.h"
 
 const char *results_format_choice(size_t number)
 {
@@ -86,8 +89,10 @@ static void put_line(const struct results *results, const char *line,
 {
     const char *remark = table_remark(results_table_format(results));
     size_t mark = length > 0 ? strlen(remark) : strcspn(remark, " ");
-    fprintf(results->file, "%.*s%.*s\n", (int)mark, remark, (int)length,
-            line);
+    struct sink sink = stream_sink(results->file);
+    fprintf(results->file, "%.*s", (int)mark, remark);
+    visible_put(&sink, line, length);
+    putc('\n', results->file);
 }
 
 void results_say(const struct results *results, const char *format, ...)

@@ -3,6 +3,8 @@
 
 #include "base/array.h"
 #include "base/fold.h"
+#include "base/sink.h"
+#include "base/visible.h"
 
 #include <float.h>
 #include <inttypes.h>
@@ -15,7 +17,8 @@ enum { NUMBER_SIZE = DBL_MAX_10_EXP + 32, FIRST_ROOM = 64 };
 static const char between[] = "  ";
 
 struct cell {
-    char *text; /* as printed */
+    char *text; /* as printed, with escapes (base/visible.h) */
+    char *raw;  /* as it was given: JSON has escapes of its own */
     bool empty;
     union {
         uint64_t count;
@@ -54,6 +57,7 @@ void table_free(struct table *table)
     }
     for (size_t i = 0; i < table->cell_count; i++) {
         free(table->cells[i].text);
+        free(table->cells[i].raw);
     }
     free(table->cells);
     free(table->columns);
@@ -70,15 +74,33 @@ static bool make_room(struct table *table)
     return cells != NULL;
 }
 
+static char *copy(const char *text)
+{
+    char *own = malloc(strlen(text) + 1);
+    return own ? strcpy(own, text) : NULL;
+}
+
+/* False: no memory. */
+static bool set_text(struct cell *cell, const char *text)
+{
+    struct text_buffer shown = { 0 };
+    struct sink sink = text_buffer_sink(&shown);
+    visible_put_lines(&sink, text, strlen(text));
+    cell->raw = copy(text);
+    cell->text = copy(shown.text ? shown.text : "");
+    bool good = !shown.failed && cell->raw && cell->text;
+    text_buffer_free(&shown);
+    return good;
+}
+
 static void add(struct table *table, const char *text, struct cell cell)
 {
-    cell.text = malloc(strlen(text) + 1);
-    if (!cell.text || !make_room(table)) {
+    if (!set_text(&cell, text) || !make_room(table)) {
         free(cell.text);
+        free(cell.raw);
         table->failed = true;
         return;
     }
-    strcpy(cell.text, text);
     table->cells[table->cell_count++] = cell;
 }
 
@@ -411,7 +433,7 @@ static void cell_json(const struct cell *cell,
     if (cell->empty) {
         json_null(json, column->key);
     } else if (column->kind == TABLE_TEXT) {
-        json_text(json, column->key, cell->text);
+        json_text(json, column->key, cell->raw);
     } else if (column->kind == TABLE_COUNT) {
         json_count(json, column->key, cell->value.count);
     } else {

@@ -13,6 +13,7 @@
 #include "base/model.h"
 #include "base/provenance.h"
 #include "base/results.h"
+#include "base/visible.h"
 
 extern const struct command run_command, asm_command, dis_command,
     isa_command, model_command, time_command, debug_command, compare_command,

@@ -13,7 +13,7 @@ static int assemble(void *given)
         return cmd_usage(arguments->command, "FILE is missing");
     }
     c205_error error;
-    struct sink report = stream_sink(stderr);
+    struct sink report = visible_stream(stderr);
     struct object *object = cmd_read_program(arguments, arguments->file,
                                              &report);
     if (!object) {
@@ -21,7 +21,7 @@ static int assemble(void *given)
     }
     int code = CMD_DONE;
     if (arguments->listing) {
-        struct sink sink = stream_sink(stdout);
+        struct sink sink = visible_stream(stdout);
         listing(object, &sink);
     }
     if (arguments->output

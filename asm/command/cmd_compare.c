@@ -24,7 +24,7 @@ static bool read_side(struct two_runs *runs, int which)
     const struct c205_arguments *arguments = runs->arguments;
     struct c205_arguments own = *arguments;
     struct side *side = &runs->side[which];
-    struct sink report = stream_sink(stderr);
+    struct sink report = visible_stream(stderr);
     bool other = which == COMPARED_SECOND && arguments->files.count == 1;
     side->path = arguments->files.items[other ? COMPARED_FIRST : which];
     if (which == COMPARED_SECOND && arguments->other_defines.count > 0) {

@@ -5,8 +5,8 @@
 static int disassemble_file(void *given)
 {
     const struct c205_arguments *arguments = given;
-    struct sink sink = stream_sink(stdout);
-    struct sink report = stream_sink(stderr);
+    struct sink sink = visible_stream(stdout);
+    struct sink report = visible_stream(stderr);
     struct object *object = cmd_read_program(arguments, arguments->file,
                                              &report);
     if (!object) {

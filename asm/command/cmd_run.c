@@ -94,7 +94,7 @@ static int judge_trap(const struct c205_arguments *arguments,
                       const struct object *object, const c205 *machine,
                       const c205_stop *stop)
 {
-    struct sink report = stream_sink(stderr);
+    struct sink report = visible_stream(stderr);
     fflush(stdout);
     trap_report(object, program_name(arguments), machine, stop, &report);
     if (stop->trap == C205_TRAP_CLOCK_LIMIT
@@ -162,11 +162,12 @@ static FILE *program_stream(const struct results *results)
 /* Messages on stderr, where the program may have left a line open. */
 static void put_message(void *context, const char *text, size_t length)
 {
+    struct sink report = visible_stream(stderr);
     struct line_tracker *printed = context;
     if (printed->to.context == stderr) {
         line_tracker_close(printed);
     }
-    fwrite(text, 1, length, stderr);
+    report.put(report.context, text, length);
 }
 
 /* A watch for a program whose object is known; not if nothing is warned of. */
@@ -315,7 +316,7 @@ static int make_and_run(const struct c205_arguments *arguments,
 static int read_and_run(const struct c205_arguments *arguments,
                         const c205_model *model)
 {
-    struct sink report = stream_sink(stderr);
+    struct sink report = visible_stream(stderr);
     if (arguments->files.count == 0) {
         return make_and_run(arguments, model, NULL);
     }

@@ -16,9 +16,10 @@ static int write_file(const struct c205_arguments *arguments,
     if (!timeline_save(timeline, arguments->output, title, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    printf("%s: %zu instructions, clocks %" PRIu64 " to %" PRIu64 "\n",
-           arguments->output, timeline_instructions(timeline), timeline->from,
-           timeline->to);
+    cmd_print_line(stdout,
+                   "%s: %zu instructions, clocks %" PRIu64 " to %" PRIu64,
+                   arguments->output, timeline_instructions(timeline),
+                   timeline->from, timeline->to);
     return CMD_DONE;
 }
 
@@ -37,7 +38,7 @@ static int tell_trap(const struct c205_arguments *arguments,
         return CMD_DONE;
     }
     c205_describe_stop(machine, &ending->stop, &error);
-    fprintf(stderr, "%s: %s\n", arguments->file, error.message);
+    cmd_print_line(stderr, "%s: %s", arguments->file, error.message);
     return CMD_FAILED;
 }
 

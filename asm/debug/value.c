@@ -17,19 +17,27 @@
 #include <string.h>
 
 #include "asm/debug/parts.h"
+#include "base/visible.h"
 
 enum { DEPTH_MOST = 100, LENGTH_SHIFT = 48, HALF_DIGITS = 8 };
 
 bool debug_fault(struct debugger *debugger, const char *format, ...)
 {
     char text[512];
+    unsigned long code;
     va_list arguments;
 
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     line_tracker_close(&debugger->printed);
-    sink_print(&debugger->out, "error: %s\n", text);
+    sink_print(&debugger->out, "error: %s", text);
+    if (invisible_find(text, &code)) {
+        sink_put(&debugger->out, " (");
+        invisible_name(&debugger->out, code);
+        sink_put(&debugger->out, ")");
+    }
+    sink_put(&debugger->out, "\n");
     debugger->faults++;
     return false;
 }

@@ -32,10 +32,10 @@ int cmd_tell_share(const struct rt205_arguments *arguments, size_t units)
     const struct farm *farm = &arguments->units.farm;
 
     if (farm->file)
-        fprintf(stderr,
-                "%s: part %zu of %zu is done: %s has %zu of %zu units\n",
-                arguments->command, farm->part, farm->parts, farm->paths[0],
-                unit_file_count(farm->file), units);
+        cmd_print_line(stderr,
+                       "%s: part %zu of %zu is done: %s has %zu of %zu units",
+                       arguments->command, farm->part, farm->parts,
+                       farm->paths[0], unit_file_count(farm->file), units);
     return CMD_DONE;
 }
 

@@ -70,10 +70,11 @@ static void warn_of_receivers(const struct rt205_arguments *arguments,
 
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (heat->refusals[i])
-            fprintf(stderr, "%s:%zu: warning: the %s receives alone: %s\n",
-                    arguments->scene, scene->primitives[i].line,
-                    primitive_kind_name(scene->primitives[i].kind),
-                    heat->refusals[i]);
+            cmd_print_line(stderr,
+                           "%s:%zu: warning: the %s receives alone: %s",
+                           arguments->scene, scene->primitives[i].line,
+                           primitive_kind_name(scene->primitives[i].kind),
+                           heat->refusals[i]);
 }
 
 /* ---- Three stages ------------------------------------------------------------ */

@@ -188,8 +188,9 @@ static void warn_of_endless(const struct rt205_arguments *arguments,
         const struct named_part *part = &mass->parts.list[i];
 
         if (part->endless && part->left_out && mass->request->part_count == 0)
-            fprintf(stderr, "%s: warning: %s has no end: it is left out\n",
-                    arguments->scene, part->name);
+            cmd_print_line(stderr,
+                           "%s: warning: %s has no end: it is left out",
+                           arguments->scene, part->name);
     }
 }
 

@@ -95,11 +95,11 @@ static size_t tell_roots(const struct rt205_arguments *arguments,
         json_array(json, "polynomials");
     for (size_t i = 0; i < polynomials->count; i++) {
         if (roots[i].count == ROOTS_REFUSED) {
-            fprintf(stderr,
-                    "%s:%zu:1: error: polynomial %zu: the sizes of "
-                    "the coefficients are too far apart for the machine's "
-                    "exponents\n",
-                    arguments->scene, polynomials->lines[i], i);
+            cmd_print_line(
+                stderr,
+                "%s:%zu:1: error: polynomial %zu: the sizes of the "
+                "coefficients are too far apart for the machine's exponents",
+                arguments->scene, polynomials->lines[i], i);
             refused++;
             continue;
         }

@@ -251,12 +251,13 @@ static void tell_kept(const struct rt205_arguments *arguments,
     const char *path = arguments->units.resume.items[0];
 
     if (arguments->units.farm.kept > 0)
-        fprintf(stderr, "%s: the frame goes on from %s: %zu of %zu bands\n",
-                arguments->command, path, arguments->units.farm.kept,
-                trace_bands(trace));
+        cmd_print_line(stderr,
+                       "%s: the frame goes on from %s: %zu of %zu bands",
+                       arguments->command, path, arguments->units.farm.kept,
+                       trace_bands(trace));
     else
-        fprintf(stderr, "%s: the frame begins: %s has no band yet\n",
-                arguments->command, path);
+        cmd_print_line(stderr, "%s: the frame begins: %s has no band yet",
+                       arguments->command, path);
 }
 
 static bool keep(const struct rt205_arguments *arguments, struct trace *trace,

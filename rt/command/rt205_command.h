@@ -10,6 +10,7 @@
 #include "base/command_options.h"
 #include "base/progress.h"
 #include "base/results.h"
+#include "base/visible.h"
 #include "rt/farm/farm.h"
 #include "rt/mass/units.h"
 #include "rt/roots/roots.h"
