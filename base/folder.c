@@ -16,7 +16,7 @@ bool folder_is(const char *path)
     return stat(path, &is) == 0 && S_ISDIR(is.st_mode);
 }
 
-static bool add(struct folder *folder, const char *name)
+bool folder_add(struct folder *folder, const char *name)
 {
     size_t size = strlen(name) + 1;
     char *copy = malloc(size);
@@ -52,7 +52,7 @@ bool folder_read(struct folder *folder, const char *path, c205_error *error)
         errno = 0;
         entry = readdir(open);
         if (entry && *entry->d_name != '.')
-            good = add(folder, entry->d_name);
+            good = folder_add(folder, entry->d_name);
     } while (good && entry);
     reason = errno;
     closedir(open);

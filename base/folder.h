@@ -15,6 +15,8 @@ struct folder {
 /* False: it cannot be read, and the error says why without naming it; to be freed in either
  * case. */
 bool folder_read(struct folder *folder, const char *path, c205_error *error);
+/* A copy of a name, at the end.  False: no memory. */
+bool folder_add(struct folder *folder, const char *name);
 void folder_free(struct folder *folder);
 
 #endif

@@ -1,0 +1,88 @@
+/* Files that are found by a name of other case. */
+#include "base/other_case.h"
+#include "tests/random.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+static uint64_t random_state = RANDOM_SEED;
+
+static size_t below(size_t count)
+{
+    return (size_t)(xorshift(&random_state) % count);
+}
+
+static void any_case(char *name)
+{
+    for (; *name; name++)
+        if (*name >= 'a' && *name <= 'z' && below(2))
+            *name = (char)(*name - 'a' + 'A');
+}
+
+static void make_file(const char *path)
+{
+    FILE *file = fopen(path, "w");
+
+    assert_non_null(file);
+    fclose(file);
+}
+
+/* Files of two folders that differ in case are found under any spelling, each of
+ * them. */
+static void test_other_case(void **state)
+{
+    static const char *const files[] = { "maps/part.inc", "maps/Part.inc",
+                                         "Maps/part.inc", "Maps/only.INC" };
+    char place[] = "/tmp/test_text_file.XXXXXX", path[100];
+    struct folder found;
+
+    (void)state;
+    assert_non_null(mkdtemp(place));
+    assert_int_equal(chdir(place), 0);
+    mkdir("maps", 0777);
+    mkdir("Maps", 0777);
+    for (size_t i = 0; i < 4; i++)
+        make_file(files[i]);
+    for (size_t i = 0; i < 200; i++) {
+        bool once = i % 2;
+        char name[] = "./maps/part.inc", other[] = "./maps/only.inc";
+        char *wanted = once ? other : name;
+
+        any_case(wanted);
+        snprintf(path, sizeof path, "%s/%s", place, wanted);
+        assert_true(other_case_find(&found, path, strlen(place) + 1));
+        assert_int_equal(found.count, once ? 1 : 3);
+        assert_non_null(strstr(found.names[0], once ? "/./Maps/only.INC"
+                                                    : "/./Maps/part.inc"));
+        folder_free(&found);
+        assert_true(other_case_find(&found, wanted, 0));
+        assert_int_equal(found.count, once ? 1 : 3);
+        folder_free(&found);
+    }
+    assert_true(other_case_find(&found, "maps", 0));
+    assert_int_equal(found.count, 0);
+    folder_free(&found);
+    for (size_t i = 0; i < 4; i++)
+        remove(files[i]);
+    remove("maps");
+    remove("Maps");
+    assert_int_equal(chdir("/"), 0);
+    remove(place);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_other_case),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
