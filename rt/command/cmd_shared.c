@@ -63,15 +63,18 @@ static bool go_on(void *context)
     return !interrupt_came();
 }
 
-/* No pixel can show an object: it is told, for the picture does not tell. */
-static void warn_of_nothing(const struct rt205_arguments *arguments,
-                            const struct scene *scene)
+/* A picture of the background alone is hardly what the user wants.  False: it is
+ * an error. */
+static bool check_objects(const struct rt205_arguments *arguments,
+                          const struct scene *scene)
 {
-    if (scene->primitive_count == 0)
-        fprintf(stderr,
-                "%s: warning: the scene has no objects: every pixel is "
-                "background\n",
-                arguments->scene);
+    if (scene->primitive_count > 0)
+        return true;
+    cmd_print_line(stderr,
+                   "%s: %s: the scene has no objects: every pixel is "
+                   "background",
+                   arguments->scene, arguments->strict ? "error" : "warning");
+    return !arguments->strict;
 }
 
 struct scene *cmd_read_scene(const struct rt205_arguments *arguments)
@@ -89,8 +92,10 @@ struct scene *cmd_read_scene(const struct rt205_arguments *arguments)
 
     diagnostics_print(&reports, stderr);
     diagnostics_free(&reports);
-    if (scene)
-        warn_of_nothing(arguments, scene);
+    if (scene && !check_objects(arguments, scene)) {
+        scene_free(scene);
+        return NULL;
+    }
     return scene;
 }
 
