@@ -93,7 +93,7 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
 # and masses, and as texts, tries a row of the table, compilers.  Those that take longest
 # come first.
 check_parts = check-unit check-scenes check-hosts check-commands check-web-engine \
-	check-web-tracer check-library check-random check-language-scenes check-uses \
+	check-web-tracer check-texts check-library check-random check-language-scenes check-uses \
 	check-regions check-faces check-heat check-fit check-arithmetic check-course \
 	check-mass check-quartic check-docs check-adaptive check-bugs check-lines \
 	check-install check-language check-narrow check-rooms check-programs check-isa
@@ -496,6 +496,9 @@ check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
 	sh tests/check_overwrite.sh $(BUILD)
 	sh tests/check_pages.sh $(BUILD)
 	sh tests/check_replay.sh $(BUILD)
+
+check-texts: $(programs) $(adapter)
+	sh tests/check_texts.sh $(BUILD)
 
 check-course: $(BUILD)/c205
 	sh tests/check_course.sh $(BUILD)

@@ -1,11 +1,11 @@
 #include "asm/assemble.h"
+#include "base/text_file.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "asm/calculator.h"
 #include "asm/expand.h"
-#include "base/file.h"
 
 static bool define(struct assembler *assembler)
 {
@@ -38,8 +38,25 @@ static void start(struct assembler *assembler)
     assembler->section = &assembler->sections[0];
 }
 
+/* The caller's text stays as it is.  False after an error. */
+static bool take_text(struct assembler *assembler, struct asm_source *source)
+{
+    size_t length = (size_t)(source->end - source->text);
+    char *text = arena_text(assembler->arena, source->text, length);
+    c205_error error;
+
+    if (!text)
+        return false;
+    if (!text_clean(text, &length, &error))
+        return report_file(assembler->diagnostics, source->name,
+                           error.message);
+    source->text = text;
+    source->end = text + length;
+    return true;
+}
+
 static struct object *run_passes(struct assembler *assembler,
-                                 const struct asm_source *source)
+                                 struct asm_source *source)
 {
     const struct line *line;
     bool halted;
@@ -58,7 +75,7 @@ static struct object *run_passes(struct assembler *assembler,
     return encode_program(assembler);
 }
 
-static struct object *assemble(const struct asm_source *source,
+static struct object *assemble(struct asm_source *source,
                                const struct asm_options *options,
                                struct diagnostics *diagnostics)
 {
@@ -71,7 +88,8 @@ static struct object *assemble(const struct asm_source *source,
         assembler->options = options;
         assembler->diagnostics = diagnostics;
         assembler->first_error = diagnostics->errors;
-        object = run_passes(assembler, source);
+        if (take_text(assembler, source))
+            object = run_passes(assembler, source);
         calculator_free(assembler->calculator);
     }
     if (arena.failed) {
@@ -110,7 +128,7 @@ struct object *assemble_file(const char *path,
     struct object *object;
     c205_error error;
     size_t length;
-    char *text = file_read(path, FILE_LARGEST, &length, &error);
+    char *text = text_file_read(path, FILE_LARGEST, &length, &error);
 
     if (!text) {
         report_file(diagnostics, path, error.message);

@@ -91,8 +91,6 @@ static struct line *file_line(struct expander *expander,
     line->number = ++frame->number;
     line->text = line->begin = frame->at;
     line->text_end = newline;
-    if (newline > frame->at && newline[-1] == '\r')
-        line->text_end--;
     line->end = line->text_end;
     frame->at = newline + (newline < frame->end);
     if ((size_t)(line->end - line->begin) >= MAX_LINE) {
@@ -256,6 +254,7 @@ static void include(struct expander *expander, struct cursor *cursor)
 {
     const char *at = cursor->token.begin, *from = "";
     struct asm_source source;
+    c205_error error;
     size_t length;
     char *name = expect_string(cursor, &length);
     unsigned i;
@@ -265,10 +264,11 @@ static void include(struct expander *expander, struct cursor *cursor)
     for (i = 0; i < expander->depth; i++)
         if (expander->frames[i].kind == FRAME_FILE)
             from = expander->frames[i].name;
-    if (source_find(expander->assembler, name, from, &source))
+    if (source_find(expander->assembler, name, from, &source, &error))
         push_source(expander, cursor->line, &source);
     else
-        source_fault(expander->assembler, cursor->line, at, name);
+        report(expander->assembler, cursor->line, at,
+               "'%.200s' cannot be read: %.200s", name, error.message);
 }
 
 static void stray(struct expander *expander, struct cursor *cursor)

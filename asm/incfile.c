@@ -29,7 +29,7 @@ struct csv_field {
 
 static const char *skip_blanks(const char *at, const char *end)
 {
-    while (at < end && (*at == ' ' || *at == '\t' || *at == '\r'))
+    while (at < end && (*at == ' ' || *at == '\t'))
         at++;
     return at;
 }
@@ -44,7 +44,7 @@ static const char *field_end(const struct number_file *file, const char *at)
 
     if (quote)
         return quote + 1;
-    while (at < end && !strchr(file->commas ? ",#" : " \t\r#", *at))
+    while (at < end && !strchr(file->commas ? ",#" : " \t#", *at))
         at++;
     return at;
 }
@@ -52,7 +52,7 @@ static const char *field_end(const struct number_file *file, const char *at)
 /* Without blanks at its end, or quotes. */
 static void trim(struct csv_field *field)
 {
-    while (field->end > field->begin && strchr(" \t\r", field->end[-1]))
+    while (field->end > field->begin && strchr(" \t", field->end[-1]))
         field->end--;
     if (field->end - field->begin > 1 && *field->begin == '"'
         && field->end[-1] == '"') {
@@ -198,11 +198,8 @@ static bool read_line(struct number_file *file)
 static bool read_lines(struct number_file *file,
                        const struct asm_source *source)
 {
-    static const char mark[] = "\xEF\xBB\xBF"; /* that it is UTF-8 */
     const char *at = source->text;
 
-    if (strncmp(at, mark, strlen(mark)) == 0)
-        at += strlen(mark);
     file->line.file = source->name;
     while (at < source->end) {
         const char *end = memchr(at, '\n', (size_t)(source->end - at));
@@ -272,6 +269,7 @@ bool parse_incfile(struct cursor *cursor)
 {
     struct number_file file = { .cursor = cursor };
     struct asm_source source;
+    c205_error error;
     const char *at = cursor->token.begin;
     size_t length;
     const char *name = expect_string(cursor, &length);
@@ -279,8 +277,10 @@ bool parse_incfile(struct cursor *cursor)
     layout_align(cursor->assembler, 64);
     if (!name || !read_wishes(&file))
         return false;
-    if (!source_find(cursor->assembler, name, file_of(cursor->line), &source))
-        return source_fault(cursor->assembler, cursor->line, at, name);
+    if (!source_find(cursor->assembler, name, file_of(cursor->line), &source,
+                     &error))
+        return report(cursor->assembler, cursor->line, at,
+                      "'%.200s' cannot be read: %.200s", name, error.message);
     return read_lines(&file, &source)
            && layout_known(cursor, file.words, file.count);
 }

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "asm/expect.h"
-#include "base/file.h"
+#include "base/text_file.h"
 #include "base/whole.h"
 
 /* A name ends its line, so it holds no line's end itself. */
@@ -110,7 +110,7 @@ struct object *object_load(const char *path, c205_error *error)
 {
     size_t length;
     c205_error reason;
-    char *text = file_read(path, FILE_LARGEST, &length, &reason);
+    char *text = text_file_read(path, FILE_LARGEST, &length, &reason);
     struct object *object;
 
     object = text ? object_read(text, length, &reason) : NULL;

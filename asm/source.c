@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/file.h"
+#include "base/error.h"
+#include "base/text_file.h"
 #include "vm/text.h"
 
 static bool join_lines(struct assembler *assembler, const struct text *text,
@@ -47,13 +48,21 @@ static const struct text *find_carried(const struct asm_options *options,
     return found ? found : find_text(library_texts, name);
 }
 
-static bool read_source(struct assembler *assembler, const char *path,
-                        struct asm_source *source)
+static bool is_missing(int reason)
 {
-    c205_error error;
-    size_t length;
-    char *text = file_read(path, FILE_LARGEST, &length, &error);
+    return reason == ENOENT || reason == ENOTDIR;
+}
 
+/* False: there is none, or it cannot be read, and the error then has the reason. */
+static bool read_source(struct assembler *assembler, const char *path,
+                        struct asm_source *source, c205_error *error)
+{
+    c205_error why;
+    size_t length;
+    char *text = text_file_read(path, FILE_LARGEST, &length, &why);
+
+    if (!text && !is_missing(errno))
+        *error = why;
     if (!text)
         return false;
     source->name = arena_text(assembler->arena, path, strlen(path));
@@ -68,7 +77,7 @@ static bool read_source(struct assembler *assembler, const char *path,
 /* folder is not NUL-terminated. */
 static bool read_from(struct assembler *assembler, const char *folder,
                       size_t length, const char *name,
-                      struct asm_source *source)
+                      struct asm_source *source, c205_error *error)
 {
     char path[4096];
     const char *slash = length && folder[length - 1] != '/' ? "/" : "";
@@ -77,11 +86,12 @@ static bool read_from(struct assembler *assembler, const char *folder,
     used = snprintf(path, sizeof path, "%.*s%s%s", (int)length, folder, slash,
                     name);
     return used > 0 && (size_t)used < sizeof path
-           && read_source(assembler, path, source);
+           && read_source(assembler, path, source, error);
 }
 
 bool source_find(struct assembler *assembler, const char *name,
-                 const char *from, struct asm_source *source)
+                 const char *from, struct asm_source *source,
+                 c205_error *error)
 {
     const struct asm_options *options = assembler->options;
     const struct text *carried = find_carried(options, name);
@@ -91,26 +101,17 @@ bool source_find(struct assembler *assembler, const char *name,
     errno = 0;
     if (carried)
         return join_lines(assembler, carried, source);
+    error_say(error, "there is no such file");
     if (options && options->sealed)
         return false;
     if (*name == '/')
-        return read_source(assembler, name, source);
+        return read_source(assembler, name, source, error);
     if (read_from(assembler, from, slash ? (size_t)(slash - from) + 1 : 0,
-                  name, source))
+                  name, source, error))
         return true;
     for (; folder && *folder && errno != ETXTBSY; folder++)
-        if (read_from(assembler, *folder, strlen(*folder), name, source))
+        if (read_from(assembler, *folder, strlen(*folder), name, source,
+                      error))
             return true;
     return false;
-}
-
-bool source_fault(struct assembler *assembler, const struct line *line,
-                  const char *at, const char *name)
-{
-    return errno == ETXTBSY
-               ? report(assembler, line, at, "'%.200s': %s", name,
-                        file_reason(errno))
-               : report(assembler, line, at,
-                        "'%.200s' cannot be read, or is nowhere to be found",
-                        name);
 }

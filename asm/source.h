@@ -10,11 +10,10 @@ struct asm_source {
 };
 
 /* A text that the caller or the library carries under this name; else a file
- * in the folder of the file from; else one in the folders to search. */
+ * in the folder of the file from; else one in the folders to search.  False: the error has the
+ * reason. */
 bool source_find(struct assembler *assembler, const char *name,
-                 const char *from, struct asm_source *source);
-/* Reports why it was not found, at the directive; false. */
-bool source_fault(struct assembler *assembler, const struct line *line,
-                  const char *at, const char *name);
+                 const char *from, struct asm_source *source,
+                 c205_error *error);
 
 #endif

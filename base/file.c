@@ -54,9 +54,8 @@ bool file_ends_with(const char *path, const char *ending)
 
 const char *file_reason(int code)
 {
-    return code == EFBIG     ? "this file is too large"
-           : code == ETXTBSY ? "an output of this command cannot be an input"
-                             : strerror(code);
+    return code == ETXTBSY ? "an output of this command cannot be an input"
+                           : strerror(code);
 }
 
 static bool is_output(FILE *file)
@@ -91,7 +90,10 @@ char *file_read(const char *path, size_t largest, size_t *length,
     if (!why)
         return text;
     free(text);
-    snprintf(error->message, sizeof error->message, "%s", file_reason(why));
+    if (why == EFBIG)
+        error_say(error, "this file has more than %zu bytes", largest);
+    else
+        error_say(error, "%s", file_reason(why));
     errno = why;
     return NULL;
 }

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/outputs.h"
+#include "base/text_file.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -21,7 +22,7 @@ static struct position position_of(const char *name, const char *text,
     for (unsigned line = 1; line < place->line; line++)
         text += strcspn(text, "\n") + 1;
     position.source = text;
-    position.source_length = strcspn(text, "\r\n");
+    position.source_length = strcspn(text, "\n");
     return position;
 }
 
@@ -49,7 +50,7 @@ static c205_model *open_file(const char *command, const char *name)
 {
     c205_error error;
     size_t length;
-    char *text = file_read(name, FILE_LARGEST, &length, &error);
+    char *text = text_file_read(name, FILE_LARGEST, &length, &error);
     c205_model *model = NULL;
 
     if (!text)

@@ -356,9 +356,9 @@ ends 1 "$build/c205" debug -x bad.lines good.s
 tells out "^error: it does not hold: step == 1$"
 tells out "^error: there is no .stpe.: was it step?$"
 ends 1 "$build/c205" debug -x . good.s
-tells err ".: it cannot be read"
+tells err " debug: . cannot be read: "
 ends 1 "$build/c205" debug -x missing.lines good.s
-tells err "missing.lines: it cannot be read"
+tells err "missing.lines cannot be read: "
 ends 1 "$build/c205" debug missing.s
 ends 2 "$build/c205" debug
 ends 2 "$build/c205" debug good.s bad.s
@@ -732,7 +732,7 @@ tells err "no such option: -W"
 
 # heat
 cat >bay.pov <<"END"
-camera { location -5*z look_at 0 }
+#version 3.7; camera { location -5*z look_at 0 }
 cylinder { 0, .7*y, 1 open }
 disc { 0, y, 1.8, 1 }
 disc { .7*y, -y, 1.8, 1 }
@@ -829,7 +829,7 @@ cat >row.pov <<'END'
 object { Burner } object { Tube translate y }
 END
 ends 0 "$build/rt205" heat bay.pov --rays 64 --strict
-printf "plane { y, 0 }\ndisc { -2*y, y, 1 }\nsphere { <1,-1,0>, .4 }\n" >sunk.pov
+printf "#version 3.7; plane { y, 0 }\ndisc { -2*y, y, 1 }\nsphere { <1,-1,0>, .4 }\n" >sunk.pov
 ends 0 "$build/rt205" heat sunk.pov --rays 64
 ends 1 "$build/rt205" heat sunk.pov --rays 64 --strict
 tells err "A F from [0-9] to [0-9] is not that back: .* --strict allows 4.5"

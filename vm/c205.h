@@ -235,6 +235,14 @@ typedef struct c205_belief {
     const char *worst; /* which figure's that is */
 } c205_belief;
 
+/* What a text file is.  It is UTF-8.  A byte order mark at its start is not part
+ * of it.  CR, LF and CR LF each end a line.  0x1A, the end mark of DOS files, ends
+ * the text.  UTF-16 is rejected.
+ * Rewrites a text in place: without the mark, with "\n" at the end of each line,
+ * and with a NUL after it; there is room for length + 1 bytes.  Returns NULL, or
+ * the reason why it is not a text. */
+const char *c205_plain_text(char *text, size_t *length);
+
 /* A built-in model, or a file if the name holds a '/', ends in ".model" or is
  * "-", which is stdin.
  * The model is read once and not changed afterwards. */

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "asm/command/cmd_check.h"
-#include "base/file.h"
 #include "base/folder.h"
+#include "base/text_file.h"
 
 /* ---- An answer ------------------------------------------------------------- */
 
@@ -12,7 +12,7 @@ bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error)
 {
     size_t length;
-    char *text = file_read(path, FILE_LARGEST, &length, error);
+    char *text = text_file_read(path, FILE_LARGEST, &length, error);
     bool good = text
                 && lesson_grade(verdict, lesson, path, text, length, error);
     free(text);
@@ -67,7 +67,7 @@ static int show_verdict(const struct check_command *check,
     const struct results *results = &check->results;
     bool good = true;
     if (results->file && results->format == RESULTS_TEXT) {
-        struct sink sink = stream_sink(results->file);
+        struct sink sink = visible_stream(results->file);
         lesson_verdict_put(verdict, &sink);
     } else if (results->file) {
         struct table *table = trial_table(verdict);

@@ -8,6 +8,7 @@
 #include "base/folder.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "base/text_file.h"
 
 static bool join_path(struct text_buffer *path, const char *folder,
                       const char *name)
@@ -28,7 +29,8 @@ static bool read_file(struct lesson *lesson, const char *folder,
     c205_error reason;
     size_t length;
     char *text = join_path(&path, folder, name)
-                     ? file_read(path.text, FILE_LARGEST, &length, &reason)
+                     ? text_file_read(path.text, FILE_LARGEST, &length,
+                                      &reason)
                      : NULL;
     bool good = text ? lesson_take(lesson, name, text, length, error)
                      : error_say(error, "%.160s: %.80s",

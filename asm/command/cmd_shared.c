@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "asm/object.h"
-#include "base/file.h"
+#include "base/text_file.h"
 
 bool cmd_take_warning(char *text, void *value)
 {
@@ -60,7 +60,7 @@ struct object *cmd_read_program(const struct c205_arguments *arguments,
 {
     c205_error error;
     size_t length;
-    char *text = file_read(path, FILE_LARGEST, &length, &error);
+    char *text = text_file_read(path, FILE_LARGEST, &length, &error);
     if (!text) {
         sink_print(report, "%s: error: %s\n", path, error.message);
         return NULL;
@@ -91,7 +91,7 @@ c205 *cmd_load(const struct c205_arguments *arguments,
 bool cmd_open(const struct c205_arguments *arguments, struct object **object,
               c205_model **model)
 {
-    struct sink report = stream_sink(stderr);
+    struct sink report = visible_stream(stderr);
     *object = cmd_read_program(arguments, arguments->file, &report);
     *model = *object ? model_open(arguments->command, arguments->model)
                      : NULL;

@@ -11,6 +11,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/progress.h"
+#include "base/text_file.h"
 #include "base/whole.h"
 
 static double clocks_of(const struct swept_point *point, size_t which)
@@ -172,7 +173,7 @@ static bool read_text(const struct c205_arguments *arguments,
                       struct swept_program *program, const char *path)
 {
     c205_error error;
-    char *text = file_read(path, FILE_LARGEST, &program->length, &error);
+    char *text = text_file_read(path, FILE_LARGEST, &program->length, &error);
     program->path = path;
     program->text = text;
     if (text && object_recognise(text, program->length)) {
@@ -232,7 +233,7 @@ static int sweep_programs(const struct c205_arguments *arguments)
                                    .options = &options,
                                    .warm = arguments->warm,
                                    .clocks_most = CMD_LIMIT,
-                                   .report = stream_sink(stderr) };
+                                   .report = visible_stream(stderr) };
     bool good = model;
     int code;
     for (size_t i = 0; good && i < sweep.program_count; i++) {

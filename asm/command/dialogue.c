@@ -1,5 +1,6 @@
 #include "asm/command/dialogue.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -19,17 +20,18 @@ static void note_interrupt(struct dialogue *dialogue)
     interrupt_forget();
 }
 
-/* Lines of a script are shown as if somebody had typed them.  False: they cannot be read. */
-static bool obey_all(struct dialogue *dialogue, FILE *file)
+/* Lines of a script are shown as if somebody had typed them.  The reason why they
+ * cannot be read, or NULL. */
+static const char *obey_all(struct dialogue *dialogue, FILE *file)
 {
     const char *prompt = dialogue->setup->prompt;
     struct typed_lines lines = typed_lines_of(file, dialogue->setup->verb);
-    const char *line;
+    const char *line, *fault;
     interrupt_catch_lines(lines.terminal);
     while (!dialogue->quit && !interrupt_ends()
            && (line = typed_lines_next(&lines, prompt)) != NULL) {
         if (!lines.terminal) {
-            printf("%s%s\n", prompt, line);
+            cmd_print_line(stdout, "%s%s", prompt, line);
         }
         note_interrupt(dialogue);
         dialogue->quit = !debugger_obey(dialogue->debugger, line);
@@ -39,18 +41,19 @@ static bool obey_all(struct dialogue *dialogue, FILE *file)
     if (lines.terminal && !dialogue->quit) {
         putchar('\n');
     }
+    fault = lines.stream.fault;
     typed_lines_free(&lines);
-    return !lines.failed;
+    return fault;
 }
 
-static bool obey_script(struct dialogue *dialogue, const char *path)
+static const char *obey_script(struct dialogue *dialogue, const char *path)
 {
     FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-    bool good = file && obey_all(dialogue, file);
+    const char *fault = file ? obey_all(dialogue, file) : strerror(errno);
     if (file && file != stdin) {
         fclose(file);
     }
-    return good;
+    return fault;
 }
 
 static bool is_good(const struct dialogue *dialogue)
@@ -65,22 +68,22 @@ int dialogue_hold(const struct dialogue_setup *setup,
 {
     const struct command_texts *scripts = setup->scripts;
     struct dialogue dialogue = { .setup = setup, .debugger = debugger };
-    const char *unread = NULL;
+    const char *fault = NULL, *unread = "stdin";
     interrupt_catch();
     debugger_greet(debugger);
-    if (scripts->count == 0 && !obey_all(&dialogue, stdin)) {
-        unread = "stdin";
+    if (scripts->count == 0) {
+        fault = obey_all(&dialogue, stdin);
     }
-    for (size_t i = 0; i < scripts->count && !dialogue.quit && !unread; i++) {
-        if (!obey_script(&dialogue, scripts->items[i])) {
-            unread = scripts->items[i];
-        }
+    for (size_t i = 0; i < scripts->count && !dialogue.quit && !fault; i++) {
+        unread = scripts->items[i];
+        fault = obey_script(&dialogue, unread);
     }
     if (interrupt_ends()) {
         return cmd_failed(setup->command, "interrupted");
     }
-    if (unread) {
-        return cmd_failed(setup->command, "%s: it cannot be read", unread);
+    if (fault) {
+        return cmd_failed(setup->command, "%s cannot be read: %s", unread,
+                          fault);
     }
     return is_good(&dialogue) ? CMD_DONE : CMD_FAILED;
 }

@@ -104,7 +104,7 @@ static void open_library(struct typed_lines *lines,
 
 struct typed_lines typed_lines_of(FILE *file, const char *(*name)(size_t i))
 {
-    struct typed_lines lines = { .file = file };
+    struct typed_lines lines = { .stream.file = file };
 
     lines.terminal = file == stdin && isatty(STDIN_FILENO) == 1
                      && isatty(STDOUT_FILENO) == 1;
@@ -124,21 +124,13 @@ static const char *read_edited(struct typed_lines *lines, const char *prompt)
 
 static const char *read_plain(struct typed_lines *lines, const char *prompt)
 {
-    ssize_t length;
-
     if (lines->terminal) {
         fputs(prompt, stdout);
         fflush(stdout);
     }
     if (lines->terminal && !wait_for_input())
         return NULL;
-    length = getline(&lines->text, &lines->capacity, lines->file);
-    lines->failed = length < 0 && ferror(lines->file);
-    if (length < 0)
-        return NULL;
-    if (length > 0 && lines->text[length - 1] == '\n')
-        lines->text[length - 1] = '\0';
-    return lines->text;
+    return text_stream_next(&lines->stream) ? lines->stream.line : NULL;
 }
 
 /* A line without an end, since Ctrl-C came: there is another one. */
@@ -165,4 +157,5 @@ const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
 void typed_lines_free(struct typed_lines *lines)
 {
     free(lines->text);
+    free(lines->stream.line);
 }

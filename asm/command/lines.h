@@ -9,12 +9,12 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "base/text_file.h"
+
 struct typed_lines {
-    FILE *file;
+    struct text_stream stream; /* without libedit */
     bool terminal;
-    bool failed; /* reading went wrong */
-    char *text;  /* the last line, without its end */
-    size_t capacity;
+    char *text; /* the last line of libedit */
     /* libedit's, or NULL */
     char *(*read)(const char *prompt);
     int (*keep)(const char *line);

@@ -6,6 +6,7 @@
 
 #include "asm/dap/parts.h"
 #include "base/file.h"
+#include "base/text_file.h"
 #include "vm/text.h"
 
 /* ---- Files ------------------------------------------------------------------------ */
@@ -160,8 +161,9 @@ static char *text_of(struct dap *dap, const char *file)
 
     if (!text) {
         char *path = path_of(dap, file);
-        char *read = path ? file_read(path, FILE_LARGEST, &length, &error)
-                          : NULL;
+        char *read = path
+                         ? text_file_read(path, FILE_LARGEST, &length, &error)
+                         : NULL;
 
         if (!read)
             dap_fault(dap, "%s: %s", file,
@@ -307,7 +309,7 @@ static void put_call(struct dap *dap, struct json *body,
 
     while (isspace((unsigned char)*from))
         from++;
-    sink_print(&sink, "%.*s", (int)strcspn(from, "\r\n;"), from);
+    sink_print(&sink, "%.*s", (int)strcspn(from, "\n;"), from);
     json_text(body, "name", text.text);
     put_frame_place(dap, body, line->call_file, line->call_number);
 }

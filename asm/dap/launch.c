@@ -159,6 +159,7 @@ static bool make_debugger(struct dap *dap, bool warm)
                                     .model = dap->model,
                                     .out = dap_saying(dap),
                                     .printed = { print, dap },
+                                    .printed_apart = true,
                                     .warm = warm,
                                     .clocks_most = dap->setup.clocks_most,
                                     .interrupted = dap_listen,

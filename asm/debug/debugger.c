@@ -172,8 +172,8 @@ struct debugger *debugger_new(const struct debugger_setup *setup,
     }
     debugger->setup = *setup;
     debugger->out = setup->out;
-    debugger->printed.to = setup->out;
-    debugger->printer.sink = setup->printed.put
+    debugger->printed.to = setup->printed.put ? setup->printed : setup->out;
+    debugger->printer.sink = setup->printed_apart
                                  ? setup->printed
                                  : line_tracker_sink(&debugger->printed);
     machine = load(debugger, error);

@@ -27,6 +27,7 @@ struct debugger_setup {
     const c205_model *model;
     struct sink out;
     struct sink printed; /* by the program; the same if it has no put */
+    bool printed_apart;  /* replies are not among the output of the program */
     bool warm;           /* all pages are in memory when the program begins */
     uint64_t
         clocks_most; /* that one movement takes: a script has no Ctrl-C */

@@ -40,7 +40,7 @@ bool lesson_begin(struct lesson *lesson, const char *folder,
 /* The first line of the text: "# Title". */
 static bool take_title(struct lesson *lesson, c205_error *error)
 {
-    size_t length = strcspn(lesson->text, "\r\n");
+    size_t length = strcspn(lesson->text, "\n");
 
     if (strncmp(lesson->text, "# ", 2) != 0 || length == 2)
         return error_say(error, "%.80s/lesson.md:1: expected '# Title'",

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/diagnostic.h"
-#include "base/file.h"
+#include "base/text_file.h"
 
 enum { COEFFICIENTS = 5, COLUMNS = 6 };
 
@@ -176,20 +176,10 @@ static const char *cut_line(struct polynomial_line *line, const char *text,
     line->number++;
     line->text = line->at = text;
     line->end = newline ? newline : end;
-    while (line->end > text && strchr("\r \t", line->end[-1]))
+    while (line->end > text && strchr(" \t", line->end[-1]))
         line->end--;
     skip_blanks(line);
     return newline ? newline + 1 : end;
-}
-
-/* Spreadsheets write the mark of UTF-8 first. */
-static const char *skip_mark(const char *text, size_t length)
-{
-    static const char mark[] = { '\xEF', '\xBB', '\xBF' };
-    bool marked = length >= sizeof mark
-                  && memcmp(text, mark, sizeof mark) == 0;
-
-    return marked ? text + sizeof mark : text;
 }
 
 static bool read_lines(struct polynomials *polynomials, const char *path,
@@ -200,7 +190,6 @@ static bool read_lines(struct polynomials *polynomials, const char *path,
     const char *end = text + length;
     bool first = true;
 
-    text = skip_mark(text, length);
     while (text < end) {
         struct polynomial polynomial;
 
@@ -221,7 +210,7 @@ bool polynomials_read(struct polynomials *polynomials, const char *path,
 {
     c205_error error;
     size_t length;
-    char *text = file_read(path, FILE_LARGEST, &length, &error);
+    char *text = text_file_read(path, FILE_LARGEST, &length, &error);
     bool good;
 
     if (!text)

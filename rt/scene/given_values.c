@@ -6,7 +6,8 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/file.h"
+#include "base/text_file.h"
+#include "base/visible.h"
 
 /* ---- Options ------------------------------------------------------------- */
 
@@ -97,7 +98,7 @@ void given_free(struct given_values *given)
 
 static bool is_blank(char letter)
 {
-    return letter == ' ' || letter == '\t' || letter == '\r' || letter == '"';
+    return letter == ' ' || letter == '\t' || letter == '"';
 }
 
 /* A number and the blanks around it; false: there is none. */
@@ -146,20 +147,25 @@ bool given_read(struct given_values *given, const char *path,
     struct position position = { .file = path };
     size_t length;
     c205_error error;
-    char *text = file_read(path, LARGEST, &length, &error);
+    char *text = text_file_read(path, LARGEST, &length, &error);
     bool good = true;
+    const char *hidden;
+    unsigned long code;
 
     if (!text) {
         diagnostics_add(reports, SEVERITY_ERROR, &position, error.message);
         return false;
     }
-    position.column = 1;
     for (char *line = text, *next; line; line = next) {
         next = strchr(line, '\n');
         if (next)
             *next++ = '\0';
         position.line++;
+        position.source = line;
         if (!take_line(given, line, &error)) {
+            hidden = invisible_find(line, &code);
+            position.column = hidden ? (size_t)(hidden - line) + 1 : 1;
+            position.source_length = strlen(line);
             diagnostics_add(reports, SEVERITY_ERROR, &position,
                             error.message);
             good = false;

@@ -101,10 +101,11 @@ static void test_any_cut(void **state)
     assert_non_null(fresh);
     for (size_t i = 0; i < TEXTS; i++) {
         char text[TEXT_MOST];
+        c205_error error;
         struct scene_source *source;
 
         draw_text(text);
-        source = source_add(&sources, "drawn", text, strlen(text));
+        source = source_add(&sources, "drawn", text, strlen(text), &error);
         assert_non_null(source);
         if (i % 2) { /* else the body is the main file's */
             assert_true(lexer_open(keeping, source));

@@ -56,7 +56,7 @@ static bool fail(struct model_reader *reader, const char *format, ...)
 
 static bool is_blank(char c)
 {
-    return c == ' ' || c == '\t' || c == '\r';
+    return c == ' ' || c == '\t';
 }
 
 static char *skip_blanks(char *at)
@@ -384,6 +384,20 @@ static char *copy_text(const char *text)
     return copy ? memcpy(copy, text, size) : NULL;
 }
 
+static char *copy_plain(const char *text, c205_error *error)
+{
+    char *copy = copy_text(text);
+    size_t length = strlen(text);
+    const char *fault = copy ? c205_plain_text(copy, &length) : NULL;
+    if (!copy)
+        return model_out_of_memory(error);
+    if (!fault)
+        return copy;
+    snprintf(error->message, sizeof error->message, "%s", fault);
+    free(copy);
+    return NULL;
+}
+
 c205_model *c205_model_read(const char *name, const char *text,
                             c205_place *place, c205_error *error)
 {
@@ -393,10 +407,10 @@ c205_model *c205_model_read(const char *name, const char *text,
         return model_out_of_memory(error);
     model->ticks = 1;
     model->name = copy_text(name);
-    model->text = copy_text(text);
-    if (!model->name || !model->text)
+    model->text = copy_plain(text, error);
+    if (!model->name)
         model_out_of_memory(error);
-    else if (read_model(model, place, error))
+    else if (model->text && read_model(model, place, error))
         return model;
     c205_model_free(model);
     return NULL;

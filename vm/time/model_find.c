@@ -47,16 +47,17 @@ static char *read_file(const char *path, c205_error *error)
             free(text);
         text = larger;
     }
-    int reason = errno;
-    bool whole = text && !ferror(file) && !memchr(text, '\0', size);
+    const char *fault = text && !ferror(file) ? c205_plain_text(text, &size)
+                                              : strerror(errno);
+    if (!fault && memchr(text, '\0', size))
+        fault = "this is no text";
     if (file && file != stdin)
         fclose(file);
-    if (whole)
-        return text[size] = '\0', text;
+    if (!fault)
+        return text;
     free(text);
     snprintf(error->message, sizeof error->message,
-             "cannot read the machine model %.200s%s%s", path,
-             reason ? ": " : "", reason ? strerror(reason) : "");
+             "cannot read the machine model %.160s: %s", path, fault);
     return NULL;
 }
 

@@ -274,6 +274,7 @@ static bool make_debugger(struct engine *engine, c205_error *error)
                                     .model = engine->model,
                                     .out = text_buffer_sink(&engine->said),
                                     .printed = { print, engine },
+                                    .printed_apart = true,
                                     .clocks_most = UINT64_MAX,
                                     .history = HISTORY_MOST,
                                     .interrupted = slice_is_over,

@@ -30,7 +30,7 @@ static bool read_mode(struct reader *reader, const struct scene_token *at,
         return reader_expected(reader, "read, write or append");
     reader_step(reader);
     if (file->reads) {
-        file->source = reader_find(reader, at, name);
+        file->source = reader_find(reader, at, name, true);
         file->place.line = 1;
         return file->source;
     }

@@ -37,7 +37,7 @@ static bool open_file(struct reader *reader, const struct scene_token *at,
 
     if (!*name)
         return reader_fault(reader, at, "the name of a file is empty");
-    source = reader_find(reader, at, name);
+    source = reader_find(reader, at, name, true);
     if (!source)
         return false;
     if (reader->includes++ >= INCLUDE_MOST)

@@ -36,7 +36,8 @@ const char *image_kind_unsupported(const struct reader *reader)
 static bool find_file(struct reader *reader, const struct image_word *word,
                       const char *name, struct image_file *file)
 {
-    const struct scene_source *source = reader_find(reader, &file->at, name);
+    const struct scene_source *source = reader_find(reader, &file->at, name,
+                                                    false);
 
     if (!source)
         return false;

@@ -84,6 +84,11 @@ static bool read_strcmp(struct reader *reader, double *value)
 static bool read_file_exists(struct reader *reader, double *value)
 {
     struct scene_token at = reader->token;
+    struct source_request request = {
+        .from = at.source,
+        .search = reader->options ? reader->options->search : NULL,
+    };
+    c205_error error;
     char *name;
 
     if (!string_read(reader, &name))
@@ -93,9 +98,8 @@ static bool read_file_exists(struct reader *reader, double *value)
         return reader_fault(reader, &at, "more than %d files are read",
                             INCLUDE_MOST);
     }
-    *value = source_include(&reader->sources, name, at.source,
-                            reader->options ? reader->options->search : NULL)
-             != NULL;
+    request.name = name;
+    *value = source_include(&reader->sources, &request, &error) != NULL;
     free(name);
     return true;
 }

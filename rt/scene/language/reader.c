@@ -1,9 +1,6 @@
 /* reader.c - tokens in, reports out. */
 #include "rt/scene/language/reader.h"
 
-#include "base/file.h"
-
-#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -257,17 +254,23 @@ const struct scene_value *reader_use(struct reader *reader,
 
 const struct scene_source *reader_find(struct reader *reader,
                                        const struct scene_token *at,
-                                       const char *name)
+                                       const char *name, bool is_text)
 {
     const struct scene_source *before = reader->sources, *source;
+    const struct source_request request = {
+        name, at->source, reader->options ? reader->options->search : NULL,
+        is_text
+    };
+    c205_error error;
 
-    source = source_include(&reader->sources, name, at->source,
-                            reader->options ? reader->options->search : NULL);
-    if (!source && errno == ENOENT)
-        reader_fault(reader, at, "there is no such file");
-    else if (!source)
-        reader_fault(reader, at, "the file cannot be read: %s",
-                     file_reason(errno));
+    source = source_include(&reader->sources, &request, &error);
+    if (!source)
+        reader_fault(reader, at, "%s", error.message);
+    else if (source_is_other(source, name))
+        reader_warn(reader, at,
+                    "the file '%s' is read: its name differs in the case of "
+                    "letters",
+                    source->name);
     if (reader->sources == before || ++reader->files <= FILES_MOST)
         return source;
     reader_fault(reader, at, "more than %d files are read", FILES_MOST);

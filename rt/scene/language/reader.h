@@ -181,10 +181,10 @@ const struct scene_value *reader_value_of(const struct reader *reader,
 const struct scene_value *reader_use(struct reader *reader,
                                      enum scene_value_kind kind);
 
-/* A file that the text names, or NULL after an error. */
+/* A file that the text names, a text or any bytes; NULL after an error. */
 const struct scene_source *reader_find(struct reader *reader,
                                        const struct scene_token *at,
-                                       const char *name);
+                                       const char *name, bool is_text);
 
 /* Enter and leave what may stand within itself; false: too deep. */
 bool reader_enter(struct reader *reader);

@@ -1,7 +1,10 @@
 /* source.c - finding and reading texts. */
 #include "rt/scene/language/source.h"
 
-#include "base/file.h"
+#include "base/error.h"
+#include "base/other_case.h"
+#include "base/sink.h"
+#include "base/text_file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -21,7 +24,8 @@ static char *copy(const char *text, size_t length)
 
 /* Takes the text over. */
 static struct scene_source *adopt(struct scene_source **list,
-                                  const char *name, char *text, size_t length)
+                                  const char *name, char *text, size_t length,
+                                  bool is_text, c205_error *error)
 {
     struct scene_source *source = malloc(sizeof *source);
     char *own_name = copy(name, strlen(name));
@@ -30,7 +34,7 @@ static struct scene_source *adopt(struct scene_source **list,
         free(source);
         free(own_name);
         free(text);
-        errno = ENOMEM;
+        error_say(error, "%s", strerror(ENOMEM));
         return NULL;
     }
     source->next = *list;
@@ -38,31 +42,53 @@ static struct scene_source *adopt(struct scene_source **list,
     source->text = text;
     source->length = length;
     source->library = false;
+    source->is_text = is_text;
     return *list = source;
 }
 
 struct scene_source *source_add(struct scene_source **list, const char *name,
-                                const char *text, size_t length)
+                                const char *text, size_t length,
+                                c205_error *error)
 {
+    char *own;
+
     if (length > SOURCE_LONGEST) {
-        errno = EFBIG;
+        error_say(error, "more than %d bytes", SOURCE_LONGEST);
         return NULL;
     }
-    return adopt(list, name, copy(text, length), length);
+    own = copy(text, length);
+    if (own && !text_clean(own, &length, error)) {
+        free(own);
+        return NULL;
+    }
+    return adopt(list, name, own, length, true, error);
 }
 
-struct scene_source *source_load(struct scene_source **list, const char *path)
+/* A file that is missing may be elsewhere: errno is then ENOENT. */
+static struct scene_source *load(struct scene_source **list, const char *path,
+                                 bool is_text, c205_error *error)
 {
-    c205_error error;
     size_t length;
-    char *text = file_read(path, SOURCE_LONGEST, &length, &error);
+    char *text = (is_text ? text_file_read : file_read)(path, SOURCE_LONGEST,
+                                                        &length, error);
 
-    return text ? adopt(list, path, text, length) : NULL;
+    if (text)
+        return adopt(list, path, text, length, is_text, error);
+    if (errno == ENOTDIR)
+        errno = ENOENT;
+    return NULL;
 }
 
-static struct scene_source *find(struct scene_source *list, const char *name)
+struct scene_source *source_load(struct scene_source **list, const char *path,
+                                 c205_error *error)
 {
-    while (list && strcmp(list->name, name))
+    return load(list, path, true, error);
+}
+
+static struct scene_source *find(struct scene_source *list, const char *name,
+                                 bool is_text)
+{
+    while (list && (list->is_text != is_text || strcmp(list->name, name)))
         list = list->next;
     return list;
 }
@@ -82,35 +108,95 @@ static char *join(const char *folder, size_t length, const char *name)
     return path;
 }
 
-static struct scene_source *include_from(struct scene_source **list,
-                                         const char *folder, size_t length,
-                                         const char *name)
-{
-    char *path = join(folder, length, name);
-    struct scene_source *source;
+/* A search for a file: found stays NULL and is_over false as long as there is none. */
+struct search {
+    struct scene_source **list;
+    const struct source_request *request;
+    bool any_case; /* the case of letters does not count */
+    struct scene_source *found;
+    bool is_over; /* found, or the error has the reason why it is not used */
+    c205_error *error;
+};
 
-    if (!path)
-        return NULL;
-    source = find(*list, path);
-    if (!source)
-        source = source_load(list, path);
-    free(path);
-    return source;
+static void open_path(struct search *search, const char *path)
+{
+    bool is_text = search->request->is_text;
+
+    search->found = find(*search->list, path, is_text);
+    if (!search->found)
+        search->found = load(search->list, path, is_text, search->error);
+    search->is_over = search->found || errno != ENOENT;
 }
 
-static struct scene_source *carried(struct scene_source **list,
-                                    const char *name)
+/* "'a.inc' and 'A.inc'": the ends of the paths, as the text would name them. */
+static void refuse_several(struct search *search, const struct folder *paths)
 {
+    struct text_buffer names = { 0 };
+    struct sink sink = text_buffer_sink(&names);
+    size_t length = strlen(search->request->name);
+
+    for (size_t i = 0; i < paths->count; i++)
+        sink_print(&sink, "%s'%s'", i ? " and " : "",
+                   paths->names[i] + strlen(paths->names[i]) - length);
+    error_say(search->error, "there is no such file, but %s",
+              names.failed ? "several of other case" : names.text);
+    text_buffer_free(&names);
+    search->is_over = true;
+}
+
+static void open_any_case(struct search *search, const char *path,
+                          size_t fixed)
+{
+    struct folder paths;
+
+    if (!other_case_find(&paths, path, fixed))
+        search->is_over = !error_say(search->error, "%s", strerror(ENOMEM));
+    else if (paths.count == 1)
+        open_path(search, paths.names[0]);
+    else if (paths.count > 1)
+        refuse_several(search, &paths);
+    folder_free(&paths);
+}
+
+static void search_folder(struct search *search, const char *folder,
+                          size_t length)
+{
+    char *path;
+
+    if (search->is_over)
+        return;
+    path = join(folder, length, search->request->name);
+    if (!path)
+        search->is_over = !error_say(search->error, "%s", strerror(ENOMEM));
+    else if (search->any_case)
+        open_any_case(search, path,
+                      strlen(path) - strlen(search->request->name));
+    else
+        open_path(search, path);
+    free(path);
+}
+
+static void search_folders(struct search *search, const char *const *folders)
+{
+    for (; folders && *folders; folders++)
+        search_folder(search, *folders, strlen(*folders));
+}
+
+static void search_carried(struct search *search)
+{
+    const char *name = search->request->name;
     const struct text *text = scene_texts;
     size_t length = 0;
     char *all, *end;
 
-    while (text->name && strcmp(text->name, name))
+    while (text->name
+           && (search->any_case
+                   ? strlen(text->name) != strlen(name)
+                         || !other_case_is(text->name, name, strlen(name))
+                   : strcmp(text->name, name)))
         text++;
-    if (!text->name) {
-        errno = ENOENT;
-        return NULL;
-    }
+    if (search->is_over || !text->name)
+        return;
     for (size_t i = 0; text->lines[i]; i++)
         length += strlen(text->lines[i]);
     all = end = malloc(length + 1);
@@ -119,7 +205,9 @@ static struct scene_source *carried(struct scene_source **list,
         memcpy(end, text->lines[i], n + 1);
         end += n;
     }
-    return adopt(list, name, all, length);
+    search->found = adopt(search->list, text->name, all, length,
+                          search->request->is_text, search->error);
+    search->is_over = true;
 }
 
 /* Where POV-Ray's package has its files. */
@@ -129,42 +217,50 @@ static const char *const installed[] = {
     NULL,
 };
 
-static struct scene_source *include_from_one(struct scene_source **list,
-                                             const char *const *folders,
-                                             const char *name)
+/* In the folder of the text that names it, and elsewhere. */
+static void search_all(struct search *search)
 {
-    struct scene_source *source = NULL;
+    const struct source_request *request = search->request;
+    const char *slash = strrchr(request->from->name, '/');
+    size_t folder = slash ? (size_t)(slash - request->from->name) + 1 : 0;
+    bool is_absolute = request->name[0] == '/';
 
-    for (; !source && errno != ETXTBSY && folders && *folders; folders++)
-        source = include_from(list, *folders, strlen(*folders), name);
-    return source;
+    search_folder(search, request->from->name, is_absolute ? 0 : folder);
+    if (search->found)
+        search->found->library |= request->from->library;
+    if (search->is_over)
+        return;
+    if (!is_absolute) {
+        search_folders(search, request->search);
+        search_folders(search, installed);
+    }
+    search_carried(search);
+    if (search->found)
+        search->found->library = true;
 }
 
 struct scene_source *source_include(struct scene_source **list,
-                                    const char *name,
-                                    const struct scene_source *from,
-                                    const char *const *search)
+                                    const struct source_request *request,
+                                    c205_error *error)
 {
-    const char *slash = strrchr(from->name, '/');
-    size_t folder = slash ? (size_t)(slash - from->name) + 1 : 0;
-    struct scene_source *source;
+    struct search search = { .list = list,
+                             .request = request,
+                             .error = error };
 
-    if (name[0] == '/')
-        folder = 0;
-    source = include_from(list, from->name, folder, name);
-    if (source) {
-        source->library |= from->library;
-        return source;
+    search_all(&search);
+    if (!search.is_over) {
+        search.any_case = true;
+        search_all(&search);
     }
-    if (name[0] != '/')
-        source = include_from_one(list, search, name);
-    if (!source && name[0] != '/')
-        source = include_from_one(list, installed, name);
-    if (!source && errno != ETXTBSY) /* an output of the command */
-        source = carried(list, name);
-    if (source)
-        source->library = true;
-    return source;
+    if (!search.is_over)
+        error_say(error, "there is no such file");
+    return search.found;
+}
+
+bool source_is_other(const struct scene_source *source, const char *name)
+{
+    return strcmp(source->name + strlen(source->name) - strlen(name), name)
+           != 0;
 }
 
 void sources_free(struct scene_source *list)

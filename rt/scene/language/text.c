@@ -191,7 +191,7 @@ static const struct scene_source *read_font(struct reader *reader)
     at = reader->token;
     if (!file_name_read(reader, &name))
         return NULL;
-    source = reader_find(reader, &at, name);
+    source = reader_find(reader, &at, name, false);
     free(name);
     return source;
 }

@@ -31,16 +31,8 @@ static struct open_text *open_frame(struct lexer *lexer,
 
 bool lexer_open(struct lexer *lexer, const struct scene_source *source)
 {
-    static const char mark[] = "\xef\xbb\xbf"; /* of UTF-8, at the start */
-    struct open_text *frame;
-
-    if (lexer->files == INCLUDE_DEPTH)
+    if (lexer->files == INCLUDE_DEPTH || !open_frame(lexer, source))
         return false;
-    frame = open_frame(lexer, source);
-    if (!frame)
-        return false;
-    if (!strncmp(source->text, mark, strlen(mark)))
-        frame->place.at = strlen(mark);
     lexer->files++;
     return true;
 }
@@ -86,8 +78,7 @@ static bool is_letter(char c)
 
 static bool is_blank(char c)
 {
-    return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f'
-           || c == '\v';
+    return c == ' ' || c == '\t' || c == '\n' || c == '\f' || c == '\v';
 }
 
 /* The byte that is `ahead` of the next; NUL beyond the end. */
@@ -270,6 +261,7 @@ static struct scene_token read_sign(struct lexer *lexer)
 {
     struct scene_token token = here(lexer, TOKEN_SIGN);
     char c = look(lexer, 0);
+    size_t rest = 0; /* bytes of a character after the first one */
 
     token.length = 1;
     token.sign = (unsigned char)c;
@@ -280,9 +272,11 @@ static struct scene_token read_sign(struct lexer *lexer)
                                 : SIGN_NOT_BELOW;
     }
     step(lexer, token.length);
-    if (!c || !strchr("{}()<>[],;=+-*/.?:&|!", c))
-        return bad(token, 1, "this character is not of the language");
-    return token;
+    if (c && strchr("{}()<>[],;=+-*/.?:&|!", c))
+        return token;
+    for (; (c & 0x80) && (look(lexer, 0) & 0xC0) == 0x80; rest++)
+        step(lexer, 1);
+    return bad(token, 1 + rest, "this character is not of the language");
 }
 
 /* Blanks and comments; false at a comment without end, *opened its start. */
@@ -419,7 +413,5 @@ struct position token_position(const struct scene_token *token)
     position.source = line;
     position.source_length = end ? (size_t)(end - line)
                                  : source->length - token->place.line_at;
-    if (position.source_length && line[position.source_length - 1] == '\r')
-        position.source_length--;
     return position;
 }

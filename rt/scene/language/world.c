@@ -9,7 +9,6 @@
 #include "rt/scene/language/statement.h"
 #include "rt/shapes/shape_words.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -417,11 +416,12 @@ static struct scene *read_source(struct reader *reader,
     return scene;
 }
 
-static void cannot_read(struct diagnostics *reports, const char *path)
+static void cannot_read(struct diagnostics *reports, const char *path,
+                        const char *reason)
 {
     struct position position = { path, 0, 0, "", 0 };
 
-    diagnostics_add(reports, SEVERITY_ERROR, &position, strerror(errno));
+    diagnostics_add(reports, SEVERITY_ERROR, &position, reason);
 }
 
 /* One reader is too large for a caller's stack to be sure of. */
@@ -432,18 +432,20 @@ static struct scene *read_from(const char *name, const char *text,
     struct reader *reader = calloc(1, sizeof *reader);
     const struct scene_source *source = NULL;
     struct scene *scene = NULL;
+    c205_error error = { "there is not enough memory" };
     size_t before = reports->errors;
 
     if (reader) {
         reader->options = options;
         reader->reports = reports;
-        source = text ? source_add(&reader->sources, name, text, strlen(text))
-                      : source_load(&reader->sources, name);
+        source = text ? source_add(&reader->sources, name, text, strlen(text),
+                                   &error)
+                      : source_load(&reader->sources, name, &error);
     }
     if (source)
         scene = read_source(reader, source);
     if (!scene && reports->errors == before)
-        cannot_read(reports, name);
+        cannot_read(reports, name, error.message);
     free(reader);
     return scene;
 }

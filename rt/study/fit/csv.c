@@ -1,7 +1,7 @@
 #include "rt/study/fit/csv.h"
 
 #include "base/array.h"
-#include "base/file.h"
+#include "base/text_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,7 +21,7 @@ static bool fail(const struct csv *csv, size_t line, const char *at,
         position.line = line;
         position.column = (size_t)(place - begin) + 1;
         position.source = begin;
-        position.source_length = strcspn(begin, "\r\n");
+        position.source_length = strcspn(begin, "\n");
     }
     diagnostics_add(diagnostics, SEVERITY_ERROR, &position, message);
     return false;
@@ -38,7 +38,7 @@ static bool read_text(struct csv *csv, struct diagnostics *diagnostics)
     c205_error error;
     size_t length;
 
-    csv->source = file_read(csv->path, FILE_LARGEST, &length, &error);
+    csv->source = text_file_read(csv->path, FILE_LARGEST, &length, &error);
     if (!csv->source)
         return fail_whole(csv, error.message, diagnostics);
     csv->text = malloc(length + 1);

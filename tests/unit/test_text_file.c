@@ -1,0 +1,235 @@
+/* What a text is, and what a terminal gets of names and messages. */
+#include "asm/assemble.h"
+#include "base/diagnostic.h"
+#include "base/text_file.h"
+#include "base/visible.h"
+#include "tests/random.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+enum { TEXTS = 20000, LONGEST = 40 };
+
+static uint64_t random_state = RANDOM_SEED;
+
+static size_t below(size_t count)
+{
+    return (size_t)(xorshift(&random_state) % count);
+}
+
+/* ---- Lines ---- */
+
+/* Of a few bytes, those that matter among them. */
+static size_t draw_text(char *text)
+{
+    static const char bytes[] = "ab \n\n\r\r\x1A\xEF\xBB\xBF\xC2\xA0";
+    size_t length = below(LONGEST);
+    size_t marked = below(4) == 0 ? 3 : 0;
+
+    memcpy(text, "\xEF\xBB\xBF", marked);
+    for (size_t i = 0; i < length; i++)
+        text[marked + i] = bytes[below(sizeof bytes - 1)];
+    text[marked + length] = '\0';
+    return marked + length;
+}
+
+/* By another method: the text is cut into lines first. */
+static void read_plainly(const char *text, char *plain)
+{
+    *plain = '\0';
+    if (!strncmp(text, "\xEF\xBB\xBF", 3))
+        text += 3;
+    for (;;) {
+        size_t length = strcspn(text, "\r\n\x1A");
+        strncat(plain, text, length);
+        text += length;
+        if (*text == '\0' || *text == '\x1A')
+            return;
+        strcat(plain, "\n");
+        text += !strncmp(text, "\r\n", 2) ? 2 : 1;
+    }
+}
+
+static void test_any_text(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < TEXTS; i++) {
+        char text[LONGEST + 4], plain[LONGEST + 4];
+        size_t length = draw_text(text);
+
+        read_plainly(text, plain);
+        assert_null(c205_plain_text(text, &length));
+        assert_string_equal(text, plain);
+        assert_int_equal(length, strlen(plain));
+    }
+}
+
+/* The lines of a stream are those of the whole text. */
+static void test_any_stream(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < TEXTS / 20; i++) {
+        char text[LONGEST + 4], plain[LONGEST + 4], *line = plain;
+        size_t length = draw_text(text);
+        struct text_stream stream = { .file = tmpfile() };
+
+        assert_non_null(stream.file);
+        fwrite(text, 1, length, stream.file);
+        rewind(stream.file);
+        assert_null(c205_plain_text(text, &length));
+        memcpy(plain, text, length + 1);
+        while (text_stream_next(&stream)) {
+            size_t wanted = strcspn(line, "\n");
+            assert_int_equal(strlen(stream.line), wanted);
+            assert_memory_equal(stream.line, line, wanted);
+            line += wanted + (line[wanted] == '\n');
+        }
+        assert_string_equal(line, "");
+        assert_null(stream.fault);
+        free(stream.line);
+        fclose(stream.file);
+    }
+}
+
+static void test_utf16(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < TEXTS; i++) {
+        char text[4 * LONGEST];
+        bool marked = i & 1, big = i & 2;
+        size_t length = 0, count = 1 + below(LONGEST);
+
+        if (marked) {
+            memcpy(text, big ? "\xFE\xFF" : "\xFF\xFE", 2);
+            length = 2;
+        }
+        for (size_t k = 0; k < count; k++) {
+            size_t code = k % 3 ? ' ' + below(95) : below(0x2000);
+            text[length++] = (char)(big ? code >> 8 : code);
+            text[length++] = (char)(big ? code : code >> 8);
+        }
+        if (marked || count > 8) {
+            const char *fault = c205_plain_text(text, &length);
+            assert_non_null(fault);
+            assert_non_null(strstr(fault, "UTF-16"));
+        }
+    }
+}
+
+/* ---- Invisible characters ---- */
+
+/* An error at one of them names it. */
+static void test_invisible_in_program(void **state)
+{
+    static const struct {
+        const char *text, *name;
+        size_t column;
+    } cases[] = {
+        { " addx\xC2\xA0r1, r2, r3\n", "U+00A0, a no-break space", 6 },
+        { " addx r1,\xE2\x80\x8Br2, r3\n", "U+200B, a zero-width space", 10 },
+        { "\xEF\xBB\xBF \xEF\xBB\xBF"
+          "addx r1, r2, r3\n",
+          "U+FEFF, a byte order mark", 2 },
+        { " addx r1, r2, \x07r3\n", "U+0007, a control character", 15 },
+        { " .word 1\xE3\x80\x80\n", "U+3000, a space", 9 },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct diagnostics reports = { 0 };
+        assert_null(assemble_text("a.s", cases[i].text, NULL, &reports));
+        assert_non_null(strstr(reports.items->message, cases[i].name));
+        assert_int_equal(reports.items->column, cases[i].column);
+        diagnostics_free(&reports);
+    }
+}
+
+static bool is_safe(const char *text)
+{
+    for (; *text; text++)
+        if (((unsigned char)*text < ' ' && *text != '\t') || *text == 0x7F
+            || (unsigned char)*text == 0xC2)
+            return false;
+    return true;
+}
+
+/* Any bytes are printed without one that a terminal obeys, and names that differ
+ * are printed differently if they have no backslash. */
+static void test_any_name(void **state)
+{
+    static const char *const parts[] = {
+        "\x1B[31m",
+        "\x1B]0;title\x07",
+        "\x9B",
+        "\xC2\x9B",
+        "\r",
+        "\n",
+        "a",
+        "\xE2\x80\xAE",
+        "\xEF\xBB\xBF",
+        "\x7F",
+        "\xFF",
+        "b.s",
+        " ",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < TEXTS; i++) {
+        char name[200] = "";
+        struct text_buffer shown = { 0 };
+        struct sink sink = text_buffer_sink(&shown);
+        size_t visible = 0;
+
+        for (size_t k = below(10); k > 0; k--)
+            strcat(name, parts[below(sizeof parts / sizeof *parts)]);
+        visible_put(&sink, name, strlen(name));
+        for (const char *at = name; *at; at++)
+            visible += *at >= ' ' && *at < 0x7F;
+        assert_true(visible == 0 || shown.length >= visible);
+        assert_true(!shown.text || is_safe(shown.text));
+        text_buffer_free(&shown);
+    }
+}
+
+static void test_name_in_diagnostic(void **state)
+{
+    const struct position position = { "a\x1B[2J.s", 1, 3, "x\x1B\xC2\xA0y",
+                                       5 };
+    struct diagnostics reports = { 0 };
+    struct text_buffer shown = { 0 };
+    struct sink sink = text_buffer_sink(&shown);
+
+    (void)state;
+    diagnostics_add(&reports, SEVERITY_ERROR, &position, "no \x1B[31m\n");
+    diagnostics_say(&reports, "said \x1B[31m\n\tnext\n");
+    diagnostics_put(&reports, &sink);
+    assert_string_equal(shown.text,
+                        "a\\x1b[2J.s:1:3: error: no \\x1b[31m\\x0a "
+                        "(at the caret: U+00A0, a no-break "
+                        "space)\n"
+                        "    x??y\n"
+                        "      ^\n"
+                        "said \\x1b[31m\n\tnext\n");
+    text_buffer_free(&shown);
+    diagnostics_free(&reports);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_any_text),
+        cmocka_unit_test(test_any_stream),
+        cmocka_unit_test(test_utf16),
+        cmocka_unit_test(test_invisible_in_program),
+        cmocka_unit_test(test_any_name),
+        cmocka_unit_test(test_name_in_diagnostic),
+    };
+
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
