@@ -8,6 +8,8 @@
 # shell runs it with the build's programs first in its path and the build's
 # folder in BUILD, and what comes before its first " | " once for all blocks.
 # What it draws in the folder DRAWN is what docs/pictures has under that name.
+# The pages have none of the faults that page_faults.awk lists, and each kind of fault is
+# found in a copy of the pages into which it is put.
 # quick leaves out the slow ones, which take more than about two seconds.
 # --write puts the output and the pictures into the pages instead.
 set -u
@@ -19,7 +21,7 @@ if [ "${1:-}" = --write ]; then
     write=$1
     shift
 fi
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit 1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 said=$work/diff
@@ -122,4 +124,59 @@ for picture in "$DRAWN"/*.svg; do
         fail "$old"
     fi
 done
+
+[ -z "$write" ] || { counted; exit; }
+
+# ---- Faults of the text ----------------------------------------------------------
+
+rules=$PWD/tests/page_faults.awk
+
+awk -f "$rules" "$@" >"$said"
+[ ! -s "$said" ]
+verdict $? "faults of pages"
+
+# The files that pages link to, with pages of its own.
+mkdir "$work/copy"
+for file in *; do
+    ln -s "$PWD/$file" "$work/copy"
+done
+rm "$work/copy/docs"
+cp -r docs "$work/copy"
+cd "$work/copy" || exit 1
+
+planted() { # PAGE LINE FAULT: the line at the end of the first section
+    awk -v line="$2" '
+        /^## / && !n++ { printf "%s\n\n", line }
+        { print }' "$1" >"$work/page"
+    cp --remove-destination "$work/page" "$1"
+    awk -f "$rules" "$1" >"$said"
+    grep -qF "$3" "$said"
+    verdict $? "not found in $1: $3"
+    cp --remove-destination "$OLDPWD/$1" "$1"
+}
+
+# The figure may be far from its unit.
+planted README.md 'All in vector form is 16.7 and 2.31 times as fast.' 'the figure 16.7'
+planted README.md 'All in vector form is 16.7 and 2.31 times as fast.' 'the figure 2.31'
+planted README.md 'All in vector form is 16.7\ntimes as fast.' 'the figure 16.7'
+planted README.md 'That saves **16.7** % of the time.' 'the figure 16.7'
+planted README.md 'It has a hundredth, 16.7%, of the time.' 'the figure 16.7'
+planted docs/solids.md 'The trees take 37 % of the clocks.' 'the figure 37'
+planted docs/solids.md '| a tree | takes 37x as long |\n|---|---|' 'the figure 37'
+planted docs/solids.md 'The trees take 37× as long.' 'the figure 37'
+planted docs/solids.md '| a | b |\n|---|---|\n\n| 1 | 2 |' 'a row of a table without a head'
+planted docs/solids.md '| a | b |\n| 1 | 2 |' 'a row of a table without a head'
+planted docs/solids.md '| a | b |\n|---|---|\n| 1 | 2 | 3 |' 'a row of 3 cells in a table of 2'
+planted docs/solids.md 'A table.\n| a | b |\n|---|---|' 'a table without an empty line before it'
+planted docs/solids.md '| a | b |\n|---|---|\nA text.' 'a table without an empty line after it'
+planted docs/solids.md 'A [page](nowhere.md) is missing.' 'a link to nothing: nowhere.md'
+planted docs/solids.md 'A [page](\nnowhere.md) is missing.' 'a link to nothing'
+planted docs/solids.md 'A [heading](#nowhere) is missing.' 'a link to no heading: #nowhere'
+planted docs/solids.md 'A [heading](tracer.md#nowhere) is missing.' 'a link to no heading: tracer.md#nowhere'
+planted docs/solids.md '![A picture](pictures/nowhere.png)' 'a link to nothing: pictures/nowhere.png'
+planted docs/solids.md 'A [page]() is missing.' 'a link to nothing'
+planted docs/solids.md 'A [page][nowhere] is missing.' 'a link without a target'
+planted docs/solids.md 'A text that stops in the' 'a paragraph without an end'
+planted docs/solids.md 'A source may be\nThe flags are not kept.\nthe result.' 'a sentence begins within another one'
+planted docs/solids.md 'The flags are not kept. the result is.' 'a sentence begins in lower case'
 counted

@@ -124,7 +124,7 @@ in_jobs() { # WORK
     wait
 }
 
-sources="vm base asm rt tests scenes docs .ci Makefile"
+sources="vm base asm rt tests scenes docs .ci Makefile README.md"
 rm -rf "$place/faults" "$place/said"
 mkdir -p "$place/said" "$whole"
 unpack
