@@ -84,7 +84,7 @@ build_packages = build-essential pkg-config libopenimageio-dev libfreetype-dev
 fit_packages = libceres-dev
 mpi_packages = openmpi-bin libopenmpi-dev
 exact_packages = libmpfr-dev libgmp-dev
-test_packages = $(build_packages) $(fit_packages) $(exact_packages) \
+test_packages = $(build_packages) $(fit_packages) $(exact_packages) $(mpi_packages) \
 	libcmocka-dev groff-base povray povray-includes gnuplot-nox \
 	clang lld llvm wasi-libc libclang-rt-14-dev-wasm32
 
@@ -96,7 +96,8 @@ check_parts = check-unit check-scenes check-hosts check-commands check-web-engin
 	check-web-tracer check-texts check-library check-random check-language-scenes check-uses \
 	check-regions check-faces check-heat check-fit check-arithmetic check-course \
 	check-mass check-quartic check-docs check-adaptive check-bugs check-lines \
-	check-install check-language check-narrow check-rooms check-programs check-isa
+	check-install check-language check-narrow check-rooms check-programs check-isa \
+	check-bench
 CASES ?= 1000000
 PAIRS ?= some
 PROGRAMS ?= 12000
@@ -217,7 +218,7 @@ $(BUILD)/rt/study/fit/ceres_fit.o: rt/study/fit/ceres_fit.cc
 $(BUILD)/rt/scene/font.o: override C_FLAGS += \
 	$(subst -I,-isystem ,$(shell pkg-config --cflags freetype2))
 
-# What carries messages between ranks; neither demo nor check needs it.
+# What carries messages between ranks; demo does not need it.
 mpi:
 	@sh .ci/need $(mpi_packages)
 	@$(MAKE) --no-print-directory $(ranks)
@@ -371,7 +372,7 @@ $(BUILD)/tests/bench_%: $(BUILD)/tests/bench_%.o \
 		$(BUILD)/tests/timed_program.o $(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lm -ldl -lpthread
 
-tests: $(unit_tests) $(oracles) $(replays)
+tests: $(unit_tests) $(oracles) $(replays) $(benches) $(ranks)
 
 check-unit: $(unit_tests) $(adapter)
 	@printf '%s\n' $(unit_tests) | xargs -n 1 -P $(JOBS) sh -c \
@@ -450,7 +451,7 @@ check-timing: $(BUILD)/tests/unit/test_timing $(BUILD)/tests/unit/test_renaming
 
 # Runs over several processes; not a part of check.
 check-mpi: $(programs) $(adapter)
-	@sh .ci/need $(test_packages) $(mpi_packages)
+	@sh .ci/need $(test_packages)
 	@$(MAKE) --no-print-directory mpi
 	sh tests/check_mpi.sh $(BUILD)
 
@@ -461,9 +462,10 @@ check-planted:
 	sh tests/planted/run.sh $(BUILD) "$(MAKE)" $(JOBS) "$(ONLY)"
 
 # The same bits and clocks from every compiler.
-check-hosts:
+check-hosts: $(BUILD)/tests/bench_lanes
 	@sh .ci/need $(test_packages) $(if $(filter full,$(HOSTS)),valgrind)
 	sh tests/check_hosts.sh $(BUILD) "$(MAKE)" $(HOSTS)
+	MAKE="$(MAKE)" sh tests/check_bench.sh $(BUILD) hosts
 
 check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
 	@printf '%s\n' $(SCENES) | \
@@ -613,10 +615,15 @@ cover-tests:
 		check-random
 
 # All that is measured, or BENCH="growth frames": tests/bench.sh has the names.
-bench: $(benches) $(programs) $(adapter)
-	@sh .ci/need $(mpi_packages)
-	@$(MAKE) --no-print-directory mpi
+bench:
+	@sh .ci/need $(build_packages) $(mpi_packages) povray povray-includes clang
+	@$(MAKE) --no-print-directory $(benches) $(programs) $(adapter) $(ranks)
 	@MAKE="$(MAKE)" sh tests/bench.sh $(BUILD) $(BENCH)
+
+# Each part in its smallest size; hosts is a part of check-hosts, which builds what it compares.
+check-bench: $(benches) $(programs) $(adapter) $(ranks)
+	sh tests/check_bench.sh $(BUILD) machine frames jobs ranks stages visible lines \
+		growth goals
 
 fuzz:
 	@sh .ci/need $(build_packages) clang libclang-rt-14-dev

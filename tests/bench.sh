@@ -12,23 +12,31 @@
 #   growth    time, clocks and memory against the number of things
 #   goals     what of that is to be reached
 #
-# All of them unless told.  TRIALS: of how many runs the least counts (5).  The
-# figures are left in BUILD/bench.csv as well, a line each.
+# Without names, all of them.  TRIALS: the number of runs of which the least counts (5).
+# SIZE=small: each part once, as small as it can be, to see that it runs.  The figures are
+# also in BUILD/bench.csv, a line each; BENCH_CSV names another file.
+#
+# The status is 1 if a part fails: a command of it failed, or a row has no figure.
 set -eu
 build=$1
 shift
-BENCH_CSV=$build/bench.csv
+BENCH_CSV=${BENCH_CSV:-$build/bench.csv}
 export BENCH_CSV
 cd "$(dirname "$0")/.."
-[ $# -gt 0 ] || set -- machine hosts frames jobs ranks stages visible lines growth goals
+all="machine hosts frames jobs ranks stages visible lines growth goals"
+# The names are words.
+# shellcheck disable=SC2086
+[ $# -gt 0 ] || set -- $all
+failed=
 echo "part,what,quantity,value" >"$BENCH_CSV"
 
 for part in "$@"; do
-    case $part in
-    machine | hosts | frames | jobs | ranks | stages | visible | lines | growth | goals) ;;
+    case " $all " in
+    *" $part "*) ;;
     *) echo "bench.sh: no part $part" >&2 && exit 2 ;;
     esac
-    sh "tests/bench_$part.sh" "$build"
+    sh "tests/bench_$part.sh" "$build" || failed="$failed $part"
     echo
 done
 echo "as a table: $BENCH_CSV"
+[ -z "$failed" ] || { echo "bench.sh: failed:$failed" >&2 && exit 1; }

@@ -22,13 +22,11 @@ compare() { # SCENE WIDTH HEIGHT
 
 printf '%-24s %11s %8s %9s %6s\n' "trace of a frame" "" "rt205, s" \
     "povray, s" ratio
-have_povray || { echo "(POV-Ray is not installed)"; exit 0; }
-compare scenes/bench.pov 1024 768
-compare scenes/bracket.pov 1024 1024
-for scene in scenes/*.pov; do
+compare scenes/bench.pov "$(sized 1024 120)" "$(sized 768 90)"
+compare scenes/bracket.pov "$(sized 1024 40)" "$(sized 1024 40)"
+for scene in $(sized "$(echo scenes/*.pov)" "$(echo scenes/s*.pov)"); do
     case $scene in scenes/bench.pov | scenes/bracket.pov) continue ;; esac
-    # how many rays go through a lens POV-Ray decides by chance
+    # The number of POV-Ray's rays through a lens is random.
     grep -q focal_point "$scene" && continue
-| scenes/bracket.pov) continue ;; esac
-    compare "$scene" 640 480
+    compare "$scene" "$(sized 640 80)" "$(sized 480 60)"
 done

@@ -10,11 +10,10 @@ awk '
     function judge(name, limit, least) {
         value = $0
         sub(/.*,/, "", value)
-        if (value == "")
-            return
-        good = least ? value + 0 >= limit : value + 0 <= limit
+        good = least ? value + 0 >= limit + 0 : value + 0 <= limit + 0
         printf "%-44s %3s %5s %9s%s\n", name, least ? ">=" : "<=", limit,
             value, good ? "" : "  not reached"
+        rows[++count] = "goals,\"" name "\",measured," value
     }
     { split($0, quoted, "\"") }
     /^frames,.*,ratio,/ {
@@ -35,4 +34,8 @@ awk '
     }
     /^jobs,.*,times,/ { judge(quoted[2] ", two jobs to one", 1.85, 1) }
     /^ranks,.*,times,/ { judge(quoted[2] ", two ranks to one", 1.85, 1) }
+    END {
+        for (i = 1; i <= count; i++)
+            print rows[i] >>FILENAME
+    }
 ' "$results"

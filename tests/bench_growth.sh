@@ -11,8 +11,8 @@
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
-trials=${TRIALS:-2} # a row is long
-width=200 height=150
+trials=${TRIALS:-$(sized 2 1)} # a row is long
+width=$(sized 200 80) height=$(sized 150 60)
 limit=${LIMIT:-100}
 
 flake() { # DEPTH
@@ -119,8 +119,8 @@ exponent() { # COLUMN: of lines of a number and what was measured
 
 measure() { # SCENE: ours, POV-Ray's
     for _ in $(seq "$trials"); do
-        echo "$(ours "$1" $width $height | cut -d ' ' -f 1,3,4)" \
-            "$(! have_povray || theirs "$1" $width $height)"
+        echo "$(ours "$1" "$width" "$height" | cut -d ' ' -f 1,3,4)" \
+            "$(theirs "$1" "$width" "$height")"
     done | least
 }
 
@@ -153,11 +153,11 @@ grow() { # NAME SCENE PARAMETER:COUNT ..: SCENE prints the scene
         measure "$work/scene.pov" >"$work/least"
         read -r seconds clocks memory povray <"$work/least"
         echo "$count $seconds $clocks $memory" >>"$work/rows"
-        ratio=$(quotient "$seconds" "${povray:-0}")
+        ratio=$(quotient "$seconds" "$povray")
         printf '%-8s %9d %8.3f %9.3f %6s %9.1f %9.1f\n' "$name" "$count" \
-            "$seconds" "${povray:-0}" "$ratio" \
+            "$seconds" "$povray" "$ratio" \
             "$(quotient "$clocks" 1000000)" "$(quotient "$memory" 1024)"
-        keep growth "$name, $count" seconds "$seconds" povray "${povray:-}" \
+        keep growth "$name, $count" seconds "$seconds" povray "$povray" \
             ratio "$ratio" clocks "$clocks" kilobytes "$memory"
     done
     show_exponents "$name"
@@ -166,7 +166,14 @@ grow() { # NAME SCENE PARAMETER:COUNT ..: SCENE prints the scene
 echo "a frame of $width x $height pixels"
 printf '%-8s %9s %8s %9s %6s %9s %9s\n' of things "rt205, s" "povray, s" \
     ratio "M clocks" "memory, MB"
-grow flake flake 1:10 2:91 3:820 4:7381 5:66430
-grow solids field 10:10 100:100 1000:1000 10000:10000
-grow plate plate 10:10 100:100 1000:1000
-grow mesh mesh 7:98 22:968 71:10082 224:100352
+if [ "$(sized full small)" = full ]; then
+    grow flake flake 1:10 2:91 3:820 4:7381 5:66430
+    grow solids field 10:10 100:100 1000:1000 10000:10000
+    grow plate plate 10:10 100:100 1000:1000
+    grow mesh mesh 7:98 22:968 71:10082 224:100352
+else
+    grow flake flake 2:91 3:820
+    grow solids field 100:100 144:144
+    grow plate plate 100:100 144:144
+    grow mesh mesh 7:98 10:200
+fi

@@ -8,22 +8,29 @@ build=$1
 . "$(dirname "$0")/measure.sh"
 
 : >"$work/names"
-for compiler in gcc clang; do
-    command -v $compiler >/dev/null || continue
-    for vectors in best AVX2 WORDS; do
+# The smallest run compares this build with one of check-hosts, so that it compiles little.
+folder_of() { # NAME
+    case $1 in
+    gcc-best) sized "$build/bench/$1" "$build" ;;
+    *) sized "$build/bench/$1" "$build/hosts/gcc-O1-avx2" ;;
+    esac
+}
+
+for compiler in gcc $(sized clang ""); do
+    for vectors in best AVX2 $(sized WORDS ""); do
         name=$compiler-$vectors
-        folder=$build/bench/$name
+        folder=$(folder_of "$name")
         flags=
-        [ $vectors = best ] || flags=-DHOST_VECTORS=HOST_$vectors
-        "${MAKE:-make}" --no-print-directory -s "BUILD=$folder" CC=$compiler \
-            "CFLAGS=-g $flags" "$folder/tests/bench_lanes"
+        [ "$vectors" = best ] || flags=-DHOST_VECTORS=HOST_$vectors
+        "${MAKE:-make}" --no-print-directory -s "BUILD=$folder" "CC=$compiler" \
+            "OPT=$(sized -O3 -O1)" "CFLAGS=-g $flags" "$folder/tests/bench_lanes"
         echo "$name" >>"$work/names"
     done
 done
 
 for _ in $(seq "$trials"); do
     while read -r name; do
-        "$build/bench/$name/tests/bench_lanes" | cells "$name"
+        run "$(folder_of "$name")/tests/bench_lanes" "$trials" | cells "$name"
     done <"$work/names"
 done | sed -n 's/^\(.*\),"\(.*\)",lanes,/\1\t\2\t/p' >"$work/times"
 
@@ -52,9 +59,10 @@ awk -F '\t' -v results="$results" '
         for (i = 1; i <= row_count; i++) {
             printf "\n%-24s", rows[i]
             for (n = 1; n <= count; n++) {
-                printf " %11.2f", least[names[n], rows[i]]
-                printf "hosts,\"%s, %s\",ns,%.2f\n", rows[i], names[n],
-                    least[names[n], rows[i]] >>results
+                figure = least[names[n], rows[i]]
+                printf " %11s", figure
+                printf "hosts,\"%s, %s\",ns,%s\n", rows[i], names[n],
+                    figure >>results
             }
         }
         printf "\n\n"

@@ -4,17 +4,18 @@
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
+width=$(sized 640 64) height=$(sized 480 48)
 
 printf '%-24s %11s %8s %9s %6s\n' "bands at a time" "" "one, s" "two, s" times
 for scene in scenes/bench.pov scenes/bracket.pov; do
     for _ in $(seq "$trials"); do
         for jobs in 1 2; do
-            ours $scene 640 480 $jobs | cut -d ' ' -f 2
+            ours $scene "$width" "$height" $jobs | cut -d ' ' -f 2
         done | paste -s -d ' '
     done | least >"$work/times"
     read -r one two <"$work/times"
     times=$(quotient "$one" "$two")
-    printf '%-24s %4d x %4d %8.2f %9.2f %6s\n' $scene 640 480 "$one" "$two" \
+    printf '%-24s %4d x %4d %8.2f %9.2f %6s\n' $scene "$width" "$height" "$one" "$two" \
         "$times"
     keep jobs $scene one "$one" two "$two" times "$times"
 done

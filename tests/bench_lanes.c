@@ -1,5 +1,8 @@
 /* bench_lanes.c - host nanoseconds per element of the machine's arithmetic,
- * on words and half words, beside the same loop in plain doubles. */
+ * on words and half words, beside the same loop in plain doubles.
+ *
+ *     bench_lanes [TRIALS]
+ */
 #include "tests/random.h"
 #include "vm/number/lanes.h"
 
@@ -8,12 +11,13 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { LENGTH = 4096, REPEATS = 2000, TRIALS = 7 };
+enum { LENGTH = 4096, REPEATS = 2000 };
 
 static c205_word a[LENGTH], b[LENGTH], c[LENGTH];
 static c205_word half_a[LENGTH], half_b[LENGTH];
 static double x[LENGTH], y[LENGTH], z[LENGTH];
 static volatile double sink;
+static int trials = 5;
 
 static double now(void)
 {
@@ -69,7 +73,7 @@ static double nanoseconds(task *run)
 {
     double best = HUGE_VAL;
 
-    for (int trial = 0; trial < TRIALS; trial++) {
+    for (int trial = 0; trial < trials; trial++) {
         double start = now();
         for (int i = 0; i < REPEATS; i++)
             run();
@@ -146,8 +150,9 @@ static void report(const char *name, const tasks *spans, task *words)
     printf(" %8.2f\n", nanoseconds(spans->doubles));
 }
 
-int main(void)
+int main(int count, char **words)
 {
+    trials = count > 1 ? atoi(words[1]) : trials;
     fill(8);
     printf("%-24s %8s %8s %8s %8s  ns per element\n", "", "lanes", "halves",
            "words", "double");

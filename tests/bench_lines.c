@@ -8,12 +8,9 @@
  * table, and stops with 1 if the forms do not find the same.
  */
 #include <stdio.h>
-#include <stdlib.h>
 
-#include "base/diagnostic.h"
-#include "rt/picture/picture.h"
-#include "rt/scene/language/scene_read.h"
 #include "rt/trace/lines.h"
+#include "tests/timed_program.h"
 
 enum { ACROSS = 80, DOWN = 60, LINES = ACROSS * DOWN };
 
@@ -25,26 +22,6 @@ static const struct asked {
     { "bodies, too", true, false },
     { "normals, too", true, true },
 };
-
-static void stop(const char *message)
-{
-    fprintf(stderr, "bench_lines: %s\n", message);
-    exit(1);
-}
-
-static struct scene *read_scene(const char *path)
-{
-    const struct scene_options options = {
-        .width = ACROSS, .height = DOWN, .read_raster = picture_read_raster
-    };
-    struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read(path, &options, &reports);
-
-    if (!scene)
-        diagnostics_print(&reports, stderr);
-    diagnostics_free(&reports);
-    return scene;
-}
 
 static void put_lines(const struct camera *camera,
                       struct scene_line list[LINES])
@@ -79,7 +56,7 @@ static double follow(const struct scene *scene, const c205_model *model,
     struct lines *lines = lines_new(scene, &options, &error);
 
     if (!lines || !lines_find(lines, list, LINES, found, &error))
-        stop(error.message);
+        stop_bench(error.message);
     lines_free(lines);
     return (double)found->accounts.clocks / LINES;
 }
@@ -106,7 +83,7 @@ static void print_row(const char *path, const struct scene *scene,
     slow = follow(scene, model, TRACE_SCALAR, what, list, &scalar);
     fast = follow(scene, model, TRACE_VECTOR, what, list, &vector);
     if (!are_same(&scalar, &vector))
-        stop("the two forms do not find the same");
+        stop_bench("the two forms do not find the same");
     printf("%-24s %-13s %15.2f %9.0f %9.0f %8.1f\n", path, what->name,
            (double)scalar.first[LINES] / LINES, slow, fast, slow / fast);
     seen_crossings_free(&scalar);
@@ -119,16 +96,14 @@ int main(int count, char **paths)
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
 
     if (!model)
-        stop(error.message);
+        stop_bench(error.message);
     printf("%-38s %15s %9s %9s %8s\n", "", "crossings", "scalar,", "vector,",
            "");
     printf("%-24s %-13s %15s %9s %9s %8s\n", "scene", "asked", "a line",
            "clocks", "clocks", "speedup");
     for (int i = 1; i < count; i++) {
-        struct scene *scene = read_scene(paths[i]);
+        struct scene *scene = scene_to_time(paths[i], ACROSS, DOWN);
 
-        if (!scene)
-            return 1;
         for (size_t k = 0; k < sizeof asked / sizeof *asked; k++)
             print_row(paths[i], scene, model, &asked[k]);
         scene_free(scene);

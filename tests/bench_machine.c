@@ -1,5 +1,7 @@
 /* bench_machine.c - how fast the host emulates: programs on the machine,
  * beside the same loops in plain doubles, and beside the real machine's clock.
+ *
+ *     bench_machine [TRIALS]
  */
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +10,7 @@
 #include "base/table.h"
 #include "tests/timed_program.h"
 
-enum { LENGTH = 2000, TRIALS = 7, DOUBLE_REPEATS = 20000 };
+enum { LENGTH = 2000, DOUBLE_REPEATS = 20000 };
 
 /* Both vectors hold 1.0, 1.001, ..; the result is stored. */
 #define VECTOR_PROGRAM(instruction) \
@@ -79,6 +81,7 @@ static const char scalar_program[] =
 
 static double x[LENGTH], y[LENGTH], z[LENGTH];
 static volatile double sink; /* so that results are wanted */
+static int trials = 5;
 
 static void add_doubles(void)
 {
@@ -101,7 +104,7 @@ static double time_doubles(loop *run)
 {
     loop *volatile turn = run;
     double best = HUGE_VAL;
-    for (int trial = 0; trial < TRIALS; trial++) {
+    for (int trial = 0; trial < trials; trial++) {
         double start = processor_seconds();
         for (int i = 0; i < DOUBLE_REPEATS; i++) {
             turn();
@@ -158,12 +161,13 @@ static void run_bench(struct table *table, const struct bench *bench,
 {
     struct object *object = program_to_time(bench->program);
     add_row(table, bench, machine,
-            time_program(machine, &object->program, TRIALS));
+            time_program(machine, &object->program, trials));
     object_free(object);
 }
 
-int main(void)
+int main(int count, char **words)
 {
+    trials = count > 1 ? atoi(words[1]) : trials;
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;

@@ -8,8 +8,9 @@ build=$1
 for program in tests/bench_*.c; do
     name=$(basename "$program" .c)
     case $name in bench_trace | bench_ranks | bench_lines) continue ;; esac
-    "$build/tests/$name" >"$work/said"
-    cat "$work/said"
+    run "$build/tests/$name" "$trials" >"$work/table"
+    cat "$work/table"
     echo
-    cells "${name#bench_}" <"$work/said" >>"$results"
+    cells "${name#bench_}" <"$work/table" >>"$results"
+    check_rows >&2
 done

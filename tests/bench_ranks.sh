@@ -3,7 +3,7 @@
 # beside them two processes that know nothing of each other and do half of the units each,
 # which is what the machine can do with both of its processors; what their units are; and
 # what rank 0 does for a unit of another rank.  docs/cluster.md reads a model from it.
-# RANKS: of these rows.
+# RANKS: the rows, or none of these.
 #
 # What one processor does in a minute changes by a tenth on a machine that others use, too,
 # and the least of several runs compares the best moment of one with that of two.  So the three
@@ -12,19 +12,32 @@
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
-RT205_LIBDIR=$build
 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-export RT205_LIBDIR OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
+export OMPI_ALLOW_RUN_AS_ROOT OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
 
-frame="render scenes/bracket.pov -W 1360 -H 1020 --samples 3"
-mass="mass scenes/bracket.pov --density default=1 --rays 2097152"
-rays="heat scenes/burner.pov --by part --rays 4096"
-lines="heat scenes/burner.pov --by part --lines 8388608"
+scene=$(sized scenes/bracket.pov scenes/first.pov)
+command_of() { # KIND
+    case $1 in
+    frame) echo "render $scene" \
+        "$(sized "-W 1360 -H 1020 --samples 3" "-W 32 -H 24")" ;;
+    mass) echo "mass scenes/bracket.pov --density default=1" \
+        "--rays $(sized 2097152 16)" ;;
+    rays) echo "heat scenes/burner.pov --by part --rays $(sized 4096 "1 --repeats 2")" ;;
+    lines) echo "heat scenes/burner.pov --by part --lines $(sized 8388608 256)" ;;
+    tiny) echo "render $scene -W 8 -H 8" ;;
+    esac
+}
 
-seconds() { # OPTION ..: of the command in $run
-    [ $kind != frame ] || set -- "$@" -o "$work/frame.png"
+tracer() { # OPTION ..: the command of the kind
+    # A command is several words.
+    # shellcheck disable=SC2046
+    run "$build/rt205" $(command_of "$kind") "$@" 2>>"$messages"
+}
+
+seconds() { # OPTION ..: of the command of the kind
+    case $kind in frame | tiny) set -- "$@" -o "$work/frame.png" ;; esac
     before=$(date +%s%N)
-    "$build/rt205" $run "$@" >/dev/null 2>&1
+    tracer "$@" >/dev/null
     echo "$before $(date +%s%N)" | awk '{ printf "%.3f\n", ($2 - $1) / 1e9 }'
 }
 
@@ -33,18 +46,17 @@ seconds_apart() {
     rm -f "$work/half1" "$work/half2"
     before=$(date +%s%N)
     for half in 1 2; do
-        "$build/rt205" $run --jobs 1 --part $half/2 --resume "$work/half$half" \
-            >/dev/null 2>&1 &
+        tracer --jobs 1 --part $half/2 --resume "$work/half$half" >/dev/null &
     done
     wait
     echo "$before $(date +%s%N)" | awk '{ printf "%.3f\n", ($2 - $1) / 1e9 }'
 }
 
 # Their number and their bytes in a file.
-units_of() { # OPTION ..
+units_of() {
     rm -f "$work/units"
-    "$build/rt205" $run --part 1/1 --resume "$work/units" 2>&1 |
-        sed -n 's/.* of \([0-9]*\) units$/\1/p'
+    tracer --part 1/1 --resume "$work/units" >/dev/null
+    sed -n 's/.* of \([0-9]*\) units$/\1/p' "$messages" | tail -n 1
     wc -c <"$work/units"
 }
 
@@ -58,8 +70,7 @@ middle() {
 
 printf '%-8s %7s %11s %9s %8s %9s %6s %13s %9s\n' ranks units bytes/unit ms/unit \
     "one, s" "two, s" times "of all trials" "apart, s"
-for kind in ${RANKS:-frame mass rays lines}; do
-    eval "run=\$$kind"
+for kind in ${RANKS-frame mass rays lines}; do
     units_of | paste -s -d ' ' >"$work/units.of"
     read -r units bytes <"$work/units.of"
     for _ in $(seq "$trials"); do
@@ -68,13 +79,13 @@ for kind in ${RANKS:-frame mass rays lines}; do
     read -r times one two apart low high <"$work/times"
     each=$((bytes / units))
     unit=$(awk -v s="$one" -v n="$units" 'BEGIN { printf "%.1f", 1000 * s / n }')
-    printf '%-8s %7d %11d %9s %8s %9s %6s %13s %9s\n' $kind "$units" "$each" \
+    printf '%-8s %7d %11d %9s %8s %9s %6s %13s %9s\n' "$kind" "$units" "$each" \
         "$unit" "$one" "$two" "$times" "$low to $high" "$apart"
-    keep ranks $kind units "$units" bytes/unit "$each" ms/unit "$unit" \
+    keep ranks "$kind" units "$units" bytes/unit "$each" ms/unit "$unit" \
         one "$one" two "$two" times "$times" apart "$apart" low "$low" high "$high"
 done
 
-run="render scenes/bracket.pov -W 8 -H 8" kind=frame
+kind=tiny
 for _ in $(seq "$trials"); do
     echo "$(seconds --jobs 1) $(seconds --ranks 2)"
 done | least >"$work/times"
@@ -83,10 +94,10 @@ printf '%-8s %7s %11s %9s %8s %9s\n' "8 x 8" "" "" "" "$one" "$two"
 keep ranks "8 x 8" one "$one" two "$two"
 
 printf '\n%-28s %10s\n' "rank 0, bytes of a unit" us/unit
-for words in 16 512 8192 65536; do
+for words in 16 $(sized "512 8192 65536" ""); do
     for _ in $(seq "$trials"); do
-        mpirun --oversubscribe --bind-to none -n 8 \
-            "$build/tests/bench_ranks" 2000 $words | cut -d ' ' -f 2
+        run mpirun --oversubscribe --bind-to none -n "$(sized 8 2)" \
+            "$build/tests/bench_ranks" "$(sized 2000 50)" "$words" | cut -d ' ' -f 2
     done | least >"$work/times"
     load=$(awk '{ printf "%.1f", 1e6 * $1 }' "$work/times")
     printf '%-28d %10s\n' $((8 * words)) "$load"

@@ -1,7 +1,7 @@
 /* bench_short.c - host nanoseconds per vector instruction, by the length of
  * its vectors: what it costs to begin one, and what each element adds.
  *
- *     bench_short [TEXT [TRIALS]]
+ *     bench_short [TRIALS [TEXT]]
  *
  * With TEXT only the instructions that hold it.
  */
@@ -137,8 +137,8 @@ static void name_row(struct table *table, const char *instruction)
 
 int main(int count, char **words)
 {
-    const char *wanted = count > 1 ? words[1] : "";
-    trials = count > 2 ? atoi(words[2]) : trials;
+    trials = count > 1 ? atoi(words[1]) : trials;
+    const char *wanted = count > 2 ? words[2] : "";
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;

@@ -4,7 +4,7 @@
 set -eu
 build=$1
 . "$(dirname "$0")/measure.sh"
-width=120 height=90
+width=$(sized 120 16) height=$(sized 90 12)
 
 # Options of rt205 render, a way a line.
 ways() {
@@ -22,17 +22,17 @@ END
 clocks() { # SCENE OPTIONS ..: and the frame's checksum
     scene_file=$1
     shift
-    "$build/rt205" render "$scene_file" -o "$work/picture.png" -W $width \
-        -H $height "$@" --format csv 2>/dev/null | awk -F, '
+    run "$build/rt205" render "$scene_file" --no-picture -W "$width" \
+        -H "$height" "$@" --format csv 2>>"$messages" | awk -F, '
         /^scene,/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
-        at["clocks"] { print $at["checksum"], $at["clocks"]; exit }'
+        at["clocks"] && !n++ { print $at["checksum"], $at["clocks"] }'
 }
 
 echo "thousands of clocks of a frame of $width x $height pixels"
 printf '%-24s' scene
 ways | while read -r way; do printf ' %18s' "${way#--mode }"; done
 echo
-for scene in scenes/*.pov; do
+for scene in $(sized "$(echo scenes/*.pov)" scenes/first.pov); do
     printf '%-24s' "$scene"
     ways | while read -r way; do
         # A way is several words.
@@ -45,6 +45,6 @@ for scene in scenes/*.pov; do
     done
     echo
     [ "$(sort -u "$work/sums" | wc -l)" -eq 1 ] ||
-        { echo "frames differ" && exit 1; }
+        { echo "frames differ" >&2 && exit 1; }
     rm "$work/sums"
 done

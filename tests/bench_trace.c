@@ -11,23 +11,8 @@
 #include <stdlib.h>
 #include <sys/resource.h>
 
-#include "base/diagnostic.h"
-#include "rt/scene/language/scene_read.h"
 #include "rt/trace/trace.h"
 #include "tests/timed_program.h"
-
-static struct scene *read_scene(const char *path, size_t width, size_t height)
-{
-    const struct scene_options options = { .width = (int)width,
-                                           .height = (int)height };
-    struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read(path, &options, &reports);
-
-    if (!scene)
-        diagnostics_print(&reports, stderr);
-    diagnostics_free(&reports);
-    return scene;
-}
 
 static long kilobytes(void)
 {
@@ -80,10 +65,10 @@ int main(int count, char **words)
     if (count == 5)
         options.jobs = strtoul(words[4], NULL, 10);
     options.model = model = c205_model_find("cyber205-2pipe", &error);
-    scene = read_scene(words[1], options.width, options.height);
+    scene = scene_to_time(words[1], (int)options.width, (int)options.height);
     if (!model)
         fprintf(stderr, "bench_trace: %s\n", error.message);
-    good = model && scene && trace_scene(scene, &options);
+    good = model && trace_scene(scene, &options);
     scene_free(scene);
     c205_model_free(model);
     return good ? 0 : 1;

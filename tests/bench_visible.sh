@@ -8,11 +8,9 @@
 # spheres one behind the other, and what spheres have in common.
 set -eu
 build=$1
-width=160 height=120
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/measure.sh"
+width=$(sized 160 16) height=$(sized 120 12)
 ways="stepping every"
-results=${BENCH_CSV:-/dev/null}
 
 spheres() { # COUNT LENGTH RADIUS AXIS: in a row about the origin
     awk -v n="$1" -v length_of="$2" -v r="$3" -v axis="$4" 'BEGIN {
@@ -51,12 +49,12 @@ write_solid() { # KIND COUNT
 }
 
 clocks() { # SCENE WAY: of visible and of the frame, the frame's checksum
-    "$build/rt205" render "$1" -o "$work/picture.png" -W $width -H $height \
-        --visible "$2" --accounts --format csv 2>/dev/null | awk -F, '
+    run "$build/rt205" render "$1" --no-picture -W "$width" \
+        -H "$height" --visible "$2" --accounts --format csv 2>>"$messages" | awk -F, '
         /^scene,/ { for (i = 1; i <= NF; i++) at[$i] = i; next }
         at["clocks"] && !frame { frame = $at["clocks"]; sum = $at["checksum"] }
         $1 == "visible" && $2 == "all" { visible = $3 }
-        END { print visible, frame, sum }'
+        END { if (visible != "") print visible, frame, sum }'
 }
 
 compare() { # NAME SCENE
@@ -69,10 +67,10 @@ compare() { # NAME SCENE
             for (i = 1; i <= NR; i++) printf " %9.0f", visible[i]
             for (i = 1; i <= NR; i++) printf " %9.0f", frame[i]
             print ""
-            split(ways, way, " ")
-            for (i = 1; i <= NR; i++)
-                printf "visible,\"%s\",%s,%.0f\n", name, way[i],
-                    1000 * visible[i] >>file
+            count = split(ways, way, " ")
+            for (i = 1; i <= count; i++)
+                printf "visible,\"%s\",%s,%s\n", name, way[i],
+                    i in visible ? sprintf("%.0f", 1000 * visible[i]) : "" >>file
             for (i = 2; i <= NR; i++)
                 if (sum[i] != sum[1]) { print "frames differ"; exit 1 }
         }'
@@ -80,13 +78,15 @@ compare() { # NAME SCENE
 
 echo "thousands of clocks of a frame of $width x $height pixels"
 printf '%-30s %19s %19s\n' "" visible frame
+# Each way is a heading.
+# shellcheck disable=SC2086
 printf '%-30s %9s %9s %9s %9s\n' scene $ways $ways
-for scene in scenes/bench.pov tests/scenes/csg_*.pov; do
+[ "$(sized full small)" = small ] || for scene in scenes/bench.pov tests/scenes/csg_*.pov; do
     compare "$scene" "$scene"
 done
 for kind in across along common; do
-    for count in 1 2 4 8 16 32; do
-        write_solid $kind $count > "$work/solid.pov"
+    for count in $(sized "1 2 4 8 16 32" 2); do
+        write_solid "$kind" "$count" >"$work/solid.pov"
         compare "$kind, $count" "$work/solid.pov"
     done
 done

@@ -3,27 +3,77 @@
 #   build=$1
 #   . "$(dirname "$0")/measure.sh"
 #
-# Of several trials the least counts, for whatever else the host does only adds.
-# Figures also go to the file BENCH_CSV: part, what was measured, the quantity,
-# its value.
+# The least of several trials counts, since other work on the host only adds time.
+# Figures also go to the file BENCH_CSV: part, what was measured, the quantity, its value.
+#
+# A part fails if one of its commands fails or a row has no figure.  set -e does not see a
+# command that fails in a pipeline or among the words of another command.  So `run` records
+# the failure of a command in a file, and the trap at the end of the script checks that file
+# and every row that the part added to BENCH_CSV.
+# shellcheck shell=sh
 
-trials=${TRIALS:-5}
-results=${BENCH_CSV:-$build/bench.csv}
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-
-have_povray() {
-    command -v povray >/dev/null
+sized() { # FULL SMALL: the one that SIZE asks for
+    case ${SIZE:-full} in
+    full) echo "$1" ;;
+    small) echo "$2" ;;
+    *) echo "SIZE is full or small, not $SIZE" >&2 && exit 2 ;;
+    esac
 }
 
+# The parts use the number of trials.
+# shellcheck disable=SC2034
+trials=${TRIALS:-$(sized 5 1)}
+results=${BENCH_CSV:-${build:?}/bench.csv}
+work=$(mktemp -d)
+messages=$work/messages # what commands print on stderr
+failures=$work/failures # the commands that failed
+RT205_LIBDIR=$(cd "${build:?}" && pwd)
+export RT205_LIBDIR
+: >>"$results"
+rows_before=$(wc -l <"$results")
+
+run() { # COMMAND ..: the part fails if the command does
+    "$@" && return
+    echo "exit status $?: $*" >>"$failures"
+    return 1
+}
+
+check_rows() { # prints each row without a figure
+    awk -v before="$rows_before" '
+        NR > before { count++ }
+        NR > before && !/,-?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?$/ {
+            print "no figure: " $0
+            faulty = 1
+        }
+        END {
+            if (!count)
+                print "no row was measured"
+            exit faulty || !count
+        }' "$results"
+}
+
+finish() {
+    code=$?
+    [ "$code" -ne 0 ] || check_rows >&2 || code=1
+    if [ -s "$failures" ]; then
+        cat "$failures" "$messages" >&2
+        code=1
+    fi
+    rm -rf "$work"
+    exit "$code"
+}
+: >"$messages"
+trap finish EXIT
+trap 'exit 130' INT TERM
+
 ours() { # SCENE WIDTH HEIGHT [JOBS]: processor seconds, seconds, clocks, KB
-    "$build/tests/bench_trace" "$@"
+    run "$build/tests/bench_trace" "$@"
 }
 
 theirs() { # SCENE WIDTH HEIGHT: processor seconds of POV-Ray's trace
-    povray "+I$1" "+W$2" "+H$3" +WT1 -F -D -A +Lscenes 2>&1 |
+    run povray "+I$1" "+W$2" "+H$3" +WT1 -F -D -A +Lscenes 2>&1 |
         awk '/Trace Time:/ { trace = 1; next }
-            trace && /CPU-seconds/ { print $(NF - 2); exit }'
+            trace && /CPU-seconds/ { print $(NF - 2); trace = 0 }'
 }
 
 least() { # of each column
@@ -34,13 +84,15 @@ least() { # of each column
                   printf "%s%s", least[i], i < fields ? " " : "\n" }'
 }
 
-keep() { # PART WHAT QUANTITY VALUE ..: pairs of the last two
+keep() { # PART WHAT QUANTITY VALUE ..: pairs of the last two; a fault ends the part
+    [ ! -s "$failures" ] || exit 1
     part=$1 what=$2
     shift 2
     while [ $# -ge 2 ]; do
         echo "$part,\"$what\",$1,$2" >>"$results"
         shift 2
     done
+    check_rows >&2 || exit 1
 }
 
 quotient() { # A B: to two places
@@ -48,7 +100,7 @@ quotient() { # A B: to two places
 }
 
 # A table's figures, cell by cell: PROGRAM, "row", column, value.  Cells end where
-# the headings of their columns do.
+# the headings of their columns do.  A row without a figure has an empty value.
 cells() { # PROGRAM: of what it printed
     awk -v program="$1" '
         function ends_of(line,    at) {
@@ -62,12 +114,21 @@ cells() { # PROGRAM: of what it printed
         {
             name = $0
             sub(/  .*/, "", name)
+            figures = 0
             for (i = first; i <= count; i++) {
                 cell = substr($0, 1, end[i])
                 sub(/.* /, "", cell)
-                if (length($0) >= end[i] && cell ~ /^[0-9.]+$/)
+                if (length($0) >= end[i] && cell != "") {
                     printf "%s,\"%s\",%s,%s\n", program, name, heading[i],
                         cell
+                    figures++
+                }
             }
+            if (!figures)
+                printf "%s,\"%s\",,\n", program, name
+        }
+        END {
+            if (NR < 2)
+                printf "%s,\"no row\",,\n", program
         }'
 }

@@ -6,6 +6,9 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "rt/picture/picture.h"
+#include "rt/scene/language/scene_read.h"
+
 void stop_bench(const char *message)
 {
     fprintf(stderr, "bench: %s\n", message);
@@ -42,6 +45,22 @@ struct object *program_to_time(const char *text)
     }
     diagnostics_free(&errors);
     return object;
+}
+
+struct scene *scene_to_time(const char *path, int width, int height)
+{
+    const struct scene_options options = {
+        .width = width, .height = height, .read_raster = picture_read_raster
+    };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read(path, &options, &reports);
+
+    if (!scene) {
+        diagnostics_print(&reports, stderr);
+        stop_bench("the scene has errors");
+    }
+    diagnostics_free(&reports);
+    return scene;
 }
 
 double time_program(c205 *machine, const c205_program *program, int trials)
