@@ -636,16 +636,18 @@ fuzz:
 fuzz-targets: $(fuzz_targets)
 
 formatted = $$(git ls-files "*.c" "*.h" "*.cc")
+scripts = $$(git ls-files "*.sh") $$(git grep -l "^\#!/bin/sh" -- ":!*.sh")
 
 format:
 	@sh .ci/need git clang-format
 	clang-format -i $(formatted)
 
 lint:
-	@sh .ci/need git clang-format cppcheck
+	@sh .ci/need git clang-format cppcheck shellcheck
 	clang-format --dry-run --Werror $(formatted)
 	sh tests/check_dialect.sh
 	sh tests/planted/fresh.sh
+	shellcheck $(scripts)
 	cppcheck --quiet --std=c99 --enable=warning,performance \
 		--suppressions-list=.ci/cppcheck.suppressions --error-exitcode=1 \
 		-I. vm base asm web/engine rt

@@ -100,7 +100,8 @@ done
 
 names() { # what the help of the command names: every option and operand
     while read -r what its_command name letter kind choices; do
-        [ "$what" != command ] && [ "$its_command" = "$command" ] || continue
+        [ "$what" != command ] || continue
+        [ "$its_command" = "$command" ] || continue
         tells help.txt "$name"
         [ "$letter" = - ] || tells help.txt "^  -$letter, $name"
         for choice in $choices; do
@@ -118,7 +119,8 @@ refuses() { # ARGUMENT ..: as usage, with the choices and the way to the help
 }
 wrong_values() { # a value that each option refuses, and none
     while read -r what its_command name letter kind choices; do
-        [ "$what" = option ] && [ "$its_command" = "$command" ] || continue
+        [ "$what" = option ] || continue
+        [ "$its_command" = "$command" ] || continue
         case $kind in
         flag)
             refuses "$name=yes"
@@ -425,7 +427,7 @@ tells out "^vadd  *51.1 .* 102.1 .* ADDUV ADDLV ADDNV"
 tells out "^vadd,H  *51.2 .* 204.8 .* ADDUV ADDLV ADDNV"
 ends 0 "$build/c205" time --format csv
 for name in VXTOV ACPSV CNTOB 'ADDNV,H' TRIAD; do
-    tells out "^\"*$name[,\"]"
+    tells out "^\"*${name}[,\"]"
 done
 sed '/^instruction/d; /^#/d; /^$/d; s/^"\([^,]*\),H"/\1/; s/,.*//' out | sort | cmp -s - classes
 verdict $? "the classes do not have each instruction once"
@@ -768,6 +770,8 @@ tells out "16 repeats of 40 points of each primitive"
 verdict $? "factors that are not good enough are kept"
 ends 2 "$build/rt205" heat bay.pov --tolerance .1 --part 1/2 --resume kept
 for wish in --stages --smooth --exchange "--tolerance .1" "-o hits.png"; do
+    # An option and its value are two words.
+    # shellcheck disable=SC2086
     ends 2 "$build/rt205" heat bay.pov --hits --from 1 $wish
     tells err "hits tells what rays strike, and no more"
 done
@@ -785,19 +789,24 @@ cat >shell.pov <<'END'
 #declare Ball_Temperature = 500;
 object { Ball } object { Shell }
 END
-heat="heat shell.pov --by part --rays 64 --repeats 4 --exchange"
-ends 0 "$build/rt205" $heat --temperature Shell=300 --emissivity Ball=.5 --json heat.json
+heat_shell() { # CODE OPTION ..: heat of this scene ends with the code
+    code=$1
+    shift
+    ends "$code" "$build/rt205" heat shell.pov --by part --rays 64 --repeats 4 \
+        --exchange "$@"
+}
+heat_shell 0 --temperature Shell=300 --emissivity Ball=.5 --json heat.json
 tells out "^Ball  *0\.500  500\.0"
 tells out "^all  *-*[0-9]"
 tells heat.json "\"flows\""
-ends 0 "$build/rt205" $heat --temperature Shell=adiabatic --temperature environment=20
-ends 1 "$build/rt205" $heat
+heat_shell 0 --temperature Shell=adiabatic --temperature environment=20
+heat_shell 1
 tells err "no temperature is known of: Shell; --temperature NAME=KELVINS, or default=300"
-ends 1 "$build/rt205" $heat --temperature Lid=3
+heat_shell 1 --temperature Lid=3
 tells err "no part and no material is called 'Lid'; parts: Ball, Shell"
-ends 1 "$build/rt205" $heat --temperature Shell=-3
+heat_shell 1 --temperature Shell=-3
 tells err "a temperature is NAME=VALUE with a value not below 0, not 'Shell=-3'"
-ends 1 "$build/rt205" $heat --temperature Shell=3 --emissivity Shell=1.5
+heat_shell 1 --temperature Shell=3 --emissivity Shell=1.5
 tells err "an emissivity is NAME=VALUE with a value 0 to 1"
 cat >room.pov <<'END'
 #declare Room = sphere { 0, 2 inverse }
@@ -808,7 +817,7 @@ ends 1 "$build/rt205" heat room.pov --by part --rays 64 --exchange --temperature
 tells err "the exchange has no solution: surface [A-Z][a-z]* is of some that are adiabatic"
 ends 1 "$build/rt205" heat floor.pov --rays 64 --exchange --temperature default=300
 tells err "surface 1, the plane of line 1, receives alone"
-ends 0 "$build/rt205" $heat --temperature Shell=300 --smooth -W 40 -H 30 -o flows.png
+heat_shell 0 --temperature Shell=300 --smooth -W 40 -H 30 -o flows.png
 tells out "^picture flows.png: flow from -.* W/m^2; "
 tells out "^Smoothed factors:"
 [ -s flows.png ]
@@ -833,16 +842,20 @@ printf "#version 3.7; plane { y, 0 }\ndisc { -2*y, y, 1 }\nsphere { <1,-1,0>, .4
 ends 0 "$build/rt205" heat sunk.pov --rays 64
 ends 1 "$build/rt205" heat sunk.pov --rays 64 --strict
 tells err "A F from [0-9] to [0-9] is not that back: .* --strict allows 4.5"
-hits="heat row.pov --hits --rays 128 --repeats 2"
-ends 0 "$build/rt205" $hits --from Burner --json heat.json
+heat_hits() { # CODE OPTION ..: hits in this scene end with the code
+    code=$1
+    shift
+    ends "$code" "$build/rt205" heat row.pov --hits --rays 128 --repeats 2 "$@"
+}
+heat_hits 0 --from Burner --json heat.json
 tells out "^CDC 6600, projected  *1  "
 tells out "^vector  *2000  "
 tells heat.json "\"hits\""
-ends 1 "$build/rt205" $hits
+heat_hits 1
 tells err "^rt205 heat: --hits asks --from NAME"
-ends 1 "$build/rt205" $hits --from Stove
+heat_hits 1 --from Stove
 tells err "no part and no material is called 'Stove'"
-ends 1 "$build/rt205" $hits --from Tube
+heat_hits 1 --from Tube
 tells err "the disc of line 1 is no solid cylinder"
 printf "sphere { 0, .5 }\nbox { <1,-1,-1>, <2,1,1> }\n" >pair.pov
 ends 0 "$build/rt205" heat pair.pov --lines 64 --tolerance .01 --limit 2048
@@ -1474,7 +1487,7 @@ tells err "a number above 0"
 "$build/rt205" render "$scene" -o long.png -W 4000 -H 3000 --mode scalar \
     >out 2>err &
 sleep 1
-[ "$(ls /proc/$!/task | wc -l)" -ge "$(getconf _NPROCESSORS_ONLN)" ]
+[ "$(find "/proc/$!/task" -mindepth 1 -maxdepth 1 | wc -l)" -ge "$(getconf _NPROCESSORS_ONLN)" ]
 verdict $? "not as many jobs as there are processors"
 kill -INT $!
 wait $!
@@ -1532,7 +1545,7 @@ verdict $? "a finished frame leaves its bands"
     --resume bands.kept >out 2>err &
 child=$!
 tries=0
-while [ "$(cat bands.kept 2>/dev/null | wc -c)" -lt 100 ] \
+while [ "$(stat -c %s bands.kept 2>/dev/null || echo 0)" -lt 100 ] \
     && [ $((tries += 1)) -lt 200 ]; do
     sleep .1
 done

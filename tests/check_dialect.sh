@@ -5,7 +5,7 @@
 #   a pointer is asked by itself, if (!p), not by comparing it with NULL;
 #   what a scene comes to is computed by elementary.h, not by the host's functions.
 set -u
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit 1
 
 find vm base asm web/engine web/tracer/host rt tests -name '*.[ch]' ! -path '*/kernels/*' | sort |
     xargs awk '

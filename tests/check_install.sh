@@ -58,6 +58,8 @@ client scene rt205
 succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' machine.txt
 succeeds grep -q '^status 205 after [1-9][0-9]* clocks$' program.txt
 # Both forms see the sphere, bit for bit alike.
+# The fields are those of awk.
+# shellcheck disable=SC2016
 succeeds awk '{ hits += $2 > 100; last = sum; sum = $4 }
     END { exit !(NR == 2 && hits == 2 && last == sum) }' scene.txt
 
@@ -77,6 +79,8 @@ include=$root/include/c205
 done | awk '/^#/ { file = "header" ++n ".c" } !/^\/\/ end/ { print > file }'
 succeeds test -s header1.c
 for header in header*.c; do
+    # The compiler may be given with options.
+    # shellcheck disable=SC2086
     succeeds ${CC:-cc} -std=c99 -pedantic -Wall -Wextra -Werror \
         -I"$include" -I"$include/vm" -fsyntax-only "$header"
 done

@@ -21,10 +21,11 @@ trap 'exit 130' INT TERM
 
 # Ours include nothing but ours.
 for file in "$ours"/*.inc; do
-    for name in $(sed -n 's/^#include "\(.*\)"$/\1/p' "$file"); do
+    sed -n 's/^#include "\(.*\)"$/\1/p' "$file" >"$work/included"
+    while read -r name; do
         [ -f "$ours/$name" ]
         verdict $? "$file: $name is not there"
-    done
+    done <"$work/included"
 done
 
 theirs=
@@ -155,8 +156,9 @@ compare() { # FILE LINES SIZE: each line is "KIND TEXT"
     done
 }
 
-[ $# -ne 0 ] || set -- $(cd "$ours" && echo *.inc)
-for name in "$@"; do
+[ $# -ne 0 ] || set -- "$ours"/*.inc
+for file in "$@"; do
+    name=$(basename "$file")
     sed -n "s/^$name //p" "$list" >"$work/calls"
     if [ -n "$theirs" ]; then
         declared "$theirs/$name" | grep -vw "$left_out" |

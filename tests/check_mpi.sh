@@ -29,6 +29,8 @@ command_of() { # KIND
     esac
 }
 
+# A command is several words.
+# shellcheck disable=SC2086
 asked() { # KIND OPTION ..: in this folder
     command=$(command_of "$1")
     shift
@@ -50,6 +52,8 @@ in_folder() { # FOLDER KIND OPTION ..: all that it tells and writes
 }
 
 # The bytes of one process alone.
+# A picture is one more word, or none.
+# shellcheck disable=SC2046
 alike() { # FOLDER KIND
     for file in told figures.json $(is_drawn "$2" && echo picture.png); do
         cmp -s "$work/alone.$2/$file" "$work/$1/$file" || return 1
@@ -71,6 +75,8 @@ done
 
 # ---- Every scene ---------------------------------------------------------------
 
+# A command is several words.
+# shellcheck disable=SC2086
 uses() { # SCENE OPTION ..: what it tells, and how it ends
     scene=$1
     shift
@@ -105,6 +111,8 @@ end_them() { # PID ..
     [ $# -eq 0 ] || kill -9 "$@" 2>/dev/null
 }
 
+# Processes are words.
+# shellcheck disable=SC2046
 kill_all() {
     end_them $(pids mpirun) $(pids rt205)
 }
@@ -117,6 +125,8 @@ chance() { # BELOW: sets $drawn
 
 # One of three ranks, or mpirun, or a process with threads: whoever is killed takes all
 # others with it.
+# A way is two words, processes are any number of them.
+# shellcheck disable=SC2046,SC2086
 kill_at() { # KIND MILLISECONDS WHO
     way="--ranks 3"
     [ "$3" = alone ] && way="--jobs 2"
@@ -133,7 +143,7 @@ kill_at() { # KIND MILLISECONDS WHO
 
 # Ranks that have lost mpirun end a moment later.
 are_gone() {
-    for moment in 1 2 3 4 5 6 7 8 9 10; do
+    for _ in 1 2 3 4 5 6 7 8 9 10; do
         pids rt205 | grep -q . || return 0
         sleep .2
     done
@@ -190,28 +200,30 @@ mkdir -p "$work/wrong"
 cp "$work"/*.pov "$work/wrong"
 cd "$work/wrong" || exit 1
 said=$work/wrong/said
-small="render bracket.pov -W 8 -H 4"
-timeout 60 "$build/rt205" $small -o one.png >/dev/null 2>said
-timeout 60 "$build/rt205" $small -o many.png --ranks 5 >/dev/null 2>said && cmp -s one.png many.png
+small() { # OPTION ..: a frame of four pixels by eight
+    timeout 60 "$build/rt205" render bracket.pov -W 8 -H 4 "$@"
+}
+small -o one.png >/dev/null 2>said
+small -o many.png --ranks 5 >/dev/null 2>said && cmp -s one.png many.png
 verdict $? "more ranks than units come to another picture"
-timeout 60 "$build/rt205" $small -o no/such/folder.png --ranks 3 >/dev/null 2>said
+small -o no/such/folder.png --ranks 3 >/dev/null 2>said
 [ $? -eq 1 ] && grep -q "no/such/folder.png" said
 verdict $? "a picture that cannot be written is no error"
 echo nothing >kept
-timeout 60 "$build/rt205" $small -o one.png --ranks 3 --resume kept >/dev/null 2>said
+small -o one.png --ranks 3 --resume kept >/dev/null 2>said
 [ $? -eq 1 ] && grep -q "kept" said && [ "$(cat kept)" = nothing ]
 verdict $? "a file of something else is taken for units"
 timeout 60 "$build/rt205" render nosuch.pov -o one.png --ranks 3 >/dev/null 2>said
 [ $? -eq 1 ] && [ "$(grep -c nosuch.pov said)" -eq 1 ]
 verdict $? "a scene that is not there is not told once"
-timeout 60 env PATH=/nowhere "$build/rt205" $small -o one.png --ranks 2 >/dev/null 2>said
+timeout 60 env PATH=/nowhere "$build/rt205" render bracket.pov -W 8 -H 4 -o one.png --ranks 2 >/dev/null 2>said
 [ $? -eq 1 ] && grep -q openmpi-bin said
 verdict $? "without mpirun its package is not named"
 mkdir bare && cp "$build/rt205" "$build/rt205_oiio.so" bare
-RT205_LIBDIR=$PWD/bare timeout 60 bare/rt205 $small -o one.png --ranks 2 >/dev/null 2>said
+RT205_LIBDIR=$PWD/bare timeout 60 bare/rt205 render bracket.pov -W 8 -H 4 -o one.png --ranks 2 >/dev/null 2>said
 [ $? -eq 1 ] && grep -q "rt205_mpi.so" said
 verdict $? "without the adapter it is not named"
-timeout 60 "$build/rt205" $small -o one.png --ranks 2 --jobs 2 >/dev/null 2>said
+small -o one.png --ranks 2 --jobs 2 >/dev/null 2>said
 [ $? -eq 2 ]
 verdict $? "threads and ranks go together"
 timeout 60 "$build/rt205" heat burner.pov --hits --from Tube --ranks 2 >/dev/null 2>said

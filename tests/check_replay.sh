@@ -29,7 +29,7 @@ same() { # FILE FILE TEXT
 replay() { # PROGRAM SCRIPT: what it says in $work/file
     debug "$1" -x "$2" >"$work/file"
     debug "$1" -x "$2" >"$work/again"
-    cat "$2" | debug "$1" >"$work/pipe"
+    debug "$1" <"$2" >"$work/pipe"
     same "$work/file" "$work/again" "$2 says something else again, over $1"
     same "$work/file" "$work/pipe" "$2 says something else from a pipe, over $1"
 }

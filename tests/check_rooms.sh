@@ -2,7 +2,7 @@
 # check_rooms.sh - no file includes what lies above it (tests/rooms.txt), every
 # file lies in a room, and C++ and JavaScript stay where they belong.
 set -u
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/.." || exit 1
 
 find vm base asm web/engine web/tracer/host rt -name '*.[ch]' -o -name '*.cc' -o -name '*.def' | sort |
     xargs grep -H '^#include "' |

@@ -38,6 +38,8 @@ esac
 printf '%s\t%s\n' "$1" "${found:-untraced	it ended with $status}"
 END
 
+# They are folders, as words.
+# shellcheck disable=SC2086
 find $samples -name '*.pov' | sort | xargs -P "${JOBS:-2}" -I SCENE \
     sh "$work/one" SCENE "$build" "$width" "$height" "$seconds" |
     sort >"$work/list"

@@ -49,10 +49,11 @@ turn() { # NUMBER
 }
 
 is_listed() { # SCENE LIST
-    case " $(echo $2) " in *" $1 "*) return 0 ;; esac
-    return 1
+    printf "%s" "$2" | tr -s " \n" "\n" | grep -qxF "$1"
 }
 
+# The size of a small frame is four words.
+# shellcheck disable=SC2086
 checksum() { # SCENE OPTIONS ..: of a small frame
     scene_file=$1
     shift
@@ -70,6 +71,8 @@ render() { # SCENE NAME OPTION ..: a frame for the other tracers, and its file
 }
 
 # The other tracers are asked once, for both ways.
+# An option or a file that is not there is no word.
+# shellcheck disable=SC2086
 same_as_others() { # SCENE OPTION OPTION: of check_scene; of the other way, or none
     frame_file=$(render "$1" frame)
     other_file=

@@ -55,20 +55,24 @@ planted() {
     cp "$work/kept" "$work/copy/$1"
 }
 
+appended() { # FILE LINE WHAT_IS_SAID
+    planted "$1" "\$a $2" "$3"
+}
+
 cp -r "$BUILD/site" "$work/copy"
-planted index.html '$a <a href="docs/nowhere.html">a page</a>' \
+appended index.html '<a href="docs/nowhere.html">a page</a>' \
     'index.html: leads nowhere: docs/nowhere.html'
-planted docs/machine.html "\$a <a class=x href='timing.html#nowhere'>a heading</a>" \
+appended docs/machine.html "<a class=x href='timing.html#nowhere'>a heading</a>" \
     'docs/machine.html: no such anchor: timing.html#nowhere'
-planted docs/gallery.html '$a <img src=pictures/nowhere.png>' \
+appended docs/gallery.html '<img src=pictures/nowhere.png>' \
     'docs/gallery.html: leads nowhere: pictures/nowhere.png'
-planted docs/isa.html '$a <script src="https://example.org/a.js"></script>' \
+appended docs/isa.html '<script src="https://example.org/a.js"></script>' \
     'docs/isa.html: script src asks another host'
-planted docs/timing.html '$a <link rel="stylesheet" href="//example.org/a.css">' \
+appended docs/timing.html '<link rel="stylesheet" href="//example.org/a.css">' \
     'docs/timing.html: link href asks another host'
-planted docs/heat.html '$a <p style="background: url(http://example.org/a.png)">' \
+appended docs/heat.html '<p style="background: url(http://example.org/a.png)">' \
     'docs/heat.html: a style asks another host'
-planted site.css '$a a { background: url("https://example.org/a.png") }' \
+appended site.css 'a { background: url("https://example.org/a.png") }' \
     'site.css: asks another host'
 planted 404.html 's|"/docs/points.html"|"/docs/mass.html"|' \
     'not in the navigation: docs/points.html'

@@ -26,6 +26,8 @@ outcome() { # COMMAND ..
 }
 
 # However it is found, a line of options each on standard input.
+# A line is several options.
+# shellcheck disable=SC2086
 same() { # COMMAND OPTION ..
     command=$1
     shift
@@ -47,9 +49,12 @@ else
     mass="--rays 16 --repeats 4" heat="--rays 4 --repeats 2"
 fi
 sed 's/$/ --jobs 3/' "$work/ways" >"$work/jobs"
+# They are options and their values.
+# shellcheck disable=SC2086
 same mass $mass --density default=1 <"$work/jobs"
 same heat --lines 32 --repeats 2 <"$work/jobs"
 [ "${USES:-some}" = all ] || sed -i 's/^/--mode kernels /' "$work/jobs"
+# shellcheck disable=SC2086
 same heat $heat <"$work/jobs"
 echo "$scene"
 counted

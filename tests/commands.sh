@@ -3,6 +3,8 @@
 #   . "$here/tests/commands.sh"
 #
 # The script has sourced count.sh, and stands in the folder $work.
+# shellcheck shell=sh
+: "${work:?}"
 
 ends() { # CODE COMMAND ..: its exit code; what it prints goes to out and err
     wanted=$1

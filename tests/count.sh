@@ -4,6 +4,7 @@
 #
 # Such a script ends with "counted", the line that run_all.sh sums; its status
 # is the script's.
+# shellcheck shell=sh
 
 passed=0 failed=0
 said= # a file that a failure shows: what the last command said

@@ -3,7 +3,7 @@
 # once in its file, and an empty line parts it from the fault before.  Whether
 # the fault is found is for run.sh to say.
 set -u
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../.." || exit 1
 
 awk '
     function times(text, path, line, count) {

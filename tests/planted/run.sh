@@ -19,7 +19,8 @@ limit=infinity # seconds for a part
 # A copy compiles what another one has compiled before.
 compiler=${CC:-cc}
 if command -v ccache >/dev/null; then
-    export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR="$(pwd)"
+    CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$(pwd)
+    export CCACHE_NOHASHDIR CCACHE_BASEDIR
     compiler="ccache ${compiler#ccache }"
 fi
 unset MAKEFLAGS MFLAGS MAKELEVEL
@@ -111,8 +112,9 @@ pass_whole() { # JOB
 
 # Takes the next fault that nobody has taken, until there is none.
 work() { # JOB
-    for fault in $(ls "$place/faults" | sort -n); do
-        fault=$place/faults/$fault
+    # Their names are numbers.
+    for number in $(find "$place/faults" -mindepth 1 -maxdepth 1 -printf "%f\n" | sort -n); do
+        fault=$place/faults/$number
         mkdir "$fault/taken" 2>/dev/null && try "$fault" "$place/$1"
     done
 }
