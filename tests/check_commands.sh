@@ -748,6 +748,19 @@ done
 tells out "^1 *environment  0\.[34]"
 ends 0 "$build/rt205" heat bay.pov --rays 64 --points random --seed 7 --json heat.json
 tells heat.json "\"factors\""
+# Surfaces that nothing sees are counted; --details and JSON list them.
+echo "sphere { 0, 1 } sphere { 0, .5 }" >hidden.pov
+cp hidden.pov hidden_2.pov
+echo "sphere { 0, .2 }" >>hidden_2.pov
+ends 0 "$build/rt205" heat hidden.pov --rays 16 --json heat.json
+tells out "^1 surface has no area that is seen; --details lists it$"
+[ "$(grep -c '^[0-9]* *sphere' out)" -eq 1 ] && [ "$(grep -c '"kind"' heat.json)" -eq 2 ]
+verdict $? "heat does not leave out the surface that is not seen"
+ends 0 "$build/rt205" heat hidden_2.pov --rays 16
+tells out "^2 surfaces have no area that is seen; --details lists them$"
+ends 0 "$build/rt205" heat hidden.pov --rays 16 --details
+[ "$(grep -c '^[0-9]* *sphere' out)" -eq 2 ] && ! grep -q 'no area that' out
+verdict $? "heat --details does not list the surface that is not seen"
 echo "plane { y, -1 } sphere { 0, 1 }" >floor.pov
 ends 0 "$build/rt205" heat floor.pov --rays 64
 tells err "^floor.pov:1: warning: the plane receives alone: a plane has no end"

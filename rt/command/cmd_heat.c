@@ -125,11 +125,32 @@ static bool tell_part(const struct results *results, struct table *table,
     return good;
 }
 
-static bool tell_tables(const struct heat *heat, const struct stages *stages,
-                        const struct results *results)
+/* JSON always has all of them. */
+static bool tell_areas(const struct heat *heat, bool details,
+                       const struct results *results)
 {
-    return tell_part(results, heat_table_of_areas(heat), "areas",
-                     "Areas that are seen")
+    struct results printed = *results, kept = *results;
+    size_t unseen = details ? 0 : heat_unseen(heat);
+
+    printed.json = NULL;
+    kept.file = NULL;
+    if (!tell_part(&printed, heat_table_of_areas(heat, details), "areas",
+                   "Areas that are seen")
+        || !tell_part(&kept, heat_table_of_areas(heat, true), "areas", NULL))
+        return false;
+    if (unseen > 0)
+        results_say(results,
+                    "\n%zu surface%s no area that is seen; --details lists "
+                    "%s\n",
+                    unseen, unseen == 1 ? " has" : "s have",
+                    unseen == 1 ? "it" : "them");
+    return true;
+}
+
+static bool tell_tables(const struct heat *heat, const struct stages *stages,
+                        bool details, const struct results *results)
+{
+    return tell_areas(heat, details, results)
            && tell_part(results, heat_table_of_factors(heat), "factors",
                         "Factors")
            && (!heat->request->smooth
@@ -165,7 +186,7 @@ static bool tell(const struct rt205_arguments *arguments,
         json_count(json, "seed", (size_t)request->seed);
         provenance_json(request->model, json);
     }
-    return tell_tables(heat, stages, results);
+    return tell_tables(heat, stages, arguments->details, results);
 }
 
 /* What differs both ways by more is no chance; closure is exact. */
@@ -435,6 +456,8 @@ static const struct command_option options[] = {
     CMD_FLAG("stages", heat.stages,
              "also in the other two modes, which must find the same: clocks "
              "of all, step by step"),
+    CMD_FLAG("details", details,
+             "also the surfaces that have no area that is seen"),
     CMD_QUEUE("points and rays in the vector queue"),
     CMD_JOBS("packets of rays at a time"),
     CMD_RESUME("packets"),

@@ -84,9 +84,9 @@ struct rt205_arguments {
     bool accounts;                /* of a frame, printed */
     bool profile, in_order;       /* of a frame, line by line */
     bool all, first;              /* roots of polynomials */
-    bool details, passes; /* of the speedup table; the passes are the root
-                             solver's, one by one */
-    bool formulations;    /* of the cylinder, in place of that table */
+    bool details; /* of the speedup table, and of heat the unseen surfaces */
+    bool passes;  /* of the speedup table: the root solver's, one by one */
+    bool formulations;         /* of the cylinder, in place of that table */
     struct command_texts rows; /* of that table; none: all of them */
     struct cmd_heat heat;
     int falsi; /* the rule; FALSI_RULES: all of them, compared */

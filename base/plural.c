@@ -1,0 +1,6 @@
+#include "base/plural.h"
+
+const char *plural(uint64_t count)
+{
+    return count == 1 ? "" : "s";
+}

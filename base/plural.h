@@ -1,0 +1,13 @@
+/* plural.h - counts with a noun: "1 clock", "2 clocks", "0 clocks".
+ *
+ *   printf("%zu clock%s", clocks, plural(clocks));
+ */
+#ifndef BASE_PLURAL_H
+#define BASE_PLURAL_H
+
+#include <stdint.h>
+
+/* The ending of a regular noun: "" of 1, else "s". */
+const char *plural(uint64_t count);
+
+#endif
