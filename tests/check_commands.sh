@@ -765,7 +765,7 @@ echo "plane { y, -1 } sphere { 0, 1 }" >floor.pov
 ends 0 "$build/rt205" heat floor.pov --rays 64
 tells err "^floor.pov:1: warning: the plane receives alone: a plane has no end"
 ends 2 "$build/rt205" heat bay.pov --rays 0
-ends 2 "$build/rt205" heat bay.pov --rays 65536
+ends 2 "$build/rt205" heat bay.pov --rays 1048577
 ends 2 "$build/rt205" heat bay.pov --repeats 1
 ends 2 "$build/rt205" heat bay.pov --points square
 ends 2 "$build/rt205" heat bay.pov --mode 1984

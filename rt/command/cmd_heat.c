@@ -35,7 +35,7 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
     const struct trace_options *trace = &arguments->trace;
     bool by_lines = wishes->lines > 0;
     size_t most = by_lines ? (size_t)1 << GLOBAL_LINES_LOG_MOST
-                           : EMISSION_MOST;
+                           : FACTORS_POINTS_MOST;
 
     return (struct heat_request){
         .mode = trace->mode,
@@ -429,7 +429,7 @@ static const struct command_option options[] = {
     { CMD_COUNT("lines", heat.lines, 0, 1 << 30, 0,
                 "through all of the scene, in all repeats at least, in place "
                 "of rays") },
-    { CMD_COUNT("rays", heat.rays, 1, EMISSION_MOST, 1024,
+    { CMD_COUNT("rays", heat.rays, 1, FACTORS_POINTS_MOST, 1024,
                 "points of a surface in each repeat, and rays of those that "
                 "are seen") },
     { CMD_COUNT("repeats", heat.repeats, 2, 1000, 16,

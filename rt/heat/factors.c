@@ -18,6 +18,11 @@ struct factors *factors_new(const struct scene *scene,
 {
     struct factors *factors;
 
+    if (options->points < 1 || options->points > FACTORS_POINTS_MOST) {
+        error_say(error, "%zu points: 1 .. %d", options->points,
+                  FACTORS_POINTS_MOST);
+        return NULL;
+    }
     if (options->repeats < 2) {
         error_say(error, "errors come of two repeats or more");
         return NULL;
@@ -65,9 +70,36 @@ void factor_row_free(struct factor_row *row)
     *row = (struct factor_row){ .receivers = 0 };
 }
 
-/* What a row comes from: a packet of each repeat. */
+/* ---- Pieces --------------------------------------------------------------- */
+
+/* Packets of a repeat.  Lines cross a shape several times: four times on average
+ * may still be fewer than EMISSION_MOST. */
+enum { PIECE = 1 << 14 };
+
+static size_t piece_count(const struct factors_options *options)
+{
+    return options->points > EMISSION_MOST ? (options->points - 1) / PIECE + 1
+                                           : 1;
+}
+
+static size_t packet_count(const struct factors_options *options)
+{
+    return options->repeats * piece_count(options);
+}
+
+/* The number of the first point of a piece, and how many points it has. */
+static size_t find_piece(const struct factors_options *options, size_t piece,
+                         size_t *first)
+{
+    *first = PIECE * piece;
+    return piece_count(options) == 1          ? options->points
+           : options->points - *first > PIECE ? PIECE
+                                              : options->points - *first;
+}
+
+/* What a row comes from: the packets of each repeat. */
 struct repeats {
-    size_t count, points, receivers;
+    size_t count, pieces, points, receivers;
     const struct packet *packets;
     double *areas, *shares; /* of each */
 };
@@ -76,8 +108,12 @@ struct repeats {
 static double share_of(const struct repeats *repeats, size_t k,
                        size_t receiver)
 {
-    return c205_to_double(repeats->packets[k].sums[receiver])
-           / (double)repeats->points;
+    const struct packet *packet = &repeats->packets[k * repeats->pieces];
+    double sum = 0;
+
+    for (size_t i = 0; i < repeats->pieces; i++)
+        sum += c205_to_double(packet[i].sums[receiver]);
+    return sum / (double)repeats->points;
 }
 
 /* Of each repeat, all but what is covered. */
@@ -100,7 +136,7 @@ static bool count_rays(const struct repeats *repeats, struct factor_row *row)
 {
     bool good = true;
 
-    for (size_t k = 0; good && k < repeats->count; k++) {
+    for (size_t k = 0; good && k < repeats->count * repeats->pieces; k++) {
         const struct packet *packet = &repeats->packets[k];
 
         row->tried += packet->made;
@@ -122,6 +158,7 @@ static bool conclude(const struct packet_programs *programs,
 {
     const struct factors_options *options = &programs->options;
     struct repeats repeats = { .count = options->repeats,
+                               .pieces = piece_count(options),
                                .points = options->points,
                                .receivers = packet_receivers(programs),
                                .packets = packets };
@@ -147,12 +184,12 @@ static bool conclude(const struct packet_programs *programs,
 /* The source of a thread's last packet, which its next one often needs as well. */
 struct emitting {
     struct heat_source *source;
-    size_t primitive;
+    size_t primitive, points;
 };
 
 /* The packets of an emitter, as they come. */
 struct coming {
-    struct packet *packets; /* of each repeat; NULL: none has come */
+    struct packet *packets; /* of all repeats; NULL: none has come */
     size_t count;
 };
 
@@ -167,19 +204,21 @@ struct rows_work {
 
 static bool begin_source(const struct rows_work *work,
                          struct emitting *emitting, size_t primitive,
-                         c205_error *error)
+                         size_t points, c205_error *error)
 {
     const struct factors_options *options = &work->programs->options;
     const struct emission_options emits = { .mode = options->mode,
                                             .queue = options->queue,
-                                            .points = options->points,
+                                            .points = points,
                                             .lattice = options->lattice,
                                             .model = options->model };
 
-    if (emitting->source && emitting->primitive == primitive)
+    if (emitting->source && emitting->primitive == primitive
+        && emitting->points == points)
         return true;
     source_free(emitting->source);
     emitting->primitive = primitive;
+    emitting->points = points;
     emitting->source = source_new(work->programs->scene, primitive, &emits,
                                   error);
     return emitting->source;
@@ -189,17 +228,22 @@ static bool run_unit(void *context, size_t job, size_t unit,
                      struct unit_words *words, c205_error *error)
 {
     const struct rows_work *work = context;
-    size_t repeats = work->programs->options.repeats;
-    size_t primitive = work->emitters[unit / repeats];
+    const struct factors_options *options = &work->programs->options;
+    size_t pieces = piece_count(options), packets = packet_count(options);
+    struct packet_choice choice = {
+        .primitive = work->emitters[unit / packets],
+        .repeat = unit % packets / pieces,
+    };
+    size_t points = find_piece(options, unit % pieces, &choice.first);
     struct emitting *emitting = &work->emitting[job];
     struct packet packet = { .width = 0 };
     bool good;
 
-    if (!begin_source(work, emitting, primitive, error))
+    if (!begin_source(work, emitting, choice.primitive, points, error))
         return false;
     good = packet_begin(&packet, work->programs)
-               ? packet_run(work->programs, emitting->source, primitive,
-                            unit % repeats, &packet, error)
+               ? packet_run(work->programs, emitting->source, &choice,
+                            &packet, error)
                : error_say(error, "no memory");
     if (good)
         packet_put(&packet, words);
@@ -207,9 +251,9 @@ static bool run_unit(void *context, size_t job, size_t unit,
     return good;
 }
 
-static void end_coming(struct coming *coming, size_t repeats)
+static void end_coming(struct coming *coming, size_t count)
 {
-    for (size_t k = 0; coming->packets && k < repeats; k++)
+    for (size_t k = 0; coming->packets && k < count; k++)
         packet_free(&coming->packets[k]);
     free(coming->packets);
     coming->packets = NULL;
@@ -217,12 +261,12 @@ static void end_coming(struct coming *coming, size_t repeats)
 
 static bool begin_coming(const struct rows_work *work, struct coming *coming)
 {
-    size_t repeats = work->programs->options.repeats;
+    size_t count = packet_count(&work->programs->options);
     bool good;
 
-    coming->packets = calloc(repeats, sizeof *coming->packets);
+    coming->packets = calloc(count, sizeof *coming->packets);
     good = coming->packets != NULL;
-    for (size_t k = 0; good && k < repeats; k++)
+    for (size_t k = 0; good && k < count; k++)
         good = packet_begin(&coming->packets[k], work->programs);
     return good;
 }
@@ -232,24 +276,25 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
                       c205_error *error)
 {
     const struct rows_work *work = context;
-    size_t repeats = work->programs->options.repeats, i = unit / repeats;
+    size_t count = packet_count(&work->programs->options);
+    size_t i = unit / count;
     struct coming *coming = &work->coming[i];
 
     if (!coming->packets && !begin_coming(work, coming))
         return error_say(error, "no memory");
-    if (!packet_take(&coming->packets[unit % repeats], words))
+    if (!packet_take(&coming->packets[unit % count], words))
         return error_say(error, "a packet has no words");
-    if (++coming->count < repeats)
+    if (++coming->count < count)
         return true;
     if (!conclude(work->programs, coming->packets, &work->rows[i]))
         return error_say(error, "no memory");
-    end_coming(coming, repeats);
+    end_coming(coming, count);
     return true;
 }
 
 static size_t unit_count(const struct rows_work *work)
 {
-    return work->emitter_count * work->programs->options.repeats;
+    return work->emitter_count * packet_count(&work->programs->options);
 }
 
 /* ---- All rows ---------------------------------------------------------------- */
@@ -311,14 +356,14 @@ static void end(struct rows_work *work)
     for (size_t i = 0; work->emitting && i < work->job_count; i++)
         source_free(work->emitting[i].source);
     for (size_t i = 0; work->coming && i < work->emitter_count; i++)
-        end_coming(&work->coming[i], work->programs->options.repeats);
+        end_coming(&work->coming[i], packet_count(&work->programs->options));
     free(work->emitting);
     free(work->coming);
 }
 
 size_t factors_units(const struct factors *factors, size_t count)
 {
-    return count * factors->programs.options.repeats;
+    return count * packet_count(&factors->programs.options);
 }
 
 bool factors_find(const struct factors *factors, const size_t *emitters,

@@ -1,7 +1,7 @@
 /* factors.h - where the rays go that a primitive of a scene emits: shape factors,
  * and the areas of what is seen of it.
  *
- * A packet is one repeat of an emitter: its points, which of these are seen, and what
+ * A packet is one repeat of an emitter, or a piece of it: its points, which of these are seen, and what
  * receives the rays that go out from them.  All of that, and the counts and sums of weights
  * by receiver, are the machine's: packet by packet, in machines of its own, by a
  * farm.  They do not depend on the form,
@@ -18,10 +18,13 @@
 #include "rt/heat/step.h"
 #include "rt/trace/lines.h"
 
+/* Of a repeat; more than a vector holds are found in pieces. */
+enum { FACTORS_POINTS_MOST = 1 << 20 };
+
 struct factors_options {
     enum trace_mode mode;
     size_t queue;   /* in vector mode: of points and of rays */
-    size_t points;  /* of each repeat: 1 .. EMISSION_MOST; of the
+    size_t points;  /* of each repeat: 1 .. FACTORS_POINTS_MOST; of the
                              lattice a power of two is best */
     size_t repeats; /* 2 or more: their spread gives the errors */
     bool lattice;   /* .. under independent shifts; else random */

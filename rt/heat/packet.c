@@ -107,7 +107,7 @@ bool packet_take(struct packet *packet, struct unit_words *words)
 struct packet_work {
     const struct packet_programs *programs;
     const struct heat_source *source;
-    size_t primitive, repeat;
+    struct packet_choice choice;
     struct packet *packet;
     struct sourced made; /* all points */
     c205_word *stays;    /* planes of those that stay, and their number */
@@ -125,11 +125,13 @@ static void charge(const struct packet_work *work, enum heat_step step)
 static bool emit(struct packet_work *work)
 {
     const struct factors_options *options = &work->programs->options;
-    size_t place = work->primitive * options->repeats + work->repeat;
+    size_t place = work->choice.primitive * options->repeats
+                   + work->choice.repeat;
     struct emission_choice choice = emission_choose(options->lattice,
                                                     options->seed,
                                                     options->points, place);
 
+    choice.first += work->choice.first;
     if (!source_run(work->source, &choice, &work->made,
                     &work->packet->accounts, work->error))
         return false;
@@ -204,7 +206,7 @@ static bool run_faces(const struct packet_work *work, const c205_word *list,
     made = single_run_room(&run, "faces_made", NULL, words + 1);
     single_run_word(&run, "faces_crossings", crossings);
     single_run_room(&run, "faces_list", list, FACE_PLANES * crossings);
-    single_run_word(&run, "faces_primitive", work->primitive);
+    single_run_word(&run, "faces_primitive", work->choice.primitive);
     single_run_word(&run, "faces_vectors",
                     UINT64_C(7) << EMITTED_FACE | UINT64_C(7) << EMITTED_RAY);
     single_run_room(&run, "faces_kept", NULL, points);
@@ -342,13 +344,13 @@ static bool run_packet(struct packet_work *work)
 
 
 bool packet_run(const struct packet_programs *programs,
-                const struct heat_source *source, size_t primitive,
-                size_t repeat, struct packet *packet, c205_error *error)
+                const struct heat_source *source,
+                const struct packet_choice *choice, struct packet *packet,
+                c205_error *error)
 {
     struct packet_work work = { .programs = programs,
                                 .source = source,
-                                .primitive = primitive,
-                                .repeat = repeat,
+                                .choice = *choice,
                                 .packet = packet,
                                 .error = error };
 

@@ -1,4 +1,4 @@
-/* packet.h - a packet of rays: one repeat of an emitter, its points, which of them are
+/* packet.h - a packet of rays: one repeat of an emitter or a piece of it, its points, which of them are
  * seen, and what receives the rays that go out from these.
  *
  * A point of the emitter's source stays if the surface is seen there, that is if its
@@ -45,10 +45,16 @@ bool packet_begin(struct packet *packet,
                   const struct packet_programs *programs);
 void packet_free(struct packet *packet);
 
+/* Which points a packet has: those of a repeat of a primitive, from number `first` on. */
+struct packet_choice {
+    size_t primitive, repeat, first;
+};
+
 /* Any number of threads may run packets at a time.  False: a trap, no memory. */
 bool packet_run(const struct packet_programs *programs,
-                const struct heat_source *source, size_t primitive,
-                size_t repeat, struct packet *packet, c205_error *error);
+                const struct heat_source *source,
+                const struct packet_choice *choice, struct packet *packet,
+                c205_error *error);
 
 /* As a unit of work comes to it. */
 void packet_put(const struct packet *packet, struct unit_words *words);

@@ -4,6 +4,7 @@
  *     test_factors [SEED]
  */
 #include "rt/heat/factors.h"
+#include "rt/heat/packet.h"
 
 #include <stdio.h>
 
@@ -417,6 +418,63 @@ static void test_forms(void **state)
 
 /* ---- What is refused ------------------------------------------------------------- */
 
+/* The rays of a repeat's points, from half to half. */
+static void count_halves(const struct packet_programs *programs,
+                         struct packet_choice choice, uint64_t *counts)
+{
+    struct factors_options half = programs->options;
+    const struct emission_options emits = { .mode = half.mode,
+                                            .queue = half.queue,
+                                            .points = half.points / 2,
+                                            .lattice = half.lattice,
+                                            .model = half.model };
+    c205_error error = { "" };
+    struct heat_source *source = source_new(programs->scene, choice.primitive,
+                                            &emits, &error);
+    struct packet packet;
+
+    assert_non_null(source);
+    for (size_t i = 0; i < 2; i++) {
+        choice.first = i * emits.points;
+        assert_true(packet_begin(&packet, programs));
+        assert_true(packet_run(programs, source, &choice, &packet, &error));
+        for (size_t j = 0; j < packet_receivers(programs); j++)
+            counts[j] += (uint64_t)c205_to_integer(packet.counts[j]);
+        packet_free(&packet);
+    }
+    source_free(source);
+}
+
+/* More points than a vector holds: wherever a repeat is cut, its rays are the same. */
+static void test_pieces(void **state)
+{
+    struct scene *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");
+    struct packet_programs programs = { .scene = scene, .options = usual };
+    struct factors *factors;
+    struct factor_row row;
+    c205_error error = { "" };
+    uint64_t counts[3] = { 0, 0, 0 };
+
+    (void)state;
+    programs.options.points = 65536;
+    programs.options.repeats = 2;
+    programs.options.seed = seed;
+    programs.options.model = prior_model;
+    factors = begin(scene, programs.options);
+    row = find(factors, 1);
+    assert_true(packet_programs_begin(&programs, &error));
+    for (size_t k = 0; k < 2; k++)
+        count_halves(&programs, (struct packet_choice){ 1, k, 0 }, counts);
+    assert_int_equal(row.tried, 2 * 65536);
+    assert_int_equal(row.receivers, 3);
+    assert_memory_equal(row.count, counts, sizeof counts);
+    assert_estimate("six faces", row.area, 6 * 1.5 * 1.5);
+    factor_row_free(&row);
+    packet_programs_end(&programs);
+    factors_free(factors);
+    scene_free(scene);
+}
+
 static void test_refused(void **state)
 {
     struct factors_options options = usual;
@@ -433,6 +491,10 @@ static void test_refused(void **state)
     options.model = prior_model;
     assert_null(factors_new(scene, &options, &error));
     assert_non_null(strstr(error.message, "two repeats"));
+    options.repeats = 2;
+    options.points = FACTORS_POINTS_MOST + 1;
+    assert_null(factors_new(scene, &options, &error));
+    assert_non_null(strstr(error.message, "1048576"));
     scene_free(scene);
 }
 
@@ -442,7 +504,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_areas),   cmocka_unit_test(test_meshes),
         cmocka_unit_test(test_crowds),  cmocka_unit_test(test_known_factors),
         cmocka_unit_test(test_bias),    cmocka_unit_test(test_forms),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_refused), cmocka_unit_test(test_pieces),
     };
 
     if (argc > 1)
