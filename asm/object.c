@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asm/assembler.h"
 #include "asm/expect.h"
+#include "base/error.h"
 #include "base/text_file.h"
 #include "base/whole.h"
 
@@ -119,6 +121,21 @@ struct object *object_load(const char *path, c205_error *error)
                  reason.message);
     free(text);
     return object;
+}
+
+/* A program that has no instruction begins where code begins by default. */
+bool object_check(const struct object *object, c205_error *error)
+{
+    const c205_program *program = &object->program;
+
+    if (program->entry != CODE_ORIGIN)
+        return true;
+    for (size_t i = 0; i < program->segment_count; i++)
+        if (program->segments[i].address <= CODE_ORIGIN
+            && (CODE_ORIGIN - program->segments[i].address) / 64
+                   < program->segments[i].length)
+            return true;
+    return error_say(error, "the program is empty: it has no instructions");
 }
 
 bool object_recognise(const char *text, size_t length)

@@ -33,6 +33,8 @@ struct object *object_load(const char *path, c205_error *error);
 void object_write(const struct object *object, const struct sink *sink);
 struct object *object_read(const char *text, size_t length,
                            c205_error *error);
+/* Whether a program can begin.  False: it is empty. */
+bool object_check(const struct object *object, c205_error *error);
 /* Whether a text begins as object files do. */
 bool object_recognise(const char *text, size_t length);
 

@@ -7,6 +7,7 @@
 
 #include "asm/command/c205_command.h"
 #include "asm/expect.h"
+#include "asm/object.h"
 #include "asm/print.h"
 #include "asm/watch.h"
 #include "base/model.h"
@@ -114,7 +115,8 @@ static bool run(struct checker *checker, const struct object *object,
     if (!have_machine(checker, object)) {
         return false;
     }
-    if (!c205_load(checker->machine, &object->program, &error)) {
+    if (!object_check(object, &error)
+        || !c205_load(checker->machine, &object->program, &error)) {
         return fail(checker, error.message);
     }
     checker->watch = watch_new(object, path,

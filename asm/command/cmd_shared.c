@@ -78,7 +78,9 @@ c205 *cmd_load(const struct c205_arguments *arguments,
                c205_error *error)
 {
     c205 *machine = c205_new(model, error);
-    if (machine && !c205_load(machine, &object->program, error)) {
+    if (machine
+        && (!object_check(object, error)
+            || !c205_load(machine, &object->program, error))) {
         c205_free(machine);
         return NULL;
     }

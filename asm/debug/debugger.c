@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "asm/debug/parts.h"
+#include "asm/object.h"
 #include "base/nearest.h"
 
 /* Bytes of snapshots, unless it is told another number. */
@@ -141,7 +142,8 @@ static c205 *make_machine(const struct debugger_setup *setup,
     if (setup->machine)
         return setup->machine(setup->context, error);
     machine = c205_new(setup->model, error);
-    if (machine && c205_load(machine, &setup->object->program, error))
+    if (machine && object_check(setup->object, error)
+        && c205_load(machine, &setup->object->program, error))
         return machine;
     c205_free(machine);
     return NULL;

@@ -6,6 +6,7 @@
 
 #include "asm/expect.h"
 #include "asm/lesson/parts.h"
+#include "asm/object.h"
 #include "asm/print.h"
 #include "asm/trap_report.h"
 #include "base/error.h"
@@ -313,6 +314,7 @@ static bool run(struct sitting *sitting)
 static bool sit(struct sitting *sitting)
 {
     struct lesson_exchange *exchange = &sitting->exchange;
+    c205_error why;
 
     sitting->printer.sink = text_buffer_sink(&sitting->printed);
     if (!(sitting->test = lesson_assemble_test(sitting->trial->test,
@@ -321,6 +323,11 @@ static bool sit(struct sitting *sitting)
         return false;
     if (!sitting->answer)
         return true;
+    if (!object_check(sitting->answer, &why)) {
+        report_say(&sitting->trial->report, "It cannot run: %s.",
+                   why.message);
+        return true;
+    }
     if (!load_answer(sitting))
         return false;
     *exchange = (struct lesson_exchange){ .test = sitting->test,

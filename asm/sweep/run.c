@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "asm/object.h"
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
 #include "base/array.h"
@@ -81,7 +82,8 @@ static bool run_object(const struct program_sweep *sweep,
     bool good;
 
     program.warm = sweep->warm || (program.warm && !sweep->cold);
-    good = machine && c205_load(machine, &program, error);
+    good = machine && object_check(object, error)
+           && c205_load(machine, &program, error);
     if (good) {
         stop = run_slices(sweep, machine);
         good = stop.trap == C205_TRAP_NONE && stop.status == 0;
@@ -113,7 +115,7 @@ static bool run_at(struct program_sweep *sweep, int which, uint64_t value,
     }
     if (!good)
         snprintf(error->message, sizeof error->message,
-                 "%.80s with %.40s = %" PRIu64 ": %.100s", program->path,
+                 "%.60s with %.40s = %" PRIu64 ": %.120s", program->path,
                  sweep->constant, value, reason.message);
     return good;
 }

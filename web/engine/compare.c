@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include "asm/compare/compared.h"
+#include "asm/object.h"
 #include "web/engine/parts.h"
 
 struct compared_text {
@@ -67,7 +68,7 @@ static bool begin_run(struct text_comparison *comparison, c205_error *error)
     const struct compared_text *side = &comparison->sides[comparison->which];
 
     comparison->machine = c205_new(side->model, error);
-    return comparison->machine
+    return comparison->machine && object_check(side->object, error)
            && c205_load(comparison->machine, &side->object->program, error);
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "asm/expect.h"
+#include "asm/object.h"
 #include "base/array.h"
 #include "vm/text.h"
 #include "web/engine/parts.h"
@@ -260,7 +261,8 @@ static c205 *make_machine(void *context, c205_error *error)
     struct engine *engine = context;
     c205 *machine = c205_new(engine->model, error);
 
-    if (machine && c205_load(machine, &engine->object->program, error)
+    if (machine && object_check(engine->object, error)
+        && c205_load(machine, &engine->object->program, error)
         && c205_listen(machine, replay_listen, engine))
         return machine;
     c205_free(machine);
