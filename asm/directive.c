@@ -281,8 +281,8 @@ static bool parse_elements(struct cursor *cursor, enum item_kind kind,
     *rest = (uint64_t)length - given;
     return given <= (uint64_t)length
            || report(cursor->assembler, cursor->line, at,
-                     "these are %lu values, more than the vector holds",
-                     (unsigned long)given);
+                     "these are %lu values, more than the vector holds: %lu",
+                     (unsigned long)given, (unsigned long)length);
 }
 
 static bool parse_vector(struct cursor *cursor)

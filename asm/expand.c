@@ -7,11 +7,12 @@
 
 /* ---- The stack of texts ---- */
 
+/* The message has a %zu for the limit. */
 static bool halt(struct expander *expander, const struct line *line,
-                 const char *message)
+                 const char *message, size_t limit)
 {
     expander->halted = true;
-    return report(expander->assembler, line, line->begin, "%s", message);
+    return report(expander->assembler, line, line->begin, message, limit);
 }
 
 static struct expansion *push(struct expander *expander,
@@ -22,8 +23,9 @@ static struct expansion *push(struct expander *expander,
 
     if (expander->depth == MAX_FRAMES) {
         halt(expander, line,
-             "includes and macros are nested too deeply;"
-             " does one contain itself?");
+             "includes and macros are nested too deeply, more than %zu;"
+             " does one contain itself?",
+             MAX_FRAMES);
         return NULL;
     }
     frame = &expander->frames[expander->depth++];
@@ -71,7 +73,10 @@ static bool spend(struct expander *expander, const struct line *line,
     expander->expansion += bytes + sizeof(struct line);
     if (expander->expansion <= MAX_EXPANSION)
         return true;
-    return halt(expander, line, "macros and repetitions make too much text");
+    return halt(
+        expander, line,
+        "macros and repetitions make too much text: at most %zu bytes",
+        MAX_EXPANSION);
 }
 
 static struct line *file_line(struct expander *expander,
@@ -93,9 +98,10 @@ static struct line *file_line(struct expander *expander,
     line->text_end = newline;
     line->end = line->text_end;
     frame->at = newline + (newline < frame->end);
-    if ((size_t)(line->end - line->begin) >= MAX_LINE) {
+    if ((size_t)(line->end - line->begin) > MAX_LINE) {
         line->text_end = line->end = line->begin + 40;
-        halt(expander, line, "this line is too long");
+        halt(expander, line,
+             "this line is too long: a line has at most %zu bytes", MAX_LINE);
     }
     return line;
 }
@@ -133,8 +139,10 @@ static struct line *body_line(struct expander *expander,
     if (!line || !spend(expander, model, length))
         return NULL;
     *line = *model;
-    if (length == MAX_LINE) {
-        halt(expander, model, "this line expands to too long a line");
+    if (length > MAX_LINE) {
+        halt(expander, model,
+             "this line expands to too long a line: at most %zu bytes",
+             MAX_LINE);
         return NULL;
     }
     line->caller = frame->caller;

@@ -177,7 +177,7 @@ struct macro_text {
 
 static void append(struct macro_text *output, const char *text, size_t length)
 {
-    output->full = output->full || length >= MAX_LINE - output->length;
+    output->full = output->full || length > MAX_LINE - output->length;
     if (output->full)
         return;
     memcpy(output->text + output->length, text, length);
@@ -262,5 +262,5 @@ size_t substitute(const struct substitution *substitution,
         if (at < line->text_end)
             at = substitute_one(substitution, at, line->text_end, &output);
     }
-    return output.full ? MAX_LINE : output.length;
+    return output.full ? MAX_LINE + 1 : output.length;
 }

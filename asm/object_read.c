@@ -1,4 +1,5 @@
 #include <ctype.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -13,6 +14,7 @@ struct object_reader {
     size_t line;
     uint64_t words;
     const char *problem;
+    char limit[60];
 };
 
 static bool wrong(struct object_reader *reader, const char *problem)
@@ -20,6 +22,14 @@ static bool wrong(struct object_reader *reader, const char *problem)
     if (!reader->problem)
         reader->problem = problem;
     return false;
+}
+
+static bool wrong_limit(struct object_reader *reader, const char *what,
+                        uint64_t most)
+{
+    snprintf(reader->limit, sizeof reader->limit, "%s: at most %" PRIu64,
+             what, most);
+    return wrong(reader, reader->limit);
 }
 
 static bool next_line(struct object_reader *reader)
@@ -73,7 +83,7 @@ static bool take_count(struct object_reader *reader, uint64_t most,
     while (at < reader->line_end && isdigit((unsigned char)*at)) {
         number = 10 * number + (uint64_t)(*at++ - '0');
         if (number > most)
-            return wrong(reader, "this number is too large");
+            return wrong_limit(reader, "this number is too large", most);
     }
     if (at == reader->field)
         return wrong(reader, "expected a number");
@@ -150,7 +160,7 @@ static bool read_extent(struct object_reader *reader, c205_segment *segment)
     if (segment->address % 64)
         return wrong(reader, "a segment begins on a word");
     if (reader->words > MAX_WORDS)
-        return wrong(reader, "these are too many words");
+        return wrong_limit(reader, "these are too many words", MAX_WORDS);
     if (segment->address + 64 * (uint64_t)segment->length
         > (uint64_t)1 << ADDRESS_BITS)
         return wrong(reader, "this segment ends beyond the last address");
@@ -339,9 +349,7 @@ static bool read_all(struct object_reader *reader)
 
 struct object *object_read(const char *text, size_t length, c205_error *error)
 {
-    struct object_reader reader = {
-        NULL, NULL, NULL, NULL, NULL, 0, 0, NULL
-    };
+    struct object_reader reader = { .line = 0 };
 
     reader.storage = storage_new();
     reader.at = text;

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/error.h"
 #include "base/file.h"
 #include "base/whole.h"
 
@@ -40,10 +41,11 @@ bool state_save(const c205 *machine, const char *path, c205_error *error)
     if (c205_save(machine, put, &output, &reason)) {
         return whole_commit(whole, error);
     }
-    tell(error, path,
-         output.left < sizeof(c205_word)
-             ? "a machine of this size cannot be saved"
-             : reason.message);
+    if (output.left < sizeof(c205_word)) {
+        error_say(&reason, "the saved machine has more than %d bytes",
+                  FILE_LARGEST);
+    }
+    tell(error, path, reason.message);
     whole_discard(whole);
     return false;
 }

@@ -1,5 +1,6 @@
 /* json_read.c - see json_read.h. */
 #include "base/json_read.h"
+#include "base/error.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,6 +8,8 @@
 #include <string.h>
 
 #include "base/utf8.h"
+
+#define DIGITS_MOST 400
 
 struct json_reading {
     struct arena *arena;
@@ -175,7 +178,6 @@ static bool skip_number(struct json_reading *reading)
 static bool read_number(struct json_reading *reading,
                         struct json_value *value)
 {
-    enum { DIGITS_MOST = 400 };
     const char *from = reading->at;
     char digits[DIGITS_MOST];
     size_t length;
@@ -184,12 +186,14 @@ static bool read_number(struct json_reading *reading,
         return fail(reading, "no value");
     length = (size_t)(reading->at - from);
     if (length >= sizeof digits)
-        return fail(reading, "a number of so many digits");
+        return fail(reading, "a number of so many digits, "
+                             "at least " LIMIT_TEXT(DIGITS_MOST));
     memcpy(digits, from, length);
     digits[length] = '\0';
     value->kind = JSON_NUMBER;
     value->number = strtod(digits, NULL);
-    return isfinite(value->number) || fail(reading, "a number too large");
+    return isfinite(value->number)
+           || fail(reading, "a number too large, above 1.8e308");
 }
 
 static bool take_name(struct json_reading *reading, const char *name)
@@ -272,7 +276,8 @@ static bool read_within(struct json_reading *reading,
     bool good;
 
     if (reading->depth == JSON_DEEPEST)
-        return fail(reading, "brackets too deep in each other");
+        return fail(reading, "brackets too deep in each other, "
+                             "more than " LIMIT_TEXT(JSON_DEEPEST));
     reading->depth++;
     good = read_items(reading, value, closing);
     reading->depth--;

@@ -31,7 +31,7 @@ struct json_value {
 };
 
 /* Arrays and objects lie in each other so deep at the most. */
-enum { JSON_DEEPEST = 64 };
+#define JSON_DEEPEST 64
 
 /* It lives in the arena.  NULL: the error says what is wrong, and at which byte. */
 const struct json_value *json_read(struct arena *arena, const char *text,

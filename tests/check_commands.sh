@@ -347,6 +347,44 @@ wait $!
 verdict $? "Ctrl-C ends a sweep"
 tells err "^c205 sweep: slow.s with n = [0-9]*: interrupted$"
 
+# A message about a limit contains the limit
+{ printf '        .data\nv:      .word   1'; seq -f ', %.0f' -s '' 20000; } >wide_line.s
+ends 1 "$build/c205" asm wide_line.s
+tells err "too long: a line has at most 65536 bytes"
+printf ' .macro m\n m\n .endm\n m\n' >deep.s
+ends 1 "$build/c205" asm deep.s
+tells err "nested too deeply, more than 64"
+
+# An empty program is reported as empty
+: >empty.s
+printf '        .data\nv:      .word   1\n' >data.s
+for file in empty.s data.s; do
+    for verb in run debug "run --check" "sweep --define n=1:2"; do
+        # The words are of one command.
+        # shellcheck disable=SC2086
+        ends 1 "$build/c205" $verb "$file"
+        cat err >>out
+        tells out "the program is empty"
+    done
+done
+
+# A sweep that fails says where
+cat >at.s <<'END'
+        .include "core.s"
+        .ifndef n
+        .equ    n, 4
+        .endif
+        .regs   r16, x
+        .code
+        load_constant x, n
+        .if     n > 20
+        LOD     [x], x
+        .endif
+        EXIT
+END
+ends 1 "$build/c205" sweep at.s --define n=10:30:5
+tells err "at.s with n = 25: trap"
+
 # The debugger, by scripts and by a pipe.
 printf "step\n\nassert step == 2\n# and no more\nwhy\nquit\nassert 0\n" >good.lines
 printf 'assert step == 1\nstpe' >bad.lines

@@ -173,7 +173,10 @@ static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
 
     (void)file;
     if (!name || strlen(name) + sizeof "region " > sizeof text)
-        return dap_fault(dap, "a name is missing, or too long");
+        return dap_fault(dap,
+                         "a name is missing, or has more than %d "
+                         "characters",
+                         TEXT_MOST - (int)sizeof "region ");
     snprintf(text, sizeof text, "%s%s", kind_of(dap, name), name);
     return place_read(dap->debugger, &rest, stop)
            && rest_finish(dap->debugger, &rest);

@@ -181,7 +181,8 @@ static bool read_text(struct debugger *debugger, char kept[TEXT_MOST],
 
     rest_skip(&rest);
     if (strlen(rest.at) >= TEXT_MOST)
-        return debug_fault(debugger, "a condition of so many letters");
+        return debug_fault(debugger, "a condition has at most %d characters",
+                           TEXT_MOST - 1);
     text = rest.at;
     rest.at += strlen(text);
     rest_text(text, &rest, kept);

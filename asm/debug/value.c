@@ -478,7 +478,10 @@ static bool read_signed(struct reading *reading, struct value_of *value)
     bool good;
 
     if (reading->depth++ > DEPTH_MOST)
-        return debug_fault(reading->debugger, "too many operators");
+        return debug_fault(
+            reading->debugger,
+            "more than %d operators or brackets within each other",
+            DEPTH_MOST);
     if (take(reading, "-")) {
         good = read_signed(reading, value);
         if (good)
@@ -614,7 +617,10 @@ static bool read_any(struct reading *reading, struct value_of *value)
     struct value_of other;
 
     if (reading->depth++ > DEPTH_MOST)
-        return debug_fault(reading->debugger, "too many brackets");
+        return debug_fault(
+            reading->debugger,
+            "more than %d operators or brackets within each other",
+            DEPTH_MOST);
     if (!read_both(reading, value))
         return false;
     while (take(reading, "||")) {

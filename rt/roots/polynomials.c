@@ -86,9 +86,13 @@ static bool take_number(struct polynomial_line *line, c205_word *word)
     if (!at_comma_or_end(line))
         return bad(line, line->at, "expected a comma");
     if (*word == C205_INDEFINITE)
-        return bad(line, begin, "larger than the machine's numbers");
+        return bad(
+            line, begin,
+            "larger than the machine's numbers, which end at 9.5e8644");
     if (*word == C205_MACHINE_ZERO && has_value(begin, end))
-        return bad(line, begin, "smaller than the machine's numbers");
+        return bad(
+            line, begin,
+            "smaller than the machine's numbers, which begin at 5.2e-8618");
     return true;
 }
 

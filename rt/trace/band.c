@@ -113,7 +113,7 @@ static bool listen(struct band_tracer *tracer, c205_error *error)
         if (tracer->watch_count == BAND_OBSERVERS_MOST
             || !c205_listen(tracer->machine, hear, watch)) {
             snprintf(error->message, sizeof error->message,
-                     "too many observers");
+                     "more than %d observers", BAND_OBSERVERS_MOST);
             return false;
         }
         watch->observer = *observers;

@@ -1,5 +1,6 @@
 /* array.c - arrays of values. */
 #include "rt/scene/language/value.h"
+#include "base/error.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -94,7 +95,8 @@ const char *array_copy(struct array **copy, const struct array *array)
 
     *copy = array_new(array->dimensions, array->sizes, array->cells);
     if (!*copy)
-        return "too many cells of arrays, or not enough memory";
+        return "not enough memory, or too many cells of arrays: "
+               "at most " LIMIT_TEXT(CELLS_MOST);
     fault = copy_cells(*copy, array);
     if (fault)
         array_free(*copy);

@@ -1,5 +1,6 @@
 /* note.c - notes, the values that they belong to, and their causes. */
 #include "rt/scene/language/note.h"
+#include "base/error.h"
 
 #include "base/hash.h"
 
@@ -150,7 +151,8 @@ void notebook_report(const struct notebook *book, enum severity severity,
         lost = &cause->first->place;
     if (lost->source)
         diagnostics_add(reports, severity, &lost->position,
-                        "too many reports: those from here on are left out");
+                        "too many reports: those from here on are left out, "
+                        "after " LIMIT_TEXT(REPORTS_MOST));
 }
 
 /* Each of them once, however often it is used: those that wait are marked. */

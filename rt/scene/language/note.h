@@ -17,7 +17,8 @@
 #include "base/diagnostic.h"
 #include "rt/scene/language/source.h"
 
-enum { REPORTS_MOST = 200, NOTES_MOST = 100000, NOTE_BUCKETS = 4096 };
+#define REPORTS_MOST 200
+enum { NOTES_MOST = 100000, NOTE_BUCKETS = 4096 };
 
 /* Those of a value; they last as long as the notebook. */
 struct notes;

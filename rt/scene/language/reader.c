@@ -1,5 +1,6 @@
 /* reader.c - tokens in, reports out. */
 #include "rt/scene/language/reader.h"
+#include "base/error.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -45,7 +46,8 @@ static void add_error(struct reader *reader, const struct scene_token *at,
     diagnostics_add(reports, SEVERITY_ERROR, &position, message);
     if (reports->errors >= ERRORS_MOST) {
         diagnostics_add(reports, SEVERITY_ERROR, &position,
-                        "too many errors: the rest of the scene is not read");
+                        "too many errors: the rest of the scene is not read "
+                        "after " LIMIT_TEXT(ERRORS_MOST));
         reader_stop(reader);
     }
 }

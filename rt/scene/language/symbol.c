@@ -1,5 +1,6 @@
 /* symbol.c - the table of declared names. */
 #include "rt/scene/language/symbol.h"
+#include "base/error.h"
 
 #include "base/hash.h"
 
@@ -153,7 +154,8 @@ static const char *assign_element(const struct reference *reference,
     else if (value->kind == VALUE_ARRAY
              && reference->hops + array_nesting(value->is.array)
                     > ARRAY_NESTING_MOST)
-        fault = "too many arrays within each other";
+        fault = "too many arrays within each other: "
+                "at most " LIMIT_TEXT(ARRAY_NESTING_MOST);
     if (!fault)
         return array_set(array, reference->element[last], value);
     value_free(value);

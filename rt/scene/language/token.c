@@ -1,11 +1,12 @@
 /* token.c - the tokenizer. */
 #include "rt/scene/language/token.h"
+#include "base/error.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { NUMBER_LONGEST = 300 };
+#define NUMBER_LONGEST 300 /* characters */
 
 struct open_text *lexer_top(struct lexer *lexer)
 {
@@ -211,14 +212,15 @@ static struct scene_token read_number(struct lexer *lexer)
     token.length = number_length(lexer);
     step(lexer, token.length);
     if (token.length > NUMBER_LONGEST) {
-        token.fault = "the number has too many digits";
+        token.fault = "the number has too many digits: "
+                      "at most " LIMIT_TEXT(NUMBER_LONGEST);
         return token;
     }
     memcpy(text, token.text, token.length);
     text[token.length] = '\0';
     token.number = strtod(text, NULL);
     if (!isfinite(token.number)) {
-        token.fault = "the number is too large";
+        token.fault = "the number is too large: at most 1.8e308";
         token.number = 0;
     }
     return token;

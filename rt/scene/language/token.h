@@ -39,7 +39,7 @@ struct scene_value;
 
 /* A symbol's value, or an element of an array in it: `hops` arrays are within
  * each other, each with its element. */
-enum { ARRAY_NESTING_MOST = 5 };
+#define ARRAY_NESTING_MOST 5
 struct reference {
     struct declared_name *symbol;
     size_t hops;

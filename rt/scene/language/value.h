@@ -65,7 +65,8 @@ enum scene_value_kind {
 };
 
 /* A row of values of one kind, of one dimension or more. */
-enum { DIMENSIONS_MOST = 5, CELLS_MOST = 100000 };
+enum { DIMENSIONS_MOST = 5 };
+#define CELLS_MOST 100000
 struct array {
     size_t dimensions, sizes[DIMENSIONS_MOST];
     size_t count;               /* the product of the sizes */

@@ -1,4 +1,5 @@
 #include "rt/study/fit/constants.h"
+#include "base/error.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -38,7 +39,9 @@ static bool add_member(struct free_constant *constant, const char *name,
     const c205_constant *found;
 
     if (i == MEMBERS_MOST)
-        return fail(error, "%s has too many members", constant->name);
+        return fail(error,
+                    "%s has more than " LIMIT_TEXT(MEMBERS_MOST) " members",
+                    constant->name);
     snprintf(constant->members[i].name, sizeof constant->members[i].name,
              "%.*s", (int)length, name);
     found = c205_model_lookup(model, constant->members[i].name);
@@ -101,7 +104,9 @@ static bool read_row(struct constants *constants, const struct csv_row *row,
         return csv_wrong(file, row, MACHINE, "there are no priors of it",
                          diagnostics);
     if (constants->count == FREE_MOST)
-        return csv_wrong(file, row, NAME, "too many constants", diagnostics);
+        return csv_wrong(file, row, NAME,
+                         "more than " LIMIT_TEXT(FREE_MOST) " constants",
+                         diagnostics);
     constants->count++;
     constant->name = row->fields[NAME];
     constant->machine = row->fields[MACHINE];

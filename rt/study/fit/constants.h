@@ -10,7 +10,8 @@
 #include "rt/study/fit/csv.h"
 #include "vm/c205.h"
 
-enum { FREE_MOST = 24, MEMBERS_MOST = 24 };
+#define FREE_MOST 24
+#define MEMBERS_MOST 24
 
 struct free_constant {
     const char *name, *machine;

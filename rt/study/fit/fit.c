@@ -339,7 +339,8 @@ bool fit_begin(struct fit *fit, c205_error *error)
     if (fit->observations->count > FIT_OBSERVATIONS_MOST
         || fit->observations->timing_count > FIT_TIMINGS_MOST) {
         snprintf(error->message, sizeof error->message,
-                 "too many observations");
+                 "more than %d observations or %d programs",
+                 FIT_OBSERVATIONS_MOST, FIT_TIMINGS_MOST);
         return false;
     }
     set_strangers_idle(fit);

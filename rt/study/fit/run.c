@@ -1,4 +1,5 @@
 #include "rt/study/fit/run.h"
+#include "base/error.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -122,7 +123,9 @@ static bool name_regions(struct fit_run *run, const c205 *machine,
 {
     run->region_count = c205_account_count(machine);
     if (run->region_count > RUN_REGIONS_MOST)
-        return fail(error, "%s: too many regions", run->program);
+        return fail(error,
+                    "%s: more than " LIMIT_TEXT(RUN_REGIONS_MOST) " regions",
+                    run->program);
     for (size_t i = 0; i < run->region_count; i++) {
         run->regions[i] = copied(c205_account_at(machine, i)->name);
         if (!run->regions[i])

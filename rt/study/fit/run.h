@@ -19,7 +19,7 @@ struct run_options {
     const c205_model *model; /* on which they run, once */
 };
 
-enum { RUN_REGIONS_MOST = 128 };
+#define RUN_REGIONS_MOST 128
 
 struct fit_run {
     char *program;

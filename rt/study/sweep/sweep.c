@@ -1,4 +1,5 @@
 #include "rt/study/sweep/sweep.h"
+#include "base/error.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -118,6 +119,15 @@ static double run_weight(const void *context, size_t number)
     return (double)weight_of(point_of(plan, run), run->form);
 }
 
+/* Which point of the sweep has failed. */
+static void name_point(const struct sweep_point *point, c205_error *error)
+{
+    c205_error why = *error;
+
+    error_say(error, "with a queue of %zu on %.60s: %s", point->trace.queue,
+              c205_model_name(point->trace.model), why.message);
+}
+
 static bool trace_form(void *context, const struct task *task,
                        c205_error *error)
 {
@@ -138,6 +148,8 @@ static bool trace_form(void *context, const struct task *task,
     trace = open_trace(plan->sweep, &how, &scene, error);
     good = trace && trace_run(trace, error)
            && read_form(plan->sweep, trace, run, error);
+    if (!good)
+        name_point(&how, error);
     trace_free(trace);
     scene_free(scene);
     return good;
