@@ -269,6 +269,54 @@ static void put_interior(struct record *record,
         record_numbers(record, "P_INTERIOR", &number, 1);
 }
 
+/* A region with clear parts has a rank among those that have them, by which coincident
+ * faces are ordered (docs/solids.md). */
+struct ranks {
+    size_t region; /* the next one */
+    size_t end;    /* of the primitives of the one before */
+    size_t rank;   /* .. its rank, or 0 */
+    size_t used, count;
+};
+
+static bool has_clear_part(const struct scene *scene,
+                           const struct region *region)
+{
+    for (size_t i = 0; i < region->primitive_count; i++)
+        if (pigment_is_clear(
+                &scene->primitives[region->first_primitive + i].pigment))
+            return true;
+    return false;
+}
+
+static struct ranks ranks_of(const struct scene *scene)
+{
+    struct ranks ranks = { .count = 0 };
+
+    for (size_t i = 0; i < scene->region_count; i++)
+        ranks.count += has_clear_part(scene, &scene->regions[i]);
+    return ranks;
+}
+
+/* Primitives come in the order of the regions. */
+static void put_rank(struct record *record, const struct scene *scene,
+                     size_t i, struct ranks *ranks)
+{
+    double yield = 0;
+
+    if (!object_symbol(record->layout->program, "P_RANK"))
+        return;
+    if (i == ranks->end) {
+        const struct region *region = &scene->regions[ranks->region++];
+
+        ranks->end += region->primitive_count;
+        ranks->rank = has_clear_part(scene, region) ? ++ranks->used : 0;
+    }
+    if (pigment_is_clear(&scene->primitives[i].pigment))
+        yield = 2 - (double)ranks->rank / (double)ranks->count;
+    record_integer(record, "P_RANK", ranks->rank);
+    record_numbers(record, "P_YIELD", &yield, 1);
+}
+
 static void put_mirror(struct record *record,
                        const struct primitive *primitive)
 {
@@ -370,6 +418,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     bool alike = false;
     struct record record;
     struct map_place map = { NULL, 0, images };
+    struct ranks ranks = ranks_of(scene);
     size_t space = 0;
     struct row row;
     uint64_t look;
@@ -391,6 +440,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
         put_surface(&record, scene, &scene->primitives[i], &map);
         put_mirror(&record, &scene->primitives[i]);
         put_interior(&record, interiors, &scene->primitives[i]);
+        put_rank(&record, scene, i, &ranks);
         if (bumps[i] != 0)
             record_address(&record, "P_BUMP", bumps[i]);
         look = look_of(&record, &scene->primitives[i], looks);

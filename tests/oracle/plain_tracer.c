@@ -30,6 +30,7 @@ struct path {
     int level;
     double importance;
     struct interiors interiors;
+    size_t passed; /* the rank of what it passed at its start; 0: nothing */
 };
 
 static void trace_path(const struct plain_tracer *tracer,
@@ -38,15 +39,52 @@ static void trace_path(const struct plain_tracer *tracer,
 
 /* --- the nearest hit ---------------------------------------------------- */
 
-static void find_nearest(const struct plain_tracer *tracer,
-                         const struct ray *ray, struct plain_hit *hit)
+static bool has_clear_part(const struct scene *scene, size_t region)
+{
+    size_t first = scene->regions[region].first_primitive;
+    for (size_t i = 0; i < scene->regions[region].primitive_count; i++)
+        if (pigment_is_clear(&scene->primitives[first + i].pigment))
+            return true;
+    return false;
+}
+
+/* How much farther a hit counts than it is: nothing on an opaque surface, on a clear
+ * one the less the later its region. */
+static double yield_of(const struct plain_hit *hit, size_t rank, size_t ranks)
+{
+    return pigment_is_clear(&hit->primitive->pigment)
+               ? (2 - (double)rank / (double)ranks) * PLAIN_DELTA
+               : 0;
+}
+
+/* Returns the rank of the region that is hit: its number among those with clear
+ * parts, or 0. */
+static size_t find_nearest(const struct plain_tracer *tracer,
+                           const struct path *path, struct plain_hit *hit)
 {
     const struct scene *scene = tracer->scene;
+    double nearest = INFINITY;
+    size_t ranks = 0, rank = 0, found = 0;
+    for (size_t i = 0; i < scene->region_count; i++)
+        ranks += has_clear_part(scene, i);
     *hit = (struct plain_hit){ .primitive = NULL, .distance = FARTHEST_HIT };
     for (size_t i = 0; i < scene->region_count; i++) {
-        plain_cross_region(tracer->crossings, scene, &scene->regions[i], ray);
-        plain_next_hit(tracer->crossings, NEAREST_HIT, hit->distance, hit);
+        bool clear = has_clear_part(scene, i);
+        struct plain_hit here;
+        rank += clear;
+        bool passed = path->passed <= (clear ? rank : 0);
+        plain_cross_region(tracer->crossings, scene, &scene->regions[i],
+                           &path->ray);
+        if (!plain_next_hit(tracer->crossings,
+                            passed ? NEAREST_HIT : -PLAIN_DELTA, FARTHEST_HIT,
+                            &here)
+            || here.distance + yield_of(&here, rank, ranks) >= nearest)
+            continue;
+        *hit = here;
+        nearest = here.distance + yield_of(&here, rank, ranks);
+        found = clear ? rank : 0;
     }
+    return found;
 }
 
 /* --- what a ray is in --------------------------------------------------- */
@@ -110,6 +148,7 @@ struct branching {
     const struct path *path;
     const struct plain_surface *surface;
     double *color;
+    size_t rank; /* of the region that is hit */
 };
 
 /* A ray of a direction, a level and what it is in. */
@@ -199,6 +238,7 @@ static void branch(const struct branching *from, const struct plain_hit *hit)
     if (!from->tracer->clear)
         mirrored.interiors = from->path->interiors;
     bool leaves = refract(surface, ratio, refracted.ray.direction);
+    refracted.passed = from->rank;
     mirror(surface, mirrored.ray.direction);
     double weight = plain_mirror(surface, index, reflection);
     if (clear && !leaves) {
@@ -234,8 +274,8 @@ static void trace_clearly(const struct plain_tracer *tracer,
                           double color[3])
 {
     struct plain_surface surface;
-    const struct branching from = { tracer, path, &surface, color };
-    find_nearest(tracer, &path->ray, hit);
+    struct branching from = { tracer, path, &surface, color, 0 };
+    from.rank = find_nearest(tracer, path, hit);
     if (!hit->primitive) {
         const struct scene *scene = tracer->scene;
         copy(color, scene->background);

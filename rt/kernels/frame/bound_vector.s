@@ -233,9 +233,45 @@ take_least:
         ES      space, 0
 take_lower:
         EX      wlower, least_store
+        .if     INTERIORS
+        EX      s0, passed_at_hand
+        STO     [s0], r0
+        IBXNE   shadows, r0, r0, take_shadow
+        load_word queue_passed, s3
+        IBXNE   s3, r0, r0, take_passed
+        BIM     take_lengthen
+take_shadow:
+        .else
         IBXEQ   shadows, r0, r0, take_lengthen
+        .endif
         EX      wlower, least_shadow
 take_lengthen:
         ADDLEN  wlower, near, wlower
         BIM     0, link_inner
+
+        .if     INTERIORS
+; Rays that passed a clear surface of a later region hit what lies at their start.
+take_passed:
+        RTOR    region, s0
+        IX      s0, 64 * R_FIRST
+        LOD     [s0], s0
+        IX      s0, 64 * P_RANK
+        LOD     [s0], s0
+        describe s1, passed_store + 64 * QUEUE * 2, near
+        describe s2, passed_bits, near
+        VXTOV   [place], [s3], [s1]
+        CMPGEV  s0, [s1], [s2]
+        CNTOB   [s2], s3
+        IBXEQ   s3, r0, near, take_lengthen
+        load_word k_delta, s0
+        SUBN    r0, s0, s0
+        load_word k_lower, s1
+        describe wlower, passed_store, near
+        MASKV   tmin, s0, [wlower] ? [s2]
+        describe s3, passed_store + 64 * QUEUE, near
+        MASKV   s1, s0, [s3] ? [s2]
+        EX      s0, passed_at_hand
+        STO     [s0], one_index
+        BIM     0, link_inner
+        .endif
         .endkernel

@@ -23,11 +23,32 @@ light_left:     .space 3 * QUEUE        ; of each ray to a light
         LOD     [from_limit, \index], next_limit
         .endm
 
+        .macro  store_depth distance
+        .if     INTERIORS
+        EX      loop_work, depth_store
+        STO     [loop_work, loop_place], \distance
+        .endif
+        .endm
+
+; Nearer than what is at the ray's place, or as near and on a lesser primitive?
+        .macro  take_nearer distance, taken
+        CFPLT   \distance, loop_work, \taken
+        CFPNE   \distance, loop_work, tree_skip
+        LOD     [to_met, loop_place], loop_work
+        IBXGE   w_out, r0, loop_work, tree_skip
+\taken:
+        STO     [to_nearest, loop_place], \distance
+        .endm
+
         .kernel visible
 find_nearest:
         load_word k_far, s1
         VTOV    s1, [nearest]
         VTOV    r0, [met]
+        .if     INTERIORS
+        describe s0, depth_store, n
+        VTOV    s1, [s0]
+        .endif
         ES      shadows, 0
         BIM     walk_regions
 
@@ -48,6 +69,9 @@ simple_next:
         RTOR    next_limit, ray_limit
         ADDX    loop_index, m_index_one, loop_work
         load_segment loop_work                  ; the next ray's, meanwhile
+        .if     INTERIORS
+        LOD     [from_least, loop_index], w_lower
+        .endif
         CFPGE   w_lower, segment_in, simple_behind
 simple_ahead:
         CFPGE   segment_in, ray_limit, simple_tie
@@ -55,6 +79,7 @@ simple_taken:
         find_place
         IBXNE   to_lights, r0, r0, simple_dark
         STO     [to_nearest, loop_place], segment_in
+        store_depth segment_in
         STO     [to_met, loop_place], its_primitive
         IBXEQ   its_patch, r0, r0, simple_skip
         LOD     [from_patch_s, loop_index], segment_in
@@ -85,13 +110,19 @@ walk_tree:
         walk_rays
         IBXNE   to_lights, r0, r0, tree_to_light
         LOD     [to_nearest, loop_place], loop_work
-        CFPLT   w_in, loop_work, tree_taken
-        CFPNE   w_in, loop_work, tree_skip
-        LOD     [to_met, loop_place], loop_work
-        IBXGE   w_out, r0, loop_work, tree_skip
-tree_taken:
-        STO     [to_nearest, loop_place], w_in
+        .if     INTERIORS
+        RTOR    w_out, loop_at
+        IX      loop_at, 64 * P_YIELD
+        LOD     [loop_at], segment_out
+        load_at k_delta, 1, ray_limit
+        MPYS    segment_out, ray_limit, next_in
+        ADDN    w_in, next_in, next_in
+        take_nearer next_in, tree_taken
+        .else
+        take_nearer w_in, tree_taken
+        .endif
         STO     [to_met, loop_place], w_out
+        store_depth w_in
         find_point tree_skip
         STO     [to_hit_s, loop_place], segment_in
         STO     [to_hit_t, loop_place], segment_out

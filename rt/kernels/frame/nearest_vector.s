@@ -11,20 +11,37 @@
 ;   minus_big.
 ; Source: the paper.
 
+; With INTERIORS nearest holds the least key so far, the distance of a hit plus P_YIELD
+; times k_delta, and depth_store the distance of that hit (docs/solids.md).
+
 ; Where a hit goes: places, distances, primitives.
         .share  crossings
         .regs   r107, taken_at, taken_distance, taken_met
+        .if     INTERIORS
+        .reg    taken_depth, r110
+        .endif
         .endshare
 
         .data
 first_met:      .word 1                 ; address of the look that was met last, or 1
+        .if     INTERIORS
+taken_store:    .space 4 * QUEUE
+        .else
 taken_store:    .space 3 * QUEUE
+        .endif
 found_bits:     .space 3 * QUEUE_BIT_WORDS
         .code
 
         .macro  take_found vector, into, number, bits
         EX      \into, taken_store + 64 * QUEUE * \number
         CPSV    [\vector], [\into] ? [\bits]
+        .endm
+
+        .macro  scatter_depth distance
+        .if     INTERIORS
+        describe s0, depth_store, n
+        VTOVX   [taken_at], [\distance], [s0]
+        .endif
         .endm
 
 ; Rays of the queue have met the primitive, so its look is on the list.
@@ -51,6 +68,10 @@ find_nearest:
         load_word k_far, s0
         VTOV    s0, [nearest]
         VTOV    r0, [met]
+        .if     INTERIORS
+        describe s1, depth_store, n
+        VTOV    s0, [s1]
+        .endif
         ES      shadows, 0
         EX      found, found_nearest
         BIM     walk_regions
@@ -83,6 +104,7 @@ simple_nearer:
         take_found w0, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [nearest]
         VTOVX   [taken_at], identity, [met]
+        scatter_depth taken_distance
         IBXEQ   on_patch, r0, r0, walk_skip
         take_found patch_s, taken_distance, 1, bits0
         VTOVX   [taken_at], [taken_distance], [hit_s]
@@ -95,6 +117,10 @@ simple_all:
         mark_met
         VTOV    [w0], [nearest] ? [bits0]
         VTOV    identity, [met] ? [bits0]
+        .if     INTERIORS
+        describe s0, depth_store, n
+        VTOV    [w0], [s0] ? [bits0]
+        .endif
         IBXEQ   on_patch, r0, r0, walk_skip
         VTOV    [patch_s], [hit_s] ? [bits0]
         VTOV    [patch_t], [hit_t] ? [bits0]

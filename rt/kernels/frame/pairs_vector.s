@@ -310,6 +310,13 @@ pairs_drained:
         BIM     0, link_kernel
         .endkernel
 
+; The crossing of a sphere that counts, and if it is farther than the least distance.
+        .macro  spheres_ahead least
+        CMPLTV  \least, [pair_in], [pair_bits]
+        MASKV   [pair_in], [pair_out], [pair_hit] ? [pair_bits]
+        CMPLTV  \least, [pair_hit], [pair_bits]
+        .endm
+
 ; The spheres of the list, by all their rays.
         .kernel sphere
 meet_spheres:
@@ -340,10 +347,22 @@ meet_spheres:
         IBXEQ   shadows, r0, r0, spheres_least
         load_word k_shadow, s1
 spheres_least:
-        CMPLTV  s1, [pair_in], [pair_bits]
-        MASKV   [pair_in], [pair_out], [pair_hit] ? [pair_bits]
-        CMPLTV  s1, [pair_hit], [pair_bits]
+        .if     INTERIORS
+        load_word queue_passed, s2
+        IBXEQ   s2, r0, r0, spheres_from_start
+        IBXNE   shadows, r0, r0, spheres_from_start
+        load_word k_delta, s3
+        SUBN    r0, s3, s3
+        VXTOV   [pair_place], [s2], [pair_work]
+        CMPNEV  [pair_work], r0, [pair_more]
+        MASKV   s3, s1, [pair_work] ? [pair_more]
+        spheres_ahead [pair_work]
+        BIM     spheres_found
+spheres_from_start:
+        .endif
+        spheres_ahead s1
         IBXNE   shadows, r0, r0, spheres_stop
+spheres_found:
         CMPGEV  [pair_limit], [pair_hit], [pair_more]
         ANDB    [pair_bits], [pair_more], [pair_bits]
         CNTOB   [pair_bits], pair_count
@@ -406,6 +425,10 @@ spheres_no_tie:
         describe pair_tie, pair_bit_store + 2 * PAIR_LIST, s8
 spheres_scatter:
         VTOVX   [pair_place], [pair_hit], [nearest]
+        .if     INTERIORS
+        describe s0, depth_store, n
+        VTOVX   [pair_place], [pair_hit], [s0]
+        .endif
         VTOVX   [pair_place], [pair_y], [met]
         BIM     spheres_better
 

@@ -139,6 +139,15 @@ near_descriptors:
         .space NEAR_VECTORS
 near_bit_store: .space 3 * QUEUE_BIT_WORDS
 queue_bits:     .space QUEUE_BIT_WORDS
+        .if     INTERIORS
+passed_bits:    .space QUEUE_BIT_WORDS
+passed_at_hand: .word 0                 ; 1: wlower stands in passed_store, or with few
+                                ; rays in few_least; the same to be scaled QUEUE
+                                ; words behind it
+queue_passed:   .word 0                 ; descriptor: the rank of the region whose clear
+                                ; surface each ray has passed last, 0: it comes
+                                ; from none; or 0: none does
+        .endif
         .align 64
 near_store:     .space (NEAR_VECTORS - 3) * QUEUE
 found_store:    .space 2 * QUEUE        ; tin, tout, where they go nowhere else
@@ -148,6 +157,10 @@ world_store:    .space 6 * QUEUE        ; wox ..
 least_store:    .space QUEUE            ; as many times tmin
 least_shadow:   .space QUEUE            ; k_shadow
 count_store:    .space QUEUE            ; 0, 1, 2, ...
+        .if     INTERIORS
+passed_store:   .space 3 * QUEUE        ; least distances, to be scaled; ranks
+depth_store:    .space QUEUE            ; distances of the nearest hits, without P_YIELD
+        .endif
         .code
 
 ; A descriptor of count elements.

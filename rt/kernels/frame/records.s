@@ -150,6 +150,10 @@
         .endif                  ; from 0 on
         .if     INTERIORS
         .field  P_INTERIOR         ; the number of its body (light/interior.s)
+        .field  P_RANK             ; of its region among those with clear parts, in the
+                                ; order of the scene, from 1; 0: it has none
+        .field  P_YIELD            ; k_delta times this is added to the distance of a
+                                ; hit before it is compared with other regions'
         .endif
         .field  P_PATCH_POINT, 2   ; the parameters of the last hit, written
                                 ; by the scalar form only

@@ -3,8 +3,8 @@
 ;       CALL NEAREST (RAY, HIT)
 ;
 ; RAY = O, D, the least distance that counts, and the same enlarged, to be
-; scaled (8 words); HIT = distance, address of the primitive's
-; record (0: none).
+; scaled (8 words), with INTERIORS the rank of what it has passed (CHILD_PASSED);
+; HIT = distance, address of the primitive's record (0: none).
 ;
 ; Region by region (hierarchy_scalar.s) the nearer wins, of equals the first of
 ; the scene, in whatever order they are met.  Of a simple region the hit is tin
@@ -12,11 +12,23 @@
 ; collected (nodes_scalar.s) and searched by VISIBLE, a little farther than the
 ; nearest so far, for another may be as near.  Where a ray does not come near,
 ; nothing more is done.
+; With INTERIORS the least key wins, a distance and P_YIELD times k_delta; w_limit is
+; the least key so far, w_depth the distance of that hit.  A ray that has passed a clear
+; surface hits regions of a lesser rank from -k_delta on (docs/solids.md).
 ; On a patch the parameters are left in the primitive's P_PATCH_POINT; in a tree
 ; they are those of its first crossing within delta of that distance.
 
+        .if     INTERIORS
+        .share  local
+        .regs   r89, w_passed, w_depth
+        .endshare
+        .equ    NEAREST_REGISTERS, WALK_REGISTERS + 2
+        .else
+        .equ    NEAREST_REGISTERS, WALK_REGISTERS
+        .endif
+
         .data
-nearest_save:   .space WALK_REGISTERS
+nearest_save:   .space NEAREST_REGISTERS
 segment:        .space 2
 kernel_list:    .descriptor 6, 0
 kernel_primitive: .word 0
@@ -156,11 +168,27 @@ point_enters\@:
         .endif
         .endm
 
+; w_t0 = how far a hit at w_in on w_out counts.
+        .macro  count_hit
+        RTOR    w_out, w_at
+        IX      w_at, 64 * P_YIELD
+        LOD     [w_at], w_t0
+        EX      w_at, k_delta
+        LOD     [w_at], w_t1
+        MPYS    w_t0, w_t1, w_t0
+        ADDN    w_in, w_t0, w_t0
+        .endm
+
         .kernel visible
 nearest:
-        enter_walk nearest_save, WALK_REGISTERS, 2
+        enter_walk nearest_save, NEAREST_REGISTERS, 2
         EX      w_at, k_far
         LOD     [w_at], w_limit
+        .if     INTERIORS
+        RTOR    w_limit, w_depth
+        ES      w_at, 8
+        LOD     [w_ray, w_at], w_passed
+        .endif
         ES      w_leaf, 0
         IBXEQ   w_regions_left, r0, r0, nearest_leaf
         .endkernel
@@ -168,6 +196,10 @@ nearest:
 nearest_region:
         load_region
         skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, nearest_skip
+        .if     INTERIORS
+        IBXNE   w_passed, r0, r0, nearest_passed
+nearest_least:
+        .endif
         .endkernel
         .kernel call
         IBXNE   w_way, r0, m_index_one, nearest_other
@@ -178,6 +210,9 @@ nearest_simple:
 nearest_hit:
         RTOR    w_in, w_limit
         RTOR    w_first, w_leaf
+        .if     INTERIORS
+        RTOR    w_in, w_depth
+        .endif
         .endkernel
         .kernel bound
 nearest_skip:
@@ -187,8 +222,11 @@ nearest_leaf:
         .endkernel
         .kernel visible
 nearest_done:
+        .if     INTERIORS
+        RTOR    w_depth, w_limit
+        .endif
         SWAP    [r0], w_limit, [w_argument]
-        leave_walk nearest_save, WALK_REGISTERS
+        leave_walk nearest_save, NEAREST_REGISTERS
         .endkernel
         .kernel bound
 nearest_other:
@@ -199,15 +237,55 @@ nearest_tree:
         EX      w_at, bound_more
         LOD     [w_at], w_end
         MPYS    w_limit, w_end, w_end
+        .if     INTERIORS
+        EX      w_at, k_delta
+        LOD     [w_at], w_t0
+        ADDN    w_end, w_t0, w_end
+        .endif
         EX      target, meet_tree
         BSAVE   w_back, [target]
         IBXEQ   w_met, r0, r0, nearest_skip
         next_visible w_least, nearest_skip
+        .if     INTERIORS
+        count_hit
+        CFPLT   w_t0, w_limit, nearest_seen
+        CFPNE   w_t0, w_limit, nearest_skip
+        .else
         CFPLT   w_in, w_limit, nearest_seen
         CFPNE   w_in, w_limit, nearest_skip
+        .endif
         IBXGE   w_out, r0, w_leaf, nearest_skip
 nearest_seen:
+        .if     INTERIORS
+        RTOR    w_in, w_depth
+        RTOR    w_t0, w_limit
+        .else
         RTOR    w_in, w_limit
+        .endif
         RTOR    w_out, w_leaf
         note_point nearest_skip
+
+        .if     INTERIORS
+; The ray passed a clear surface: a region of a lesser rank may be hit at its start.
+nearest_passed:
+        RTOR    w_first, w_at
+        IX      w_at, 64 * P_RANK
+        LOD     [w_at], w_t0
+        EX      w_at, k_lower
+        LOD     [w_at], w_t1
+        RTOR    m_tmin, w_lower
+        IBXGE   w_t0, r0, w_passed, nearest_lowered
+        EX      w_at, k_delta
+        LOD     [w_at], w_t1
+        SUBN    r0, w_t1, w_t1
+        RTOR    w_t1, w_lower
+nearest_lowered:
+        RTOR    w_ray, w_at
+        IX      w_at, 64 * 6
+        STO     [w_at], w_lower
+        STO     [w_at, m_index_one], w_t1
+        EX      w_at, own_space
+        STO     [w_at], r0
+        BIM     nearest_least
+        .endif
         .endkernel

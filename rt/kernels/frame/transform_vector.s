@@ -33,6 +33,10 @@ transformed:
         dot_constant wdx, wdy, wdz, m10, m11, m12, ldy, w0
         dot_constant wdx, wdy, wdz, m20, m21, m22, ldz, w0
         normalise ldx, ldy, ldz, w0, lscale
+        .if     INTERIORS
+        load_word passed_at_hand, s0
+        IBXNE   s0, r0, r0, transformed_passed
+        .endif
         EX      s0, k_lower
         IBXEQ   shadows, r0, r0, transformed_least
         EX      s0, k_shadow_lower
@@ -68,6 +72,13 @@ transformed_more:
         .endif
 transformed_done:
         BIM     0, link_kernel
+        .if     INTERIORS
+transformed_passed:
+        EX      s0, 64 * QUEUE
+        ADDX    wlower, s0, s0
+        MPYSV   [w0], [s0], [llower]
+        BIM     transformed_carried
+        .endif
 
 ; One segment is a miss or has two ends, of whatever shape that can be carried.
 transformed_segment:

@@ -100,7 +100,11 @@ found_place\@:
 tree_next:
         LOD     [from_limit, loop_index], w_end
         SHIFTI  loop_index, 6, w_crossings
+        .if     INTERIORS
+        LOD     [from_least, loop_index], w_least
+        .else
         RTOR    w_lower, w_least
+        .endif
         RTOR    first_leaf, its_leaf
         EX      chain_at, span + 64 * 3
         ES      w_met, 0

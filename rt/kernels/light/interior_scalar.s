@@ -3,9 +3,9 @@
 ; macros.
 
         .share  local
-        .regs   r79, in_table, in_base, in_per_base, in_full, in_per_full
-        .regs   r84, in_levels, in_body, in_scale, in_under, in_last, in_rest
-        .reg    in_mirror, r90
+        .regs   r80, in_table, in_base, in_per_base, in_full, in_per_full
+        .regs   r85, in_levels, in_body, in_scale, in_under, in_last, in_rest
+        .reg    in_mirror, r91
         .endshare
 
         .macro  last_of all, under, last

@@ -9,10 +9,10 @@
         .regs   r42, child_ox, child_oy, child_oz, child_dx, child_dy, child_dz
         .regs   r48, child_least, child_scaled
         .if     INTERIORS
-        .regs   r50, child_inside, child_level
-        .regs   r52, child_weight, child_red, child_green, child_blue
-        .regs   r56, ray_inside_at, ray_level_at
-        .regs   r58, ray_inside, ray_level, ray_weight
+        .regs   r50, child_passed, child_inside, child_level
+        .regs   r53, child_weight, child_red, child_green, child_blue
+        .regs   r57, ray_inside_at, ray_level_at
+        .regs   r59, ray_inside, ray_level, ray_weight
         .else
         .regs   r50, child_weight, child_red, child_green, child_blue
         .endif
@@ -66,6 +66,7 @@ spawn_children: .space 2 * CHILD_SIZE
         .if     INTERIORS
         list_next child_inside
         list_next child_level
+        list_next child_passed
         .endif
         list_next \kind
         list_next parent

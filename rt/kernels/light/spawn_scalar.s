@@ -9,7 +9,7 @@
 ; through something the bodies that it is in and its level before it (3).
 ; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2, integers);
 ; REFLECTED, REFRACTED = its O, D, least distance, the same to be scaled;
-; (bodies, level;) weight; the colour it is multiplied by (12 words).  With finishes that depend on
+; (what it passed, bodies, level;) weight; the colour it is multiplied by (12 words).  With finishes that depend on
 ; the angle another argument: PIGMENT = its colour there (3).
 ;
 ; With c = -N . D:
@@ -36,13 +36,13 @@
         .regs   r48, sp_ox, sp_oy, sp_oz        ; the new ray
         .regs   r51, sp_x, sp_y, sp_z, sp_lower, sp_scaled
         .if     INTERIORS
-        .regs   r56, sp_inside, sp_level
-        .regs   r58, sp_weight, sp_red, sp_green, sp_blue, sp_greatest
-        .regs   r63, sp_inverted, sp_mirror, sp_clear, sp_index
-        .regs   r67, sp_reciprocal
-        .regs   r68, sp_own_inside, sp_own_level, sp_own_weight
-        .regs   r71, sp_least, sp_e, sp_k, sp_t0, sp_t1, sp_t2
-        .regs   r77, sp_flag, sp_at
+        .regs   r56, sp_passed, sp_inside, sp_level
+        .regs   r59, sp_weight, sp_red, sp_green, sp_blue, sp_greatest
+        .regs   r64, sp_inverted, sp_mirror, sp_clear, sp_index
+        .regs   r68, sp_reciprocal
+        .regs   r69, sp_own_inside, sp_own_level, sp_own_weight
+        .regs   r72, sp_least, sp_e, sp_k, sp_t0, sp_t1, sp_t2
+        .regs   r78, sp_flag, sp_at
         .else
         .regs   r56, sp_weight, sp_red, sp_green, sp_blue, sp_greatest
         .regs   r61, sp_inverted, sp_mirror, sp_clear, sp_index
@@ -60,7 +60,7 @@
         .else
         .if     BUMPS == 0
         .if     INTERIORS
-        .equ    SPAWN_REGISTERS, 59
+        .equ    SPAWN_REGISTERS, 60
         .else
         .equ    SPAWN_REGISTERS, 43
         .endif
@@ -79,6 +79,8 @@
         .field  CHILD_RAY, 6            ; O, D
         .field  CHILD_LEAST, 2          ; least distance, to be scaled
         .if     INTERIORS
+        .field  CHILD_PASSED            ; the rank of the region whose clear surface it
+                                ; passed, or 0
         .field  CHILD_INSIDE            ; the bodies that it is in
         .field  CHILD_LEVEL             ; its level
         .endif
@@ -188,6 +190,7 @@ spawn:
         STO     [sp_followed, m_index_one], r0
 
         .if     INTERIORS
+        ES      sp_passed, 0
         EX      sp_at, scene_interiors
         ELEN    sp_at, INTERIORS_OF_SIZE
         SWAP    [sp_at], in_table, [r0]
@@ -247,9 +250,13 @@ spawn_straight:
         RTOR    sp_own_level, sp_level
 spawn_refracted:
         IBXEQ   sp_clear, r0, r0, spawn_reflected
+        RTOR    sp_primitive, sp_at
+        IX      sp_at, 64 * P_RANK
+        LOD     [sp_at], sp_passed
         ELEN    sp_refracted_at, CHILD_SIZE
         SWAP    [r0], sp_ox, [sp_refracted_at]
         STO     [sp_followed, m_index_one], m_index_one
+        ES      sp_passed, 0
         .endif
 
 spawn_reflected:

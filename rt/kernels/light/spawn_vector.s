@@ -286,8 +286,8 @@ spawn_ray:
         spawn_vector v3
         BIM     0, link_kernel
 
-; Importance, the bodies it is in and its level, kind, place of the parent in the
-; list before.
+; Importance, the bodies it is in, its level and what it has passed, kind, place of
+; the parent in the list before.
 spawn_rest:
         spawn_vector v5
         .if     INTERIORS
@@ -300,6 +300,23 @@ spawn_rest:
         VTOV    [v4], [v6] ? [hits3]
 spawn_counted:
         spawn_vector v6
+        IBXEQ   spawn_kind, r0, r0, spawn_passed_none
+        load_field P_RANK, s0
+        VTOV    s0, [v6]
+        RTOR    part_at, s0
+        IX      s0, 64 * PART_SHARED
+        LOD     [s0], s0
+        IBXEQ   s0, r0, r0, spawn_passed
+        VXTOV   [at], [met], [v4]
+        find_records v4, v4, P_RANK, s1
+        VXTOV   [v4], [s1], [v6]
+spawn_passed:
+        VTOV    r0, [v6] ? [hits2]
+        spawn_vector v6
+        BIM     spawn_passed_listed
+spawn_passed_none:
+        spawn_number r0
+spawn_passed_listed:
         .endif
         spawn_number spawn_kind
         ADDLEN  spawn_tail, spawn_count, s0

@@ -25,6 +25,9 @@ few_saved:      .space 9                ; wox .. wlower, near_limit, nodes_end
 few_places:     .word 0                 ; descriptor: where the few were
 few_first:      .word 0                 ; address of the primitive's crossings
         .align  64
+        .if     INTERIORS
+few_least:      .space 2 * QUEUE        ; as passed_store
+        .endif
 few_store:      .space (8 + FEW_CROSSINGS) * QUEUE ; places, rays, limits, crossings
         .code
 
@@ -70,6 +73,21 @@ node_few:
         gather_few woy, 2
         gather_few woz, 3
 few_gathered:
+        .if     INTERIORS
+        load_word passed_at_hand, s3
+        IBXEQ   s3, r0, r0, few_passed_none
+        describe s3, few_least, s9
+        EX      s4, 64 * QUEUE
+        VXTOV   [s2], [wlower], [s3]
+        ADDX    wlower, s4, s5
+        ADDX    s3, s4, s4
+        VXTOV   [s2], [s5], [s4]
+        RTOR    s3, wlower
+        set_near s9
+        ES      space, 0
+        BIM     node_near
+few_passed_none:
+        .endif
         set_near s9
         EX      target, take_least
         BSAVE   link_inner, [target]

@@ -15,6 +15,7 @@
         .field  L_RAY, 6                ; O, D
         .field  L_LEAST, 2              ; least distance, to be scaled
         .if     INTERIORS
+        .field  L_PASSED                ; CHILD_PASSED
         .field  L_INSIDE                ; the bodies that it is in
         .field  L_RAY_LEVEL             ; its own level: fewer than records, for
         .endif                          ; what goes straight on is of the same
@@ -132,6 +133,8 @@ levels_next:
         STO     [main_at], m_tmin
         STO     [main_at, m_index_one], main_t
         .if     INTERIORS
+        of_level L_PASSED
+        STO     [main_at], r0
         of_level L_INSIDE
         STO     [main_at], m_minus_one
         STO     [main_at, m_index_one], m_one

@@ -27,7 +27,9 @@
         .if     INTERIORS
         .field  LIST_INSIDE             ; the bodies that it is in
         .field  LIST_RAY_LEVEL          ; its own level: fewer than lists, for
-        .endif                          ; what goes straight on is of the same
+                                ; what goes straight on is of the same
+        .field  LIST_PASSED             ; as in queue_passed
+        .endif
         .field  LIST_KIND               ; 0 reflected, 1 refracted
         .field  LIST_PARENT             ; its place in the level before
         .field  LIST_COLOR, 3
@@ -115,6 +117,9 @@ levels_queue:
         BSAVE   link, [target]
         EX      target, find_nearest
         BSAVE   link, [target]
+        .if     INTERIORS
+        describe nearest, depth_store, n
+        .endif
 levels_found:
         .if     FOG
         load_word scene_levels, s0
@@ -184,6 +189,8 @@ first_in_rows:
         .if     INTERIORS
         EX      s3, queue_level
         STO     [s3], s2
+        EX      s3, queue_passed
+        STO     [s3], r0
         describe s2, inside_unknown, n
         EX      s3, queue_inside
         STO     [s3], s2
@@ -217,6 +224,15 @@ list_queue:
         ADDX    s2, s3, s2
         EX      s5, queue_level
         STO     [s5], s2
+        ADDX    s2, s3, s2
+        describe s5, queue_bits, n
+        CMPNEV  [s2], r0, [s5]
+        CNTOB   [s5], s6
+        EX      s5, queue_passed
+        STO     [s5], r0
+        IBXEQ   s6, r0, r0, list_passed_none
+        STO     [s5], s2
+list_passed_none:
         .endif
         list_vector level, LIST_COLOR, s2
         ADDX    s2, s4, s2

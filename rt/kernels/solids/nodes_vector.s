@@ -182,7 +182,14 @@ walk_nodes:
         IBXEQ   s0, r0, r0, walk_limited
         load_word bound_more, s0
         describe s3, place_store + 64 * QUEUE, near
+        .if     INTERIORS
+        load_word k_delta, s1
+        LINKV
         MPYSV   [near_limit], s0, [s3]
+        ADDNV   [s3], s1, [s3]
+        .else
+        MPYSV   [near_limit], s0, [s3]
+        .endif
         RTOR    s3, near_limit
 walk_limited:
         RTOR    region_nodes, node_at

@@ -415,6 +415,23 @@ found_nearest:
         take_found event, taken_distance, 1, seen
         take_found event_met, taken_met, 2, seen
         RTOR    seen, s5
+        .if     INTERIORS
+        take_found event, taken_depth, 3, seen
+        LTOR    taken_at, s2
+        describe s4, found_bits, s2
+        leaves_begin
+found_counted:
+        leaf_at_hand
+        load_record P_ID, 1, identity
+        load_field P_YIELD, s3
+        CFPEQ   s3, r0, found_counted_next
+        load_word k_delta, s2
+        MPYS    s3, s2, s3
+        CMPEQV  [taken_met], identity, [s4]
+        ADDNV   [taken_distance], s3, [taken_distance] ? [s4]
+found_counted_next:
+        leaves_next found_counted
+        .endif
         load_word walk_last, s0
         IBXEQ   s0, r0, r0, found_taken
         LTOR    taken_at, s2
@@ -436,6 +453,9 @@ found_nearest:
         CPSV    [taken_at], [taken_at] ? [s4]
         CPSV    [taken_distance], [taken_distance] ? [s4]
         CPSV    [taken_met], [taken_met] ? [s4]
+        .if     INTERIORS
+        CPSV    [taken_depth], [taken_depth] ? [s4]
+        .endif
         XORB    [bits1], [bits1], [bits1]
         MRGB    [s4], [bits1], [inside] ? [seen]
         RTOR    inside, s5
@@ -443,6 +463,7 @@ found_taken:
         region_took_hits
         VTOVX   [taken_at], [taken_distance], [nearest]
         VTOVX   [taken_at], [taken_met], [met]
+        scatter_depth taken_depth
 
 ; The parameters of the rays of s5, of those of event_met that are patches or meshes.
 found_points:
