@@ -42,7 +42,8 @@ void table_number(struct table *table, double value);
 /* The same in a column of numbers, with its sign and decimals of its own: an
  * error in percent, say. */
 void table_signed(struct table *table, double value, int decimals);
-/* The same without the sign. */
+/* The same without the sign; with an exponent if there would be more than 15 digits
+ * before or after the point. */
 void table_rounded(struct table *table, double value, int decimals);
 void table_gap(struct table *table);
 

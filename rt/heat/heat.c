@@ -315,11 +315,29 @@ static bool find_exchange(const struct heat_work *work)
     return true;
 }
 
+/* Areas, and flows from them, in the file's unit of length. */
+static void enlarge(struct heat *heat)
+{
+    double unit = ldexp(1, 2 * heat->scene->unit_log);
+
+    for (size_t i = 0; i < heat->surfaces.count; i++) {
+        heat->surfaces.list[i].area.value *= unit;
+        heat->surfaces.list[i].area.error *= unit;
+    }
+    for (size_t i = 0; i < heat->thermal.exchange.count; i++)
+        heat->thermal.exchange.flow[i] *= unit;
+    heat->thermal.exchange.outside *= unit;
+    heat->thermal.exchange.sum *= unit;
+}
+
 bool heat_find(struct heat *heat, c205_error *error)
 {
     struct heat_work work = { .heat = heat, .error = error };
 
-    return find_factors(&work) && smooth(&work) && find_exchange(&work);
+    if (!find_factors(&work) || !smooth(&work) || !find_exchange(&work))
+        return false;
+    enlarge(heat);
+    return true;
 }
 
 void heat_free(struct heat *heat)

@@ -50,9 +50,17 @@ size_t heat_unseen(const struct heat *heat)
     return count;
 }
 
+/* As many more decimals as the square of the scene's unit has digits after the point. */
+static int decimals_of(const struct heat *heat,
+                       const struct table_column *column)
+{
+    return column->decimals - (int)(2 * heat->scene->unit_log * log10(2));
+}
+
 struct table *heat_table_of_areas(const struct heat *heat, bool all)
 {
     struct table *table = table_new(TABLE_COLUMNS(area_columns));
+    int decimals = decimals_of(heat, &area_columns[3]);
 
     for (size_t i = 0; table && i < heat->surfaces.count; i++) {
         const struct surface *surface = &heat->surfaces.list[i];
@@ -62,8 +70,8 @@ struct table *heat_table_of_areas(const struct heat *heat, bool all)
         table_text(table, surface->name);
         table_text(table, primitive_kind_name(surface->first->kind));
         table_count(table, surface->first->line);
-        table_number(table, surface->area.value);
-        table_number(table, surface->area.error);
+        table_rounded(table, surface->area.value, decimals);
+        table_rounded(table, surface->area.error, decimals);
         table_count(table, surface->tried);
         table_count(table, surface->sent);
     }
@@ -117,14 +125,14 @@ struct table *heat_table_of_smoothed(const struct heat *heat)
 }
 
 static void add_flow(struct table *table, const char *name, double emissivity,
-                     double temperature, double flow)
+                     double temperature, double flow, int decimals)
 {
     table_text(table, name);
     table_number(table, emissivity);
     table_number(table, temperature);
     table_number(table, NAN);
     table_number(table, NAN);
-    table_number(table, flow);
+    table_rounded(table, flow, decimals);
 }
 
 struct table *heat_table_of_flows(const struct heat *heat)
@@ -132,6 +140,7 @@ struct table *heat_table_of_flows(const struct heat *heat)
     const struct thermal *thermal = &heat->thermal;
     const struct exchange *exchange = &thermal->exchange;
     struct table *table = table_new(TABLE_COLUMNS(flow_columns));
+    int decimals = decimals_of(heat, &flow_columns[5]);
 
     for (size_t i = 0; table && i < thermal->count; i++) {
         table_text(table, heat->surfaces.list[thermal->surface[i]].name);
@@ -139,12 +148,12 @@ struct table *heat_table_of_flows(const struct heat *heat)
         table_number(table, thermal->temperature[i]);
         table_number(table, exchange->radiosity[i]);
         table_number(table, exchange->irradiation[i]);
-        table_number(table, exchange->flow[i]);
+        table_rounded(table, exchange->flow[i], decimals);
     }
     if (table) {
         add_flow(table, thermal_environment, 1, thermal->outside,
-                 exchange->outside);
-        add_flow(table, "all", NAN, NAN, exchange->sum);
+                 exchange->outside, decimals);
+        add_flow(table, "all", NAN, NAN, exchange->sum, decimals);
     }
     return table;
 }

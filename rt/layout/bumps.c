@@ -189,22 +189,28 @@ static void put_back(struct record *record, const struct transform *map,
     record_numbers(record, field, words, 9);
 }
 
-/* .. of the inverse. */
-static void put_carry(struct record *record, const struct transform *to_local)
+/* .. of the inverse, times a length. */
+static void put_carry(struct record *record, const struct transform *to_local,
+                      double length)
 {
     struct transform to_world;
 
-    if (transform_invert(to_local, &to_world))
+    if (transform_invert(to_local, &to_world)) {
+        for (int i = 0; i < 3; i++)
+            scale3(length, to_world.rows[i]);
         put_back(record, &to_world, "BUMP_CARRY");
-    else
+    } else {
         layout_fail(record->layout, "the normal of line %zu is out of range",
                     record->line);
+    }
 }
 
-/* A bump whose pattern's space has another one around it, or none. */
+/* A bump whose pattern's space has another one around it, or none.  A normal of
+ * which the length counts has the length that it has in the file's unit. */
 static void put_bump(struct record *record, const struct bump *bump,
                      const struct transform *around,
-                     const struct transform *to_local, bool unscaled)
+                     const struct transform *to_local, bool unscaled,
+                     double unit)
 {
     struct transform whole = around ? transform_then(around, to_local)
                                     : *to_local;
@@ -216,7 +222,7 @@ static void put_bump(struct record *record, const struct bump *bump,
         put_pattern(record, bump, &whole);
         put_corners(record, bump);
     }
-    put_carry(record, &whole);
+    put_carry(record, &whole, unscaled ? unit : 1);
     put_back(record, to_local, "BUMP_BACK");
     record_integer(record, "BUMP_SCALED", !unscaled);
     record_integer(record, "BUMP_NORMALISED", !unscaled || !around);
@@ -257,19 +263,20 @@ static void put_share(struct record *record, const struct bump_list *list,
 }
 
 static void put_entries(struct record *record, const struct bumps *bumps,
-                        const struct bump_list *list)
+                        const struct bump_list *list, double unit)
 {
     for (size_t i = 0; i < entry_rows(list); i++) {
         const struct bump *bump = &entry_of(list, i)->bump;
 
         put_bump(record, bump, &bumps->to_local, &bump->pattern.to_local,
-                 bumps->unscaled);
+                 bumps->unscaled, unit);
         put_share(record, list, i);
         record_write(record);
     }
 }
 
-static void put_map(struct record *record, const struct bumps *bumps)
+static void put_map(struct record *record, const struct bumps *bumps,
+                    double unit)
 {
     const struct bump_list *list = bumps->list;
 
@@ -280,18 +287,20 @@ static void put_map(struct record *record, const struct bumps *bumps)
                    record->address + UINT64_C(64) * record->size);
     record_integer(record, "BUMP_ENTRY_COUNT", entry_rows(list));
     record_write(record);
-    put_entries(record, bumps, list);
+    put_entries(record, bumps, list, unit);
 }
 
-static void put_bumps(struct record *record, const struct bumps *bumps)
+static void put_bumps(struct record *record, const struct bumps *bumps,
+                      double unit)
 {
     const struct bump_list *list = bumps->list;
 
     if (list->count > 0) {
-        put_map(record, bumps);
+        put_map(record, bumps, unit);
         return;
     }
-    put_bump(record, &list->bump, NULL, &bumps->to_local, bumps->unscaled);
+    put_bump(record, &list->bump, NULL, &bumps->to_local, bumps->unscaled,
+             unit);
     record_write(record);
 }
 
@@ -338,7 +347,7 @@ void layout_bumps(struct record_layout *layout, const struct scene *scene,
         if (!before || !have_one_record(bumps, before)) {
             before = bumps;
             address = record.address;
-            put_bumps(&record, bumps);
+            put_bumps(&record, bumps, ldexp(1, scene->unit_log));
         }
         addresses[i] = address;
     }

@@ -244,6 +244,25 @@ bool mass_figures_find(const struct mass_body *body,
     return good;
 }
 
+/* Which power of a length it is; densities are masses of the file's cubes. */
+static int dimension_of(size_t figure)
+{
+    return figure == FIGURE_AREA                                  ? 2
+           : figure >= FIGURE_CENTROID && figure < FIGURE_INERTIA ? 1
+           : figure >= FIGURE_INERTIA && figure < FIGURE_VIEWS    ? 5
+                                                                  : 3;
+}
+
+void mass_figures_enlarge(struct mass_figures *figures, int log)
+{
+    for (size_t i = 0; i < FIGURES; i++) {
+        double unit = ldexp(1, log * dimension_of(i));
+
+        figures->value[i] *= unit;
+        figures->error[i] *= unit;
+    }
+}
+
 /* The mean of the views, under a shift. */
 static double overlap_of_all(const struct columns_sums *sums, size_t repeat,
                              size_t none)

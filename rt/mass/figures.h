@@ -46,6 +46,8 @@ struct mass_body {
 /* False: no memory. */
 bool mass_figures_find(const struct mass_body *body,
                        struct mass_figures *figures);
+/* In a unit of length that is 2^log times as large. */
+void mass_figures_enlarge(struct mass_figures *figures, int log);
 /* The volume that more than one object claims, each time that it does, and its error. */
 void mass_overlap(const struct columns_sums *sums, double *volume,
                   double *error);

@@ -7,6 +7,7 @@
 #include "rt/farm/farm.h"
 #include "rt/mass/bodies.h"
 #include "rt/mass/densities.h"
+#include "rt/scene/vector.h"
 
 /* ---- Densities and rows -------------------------------------------------- */
 
@@ -120,12 +121,17 @@ static bool sum_columns(struct mass *mass, c205_error *error)
 
 static bool find_figures(struct mass *mass, c205_error *error)
 {
+    int log = mass->scene->unit_log;
+    double about[3];
+
+    copy3(mass->request->about, about);
+    scale3(ldexp(1, -log), about);
     mass->worst = -1;
     for (size_t i = 0; i < mass->row_count; i++) {
         struct mass_row *row = &mass->rows[i];
         const struct mass_body body = { .sums = &mass->sums,
                                         .density = row->density,
-                                        .about = mass->request->about };
+                                        .about = about };
         size_t figure = 0;
         double worst;
 
@@ -137,6 +143,7 @@ static bool find_figures(struct mass *mass, c205_error *error)
             mass->worst_row = i;
             mass->worst_figure = figure;
         }
+        mass_figures_enlarge(&row->figures, log);
     }
     return true;
 }

@@ -34,7 +34,7 @@ static int decimals_of(double value, double error)
                     : value != 0 ? 8 - floor(log10(fabs(value)))
                                  : 0;
 
-    return !(digits > 0) ? 0 : digits > 15 ? 15 : (int)digits;
+    return digits > -300 && digits < 300 ? (int)digits : 0;
 }
 
 static int error_decimals(double error)
@@ -71,6 +71,12 @@ static void add_figure(struct table *table, const struct mass_units *units,
     table_text(table, text);
 }
 
+/* Of the scene's unit, in the file's. */
+static double cube_of(const struct mass *mass)
+{
+    return ldexp(1, 3 * mass->scene->unit_log);
+}
+
 struct table *mass_table_of_figures(const struct mass *mass)
 {
     const struct mass_units *units = &mass->request->units;
@@ -86,6 +92,8 @@ struct table *mass_table_of_figures(const struct mass *mass)
                        mass->rows[i].figures.error[k], k);
     if (mass->request->overlaps) {
         mass_overlap(&mass->sums, &volume, &error);
+        volume *= cube_of(mass);
+        error *= cube_of(mass);
         add_figure(table, units, "overlaps", figure_name(FIGURE_VOLUME),
                    volume, error, FIGURE_VOLUME);
     }
@@ -103,6 +111,8 @@ struct table *mass_table_of_overlaps(const struct mass *mass)
 
         if (!mass_overlap_of(&mass->sums, i, &volume, &error))
             continue;
+        volume *= cube_of(mass);
+        error *= cube_of(mass);
         for (size_t k = 0; k < 2; k++)
             table_text(table,
                        mass->parts.list[mass->overlaps.pairs[i].parts[k]]

@@ -248,6 +248,8 @@ struct region {
 };
 
 struct scene {
+    int unit_log; /* lengths of the file are those of this scene times 2^unit_log;
+                     0 for a scene of ordinary size (unit.h) */
     struct camera camera;
     double background[3];
     struct pigment

@@ -6,12 +6,21 @@
 #include "rt/scene/elementary.h"
 #include "rt/scene/vector.h"
 
-/* Points so near to a loop's first close it, as in POV-Ray. */
 #define CLOSED 1e-10
 
-bool path_is_near(const double a[2], const double b[2])
+double path_closeness(const double (*points)[2], size_t count)
 {
-    return fabs(a[0] - b[0]) < CLOSED && fabs(a[1] - b[1]) < CLOSED;
+    double size = 0;
+
+    for (size_t i = 1; i < count; i++)
+        for (int k = 0; k < 2; k++)
+            size = fmax(size, fabs(points[i][k] - points[0][k]));
+    return CLOSED * fmin(size, 1);
+}
+
+bool path_is_near(const double a[2], const double b[2], double closeness)
+{
+    return fabs(a[0] - b[0]) < closeness && fabs(a[1] - b[1]) < closeness;
 }
 
 bool path_next(struct path_walk *walk)

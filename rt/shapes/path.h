@@ -7,8 +7,10 @@
 
 #include "rt/shapes/bound.h"
 
-/* Are they one point, as in POV-Ray? */
-bool path_is_near(const double a[2], const double b[2]);
+/* Points that differ by less than this count as one: POV-Ray's 1e-10, and as much of
+ * the size of a path that is smaller than 1. */
+double path_closeness(const double (*points)[2], size_t count);
+bool path_is_near(const double a[2], const double b[2], double closeness);
 
 /* Edge by edge, the loops one after another: begin with { .path = .., .apart =
  * .. }; where there are handles, half an edge by half an edge. */

@@ -26,17 +26,20 @@ static const struct shape_field fields[] = {
 /* Behind the loop that begins at first: points without the ones that repeat
  * the one before, the last of them the first again.  As many as are left stand
  * from kept on; a loop of less than three edges encloses nothing and goes. */
-static size_t close_loop(struct outline *path, size_t first, size_t *kept)
+static size_t close_loop(struct outline *path, size_t first, double closeness,
+                         size_t *kept)
 {
     double(*points)[2] = path->points, start[2];
     size_t begin = *kept, next = first;
 
     memcpy(start, points[first], sizeof start);
     do {
-        if (*kept == begin || !path_is_near(points[next], points[*kept - 1]))
+        if (*kept == begin
+            || !path_is_near(points[next], points[*kept - 1], closeness))
             memcpy(points[(*kept)++], points[next], sizeof *points);
         next++;
-    } while (next < path->count && !path_is_near(points[next], start));
+    } while (next < path->count
+             && !path_is_near(points[next], start, closeness));
     memcpy(points[(*kept)++], start, sizeof start);
     if (*kept - begin < 4)
         *kept = begin;
@@ -59,6 +62,8 @@ static const char *settle(struct primitive *primitive)
 {
     struct outline *path = &primitive->shape.prism.path;
     double a = primitive->shape.prism.low, b = primitive->shape.prism.high;
+    double closeness = path_closeness((const double(*)[2])path->points,
+                                      path->count);
     size_t kept = 0;
 
     if (primitive->shape.prism.quadratic)
@@ -66,7 +71,7 @@ static const char *settle(struct primitive *primitive)
     primitive->shape.prism.low = fmin(a, b);
     primitive->shape.prism.high = fmax(a, b);
     for (size_t next = 0; next < path->count;)
-        next = close_loop(path, next, &kept);
+        next = close_loop(path, next, closeness, &kept);
     path->count = kept;
     return a == b      ? "the prism has no height"
            : kept == 0 ? "the path of the prism encloses nothing"

@@ -22,6 +22,7 @@ static const struct shape_field fields[] = {
 struct spline {
     const double (*points)[2];
     size_t count, used;
+    double closeness; /* of its points (path.h) */
 };
 
 static void add_point(struct outline *path, const double point[2])
@@ -54,7 +55,7 @@ static bool add_loop(struct outline *path, struct spline *spline)
 
     add_point(path, first);
     for (size_t i = spline->used + 2; i < spline->count; i++) {
-        bool closes = path_is_near(points[i], first);
+        bool closes = path_is_near(points[i], first, spline->closeness);
         const double *next = closes ? first : points[i];
 
         add_parabola(path, before, here, next);
@@ -73,13 +74,14 @@ static bool add_loop(struct outline *path, struct spline *spline)
 static const char *make_parabolas(struct outline *path)
 {
     struct spline spline = { (const double(*)[2])path->points + path->count,
-                             path->count, 0 };
+                             path->count, 0, 0 };
 
     if (path->count < POINTS_LEAST)
         return "a quadratic spline needs five points";
     memcpy(path->points + path->count, path->points,
            path->count * sizeof *path->points);
     path->count = 0;
+    spline.closeness = path_closeness(spline.points, spline.count);
     while (spline.used + 1 < spline.count)
         if (!add_loop(path, &spline))
             return "the quadratic spline does not come back to its second "

@@ -1,5 +1,6 @@
 #include "rt/shapes/shape.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "rt/shapes/terms.h"
@@ -21,6 +22,25 @@ const char *terms_fault(const double *coefficients, size_t count)
 static const char *settle(struct primitive *primitive)
 {
     return terms_fault(primitive->shape.quartic.coefficients, QUARTIC_TERMS);
+}
+
+/* x^a y^b z^c of x / 2^log, and all terms 2^(4 log) times as large. */
+void quartic_enlarge(struct primitive *quartic, int log)
+{
+    double *coefficient = quartic->shape.quartic.coefficients;
+    struct transform *to_world = &quartic->to_world;
+
+    for (int x = 4; x >= 0; x--)
+        for (int y = 4 - x; y >= 0; y--)
+            for (int z = 4 - x - y; z >= 0; z--, coefficient++)
+                *coefficient = ldexp(*coefficient, log * (4 - x - y - z));
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 4; k++) {
+            if (k < 3)
+                to_world->rows[i][k] = ldexp(to_world->rows[i][k], -log);
+            quartic->to_local.rows[i][k] = ldexp(quartic->to_local.rows[i][k],
+                                                 log);
+        }
 }
 
 /* The bound is POV-Ray's: it looks no farther. */

@@ -19,6 +19,7 @@ struct trace {
     struct scene_layout *layout;
     struct band_work work;
     double gamma; /* of the frame's colours */
+    double unit;  /* of the scene's lengths, in the file's */
 
     size_t band_rows; /* of each band but perhaps the last */
     size_t band_count;
@@ -221,6 +222,7 @@ struct trace *trace_new(const struct scene *scene,
                                || options->threshold > 0)
                        ? scene->assumed_gamma
                        : 1;
+    trace->unit = ldexp(1, scene->unit_log);
     trace->work = (struct band_work){
         .model = options->model,
         .width = options->width,
@@ -490,6 +492,8 @@ static void read_channel(const struct trace *trace, int channel,
         samples[i] = c205_to_double(words[i]);
     if (channel <= CHANNEL_BLUE)
         make_linear(samples, pixels, trace->gamma);
+    for (size_t i = 0; channel == CHANNEL_DEPTH && i < pixels; i++)
+        samples[i] *= trace->unit;
 }
 
 void trace_read(const struct trace *trace, size_t first_row,

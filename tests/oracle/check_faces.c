@@ -269,7 +269,8 @@ static bool same_sight(const struct scene *scene, const struct frame *plain,
                        const c205_word *words, size_t k)
 {
     double depth = c205_to_double(words[CHANNEL_DEPTH * PIXELS + k]);
-    double expected = plain->channel[CHANNEL_DEPTH][k];
+    double expected = ldexp(plain->channel[CHANNEL_DEPTH][k],
+                            -scene->unit_log);
     size_t id = (size_t)c205_to_integer(words[CHANNEL_ID * PIXELS + k]);
     size_t other = (size_t)plain->channel[CHANNEL_ID][k];
     return fabs(depth - expected) <= 1e-6 * (1 + depth)

@@ -152,13 +152,15 @@ static void blend(const struct bump_list *list, bool unscaled,
     change_by(&entries[k], unscaled, at, before, u, sum);
 }
 
-void plain_bumps(const struct bumps *bumps, const double point[3],
-                 double normal[3])
+void plain_bumps(const struct bumps *bumps, double unit,
+                 const double point[3], double normal[3])
 {
     const struct bump_list *list = bumps->list;
     double at[3], there[3], sum[3] = { 0, 0, 0 };
     if (!bumps_show(bumps))
         return;
+    for (int i = 0; i < 3 && bumps->unscaled; i++)
+        normal[i] *= unit;
     if (list->count == 0) {
         change(&list->bump, &bumps->to_local, bumps->unscaled, point, normal);
         normalise(normal);

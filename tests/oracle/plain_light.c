@@ -63,7 +63,8 @@ static void passing_color(const struct pigment *pigment, int cell,
                      + pigment->transmit[cell];
 }
 
-void plain_describe(const struct ray *ray, const struct plain_hit *hit,
+void plain_describe(const struct scene *scene, const struct ray *ray,
+                    const struct plain_hit *hit,
                     struct plain_surface *surface)
 {
     const struct pigment *pigment = &hit->primitive->pigment;
@@ -73,7 +74,8 @@ void plain_describe(const struct ray *ray, const struct plain_hit *hit,
     point_on(ray, hit->distance, surface->point);
     copy(surface->before, hit->normal);
     copy(surface->normal, hit->normal);
-    plain_bumps(&hit->primitive->bumps, surface->point, surface->normal);
+    plain_bumps(&hit->primitive->bumps, ldexp(1, scene->unit_log),
+                surface->point, surface->normal);
     int cell = pigment_cell(pigment, surface->point);
     passing_color(pigment, cell, surface->passing);
     copy(surface->pigment, pigment->color[cell]);

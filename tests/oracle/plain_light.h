@@ -29,7 +29,8 @@ struct plain_surface {
 void plain_map_color(const struct pigment *pigment, const double point[3],
                      double color[3]);
 
-void plain_describe(const struct ray *ray, const struct plain_hit *hit,
+void plain_describe(const struct scene *scene, const struct ray *ray,
+                    const struct plain_hit *hit,
                     struct plain_surface *surface);
 
 /* What of a mirrored ray's colour the surface gives back; the index of what is

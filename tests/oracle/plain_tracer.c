@@ -283,7 +283,7 @@ static void trace_clearly(const struct plain_tracer *tracer,
             plain_map_color(&scene->sky, path->ray.direction, color);
         return;
     }
-    plain_describe(&path->ray, hit, &surface);
+    plain_describe(tracer->scene, &path->ray, hit, &surface);
     plain_shade(tracer, &surface, color);
     branch(&from, hit);
     copy(hit->normal, surface.normal);
@@ -319,7 +319,9 @@ static void store(const struct scene *scene, const struct frame *frame,
         frame->channel[CHANNEL_RED + i][pixel] = light[i];
         frame->channel[CHANNEL_NORMAL_X + i][pixel] = hit->normal[i];
     }
-    frame->channel[CHANNEL_DEPTH][pixel] = id > 0 ? hit->distance : 0;
+    frame->channel[CHANNEL_DEPTH][pixel] = id > 0 ? ldexp(hit->distance,
+                                                          scene->unit_log)
+                                                  : 0;
     frame->channel[CHANNEL_ID][pixel] = id;
 }
 

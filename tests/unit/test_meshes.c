@@ -434,16 +434,19 @@ static void test_no_area(void **state)
     check_middle(STRAIGHT "mesh { " FLAT NO_AREA " }", 1, 5);
 }
 
-/* It has an area where it is written, but none in the world. */
+/* It has an area where it is written, but none in the world.  The sphere keeps the
+ * scene's unit of length at 1. */
 #define TINY "triangle { 0, 1e-10*x, 1e-10*y } "
+#define SPHERE " sphere { <3, 3, 0>, .1 }"
 
 static void test_lost_area(void **state)
 {
     (void)state;
-    check_middle(STRAIGHT
-                 "mesh { " TINY "triangle { <-10000001, -1, 0>, "
-                 "<-9999999, -1, 0>, <-10000000, 2, 0> } translate 1e7*x }",
-                 1, 5);
+    check_middle(
+        STRAIGHT
+        "mesh { " TINY "triangle { <-10000001, -1, 0>, "
+        "<-9999999, -1, 0>, <-10000000, 2, 0> } translate 1e7*x }" SPHERE,
+        1, 5);
     check_middle(STRAIGHT "mesh { " TINY "translate 1e7*x } "
                           "mesh { " FLAT "translate -z }",
                  2, 4);

@@ -194,6 +194,9 @@ static struct passage along(const char *text, double x, double y)
     return passage;
 }
 
+/* A scene of two close planes has the size of its camera's distance. */
+#define EYE "camera { location -z } "
+
 static void test_coincident_faces(void **state)
 {
     static const struct {
@@ -219,8 +222,9 @@ static void test_coincident_faces(void **state)
           .2, 0, 0 }, /* closer than delta */
         { "merge { box { -1, 1 } box { <-1, -1, 1.00000002>, <1, 1, 3> } }",
           .3, .2, 2, 4 },
-        { "intersection { plane { z, 5e-8 } plane { -z, 0 } }", 0, 0, 0, 0 },
-        { "intersection { plane { z, 1e-6 } plane { -z, 0 } }", 0, 0, 2,
+        { EYE "intersection { plane { z, 5e-8 } plane { -z, 0 } }", 0, 0, 0,
+          0 },
+        { EYE "intersection { plane { z, 1e-6 } plane { -z, 0 } }", 0, 0, 2,
           1e-6 },
         { "difference { sphere { 0, 1 } sphere { 0, 1 } }", .3, .2, 0, 0 },
         { "difference { torus { 1, .3 } torus { 1, .3 } }", .9, .1, 0, 0 },

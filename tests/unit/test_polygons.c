@@ -424,7 +424,7 @@ static void test_reports(void **state)
     static const char *const left_out[] = {
         "polygon { 3, 0, x, 2*x }",
         "polygon { 3, x, x, x }",
-        "polygon { 4, <0, 0>, <1e-3, 0>, <0, 1e-3>, <0, 0> scale 1e3 }",
+        "polygon { 4, <0, 0>, <1, 0>, <.5, 1e-6>, <0, 0> }",
         "polygon { 5, 0, x, <1, 1, 2e-9>, y, 0 }",
         "polygon { 5, 0, x, y, <1, 1, 1>, 0 }",
         "polygon { 8, 0, x, y, 0, 0, x, y, 0 }",
@@ -432,6 +432,7 @@ static void test_reports(void **state)
 
     (void)state;
     check_area("polygon { 3, 0, x, y }", 1, .5, 1);
+    check_area("polygon { 4, 0, 1e-9*x, 1e-9*y, 0 scale 1e9 }", 0, 5e-19, 1);
     check_area("polygon { 7, 0, x, y, 0, 2*x, 3*x, <2, 1> }", 1, 1, 2);
     check_area("polygon { 5, 0, x, <1, 1, 5e-11>, y, 0 }", 0, 1, 2);
     for (size_t i = 0; i < COUNT(left_out); i++) {

@@ -76,22 +76,27 @@ static void test_starts(void **state)
     check_middle(AHEAD "torus { 1, .5 translate <0, 0, -7> }", 0, 0);
 }
 
+/* Objects behind the eye: the unit of length is the world's, whatever else is
+ * small. */
+#define ORDINARY AHEAD "#declare Far = sphere { -9*z, 1 }\n"
+#define FAR " object { Far } object { Far translate -z }"
+
 /* The nearest crossing beyond 1e-6 of the world, whatever the scale: just
  * before the eye at that distance or behind it at half of it. */
 static void test_least_distance(void **state)
 {
     (void)state;
-    check_middle(AHEAD "torus { 1, .5 scale 1000"
-                       " translate (1500 - 5 + 2e-6)*z }",
+    check_middle(ORDINARY "torus { 1, .5 scale 1000"
+                          " translate (1500 - 5 + 2e-6)*z }" FAR,
                  1, 2e-6);
-    check_middle(AHEAD "torus { 1, .5 scale 1000"
-                       " translate (1500 - 5 + .5e-6)*z }",
+    check_middle(ORDINARY "torus { 1, .5 scale 1000"
+                          " translate (1500 - 5 + .5e-6)*z }" FAR,
                  1, 1000 + .5e-6);
-    check_middle(AHEAD "torus { 1, .5 scale .001"
-                       " translate (.0015 - 5 + 2e-6)*z }",
+    check_middle(ORDINARY "torus { 1, .5 scale .001"
+                          " translate (.0015 - 5 + 2e-6)*z }" FAR,
                  1, 2e-6);
-    check_middle(AHEAD "torus { 1, .5 scale .001"
-                       " translate (.0015 - 5 + .5e-6)*z }",
+    check_middle(ORDINARY "torus { 1, .5 scale .001"
+                          " translate (.0015 - 5 + .5e-6)*z }" FAR,
                  1, .0010005);
 }
 

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#define NEAR 1e-10 /* POV-Ray's bounds on look_at and sky */
+#define NEAR 1e-10 /* POV-Ray's bound on sky */
 
 /* POV-Ray's right is 1.33 x, not 4/3 x. */
 const struct camera_setting camera_default = {
@@ -214,7 +214,7 @@ static void apply_distance(struct camera_reading *reading)
         return;
     for (int i = 0; i < 3; i++)
         ahead[i] = reading->look_at[i] - camera->location[i];
-    if (length3(ahead) < NEAR)
+    if (greatest3(ahead) == 0)
         return;
     distance = length3(ahead) / length3(camera->direction);
     scale3(distance, camera->right);
@@ -239,7 +239,7 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
 
     for (int i = 0; i < 3; i++)
         camera->direction[i] = reading->look_at[i] - camera->location[i];
-    if (dot3(camera->direction, camera->direction) < NEAR)
+    if (greatest3(camera->direction) == 0)
         return reader_fault(reader, at, "location and look_at are the same");
     set_length(camera->direction, 1);
     cross3(reading->setting.sky, camera->direction, camera->right);

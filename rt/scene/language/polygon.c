@@ -21,7 +21,8 @@
 #include <string.h>
 
 /* POV-Ray's: of the squares of lengths and products that count as 0, of two
- * components that count as one, and of a point's way off the plane. */
+ * components that count as one, and of a point's way off the plane.  Of a polygon
+ * that is smaller than 1 they are relative to its size. */
 #define SQUARE_NONE 1e-10
 #define POINT_SAME 1e-10
 #define PLANE_SAME 1e-10
@@ -48,6 +49,7 @@ struct polygon {
     double (*points)[3];
     int across, up;  /* the axes that are seen */
     double rounding; /* a length that counts as none */
+    double size;     /* along the axes, 1 at most */
 
     size_t edge_count;
     struct polygon_edge *edges; /* by their lower ends */
@@ -90,6 +92,7 @@ static bool read_count(struct polygon *polygon)
 
 static bool read_points(struct polygon *polygon)
 {
+    double way[3];
     size_t count;
 
     if (!read_count(polygon))
@@ -106,7 +109,10 @@ static bool read_points(struct polygon *polygon)
             return false;
         polygon->rounding = fmax(polygon->rounding,
                                  ROUNDING * greatest3(point));
+        subtract3(point, polygon->points[0], way);
+        polygon->size = fmax(polygon->size, greatest3(way));
     }
+    polygon->size = fmin(polygon->size, 1);
     return true;
 }
 
@@ -116,19 +122,19 @@ static bool read_points(struct polygon *polygon)
  * and the next one not in a line with these.  False: there is none. */
 static bool find_normal(const struct polygon *polygon, double normal[3])
 {
-    double(*points)[3] = polygon->points;
-    double along[3] = { 0 }, way[3];
+    double(*points)[3] = polygon->points, along[3] = { 0 }, way[3];
+    double none = SQUARE_NONE * polygon->size * polygon->size;
 
     for (size_t i = 1; i < polygon->count; i++) {
         subtract3(points[i], points[0], way);
-        if (!(dot3(way, way) > SQUARE_NONE))
+        if (!(dot3(way, way) > none))
             continue;
-        if (!(dot3(along, along) > SQUARE_NONE)) {
+        if (!(dot3(along, along) > none)) {
             copy3(way, along);
             continue;
         }
         cross3(along, way, normal);
-        if (dot3(normal, normal) > SQUARE_NONE)
+        if (dot3(normal, normal) > none * polygon->size * polygon->size)
             return true;
     }
     return false;
@@ -136,11 +142,13 @@ static bool find_normal(const struct polygon *polygon, double normal[3])
 
 static bool is_flat(const struct polygon *polygon, const double normal[3])
 {
+    double off = fmax(PLANE_SAME * polygon->size, polygon->rounding);
+
     for (size_t i = 1; i < polygon->count; i++) {
         double way[3];
 
         subtract3(polygon->points[i], polygon->points[0], way);
-        if (!(fabs(dot3(way, normal)) <= PLANE_SAME))
+        if (!(fabs(dot3(way, normal)) <= off))
             return false;
     }
     return true;
@@ -211,7 +219,8 @@ static bool add_edges(struct polygon *polygon)
     size_t first = 0;
 
     for (size_t i = 1; i < polygon->count; i++) {
-        bool closes = is_near(points[first], points[i], POINT_SAME);
+        bool closes = is_near(points[first], points[i],
+                              POINT_SAME * polygon->size);
         add_edge(polygon, points[i - 1], points[closes ? first : i]);
         if (closes)
             first = ++i;

@@ -7,6 +7,7 @@
 #include "rt/scene/language/height_field.h"
 #include "rt/scene/language/query.h"
 #include "rt/scene/language/statement.h"
+#include "rt/scene/language/unit.h"
 #include "rt/shapes/shape_words.h"
 
 #include <stdlib.h>
@@ -345,6 +346,7 @@ static bool take_world(struct reader *reader)
     struct scene *scene = reader->scene;
     bool done;
 
+    unit_settle(scene, &reader->world);
     scene->light_count = reader->world.light_count;
     scene->lights = reader->world.lights;
     reader->world.lights = NULL;

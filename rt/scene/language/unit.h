@@ -1,0 +1,13 @@
+/* unit.h - the unit of length in which a scene is traced. */
+#ifndef RT_SCENE_UNIT_H
+#define RT_SCENE_UNIT_H
+
+#include "rt/scene/language/object.h"
+
+/* Sets scene->unit_log by the sizes and distances of the world's objects, and divides
+ * every length of the world and of the scene by it.  Lights that are then farther
+ * than LIGHT_FARTHEST from the objects are moved to that distance; their
+ * directions and shadows are the same within rounding. */
+void unit_settle(struct scene *scene, struct scene_object *world);
+
+#endif
