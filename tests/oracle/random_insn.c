@@ -97,6 +97,17 @@ static const c205_insn *draw_insn(uint64_t *random,
     return draw_of_unit(random, draw_unit(random));
 }
 
+static bool is_transfer(const c205_insn *insn)
+{
+    static const char *const names[] = { "VXTOV", "VTOVX", "VGATHP",
+                                         "VSCATP" };
+
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(insn->mnemonic, names[i]) == 0)
+            return true;
+    return false;
+}
+
 /* As above, of what goes into the machine's blocks, and at times of what does
  * not. */
 static const c205_insn *draw_scalar(uint64_t *random,
@@ -455,8 +466,10 @@ void draw_insns(uint64_t *random, struct random_program *program)
     size_t count = program->insn_count;
 
     for (size_t i = 0; i + 1 < count; i++) {
-        rows[i] = program->loop ? draw_scalar(random, rows, i)
-                                : draw_insn(random, rows, i);
+        rows[i] = program->transfers && one_in(random, 2)
+                      ? draw_where(random, is_transfer)
+                  : program->loop ? draw_scalar(random, rows, i)
+                                  : draw_insn(random, rows, i);
         program->insns[i].halves = c205_format_halves(rows[i]->format);
     }
     if (program->loop) {

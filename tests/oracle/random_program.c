@@ -59,6 +59,7 @@ const struct random_area random_areas[] = {
     { IN_PAGE(8, 440), 100, C205_READ_WRITE, HALF_NUMBERS },
     { IN_PAGE(3, 5000), 300, C205_READ_WRITE, INDICES },
     { IN_PAGE(3, 6000), 200, C205_READ_WRITE, WILD_INDICES },
+    { IN_PAGE(3, 7000), 200, C205_READ_WRITE, FAR_INDICES },
     { IN_PAGE(3, C205_PAGE_WORDS - 10), 20, C205_READ_WRITE, BIT_STRINGS },
     { IN_PAGE(2, 300), 40, C205_READ_WRITE, BIT_STRINGS },
 };
@@ -138,6 +139,16 @@ uint64_t draw_length(uint64_t *random)
 
 /* ---- Data -------------------------------------------------------------- */
 
+/* Mostly on the page of the table; else on another, which may hold code, may be read
+ * only, or is not there. */
+static c205_word far_index(uint64_t *random)
+{
+    int64_t pages = one_in(random, 40) ? random_between(random, -2, 3) : 0;
+
+    return (c205_word)(pages * C205_PAGE_WORDS
+                       + random_between(random, -40, 300));
+}
+
 static c205_word datum(uint64_t *random, const struct random_area *area)
 {
     switch (area->contents) {
@@ -145,6 +156,7 @@ static c205_word datum(uint64_t *random, const struct random_area *area)
     case WILD_INDICES:
         return one_in(random, 60) ? random_bits(random)
                                   : (c205_word)random_between(random, -9, 9);
+    case FAR_INDICES: return far_index(random);
     case BIT_STRINGS:
         return one_in(random, 3) ? 0 - (random_bits(random) & 1)
                                  : random_bits(random);
@@ -243,6 +255,7 @@ static bool area_fits(uint64_t *random, const struct random_area *area,
     case BIT_STRINGS: return role == 'b';
     case INDICES: return role == 'x';
     case WILD_INDICES: return role == 'x' && one_in(random, 3);
+    case FAR_INDICES: return role == 'x' && one_in(random, 2);
     case HALF_NUMBERS:
         return is_of_halves(role) || (role != 'b' && one_in(random, 6));
     default:
@@ -301,6 +314,21 @@ static c205_word code_vector(uint64_t *random,
            | address / WORD * WORD;
 }
 
+/* In the program, on a page that is only read, or at the end of a page. */
+static c205_word table_elsewhere(uint64_t *random,
+                                 const struct random_program *program)
+{
+    uint64_t before = (uint64_t)random_between(random, 0, 90);
+
+    switch (random_between(random, 0, 2)) {
+    case 0: return code_vector(random, program);
+    case 1: return draw_length(random) << 48 | IN_PAGE(6, before);
+    default:
+        return draw_length(random) << 48
+               | IN_PAGE(random_between(random, 2, 5), -before);
+    }
+}
+
 static c205_word half_integers(uint64_t *random)
 {
     c205_word left = (c205_word)draw_integer(random) & LOW_24;
@@ -333,6 +361,8 @@ static c205_word preset(uint64_t *random,
                    & UINT64_C(0xFFFFFFFFFFFF);
         return draw_descriptor(random, role == 'q' ? 'b' : role);
     default:
+        if (program->transfers && one_in(random, 3))
+            return table_elsewhere(random, program);
         return one_in(random, 40) ? code_vector(random, program)
                                   : draw_descriptor(random, role);
     }
@@ -405,7 +435,7 @@ static uint64_t draw_beginning(uint64_t *random)
     return IN_PAGE(1, words) + HALF * (random_bits(random) & 1);
 }
 
-enum { ONE_LOOP_IN = 9 };
+enum { ONE_LOOP_IN = 9, ONE_OF_TRANSFERS_IN = 5 };
 
 struct random_program random_program(uint64_t seed)
 {
@@ -417,6 +447,7 @@ struct random_program random_program(uint64_t seed)
                                            (int64_t)random_model_count - 1);
     program.code = draw_beginning(&random);
     program.loop = seed % ONE_LOOP_IN == 0;
+    program.transfers = seed % ONE_OF_TRANSFERS_IN == 1;
     program.insn_count = (size_t)random_between(&random, 4, PROGRAM_INSNS);
     draw_insns(&random, &program);
     preset_registers(&random, &program);

@@ -7,7 +7,9 @@
  * and each operand is mostly taken from the pool it needs, so that most
  * instructions do something, and some trap.  Vectors of both sizes overlap,
  * cross pages, run off their ends and into memory that is not there or may
- * only be read.  Some programs are a loop of scalar instructions.
+ * only be read.  Some programs are a loop of scalar instructions.  In some half of
+ * the instructions are gathers and scatters, whose tables are at ends of pages, on
+ * pages that are only read, or in the program itself.
  */
 #ifndef RANDOM_PROGRAM_H
 #define RANDOM_PROGRAM_H
@@ -29,6 +31,7 @@ struct random_program {
     struct program_insn insns[PROGRAM_INSNS];
     c205_word registers[C205_REGISTERS];
     bool loop;       /* of scalar instructions, for the most part */
+    bool transfers;  /* half of it gathers and scatters */
     bool plain_data; /* all numbers one, all bits ones: for shrinking */
 };
 
@@ -54,6 +57,7 @@ struct random_area {
         HALF_NUMBERS,
         INDICES,
         WILD_INDICES,
+        FAR_INDICES,
         BIT_STRINGS
     } contents;
 };
