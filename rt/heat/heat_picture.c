@@ -208,6 +208,7 @@ static bool paint_scene(struct heat_drawing *drawing)
                                    .color = { { .02, .02, .02 } } };
     scene->fog_count = scene->image_count = 0;
     scene->camera.lens_radius = 0;
+    scene->gamma_off = false;
     return true;
 }
 

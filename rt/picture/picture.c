@@ -81,6 +81,13 @@ double picture_srgb(double linear)
     return 1.055 * pow(linear, 1 / 2.4) - 0.055;
 }
 
+double picture_shown(const struct frame *frame, double color)
+{
+    if (!frame->gamma_off)
+        return picture_srgb(color);
+    return color > 0 ? fmin(color, 1) : 0;
+}
+
 static double srgb_decode(double encoded)
 {
     if (encoded <= 0.04045)
@@ -130,7 +137,8 @@ static void interleave(const struct frame *frame,
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
             double value = plane_of(frame, channel)[i];
-            *sample++ = (float)(image->srgb ? picture_srgb(value) : value);
+            *sample++ = (float)(image->srgb ? picture_shown(frame, value)
+                                            : value);
         }
 }
 
@@ -384,6 +392,7 @@ static struct frame part_of(const struct frame *frame, size_t first)
 {
     size_t left = frame->height - first;
     struct frame part = { .width = frame->width,
+                          .gamma_off = frame->gamma_off,
                           .height = left < PICTURE_PART ? left
                                                         : PICTURE_PART };
     for (size_t i = 0; i < FRAME_CHANNELS; i++)

@@ -34,6 +34,8 @@ enum frame_channel {
 struct frame {
     size_t width, height;
     double *channel[FRAME_CHANNELS];
+    bool
+        gamma_off; /* colours are as displayed: files have them as they are */
     /* The name of one plane more, which pictures of linear colours have as a
      * channel, and that plane, the caller's own; NULL: there is none. */
     const char *layer;
@@ -108,6 +110,8 @@ bool picture_read_note(const char *path, const char *name, char *text,
 /* Linear light, between 0 and 1, encoded as the 8-bit pictures have it; beyond is
  * clipped, and what is not a number is black. */
 double picture_srgb(double linear);
+/* The value of a colour in a file of 8-bit samples: 0 to 1. */
+double picture_shown(const struct frame *frame, double color);
 
 /* A file's bytes as they are, for the reader of scenes. */
 raster_reader picture_read_raster;

@@ -260,9 +260,10 @@ struct scene {
     struct fog fogs[FOGS_MOST];
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
-    int max_trace_level;  /* rays in a chain of reflections, the first
+    bool gamma_off; /* colours are displayed as they are: version < 3.7 */
+    int max_trace_level; /* rays in a chain of reflections, the first
                                counted, what goes straight on not */
-    double adc_bailout;   /* rays that weigh less are not followed */
+    double adc_bailout;  /* rays that weigh less are not followed */
     size_t light_count;
     struct light *lights;
     size_t primitive_count;

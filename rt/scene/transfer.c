@@ -20,10 +20,12 @@ static uint32_t long_at(const char *bytes, size_t i)
            | b[3];
 }
 
-/* What a file has samples to the power of; 0: it says nothing, or sRGB. */
-static double png_power(const char *bytes, size_t length)
+/* What the chunks of a file state; otherwise `transfer`. */
+static struct transfer_function
+png_transfer(const char *bytes, size_t length,
+             struct transfer_function transfer)
 {
-    double power = 0;
+    double power;
     size_t at = PNG_FIRST, size;
 
     for (; length - at >= PNG_HEAD + PNG_TAIL;
@@ -34,25 +36,27 @@ static double png_power(const char *bytes, size_t length)
             || !memcmp(name, "IDAT", 4))
             break;
         if (!memcmp(name, "sRGB", 4))
-            return 0;
-        if (!memcmp(name, "gAMA", 4) && size == 4)
-            power = long_at(bytes, at + PNG_HEAD) / PNG_GAMMA;
+            return (struct transfer_function){ TRANSFER_SRGB, 1 };
+        if (memcmp(name, "gAMA", 4) || size != 4)
+            continue;
+        power = long_at(bytes, at + PNG_HEAD) / PNG_GAMMA;
+        if (power > 0)
+            transfer = (struct transfer_function){ TRANSFER_POWER,
+                                                   1 / power };
     }
-    return power;
+    return transfer;
 }
 
 struct transfer_function transfer_of(enum raster_kind kind, const char *bytes,
-                                     size_t length)
+                                     size_t length,
+                                     enum transfer_kind otherwise)
 {
-    struct transfer_function transfer = { TRANSFER_SRGB, 1 };
-    double power;
+    struct transfer_function transfer = { otherwise, 1 };
 
     if (kind == RASTER_TIFF || kind == RASTER_PGM || kind == RASTER_PPM)
         transfer.kind = TRANSFER_NONE;
-    power = kind == RASTER_PNG ? png_power(bytes, length) : 0;
-    if (power > 0)
-        transfer = (struct transfer_function){ TRANSFER_POWER, 1 / power };
-    return transfer;
+    return kind == RASTER_PNG ? png_transfer(bytes, length, transfer)
+                              : transfer;
 }
 
 double srgb_light(double share)

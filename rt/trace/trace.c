@@ -20,6 +20,7 @@ struct trace {
     struct band_work work;
     double gamma; /* of the frame's colours */
     double unit;  /* of the scene's lengths, in the file's */
+    bool gamma_off;
 
     size_t band_rows; /* of each band but perhaps the last */
     size_t band_count;
@@ -223,6 +224,7 @@ struct trace *trace_new(const struct scene *scene,
                        ? scene->assumed_gamma
                        : 1;
     trace->unit = ldexp(1, scene->unit_log);
+    trace->gamma_off = scene->gamma_off;
     trace->work = (struct band_work){
         .model = options->model,
         .width = options->width,
@@ -501,6 +503,7 @@ void trace_read(const struct trace *trace, size_t first_row,
 {
     size_t width = trace->options.width;
 
+    part->gamma_off = trace->gamma_off;
     for (int i = 0; i < FRAME_CHANNELS; i++) {
         size_t first = (size_t)i * pixels_of(trace) + first_row * width;
 
@@ -514,6 +517,7 @@ void trace_read_band(const struct trace *trace, const struct band *band,
 {
     size_t pixels = band->rows * trace->options.width;
 
+    part->gamma_off = trace->gamma_off;
     for (int i = 0; i < FRAME_CHANNELS; i++)
         read_channel(trace, i, band->words + (size_t)i * pixels, part);
 }

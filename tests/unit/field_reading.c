@@ -28,7 +28,7 @@ struct scene *field_read(const char *words, const char *modifiers,
 
     snprintf(text, sizeof text, "height_field { %s \"%s\" %s }", words, path,
              modifiers);
-    return scene_read_text("test.pov", text, how, reports);
+    return read_versioned("test.pov", text, how, reports);
 }
 
 struct scene *field_expect(const char *words, const char *modifiers)

@@ -5,6 +5,8 @@
 
 #include <stdio.h>
 
+#define VERSION "#version 3.7;"
+
 const struct scene_options reading_options = { .width = 640, .height = 480 };
 const struct scene_options strict_options = { .width = 640,
                                               .height = 480,
@@ -35,11 +37,28 @@ void assert_vector(const double a[3], double x, double y, double z)
     assert_close(a[2], z, CLOSE);
 }
 
+struct scene *read_versioned(const char *name, const char *text,
+                             const struct scene_options *how,
+                             struct diagnostics *reports)
+{
+    char *versioned = malloc(strlen(VERSION) + strlen(text) + 1);
+    struct scene *scene;
+
+    assert_non_null(versioned);
+    strcpy(versioned, VERSION);
+    strcat(versioned, text);
+    scene = scene_read_text(name, versioned, how, reports);
+    free(versioned);
+    for (size_t i = 0; i < reports->count; i++)
+        if (reports->items[i].line == 1)
+            reports->items[i].column -= strlen(VERSION);
+    return scene;
+}
+
 struct scene *read_with(const char *text, size_t expected)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
-                                          &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     if (!scene || reports.count != expected) {
         diagnostics_print(&reports, stderr);
@@ -59,7 +78,7 @@ void assert_error(const char *text, const struct scene_options *how,
                   size_t line, size_t column, const char *message)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, how, &reports);
+    struct scene *scene = read_versioned("test.pov", text, how, &reports);
     const struct diagnostic *report = reports.items;
 
     if (scene || reports.count != 1 || report->severity != SEVERITY_ERROR
@@ -81,8 +100,7 @@ void assert_errors(const struct line_error *errors, size_t count)
 void assert_refused(const char *text, size_t most, const char *message)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
-                                          &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
     bool said = false;
 
     for (size_t i = 0; i < reports.count; i++)

@@ -27,6 +27,12 @@ void write_bytes(const char *path, const char *bytes, size_t count);
 void assert_close(double a, double b, double within);
 void assert_vector(const double a[3], double x, double y, double z);
 
+/* scene_read_text of a text of #version 3.7.  In reports the columns of line 1
+ * are those of the text. */
+struct scene *read_versioned(const char *name, const char *text,
+                             const struct scene_options *how,
+                             struct diagnostics *reports);
+
 /* A scene without errors and with that many reports. */
 struct scene *read_with(const char *text, size_t expected);
 struct scene *read_scene(const char *text);

@@ -10,6 +10,8 @@
 
 /* ---- Files --------------------------------------------------------------- */
 
+#define OLD_VERSION "#version 3.6; global_settings { assumed_gamma 1 }"
+
 static char path[64];
 
 static void keep(const char *bytes, size_t count)
@@ -27,7 +29,7 @@ static struct scene *read_image(const char *before, const char *words,
              before);
     snprintf(text + strlen(text), sizeof text - strlen(text), words, path);
     strcat(text, " } } }");
-    return scene_read_text("test.pov", text, &with_images, reports);
+    return read_versioned("test.pov", text, &with_images, reports);
 }
 
 /* With so many reports, of which one says so. */
@@ -257,8 +259,8 @@ static void test_gammas(void **state)
     keep(FILE_OF(COLOR_PNG));
     expect_light("", "\"%s\" gamma 1", as_they_are);
     expect_light("global_settings { assumed_gamma 2.2 }", "\"%s\"", working);
-    expect_light("#version 3.6;", "\"%s\"", as_they_are);
-    expect_light("#version 3.6;", "\"%s\" gamma 2.2", to_the_2_2);
+    expect_light(OLD_VERSION, "\"%s\"", as_they_are);
+    expect_light(OLD_VERSION, "\"%s\" gamma 2.2", to_the_2_2);
 }
 
 /* ---- Words --------------------------------------------------------------- */
@@ -429,7 +431,7 @@ static void test_limit(void **state)
              "sphere { 0, 1 pigment { image_map { \"%s\" } } }\n"
              "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
              path, path);
-    assert_null(scene_read_text("test.pov", text, &with_images, &reports));
+    assert_null(read_versioned("test.pov", text, &with_images, &reports));
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items->line, 2);
     assert_int_equal(reports.items->column, 37);

@@ -186,6 +186,22 @@ static void test_bytes_are_srgb(void **state)
     frame_free(&frame);
 }
 
+static void test_bytes_without_gamma(void **state)
+{
+    (void)state;
+    struct frame frame, back;
+    struct picture_error error;
+    assert_true(frame_allocate(&frame, 1, 1));
+    frame.gamma_off = true;
+    frame.channel[CHANNEL_RED][0] = .2;
+    assert_true(
+        picture_write(in_folder("o.png"), &frame, NULL, false, &error));
+    assert_true(picture_read(in_folder("o.png"), &back, &error));
+    assert_true(fabs(picture_srgb(back.channel[CHANNEL_RED][0]) - .2) < 1e-6);
+    frame_free(&back);
+    frame_free(&frame);
+}
+
 struct note_place {
     const char *file, *name, *text;
 };
@@ -449,6 +465,7 @@ int main(void)
         cmocka_unit_test(test_round_trips),
         cmocka_unit_test(test_half_is_smaller),
         cmocka_unit_test(test_bytes_are_srgb),
+        cmocka_unit_test(test_bytes_without_gamma),
         cmocka_unit_test(test_notes),
         cmocka_unit_test(test_date),
         cmocka_unit_test(test_same_bytes_later),

@@ -582,6 +582,42 @@ static void test_gamma_of_srgb(void **state)
     scene_free(scene);
 }
 
+/* As POV-Ray 3.7 does: the version at the end of the text counts. */
+static void test_gamma_of_versions(void **state)
+{
+    static const struct {
+        const char *text;
+        bool off;
+    } rows[] = {
+        { "", true },
+        { "#version 3.1;", true },
+        { "#version 3.6;", true },
+        { "#version 3.6; global_settings { max_trace_level 5 }", true },
+        { "#version 3.7;", false },
+        { "global_settings { assumed_gamma 1 }", false },
+        { "#version 3.6; global_settings { assumed_gamma 2.2 }", false },
+        { "#version 3.7; #version 3.6;", true },
+        { "#version 3.6; #version 3.7;", false },
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct diagnostics reports = { 0 };
+        struct scene *scene = scene_read_text("test.pov", rows[i].text,
+                                              &reading_options, &reports);
+        size_t told = 0;
+
+        assert_non_null(scene);
+        for (size_t k = 0; k < reports.count; k++)
+            told += strstr(reports.items[k].message, "gamma correction")
+                    != NULL;
+        assert_int_equal(scene->gamma_off, rows[i].off);
+        assert_int_equal(told, rows[i].off);
+        scene_free(scene);
+        diagnostics_free(&reports);
+    }
+}
+
 static void test_our_scenes(void **state)
 {
     static const char *const paths[] = {
@@ -654,6 +690,7 @@ int main(void)
         cmocka_unit_test(test_settings),
         cmocka_unit_test(test_trace_levels),
         cmocka_unit_test(test_gamma_of_srgb),
+        cmocka_unit_test(test_gamma_of_versions),
         cmocka_unit_test(test_our_scenes),
         cmocka_unit_test(test_manual),
     };

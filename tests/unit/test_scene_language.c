@@ -186,8 +186,8 @@ static void test_debug(void **state)
         "#debug \"one, \"\n#declare A = 2; #debug str(A, 0, 1)\n"
         "#render \"\\n\" #statistics \"three\\n\" sphere { 0, 1 }";
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &strict_options,
-                                          &reports);
+    struct scene *scene = read_versioned("test.pov", text, &strict_options,
+                                         &reports);
 
     (void)state;
     assert_non_null(scene);
@@ -207,8 +207,8 @@ static void test_warnings(void **state)
         "    #warning concat(\"other \", str(div(I, 5), 0, 0))\n"
         "#end";
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
-                                          &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options,
+                                         &reports);
 
     (void)state;
     assert_non_null(scene);
@@ -222,9 +222,9 @@ static void test_too_much_said(void **state)
 {
     struct diagnostics reports = { 0 };
     struct scene *scene =
-        scene_read_text("test.pov",
-                        "#for (I, 1, 9999) #debug \"0123456789\" #end",
-                        &reading_options, &reports);
+        read_versioned("test.pov",
+                       "#for (I, 1, 9999) #debug \"0123456789\" #end",
+                       &reading_options, &reports);
 
     (void)state;
     assert_non_null(scene);

@@ -85,8 +85,8 @@ static void test_told_when_used(void **state)
     (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct diagnostics reports = { 0 };
-        struct scene *scene = scene_read_text("test.pov", rows[i].text,
-                                              &reading_options, &reports);
+        struct scene *scene = read_versioned("test.pov", rows[i].text,
+                                             &reading_options, &reports);
         const char *found = reports.count ? reports.items->message : "";
         size_t length = strlen(found), end = strlen(rows[i].message);
         if (!scene || reports.count != (rows[i].column != 0)
@@ -103,8 +103,8 @@ static void test_told_when_used(void **state)
             assert_error(rows[i].text, &strict_options, 1, rows[i].column,
                          rows[i].message);
         else
-            scene_free(scene_read_text("test.pov", rows[i].text,
-                                       &strict_options, &reports));
+            scene_free(read_versioned("test.pov", rows[i].text,
+                                      &strict_options, &reports));
         assert_int_equal(reports.count, 0);
     }
 }
@@ -175,8 +175,8 @@ static unsigned draw(struct drawing *drawing)
 static unsigned told_of(const char *text)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
-                                          &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options,
+                                         &reports);
     unsigned told = 0;
 
     assert_non_null(scene);
@@ -239,7 +239,7 @@ static void test_maps_and_layers(void **state)
         struct scene *scene;
         snprintf(text, sizeof text, "#declare C = rgb <1, 2, 3>; %s",
                  texts[i]);
-        scene = scene_read_text("test.pov", text, &reading_options, &reports);
+        scene = read_versioned("test.pov", text, &reading_options, &reports);
         if (!scene)
             diagnostics_print(&reports, stderr);
         assert_non_null(scene);

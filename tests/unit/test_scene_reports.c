@@ -184,7 +184,9 @@ static void test_reports(void **state)
         { "light_source { 0, 1 area_light x, y, 4, 4 parallel point_at z }",
           14, "parallel rays" },
         { "#warning \"old\"", 1, "old" },
-        { "#version 3.1;", 10, "version 3.7" },
+        { "#version 3.1; global_settings { assumed_gamma 1 }", 10,
+          "version 3.7" },
+        { "#version 3.6;", 10, "without gamma correction" },
         { "#undef A", 8, "'A' is not declared" },
     };
 
@@ -214,8 +216,8 @@ static void test_first_colors(void **state)
         snprintf(text, sizeof text,
                  "#declare C = rgb <1, 2, 3>; sphere { 0, 1 pigment { %s } }",
                  texts[i]);
-        struct scene *scene = scene_read_text("test.pov", text,
-                                              &reading_options, &reports);
+        struct scene *scene = read_versioned("test.pov", text,
+                                             &reading_options, &reports);
         if (!scene)
             diagnostics_print(&reports, stderr);
         assert_non_null(scene);
@@ -238,8 +240,7 @@ static void test_all_errors(void **state)
     struct diagnostics reports = { 0 };
 
     (void)state;
-    assert_null(
-        scene_read_text("test.pov", text, &reading_options, &reports));
+    assert_null(read_versioned("test.pov", text, &reading_options, &reports));
     if (reports.count != COUNT(lines))
         diagnostics_print(&reports, stderr);
     assert_int_equal(reports.count, COUNT(lines));
@@ -260,8 +261,8 @@ static void test_print(void **state)
     FILE *out = open_memstream(&text, &length);
 
     (void)state;
-    scene_read_text("test.pov", "/*\n\xc3\xa4\x01 */  \tovus { 1, 2 }\r\n",
-                    &reading_options, &reports);
+    read_versioned("test.pov", "/*\n\xc3\xa4\x01 */  \tovus { 1, 2 }\r\n",
+                   &reading_options, &reports);
     diagnostics_print(&reports, out);
     fclose(out);
     diagnostics_free(&reports);
@@ -303,7 +304,7 @@ static void test_includes(void **state)
     (void)state;
     assert_non_null(mkdtemp(folder));
     write_file(folder, "main.pov",
-               "\n#include \"part.inc\"\nsphere { 0, R }\n");
+               "#version 3.7;\n#include \"part.inc\"\nsphere { 0, R }\n");
     write_file(folder, "part.inc",
                "#local L = 2;\n#declare R = L + 1;\n"
                "\n\nbox { -1, L }");
@@ -332,8 +333,8 @@ static void test_includes(void **state)
     const char *const search[] = { folder, NULL };
     const struct scene_options searching = { 4,    3,    false, search,
                                              NULL, NULL, NULL };
-    scene = scene_read_text("x.pov", "#include \"part.inc\"", &searching,
-                            &reports);
+    scene = read_versioned("x.pov", "#include \"part.inc\"", &searching,
+                           &reports);
     assert_non_null(scene);
     scene_free(scene);
     delete_files(folder, names);
@@ -384,8 +385,8 @@ static void test_many_places(void **state)
     char *text = repeated("", "sphere { 0, 1 finish { crand 2 } }\n",
                           COUNT_OF_SPHERES);
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
-                                          &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options,
+                                         &reports);
 
     (void)state;
     assert_non_null(scene);
@@ -403,7 +404,7 @@ static void test_many_reports(void **state)
 {
     enum { MOST_TOLD = 200 };
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text(
+    struct scene *scene = read_versioned(
         "test.pov",
         "#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
         &reading_options, &reports);
@@ -424,8 +425,8 @@ static void test_lost_notes(void **state)
     enum { NOTES = 100001 };
     char *text = repeated("", "sphere{0,1 uv_mapping}\n", NOTES);
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test.pov", text, &reading_options,
-                                          &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options,
+                                         &reports);
 
     (void)state;
     assert_non_null(scene);
@@ -457,7 +458,7 @@ static void test_many_files(void **state)
                  "#for (J, 1, 3) #for (I, 1, %d) #fopen F concat(\"%s/\","
                  " str(I, 0, 0)) read #fclose F #end #end",
                  FILES - 1 + more, folder);
-        scene = scene_read_text("x.pov", text, &reading_options, &reports);
+        scene = read_versioned("x.pov", text, &reading_options, &reports);
         assert_non_null(scene);
         scene_free(scene);
     }
@@ -494,15 +495,15 @@ static void test_libraries(void **state)
                "#declare C = finish { crand 1 }\n"
                "#declare D = finish { crand 1 }\n"
                "#declare E = finish { irid { 1 } }\n");
-    scene = scene_read_text("x.pov",
-                            "#include \"one.inc\"\n"
-                            "sphere { 0, 1 finish { B } }\n"
-                            "sphere { 0, 1 finish { A } }\n"
-                            "sphere { 0, 1 finish { C } }\n"
-                            "sphere { 0, 1 finish { D } }\n"
-                            "sphere { 0, 1 finish { crand 1 } }\n"
-                            "sphere { 0, 1 finish { crand 1 } }\n",
-                            &searching, &reports);
+    scene = read_versioned("x.pov",
+                           "#include \"one.inc\"\n"
+                           "sphere { 0, 1 finish { B } }\n"
+                           "sphere { 0, 1 finish { A } }\n"
+                           "sphere { 0, 1 finish { C } }\n"
+                           "sphere { 0, 1 finish { D } }\n"
+                           "sphere { 0, 1 finish { crand 1 } }\n"
+                           "sphere { 0, 1 finish { crand 1 } }\n",
+                           &searching, &reports);
     assert_non_null(scene);
     assert_int_equal(reports.count, 1);
     assert_non_null(strstr(reports.items->file, "one.inc"));

@@ -1,5 +1,6 @@
 /* traced_frame.c - frames of both forms, and scenes by chance to trace. */
 #include "traced_frame.h"
+#include "tests/unit/scene_reading.h"
 
 struct traced traced = { .random = RANDOM_SEED };
 
@@ -7,7 +8,7 @@ struct scene *read_text(const char *text)
 {
     const struct scene_options options = { .strict = !traced.reported };
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("test", text, &options, &reports);
+    struct scene *scene = read_versioned("test", text, &options, &reports);
 
     if (!scene)
         diagnostics_print(&reports, stderr);

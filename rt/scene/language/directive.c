@@ -88,6 +88,7 @@ static bool read_version(struct reader *reader, void *subject,
     if (version < 3.5 || version >= 4)
         reader_warn(reader, &at, "the scene is read as of version 3.7");
     reader->version = version;
+    reader->version_at = at;
     return true;
 }
 

@@ -9,9 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define GAMMA_SINCE \
-    3.7 /* versions of scenes before take samples as they are */
-
 /* A table of the scene, of what and how it was read: the same file is read so
  * once. */
 struct kept_image {
@@ -265,18 +262,27 @@ static void show(const struct image_map *map, struct pigment *pigment)
     pigment->transmit[1] = image_is_bounded(map);
 }
 
+/* Before version 3.7 only a PNG file that states its gamma is decoded, and no
+ * file while assumed_gamma is not given. */
+static struct transfer_function
+default_transfer(const struct reader *reader, const struct image_file *file)
+{
+    const struct scene_source *source = file->source;
+    bool before = reader_is_before(reader, 3.7);
+
+    if (before && reader->scene->assumed_gamma == 0)
+        return (struct transfer_function){ TRANSFER_NONE, 1 };
+    return transfer_of(file->kind, source->text, source->length,
+                       before ? TRANSFER_NONE : TRANSFER_SRGB);
+}
+
 static bool take_image(struct reader *reader, struct image_reading *reading,
                        struct pigment *pigment)
 {
-    const struct scene_source *source = reading->file.source;
     const struct kept_image *kept;
 
     if (!reading->transfer_given)
-        reading->transfer = reader->version < GAMMA_SINCE
-                                ? (struct transfer_function){ TRANSFER_NONE,
-                                                              1 }
-                                : transfer_of(reading->file.kind,
-                                              source->text, source->length);
+        reading->transfer = default_transfer(reader, &reading->file);
     kept = image_of(reader, reading);
     if (!kept)
         return false;

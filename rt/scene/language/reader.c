@@ -254,6 +254,12 @@ const struct scene_value *reader_use(struct reader *reader,
     return value;
 }
 
+/* A scene that names no version is one of 3.62 to POV-Ray. */
+bool reader_is_before(const struct reader *reader, double version)
+{
+    return (reader->version_at.source ? reader->version : 3.62) < version;
+}
+
 const struct scene_source *reader_find(struct reader *reader,
                                        const struct scene_token *at,
                                        const char *name, bool is_text)

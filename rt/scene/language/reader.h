@@ -78,7 +78,8 @@ struct reader {
     size_t cells;    /* of all arrays */
     uint32_t *seeds; /* of the streams of random numbers */
     size_t seed_count;
-    double version; /* by #version */
+    double version;                /* by #version */
+    struct scene_token version_at; /* .. if it has a source */
 
     struct declared_names symbols;
     struct texture default_texture;
@@ -180,6 +181,9 @@ const struct scene_value *reader_value_of(const struct reader *reader,
 /* The same, to be used: its notes are those of what is being read. */
 const struct scene_value *reader_use(struct reader *reader,
                                      enum scene_value_kind kind);
+
+/* Whether the scene is of a version before that one. */
+bool reader_is_before(const struct reader *reader, double version);
 
 /* A file that the text names, a text or any bytes; NULL after an error. */
 const struct scene_source *reader_find(struct reader *reader,

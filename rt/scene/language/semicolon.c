@@ -5,8 +5,6 @@
 
 #include <string.h>
 
-#define SEMICOLON_VERSION 3.5
-
 static bool is_component(const struct scene_token *token)
 {
     return token->place.at && token->text[-1] == '.';
@@ -166,7 +164,7 @@ void semicolon_missing(struct reader *reader)
         at.place = reader->declared.place;
         at.depth = reader->declared.depth;
     }
-    if (reader->version < SEMICOLON_VERSION)
+    if (reader_is_before(reader, 3.5))
         reader_warn(reader, &at,
                     "';' is missing after the value, as versions below 3.5 "
                     "allow");

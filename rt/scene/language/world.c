@@ -369,6 +369,25 @@ static struct scene *new_scene(void)
     return scene;
 }
 
+/* As in POV-Ray the version at the end of the text decides. */
+static void decide_gamma(struct reader *reader,
+                         const struct scene_source *source)
+{
+    struct scene_token at = reader->version_at;
+
+    if (reader->fault_count > 0 || reader->scene->assumed_gamma > 0
+        || !reader_is_before(reader, 3.7))
+        return;
+    if (!at.source) {
+        at.source = source;
+        at.place.line = 1;
+    }
+    reader->scene->gamma_off = true;
+    reader_warn(reader, &at,
+                "the version is below 3.7 and assumed_gamma is not given: "
+                "colours are displayed without gamma correction");
+}
+
 static bool read_all(struct reader *reader, const struct scene_source *source)
 {
     struct block file;
@@ -378,6 +397,7 @@ static bool read_all(struct reader *reader, const struct scene_source *source)
     file = block_file(reader);
     block_items(reader, &file, &file_grammar, NULL, true);
     conditions_close(reader);
+    decide_gamma(reader, source);
     return take_world(reader) && take_floats(reader);
 }
 

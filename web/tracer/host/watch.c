@@ -58,7 +58,8 @@ static unsigned char *bytes_of(const struct frame *part)
 
     for (size_t i = 0; rgba && i < pixels; i++) {
         for (int color = CHANNEL_RED; color <= CHANNEL_BLUE; color++)
-            *to++ = png_byte((float)picture_srgb(part->channel[color][i]));
+            *to++ = png_byte(
+                (float)picture_shown(part, part->channel[color][i]));
         *to++ = 255;
     }
     return rgba;
