@@ -83,6 +83,7 @@ struct finish {
     double phong, phong_size;
     double specular, roughness;
     double metallic; /* how far highlights have the pigment's colour */
+    double ior; /* of the object's interior, in old scenes; 0: not given */
 };
 
 enum pigment_kind {

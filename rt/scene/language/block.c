@@ -5,11 +5,17 @@
 
 #include <string.h>
 
+static bool is_object(const struct scene_token *token)
+{
+    return token->kind == TOKEN_WORD && token->value
+           && token->value->kind == VALUE_OBJECT;
+}
+
 static const struct keyword *table_find(const struct keyword *table,
                                         const struct scene_token *token)
 {
     for (; table && table->word; table++)
-        if (is_token(token, table->word))
+        if (*table->word ? is_token(token, table->word) : is_object(token))
             return table;
     return NULL;
 }
@@ -112,7 +118,8 @@ static bool read_item(struct reader *reader, const struct grammar **grammar,
         reader_next(reader);
         return false;
     }
-    reader_next(reader);
+    if (item.keyword->read != item_unmarked && *item.keyword->word)
+        reader_next(reader);
     return item.keyword->read(reader, subject, &item);
 }
 
@@ -212,4 +219,15 @@ bool item_unsupported(struct reader *reader, void *subject,
                  item->keyword->word);
     skip_arguments(reader);
     return false;
+}
+
+bool item_unmarked(struct reader *reader, void *subject,
+                   const struct item *item)
+{
+    (void)subject;
+    reader_warn(reader, &item->at, "'%s' without '#' is read as '#%s'",
+                item->keyword->word, item->keyword->word);
+    reader->token.kind = TOKEN_DIRECTIVE;
+    reader_settle(reader);
+    return true;
 }

@@ -14,7 +14,7 @@ typedef bool item_reader(struct reader *reader, void *subject,
                          const struct item *item);
 
 struct keyword {
-    const char *word;
+    const char *word; /* "": the name of an object, which is left to read */
     item_reader *read;
     size_t detail; /* for the function: an offset, a kind */
 };
@@ -71,6 +71,8 @@ item_reader item_left_out;
 item_reader item_passed_over;
 /* For words that change the geometry: an error. */
 item_reader item_unsupported;
+/* For directives that old scenes begin without '#': the word is left. */
+item_reader item_unmarked;
 /* The arguments of a word that is not known further. */
 void skip_arguments(struct reader *reader);
 

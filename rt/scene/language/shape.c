@@ -50,6 +50,13 @@ bool shape_add(struct reader *reader, struct scene_object *object,
            || reader_no_memory(reader);
 }
 
+/* In old scenes the finish has the index of refraction. */
+static void take_ior(struct reader *reader, struct scene_object *object)
+{
+    if (object->texture.finish.ior > 0)
+        object_fill(reader, object, object->texture.finish.ior);
+}
+
 static bool read_texture(struct reader *reader, void *subject,
                          const struct item *item)
 {
@@ -59,7 +66,10 @@ static bool read_texture(struct reader *reader, void *subject,
         return texture_layer_read(reader, &item->at, &object->texture);
     object->texture = reader->default_texture;
     object->textured = true;
-    return texture_read(reader, &object->texture);
+    if (!texture_read(reader, &object->texture))
+        return false;
+    take_ior(reader, object);
+    return true;
 }
 
 /* pigment, finish and normal change the texture that the object has. */
@@ -83,7 +93,10 @@ static bool read_finish(struct reader *reader, void *subject,
                         const struct item *item)
 {
     (void)item;
-    return finish_read(reader, &own_texture(reader, subject)->finish);
+    if (!finish_read(reader, &own_texture(reader, subject)->finish))
+        return false;
+    take_ior(reader, subject);
+    return true;
 }
 
 static bool read_normal(struct reader *reader, void *subject,
@@ -109,7 +122,10 @@ static bool read_interior(struct reader *reader, void *subject,
     (void)item;
     if (!object->filled)
         object_fill(reader, object, 1);
-    return interior_read(reader, &object->ior);
+    if (!interior_read(reader, &object->ior))
+        return false;
+    take_ior(reader, object);
+    return true;
 }
 
 /* Before all of an object becomes one solid. */
@@ -196,6 +212,7 @@ static void take_material(struct reader *reader, struct scene_object *object,
     object->textured |= material->textured;
     if (material->filled)
         object_fill(reader, object, material->ior);
+    take_ior(reader, object);
 }
 
 bool material_read(struct reader *reader, struct scene_object *object)
@@ -309,6 +326,7 @@ static const struct keyword children[] = {
 #define SHAPE(KIND, name, ...) { #name, read_child, PRIMITIVE_##KIND },
 #include "rt/shapes/shapes.def"
     OTHER_SHAPE_WORDS(read_child),
+    { "", read_child, SHAPE_NAMED },
     { NULL, NULL, 0 },
 };
 
@@ -340,6 +358,14 @@ static bool read_base(struct reader *reader, struct scene_object *object)
     return item.keyword->read == read_child
                ? shape_read(reader, object, &item)
                : item.keyword->read(reader, object, &item);
+}
+
+static bool read_named(struct reader *reader, struct scene_object *object,
+                       const struct item *item)
+{
+    reader_warn(reader, &item->at,
+                "the name of an object is read as 'object { NAME }'");
+    return read_base(reader, object);
 }
 
 bool looks_like_read(struct reader *reader, struct scene_object *object,
@@ -438,6 +464,8 @@ bool shape_read(struct reader *reader, struct scene_object *object,
     struct block block;
     bool good;
 
+    if (shape == SHAPE_NAMED)
+        return read_named(reader, object, item);
     if (shape == SHAPE_LIGHT)
         return light_read(reader, object);
     if (shape == (enum shape_word)PRIMITIVE_BLOB)

@@ -72,6 +72,7 @@ enum shape_word {
     SHAPE_INTERSECTION,
     SHAPE_DIFFERENCE,
     SHAPE_OBJECT,
+    SHAPE_NAMED, /* the name of an object without a block */
     SHAPE_LIGHT,
     SHAPE_LIGHT_GROUP,
     SHAPE_CUBIC, /* .. of which a quartic or a quadric is made */

@@ -151,11 +151,24 @@ static bool read_roughness(struct reader *reader, void *subject,
            || reader_fault(reader, &item->at, "roughness is not above 0");
 }
 
+static bool read_old_ior(struct reader *reader, void *subject,
+                         const struct item *item)
+{
+    struct finish *finish = subject;
+
+    reader_warn(reader, &item->at, "'ior' is read as that of the interior");
+    if (!read_number(reader, &finish->ior))
+        return false;
+    return finish->ior > 0
+           || reader_fault(reader, &item->at, "ior is not above 0");
+}
+
 static const struct keyword finish_words[] = {
     { "ambient", read_ambient, 0 },
     { "brilliance", read_amount, offsetof(struct finish, brilliance) },
     { "diffuse", read_amount, offsetof(struct finish, diffuse) },
     { "emission", read_emission, 0 },
+    { "ior", read_old_ior, 0 },
     { "metallic", read_metallic, offsetof(struct finish, metallic) },
     { "phong", read_amount, offsetof(struct finish, phong) },
     { "phong_size", read_amount, offsetof(struct finish, phong_size) },
@@ -168,9 +181,11 @@ static const struct keyword finish_words[] = {
 static const struct keyword finish_left_out[] = {
     { "conserve_energy", item_left_out, 0 },
     { "crand", item_left_out, 0 },
+    { "caustics", item_left_out, 0 },
     { "fresnel", item_left_out, 0 },
     { "irid", item_left_out, 0 },
     { "reflection_exponent", item_left_out, 0 },
+    { "refraction", item_left_out, 0 },
     { "subsurface", item_left_out, 0 },
     { "use_alpha", item_left_out, 0 },
     { NULL, NULL, 0 },

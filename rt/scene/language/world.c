@@ -218,6 +218,10 @@ static const struct keyword statements[] = {
 #define SHAPE(KIND, name, ...) { #name, read_object, PRIMITIVE_##KIND },
 #include "rt/shapes/shapes.def"
     OTHER_SHAPE_WORDS(read_object),
+    { "", read_object, SHAPE_NAMED },
+    { "declare", item_unmarked, 0 },
+    { "include", item_unmarked, 0 },
+    { "version", item_unmarked, 0 },
     { "camera", read_camera, 0 },
     { "background", read_background, 0 },
     { "default", read_default, 0 },
