@@ -1,13 +1,41 @@
 #include "asm/assemble.h"
-#include "base/text_file.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "asm/calculator.h"
 #include "asm/expand.h"
+#include "asm/lex.h"
+#include "base/text_file.h"
 
-static bool define(struct assembler *assembler)
+/* What keeps it from being the name of a constant; NULL: nothing. */
+static const char *name_fault(const char *name)
+{
+    struct register_name named;
+    size_t length = strlen(name);
+    const char *at = name;
+
+    while (is_name_part(*at))
+        at++;
+    return !is_name_start(*name) || *at           ? "is no name"
+           : register_named(name, length, &named) ? "is a register"
+           : c205_insn_named(name, length)        ? "is an instruction"
+                                                  : NULL;
+}
+
+static bool check_name(struct assembler *assembler, const char *file,
+                       const char *name)
+{
+    const char *fault = name_fault(name);
+    char message[160];
+
+    snprintf(message, sizeof message, "'%.100s' cannot be defined: it %s",
+             name, fault ? fault : "");
+    return !fault || report_file(assembler->diagnostics, file, message);
+}
+
+static bool define(struct assembler *assembler, const char *file)
 {
     const struct asm_define *define = NULL;
     struct value value = { VALUE_INTEGER, 0 };
@@ -18,7 +46,7 @@ static bool define(struct assembler *assembler)
         struct symbol *symbol = symbol_intern(assembler, define->name,
                                               strlen(define->name));
 
-        if (!symbol)
+        if (!symbol || !check_name(assembler, file, define->name))
             return false;
         symbol->kind = SYMBOL_CONSTANT;
         symbol->value = value;
@@ -63,7 +91,7 @@ static struct object *run_passes(struct assembler *assembler,
 
     start(assembler);
     assembler->expander = expander_new(assembler, source);
-    if (!assembler->expander || !define(assembler))
+    if (!assembler->expander || !define(assembler, source->name))
         return NULL;
     while ((line = expander_next(assembler->expander)) != NULL
            && !assembler->arena->failed)

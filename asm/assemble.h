@@ -30,6 +30,7 @@ struct asm_symbol {
     int64_t value; /* labels: bit address */
     bool is_label;
     bool is_word; /* value holds the bits of a 205 word, not an integer */
+    bool is_used; /* an expression or a condition of the text has it */
     enum asm_contents contents; /* of a label, up to the next one .. */
     bool counted;               /* by a length that was given to it */
     uint64_t count; /* .. and how many; what .vector and its kin make has the
@@ -92,7 +93,8 @@ struct asm_define {
 
 struct asm_options {
     const struct asm_define *defines; /* as .equ before the first line;
-                                         ends with a NULL name; or NULL */
+                                         ends with a NULL name; or NULL; an error
+                                         if a name cannot be that of a constant */
     const char *const *search;        /* folders for .include, NULL-terminated
                                          or NULL; the file's own comes first */
     /* Texts that are included by name before any folder is looked at: the
@@ -135,5 +137,9 @@ const char *asm_directive(size_t i);
 /* NULL: no such symbol. */
 const struct asm_symbol *object_symbol(const struct object *object,
                                        const char *name);
+/* The first of the names, ended by a NULL name, that none of the programs uses; NULL: all are
+ * used.  The object of a file uses none, its constants are fixed. */
+const char *asm_unused_define(const struct asm_define *defines,
+                              struct object *const *objects, size_t count);
 
 #endif

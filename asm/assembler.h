@@ -68,6 +68,7 @@ struct symbol {
     size_t naming;      /* register: the last one of this name, from 1 */
     const struct macro *macro; /* of this name; macros have their own space */
     const struct line *defined; /* NULL: given by the caller */
+    bool used;                  /* an expression or a condition has it */
     bool counted;               /* label: it was given a length, of what: */
     enum asm_contents contents;
     uint64_t count;
@@ -220,7 +221,7 @@ struct assembler {
 
     const struct instruction *writing; /* its operands are being read, and
                                           its form is still to be told */
-    bool warm; /* .warm */
+    bool warm;                         /* .warm */
     const struct line *entry_line;
     const struct expression *entry;
 };

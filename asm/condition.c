@@ -37,11 +37,13 @@ static bool is_defined(struct cursor *cursor)
 {
     const char *name;
     size_t length;
-    const struct symbol *symbol;
+    struct symbol *symbol;
 
     if (!expect_name(cursor, "a name", &name, &length) || !expect_end(cursor))
         return false;
     symbol = symbol_find(cursor->assembler, name, length);
+    if (symbol)
+        symbol->used = true;
     return symbol && (symbol->kind != SYMBOL_UNDEFINED || symbol->macro);
 }
 

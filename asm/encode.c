@@ -283,6 +283,7 @@ static bool add_symbol(struct storage *storage, const struct symbol *symbol)
     kept->value = (int64_t)symbol->value.bits;
     kept->is_label = symbol->kind == SYMBOL_LABEL;
     kept->is_word = symbol->value.kind != VALUE_INTEGER;
+    kept->is_used = symbol->used;
     kept->contents = symbol->counted ? symbol->contents : ASM_NOTHING;
     kept->counted = symbol->kind == SYMBOL_LABEL && symbol->counted;
     kept->count = kept->counted ? symbol->count : 0;

@@ -98,13 +98,17 @@ static const struct expression *parse_binary(struct cursor *cursor,
 static const struct expression *parse_symbol(struct cursor *cursor)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, SYMBOL);
+    struct symbol *symbol;
     const char *name;
     size_t length;
 
     if (!node || !expect_name(cursor, "a name", &name, &length))
         return NULL;
-    node->symbol = symbol_intern(cursor->assembler, name, length);
-    return node->symbol ? node : NULL;
+    node->symbol = symbol = symbol_intern(cursor->assembler, name, length);
+    if (!symbol)
+        return NULL;
+    symbol->used = true;
+    return node;
 }
 
 static const struct expression *parse_brackets(struct cursor *cursor)

@@ -189,3 +189,24 @@ const struct asm_symbol *object_symbol(const struct object *object,
     return bsearch(&key, object->symbols, object->symbol_count,
                    sizeof *object->symbols, compare_symbols);
 }
+
+static bool is_used(const struct object *object, const char *name)
+{
+    const struct asm_symbol *symbol = object_symbol(object, name);
+
+    return symbol && symbol->is_used;
+}
+
+const char *asm_unused_define(const struct asm_define *defines,
+                              struct object *const *objects, size_t count)
+{
+    for (; defines && defines->name; defines++) {
+        size_t i = 0;
+
+        while (i < count && !is_used(objects[i], defines->name))
+            i++;
+        if (i == count)
+            return defines->name;
+    }
+    return NULL;
+}

@@ -302,8 +302,19 @@ done | cmp -s - summed
 verdict $? "a sweep has other clocks than run"
 ends 0 "$build/c205" sweep "${matrix}_4.s" --define n=4:16 --format md
 tells out "^The first is no straight line in n: "
-ends 0 "$build/c205" sweep good.s --define unused=1:9
-tells out "^The clocks of the first do not grow with unused.$"
+printf '        ES r10, k\n        EXIT\n' >flat.s
+ends 0 "$build/c205" sweep flat.s --define k=1:9
+tells out "^The clocks of the first do not grow with k.$"
+ends 1 "$build/c205" sweep good.s --define unused=1:9
+tells err "^c205 sweep: 'unused' is defined, and not used$"
+ends 1 "$build/c205" sweep flat.s --define k=1:9 --define unused=2
+tells err "^c205 sweep: 'unused' is defined, and not used$"
+ends 0 "$build/c205" sweep flat.s good.s --define k=1:9
+ends 0 "$build/c205" compare flat.s good.s --define k=1
+ends 1 "$build/c205" compare flat.s good.s --define k=1 --define unused=2
+tells err "^c205 compare: 'unused' is defined, and not used$"
+ends 1 "$build/c205" compare flat.s good.s --define k=1 --other-define unused=2
+tells err "^c205 compare: 'unused' is defined, and not used$"
 ends 0 "$build/c205" sweep "${saxpy}_scalar.s" --define n=1:9 -o - --format csv
 tells out "^<svg "
 tells err "^# Lines$"
@@ -338,7 +349,11 @@ ends 2 "$build/c205" sweep good.s --define n=1:5 -o x.png
 tells err "x.png: a picture is .svg"
 
 # Each of its values takes some tenths of a second, all of them many.
-printf '        EX r10, 20000000\n        EX r11, loop\nloop:   DBNZ r10, [r11]\n        EXIT\n' >slow.s
+printf '        ES r1, n\n        EX r10, 20000000\n%s' \
+    '        EX r11, loop
+loop:   DBNZ r10, [r11]
+        EXIT
+' >slow.s
 "$build/c205" sweep slow.s --define n=1:500:1 -o never.svg >out 2>err &
 sleep 1
 kill -INT $!
@@ -490,6 +505,26 @@ for define in NAME =1 NAME=x; do
     ends 2 "$build/c205" run --define $define good.s
     tells err "wrong argument: $define"
 done
+ends 2 "$build/c205" run --define k=1 --define k=2 flat.s
+tells err "wrong argument: k=2 (NAME=VALUE, a name and an integer, each name once)"
+# Names that cannot be, or are not used, wherever they are given.
+for define in "a b" r5 h255 ADDN 3x .code "" unused; do
+    code=1
+    [ "$define" ] || code=2
+    for command in run asm dis debug "timeline -o defined.svg" "run --check" \
+        "compare --other-model cyber205-1pipe"; do
+        # The command and its options.
+        # shellcheck disable=SC2086
+        ends $code "$build/c205" $command flat.s --define k=1 --define "$define=1" \
+            </dev/null
+        cat out >>err
+        tells err "'$define' \(is defined, and not used\|cannot be defined: it is\)\|wrong argument"
+    done
+    ends $code "$build/c205" sweep flat.s --define k=1:9 --define "$define=1"
+    ends $code "$build/c205" sweep flat.s --define "$define=1:9" --define k=1
+done
+ends 1 "$build/c205" run good.o --define k=1
+tells err "^good.o: error: 'k' is defined, and not used$"
 for command in run asm dis; do
     ends 1 "$build/c205" $command bad.s
     tells err 'bad.s:2:'

@@ -77,7 +77,7 @@ command_take cmd_take_warning;
 #define CMD_DEFINE \
     { .name = "define", .value = "NAME=VALUE", .kind = COMMAND_OWN, \
       .offset = CMD_PLACE(defines), .take = cmd_take_define, \
-      .wants = "NAME=VALUE, a name and an integer", \
+      .wants = "NAME=VALUE, a name and an integer, each name once", \
       .help = "an integer for the program text, as by .equ" }
 #define CMD_WARN \
     { .name = "warn", .letter = 'W', .value = "NAME|no-NAME", \
@@ -101,7 +101,9 @@ command_take cmd_take_warning;
 int cmd_run_check(const struct c205_arguments *arguments);
 
 /* A program from its text or from an object file; NULL after all errors have
- * gone to the report. */
+ * gone to the report.  It uses all names that are defined; read_any: or not. */
+struct object *cmd_read_any(const struct c205_arguments *arguments,
+                            const char *path, const struct sink *report);
 struct object *cmd_read_program(const struct c205_arguments *arguments,
                                 const char *path, const struct sink *report);
 

@@ -30,7 +30,7 @@ static bool read_side(struct two_runs *runs, int which)
     if (which == COMPARED_SECOND && arguments->other_defines.count > 0) {
         own.defines = arguments->other_defines;
     }
-    side->object = cmd_read_program(&own, side->path, &report);
+    side->object = cmd_read_any(&own, side->path, &report);
     side->model = side->object ? model_open(arguments->command,
                                             which == COMPARED_SECOND
                                                     && arguments->other_model
@@ -50,6 +50,26 @@ static bool run_to_end(struct compared_run *run, c205 *machine,
     }
     snprintf(error->message, sizeof error->message, "no memory");
     return compared_take(run, machine);
+}
+
+/* By one of the programs that have it. */
+static bool uses_defines(const struct two_runs *runs)
+{
+    const struct c205_arguments *arguments = runs->arguments;
+    bool own = arguments->other_defines.count > 0;
+    struct object *const objects[] = { runs->side[COMPARED_FIRST].object,
+                                       runs->side[COMPARED_SECOND].object };
+    const char *unused = asm_unused_define(arguments->defines.items, objects,
+                                           own ? 1 : COMPARED_RUNS);
+    if (!unused) {
+        unused = asm_unused_define(arguments->other_defines.items,
+                                   objects + COMPARED_SECOND, 1);
+    }
+    if (unused) {
+        cmd_failed(arguments->command, "'%s' is defined, and not used",
+                   unused);
+    }
+    return !unused;
 }
 
 /* What it prints is not asked. */
@@ -115,10 +135,10 @@ static int compare(struct two_runs *runs)
 {
     struct results results = runs->arguments->results;
     int code;
-    for (int i = 0; i < COMPARED_RUNS; i++) {
-        if (!read_side(runs, i) || !run_side(runs, i)) {
-            return CMD_FAILED;
-        }
+    if (!read_side(runs, COMPARED_FIRST) || !read_side(runs, COMPARED_SECOND)
+        || !uses_defines(runs) || !run_side(runs, COMPARED_FIRST)
+        || !run_side(runs, COMPARED_SECOND)) {
+        return CMD_FAILED;
     }
     if (!results_open(&results, runs->arguments->command, NULL)) {
         return CMD_FAILED;
@@ -165,7 +185,7 @@ static const struct command_option options[] = {
       .kind = COMMAND_OWN,
       .offset = CMD_PLACE(other_defines),
       .take = cmd_take_define,
-      .wants = "NAME=VALUE, a name and an integer",
+      .wants = "NAME=VALUE, a name and an integer, each name once",
       .help = "an integer for the second program, which has those alone" },
     CMD_FLAG(warm, "all pages are in memory when the programs begin"),
     CMD_INCLUDE,

@@ -5,6 +5,7 @@
 #include <limits.h>
 #include <poll.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 #include "asm/dap/dap.h"
@@ -43,6 +44,23 @@ static c205_model *find_model(const char *name, const struct sink *report)
     return model;
 }
 
+/* The later of two values counts. */
+static bool add_define(struct cmd_defines *defines,
+                       const struct asm_define *define)
+{
+    size_t i = 0;
+    while (i < defines->count
+           && strcmp(defines->items[i].name, define->name) != 0) {
+        i++;
+    }
+    if (i == CMD_DEFINES) {
+        return false;
+    }
+    defines->count += i == defines->count;
+    defines->items[i] = *define;
+    return true;
+}
+
 /* What the client gives counts before what stands on the command line. */
 static bool open_program(void *context, const struct dap_program *program,
                          const struct sink *report, struct object **object,
@@ -51,12 +69,11 @@ static bool open_program(void *context, const struct dap_program *program,
     struct c205_arguments arguments = *(const struct c205_arguments *)context;
     for (const struct asm_define *define = program->defines; define->name;
          define++) {
-        if (arguments.defines.count == CMD_DEFINES) {
+        if (!add_define(&arguments.defines, define)) {
             sink_print(report, "more than %d names are defined\n",
                        CMD_DEFINES);
             return false;
         }
-        arguments.defines.items[arguments.defines.count++] = *define;
     }
     if (*program->search) {
         arguments.folders.items = (const char **)program->search;

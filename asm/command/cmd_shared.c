@@ -55,8 +55,8 @@ static struct object *assemble(const struct c205_arguments *arguments,
     return object;
 }
 
-struct object *cmd_read_program(const struct c205_arguments *arguments,
-                                const char *path, const struct sink *report)
+struct object *cmd_read_any(const struct c205_arguments *arguments,
+                            const char *path, const struct sink *report)
 {
     c205_error error;
     size_t length;
@@ -71,6 +71,22 @@ struct object *cmd_read_program(const struct c205_arguments *arguments,
                                            report);
     free(text);
     return object;
+}
+
+struct object *cmd_read_program(const struct c205_arguments *arguments,
+                                const char *path, const struct sink *report)
+{
+    struct object *object = cmd_read_any(arguments, path, report);
+    const char *unused = object ? asm_unused_define(arguments->defines.items,
+                                                    &object, 1)
+                                : NULL;
+    if (!unused) {
+        return object;
+    }
+    sink_print(report, "%s: error: '%s' is defined, and not used\n", path,
+               unused);
+    object_free(object);
+    return NULL;
 }
 
 c205 *cmd_load(const struct c205_arguments *arguments,
@@ -100,6 +116,16 @@ bool cmd_open(const struct c205_arguments *arguments, struct object **object,
     return *model;
 }
 
+static bool is_defined(const struct cmd_defines *defines, const char *name)
+{
+    for (size_t i = 0; i < defines->count; i++) {
+        if (strcmp(defines->items[i].name, name) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* The name is cut off in place. */
 bool cmd_take_define(char *text, void *value)
 {
@@ -115,6 +141,10 @@ bool cmd_take_define(char *text, void *value)
         return false;
     }
     *equals = '\0';
+    if (is_defined(defines, text)) {
+        *equals = '=';
+        return false;
+    }
     define->name = text;
     defines->count++;
     return true;

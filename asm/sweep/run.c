@@ -17,8 +17,32 @@ static bool goes_on(const struct program_sweep *sweep)
            || sweep->goes_on(sweep->context, sweep->done, sweep->all);
 }
 
+static void note_used(struct program_sweep *sweep,
+                      const struct asm_define *defines, struct object *object)
+{
+    for (size_t i = 0; defines[i].name; i++) {
+        const struct asm_define one[] = { defines[i], { NULL, 0 } };
+
+        sweep->used[i] |= !asm_unused_define(one, &object, 1);
+    }
+}
+
+static bool uses_all(const struct program_sweep *sweep, c205_error *error)
+{
+    const struct asm_define *defines = sweep->options->defines;
+    const char *name = sweep->used[0] ? NULL : sweep->constant;
+
+    for (size_t i = 0;
+         !name && i < SWEPT_DEFINES_MOST && defines && defines[i].name; i++)
+        if (!sweep->used[i + 1])
+            name = defines[i].name;
+    snprintf(error->message, sizeof error->message,
+             "'%.100s' is defined, and not used", name ? name : "");
+    return !name;
+}
+
 /* Warnings are the same for all values: those of the first run are told. */
-static struct object *assemble_at(const struct program_sweep *sweep,
+static struct object *assemble_at(struct program_sweep *sweep,
                                   const struct swept_program *program,
                                   uint64_t value)
 {
@@ -38,6 +62,8 @@ static struct object *assemble_at(const struct program_sweep *sweep,
                             &options, &said);
     if (!object || value == sweep->range.from)
         diagnostics_put(&said, &sweep->report);
+    if (object && value == sweep->range.from)
+        note_used(sweep, defines, object);
     diagnostics_free(&said);
     return object;
 }
@@ -228,7 +254,8 @@ bool swept_step(struct program_sweep *sweep, bool *over, c205_error *error)
         return false;
     if (sweep->count < sweep->point_count) {
         point = &sweep->points[sweep->count];
-        if (!run_point(sweep, point->value, point, error))
+        if (!run_point(sweep, point->value, point, error)
+            || (sweep->count == 0 && !uses_all(sweep, error)))
             return false;
         sweep->count++;
         return true;

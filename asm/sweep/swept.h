@@ -71,6 +71,9 @@ struct program_sweep {
     bool (*goes_on)(void *context, size_t done, size_t all);
     void *context;
 
+    bool used[SWEPT_DEFINES_MOST
+              + 1]; /* by a program: the constant, the options' names */
+
     /* How far it is, where each run takes as long as its value is large. */
     size_t done, all;
     size_t searched; /* points between which crossings were looked for */

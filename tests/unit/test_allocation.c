@@ -487,7 +487,7 @@ static bool answer_requests(FILE *out, c205_error *error)
 {
     static const char *const requests[] = {
         "{\"do\": \"load\", \"text\": \" .data\\nx: .word 1.0, 2.0\\n "
-        ".code\\n EX r10, x\\n ELEN r10, 2\\n ADDNV [r10], [r10], "
+        ".code\\n EX r10, x\\n ELEN r10, 2 * n\\n ADDNV [r10], [r10], "
         "[r10]\\n EXIT r10, r0, 6\\n EXIT\\n\", \"defines\": {\"n\": 1}, "
         "\"files\": {\"a\": \"\"}}",
         "{\"do\": \"breaks\", \"lines\": [6, 90]}",

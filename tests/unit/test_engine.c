@@ -170,6 +170,32 @@ static void test_bad(void **state)
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"n\": "
           "0.5}}",
           "names with integers" },
+        { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"n\": "
+          "5}}",
+          "'n' is defined, and not used" },
+        { "{\"do\": \"load\", \"text\": \" ES r1, n\\n EXIT\", "
+          "\"defines\": {\"n\": 5, \"m\": 5}}",
+          "'m' is defined, and not used" },
+        { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"r5\": "
+          "5}}",
+          "cannot be assembled: 1 error" },
+        { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"a b\": "
+          "5}}",
+          "cannot be assembled: 1 error" },
+        { "{\"do\": \"sweep\", \"text\": \" EXIT\", \"constant\": \"n\", "
+          "\"from\": 1, \"to\": 9}",
+          "'n' is defined, and not used" },
+        { "{\"do\": \"sweep\", \"text\": \" ES r1, n\\n EXIT\", "
+          "\"constant\": \"n\", \"from\": 1, \"to\": 9, \"defines\": "
+          "{\"m\": 3}}",
+          "'m' is defined, and not used" },
+        { "{\"do\": \"sweep\", \"text\": \" EXIT\", \"constant\": \"n\", "
+          "\"from\": 1, \"to\": 9, \"warm\": \"yes\"}",
+          "\"warm\" is true or false" },
+        { "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\"}, "
+          "{\"text\": \" ES r1, n\\n EXIT\"}], \"defines\": {\"n\": 1, "
+          "\"m\": 2}}",
+          "'m' is defined, and not used" },
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"files\": {\"n\": 1}}",
           "names with texts" },
         { "{\"do\": \"sweep\", \"constant\": \"n\", \"from\": 1, \"to\": "
@@ -207,6 +233,11 @@ static void test_bad(void **state)
           "\"lines\" is a list" },
         { "{\"do\": \"breaks\", \"lines\": [1e300]}", "\"lines\" is a list" },
         { "{\"do\": \"view\", \"elements\": 70000}", "65536 at the most" },
+        { "{\"do\": \"view\", \"all-registers\": 1}",
+          "\"all-registers\" is true or false" },
+        { "{\"do\": \"profile\", \"in-order\": \"yes\"}",
+          "\"in-order\" is true or false" },
+        { "{\"do\": \"view\", \"first\": 5}", "names with integers" },
         { "{\"do\": \"view\", \"first\": {\"x\": -1}}",
           "\"x\" is no integer" },
         { "{\"do\": \"timeline\", \"from\": 5, \"to\": 5}", "before" },

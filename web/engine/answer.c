@@ -101,6 +101,18 @@ bool take_text(const struct json_value *request, const char *key,
            && (*text || refuse(error, "\"%s\" is missing", key));
 }
 
+bool take_truth(const struct json_value *request, const char *key,
+                bool *truth, c205_error *error)
+{
+    const struct json_value *value = json_member(request, key);
+
+    if (value && value->kind != JSON_TRUTH)
+        return refuse(error, "\"%s\" is true or false", key);
+    if (value)
+        *truth = value->truth;
+    return true;
+}
+
 bool take_count(const struct json_value *request, const char *key,
                 uint64_t *count, c205_error *error)
 {

@@ -166,14 +166,18 @@ static bool take_sides(struct engine *engine,
                        const struct asm_options *options, c205_error *error)
 {
     const struct json_value *text = json_member_first(request, "texts");
+    struct object *objects[COMPARED_RUNS];
     int count = 0;
 
     for (; text && count < COMPARED_RUNS; text = text->next)
         if (!take_side(engine, request, text, options,
                        &engine->comparison->sides[count++], error))
             return false;
-    return (!text && count == COMPARED_RUNS)
-           || refuse(error, "\"texts\" is a list of two programs");
+    for (int i = 0; i < count; i++)
+        objects[i] = engine->comparison->sides[i].object;
+    return ((!text && count == COMPARED_RUNS)
+            || refuse(error, "\"texts\" is a list of two programs"))
+           && uses_defines(options, objects, COMPARED_RUNS, error);
 }
 
 bool answer_compare(struct engine *engine, const struct json_value *request,

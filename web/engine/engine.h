@@ -52,7 +52,7 @@
  *   name          of its file ("program.s")
  *   model         one of those built in (that which the program expects, or the usual one)
  *   warm          true, false: whether its pages are in memory (as the program says)
- *   defines       { "n": 100 }: integers, as --define gives them
+ *   defines       { "n": 100 }: integers, as --define gives them; the text uses each name
  *   files         { "data.inc": "..." }: texts for .include and .incfile
  *
  *   name, model, warm, diagnostics

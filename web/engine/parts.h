@@ -116,6 +116,9 @@ bool take_text(const struct json_value *request, const char *key,
 /* One that may be missing, and is no text of another kind then. */
 bool take_text_or(const struct json_value *request, const char *key,
                   const char **text, c205_error *error);
+/* true or false; missing: it stays. */
+bool take_truth(const struct json_value *request, const char *key,
+                bool *truth, c205_error *error);
 /* An integer from 0 on; missing: it stays. */
 bool take_count(const struct json_value *request, const char *key,
                 uint64_t *count, c205_error *error);
@@ -158,6 +161,10 @@ bool take_options(const struct json_value *request, struct arena *arena,
 /* "warm", if it is there. */
 bool take_warm(const struct json_value *request, struct object *object,
                c205_error *error);
+/* Whether one of the programs uses each name that is defined. */
+bool uses_defines(const struct asm_options *options,
+                  struct object *const *objects, size_t count,
+                  c205_error *error);
 /* NULL: it cannot be assembled, the diagnostics of the engine say why. */
 struct object *engine_assemble(struct engine *engine, const char *name,
                                const char *text,

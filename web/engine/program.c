@@ -133,6 +133,16 @@ bool take_options(const struct json_value *request, struct arena *arena,
            && (!arena->failed || refuse(error, "no memory"));
 }
 
+bool uses_defines(const struct asm_options *options,
+                  struct object *const *objects, size_t count,
+                  c205_error *error)
+{
+    const char *unused = asm_unused_define(options->defines, objects, count);
+
+    return !unused
+           || refuse(error, "'%.100s' is defined, and not used", unused);
+}
+
 struct object *engine_assemble(struct engine *engine, const char *name,
                                const char *text,
                                const struct asm_options *options,
@@ -379,13 +389,7 @@ static bool put_lines(const struct engine *engine, struct json *reply,
 bool take_warm(const struct json_value *request, struct object *object,
                c205_error *error)
 {
-    const struct json_value *warm = json_member(request, "warm");
-
-    if (warm && warm->kind != JSON_TRUTH)
-        return refuse(error, "\"warm\" is true or false");
-    if (warm)
-        object->program.warm = warm->truth;
-    return true;
+    return take_truth(request, "warm", &object->program.warm, error);
 }
 
 /* In place of the one before. */
@@ -431,6 +435,10 @@ bool answer_load(struct engine *engine, const struct json_value *request,
         && take_text(request, "text", &text, error)
         && take_options(request, &arena, &options, error))
         object = engine_assemble(engine, name, text, &options, error);
+    if (object && !uses_defines(&options, &object, 1, error)) {
+        object_free(object);
+        object = NULL;
+    }
     arena_free(&arena);
     if (!object || !load(engine, request, name, object, error))
         return false;

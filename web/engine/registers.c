@@ -249,12 +249,15 @@ bool put_vectors(const struct engine *engine,
                  c205_error *error)
 {
     const struct object *object = engine->object;
+    const struct json_value *first = json_member(request, "first");
     struct window window = { 0, 64 };
     size_t count = 0;
     bool good = true;
 
     if (!take_count(request, "elements", &window.most, error))
         return false;
+    if (first && first->kind != JSON_OBJECT)
+        return refuse(error, "\"first\" has names with integers");
     if (window.most > ELEMENTS_MOST)
         return refuse(error, "\"elements\" is %d at the most", ELEMENTS_MOST);
     json_array(reply, "vectors");

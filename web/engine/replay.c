@@ -146,11 +146,13 @@ bool answer_profile(struct engine *engine, const struct json_value *request,
                     struct json *reply, c205_error *error)
 {
     struct replay *replay = &engine->replay;
+    bool in_order = false;
 
     if (!needs_program(engine, error) || !take_slice(engine, request, error)
+        || !take_truth(request, "in-order", &in_order, error)
         || !replay_begin(engine, line_profile_new(engine->object), NULL,
                          debugger_step(engine->debugger), error))
         return false;
-    replay->in_order = json_member_truth(request, "in-order", false);
+    replay->in_order = in_order;
     return profile_slice(engine, reply, error);
 }

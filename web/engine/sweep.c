@@ -176,18 +176,17 @@ static bool take_sweep(struct engine *engine,
 {
     struct laboratory *laboratory = engine->laboratory;
     struct program_sweep *sweep = &laboratory->sweep;
-    const struct json_value *warm = json_member(request, "warm");
+    bool given = json_member(request, "warm"), warm = false;
     const char *constant;
 
     if (!take_text(request, "constant", &constant, error)
+        || !take_truth(request, "warm", &warm, error)
         || !take_values(engine, request, sweep, error)
         || !take_options(request, &laboratory->arena, &laboratory->options,
                          error))
         return false;
-    if (warm && warm->kind != JSON_TRUTH)
-        return refuse(error, "\"warm\" is true or false");
-    sweep->warm = warm && warm->truth;
-    sweep->cold = warm && !warm->truth;
+    sweep->warm = given && warm;
+    sweep->cold = given && !warm;
     sweep->constant = arena_text(&laboratory->arena, constant,
                                  strlen(constant));
     sweep->options = &laboratory->options;

@@ -151,12 +151,14 @@ static bool put_printed(const struct engine *engine, struct json *reply,
 bool answer_view(struct engine *engine, const struct json_value *request,
                  struct json *reply, c205_error *error)
 {
-    if (!needs_program(engine, error))
+    bool all = false;
+
+    if (!needs_program(engine, error)
+        || !take_truth(request, "all-registers", &all, error))
         return false;
     put_place(engine, reply);
     put_next_insn(engine, reply);
-    put_registers(engine, json_member_truth(request, "all-registers", false),
-                  reply);
+    put_registers(engine, all, reply);
     return put_last_insn(engine, reply, error)
            && put_accounts(engine, reply, error)
            && put_vectors(engine, request, reply, error)
