@@ -20,6 +20,8 @@ static bool make_stop(struct dap *dap, const struct json_value *wanted,
 {
     struct debugger *debugger = dap->debugger;
 
+    if (!dap_check(dap, "Breakpoint", wanted))
+        return false;
     if (json_member(wanted, "logMessage"))
         return dap_fault(dap, "there are no log points");
     return read(dap, wanted, file, stop)
@@ -312,7 +314,7 @@ bool request_exception_breakpoints(struct dap *dap,
     (void)body;
     dap->stop_at_traps = false;
     for (; filter; filter = filter->next) {
-        if (!filter->text || strcmp(filter->text, "trap") != 0)
+        if (strcmp(filter->text, "trap") != 0)
             return dap_fault(dap, "there is no filter but 'trap'");
         dap->stop_at_traps = true;
     }

@@ -85,7 +85,7 @@ static size_t count_of(const struct json_value *item)
     return count;
 }
 
-/* { "N": 8 }: NULL after telling what is wrong. */
+/* { "N": 8 }: NULL without memory. */
 static const struct asm_define *read_defines(struct dap *dap,
                                              const struct json_value *launch)
 {
@@ -95,15 +95,9 @@ static const struct asm_define *read_defines(struct dap *dap,
                                                 * sizeof *defines);
 
     for (size_t i = 0; defines && item; i++, item = item->next) {
-        int64_t value = 0;
-
-        if (!item->key || item->kind != JSON_NUMBER
-            || !json_member_whole(json_member(launch, "defines"), item->key,
-                                  &value)) {
-            dap_fault(dap, "'defines' has names with integers");
-            return NULL;
-        }
-        defines[i] = (struct asm_define){ keep(dap, item->key), value };
+        defines[i].name = keep(dap, item->key);
+        json_member_whole(json_member(launch, "defines"), item->key,
+                          &defines[i].value);
     }
     return defines;
 }
@@ -116,13 +110,8 @@ static const char *const *read_search(struct dap *dap,
     const char **search = arena_take(&dap->launched,
                                      (count_of(item) + 1) * sizeof *search);
 
-    for (size_t i = 0; search && item; i++, item = item->next) {
-        if (!item->text) {
-            dap_fault(dap, "'include' is a list of folders");
-            return NULL;
-        }
+    for (size_t i = 0; search && item; i++, item = item->next)
         search[i] = keep(dap, item->text);
-    }
     return search;
 }
 

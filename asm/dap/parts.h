@@ -81,6 +81,13 @@ dap_request request_evaluate, request_set_expression;
 /* memory.c */
 dap_request request_read_memory, request_write_memory, request_disassemble;
 
+/* ---- What is asked (arguments.c) --------------------------------------------- */
+
+/* Whether the members of an object have the types that a request's arguments have, or those of a
+ * type of the protocol; false after a fault. */
+bool dap_check(struct dap *dap, const char *owner,
+               const struct json_value *object);
+
 /* ---- What is said (say.c) --------------------------------------------------- */
 
 /* One sentence; false. */

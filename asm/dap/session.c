@@ -80,6 +80,7 @@ static bool may_come(struct dap *dap, unsigned states)
 static bool answer(struct dap *dap, const struct json_value *request,
                    struct json *body)
 {
+    const struct json_value *arguments = json_member(request, "arguments");
     const char *command = json_member_text(request, "command");
     size_t i = 0;
 
@@ -88,8 +89,8 @@ static bool answer(struct dap *dap, const struct json_value *request,
     if (i == REQUESTS)
         return dap_fault(dap, "there is no request '%.60s'", command);
     return may_come(dap, requests[i].states)
-           && requests[i].answer(dap, json_member(request, "arguments"),
-                                 body);
+           && dap_check(dap, command, arguments)
+           && requests[i].answer(dap, arguments, body);
 }
 
 static void refuse(struct dap *dap, const struct json_value *request)

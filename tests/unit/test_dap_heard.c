@@ -108,7 +108,7 @@ static void test_wrong_order(void **state)
     client_refused(&client, "from stdin", "launch", "{\"program\": \"-\"}");
     client_refused(&client, "names with integers", "launch",
                    "{\"program\": \"x.s\", \"defines\": {\"N\": \"8\"}}");
-    client_refused(&client, "a list of folders", "launch",
+    client_refused(&client, "no list of texts", "launch",
                    "{\"program\": \"x.s\", \"include\": [8]}");
     client_refused(&client, "missing.s", "launch",
                    "{\"program\": \"missing.s\"}");
