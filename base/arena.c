@@ -16,7 +16,10 @@ struct arena_block {
     union widest bytes[1];
 };
 
-enum { BLOCK_SIZE = 64 * 1024 };
+/* With small blocks the sanitizers see more of what goes beyond a piece. */
+#ifndef BLOCK_SIZE
+#define BLOCK_SIZE ((size_t)64 * 1024)
+#endif
 
 static struct arena_block *add_block(struct arena *arena, size_t size)
 {

@@ -31,9 +31,9 @@ struct code_block {
 };
 
 enum {
-    BLOCKS = 1 << 14,
-    BLOCK_PLACES = 1 << 15,
-    BLOCK_DECODED = 1 << 16 /* instructions of all blocks */
+    BLOCKS = 1 << TABLE_BITS,
+    BLOCK_PLACES = 2 * BLOCKS,
+    BLOCK_DECODED = 4 * BLOCKS /* instructions of all blocks */
 };
 struct blocks {
     struct code_block *at[BLOCK_PLACES]; /* by address, or NULL */

@@ -73,9 +73,16 @@ struct effect {
     size_t saved;             /* .. so many of them to memory */
 };
 
+/* The tables of decoded instructions, blocks and schedules save time of the host
+ * only, and results do not depend on their size.  A smaller one costs less to
+ * allocate and is emptied more often: make fuzz defines it. */
+#ifndef TABLE_BITS
+#define TABLE_BITS 14
+#endif
+
 /* Recently decoded instructions, found by their address.  There are many machines
  * that run for a short time: what is not yet used is not cleared. */
-enum { DECODE_ENTRIES = 1 << 14, INSTRUCTION_STEP = 32 };
+enum { DECODE_ENTRIES = 1 << TABLE_BITS, INSTRUCTION_STEP = 32 };
 #define NOT_DECODED UINT64_MAX
 struct decode_cache {
     uint64_t pc[DECODE_ENTRIES]; /* of the entry, or NOT_DECODED */

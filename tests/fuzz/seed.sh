@@ -1,7 +1,7 @@
 #!/bin/sh
 # seed.sh C205 CORPUS - what the fuzz targets begin with, CORPUS/TARGET/*:
 # programs, object files and saved machines made of them, scenes, and inputs
-# that once broke something (tests/bugs/TARGET/*).
+# that once broke something (tests/bugs/TARGET/*), sessions in pieces, too.
 set -u
 c205=$1 corpus=$2
 root=$(dirname "$0")/../..
@@ -16,6 +16,15 @@ seed() { # TARGET FILE ..: files of one corpus, by names that do not clash
     done
 }
 
+pieces() { # TARGET HEAD LINES: its session in short ones that a target obeys to the
+    # end, HEAD lines that all begin with and LINES others
+    mkdir -p "$corpus/$1"
+    awk -v head="$2" -v lines="$3" -v name="$corpus/$1/session." '
+        NR <= head { first = first $0 "\n"; next }
+        (NR - head - 1) % lines == 0 { close(file); file = name NR; printf "%s", first >file }
+        { print >file }' "$root/tests/bugs/$1/session"
+}
+
 seed asm "$root"/tests/programs/*.s "$root"/tests/programs/traps/*.s \
     "$root"/asm/examples/*.s "$root"/tests/bugs/asm/*
 seed scene "$root"/scenes/*.pov "$root"/tests/scenes/*.pov \
@@ -27,6 +36,9 @@ seed save "$root"/tests/bugs/save/*
 seed debugger "$root"/tests/bugs/debugger/*
 seed dap "$root"/tests/bugs/dap/*
 seed engine "$root"/tests/bugs/engine/*
+pieces debugger 0 6
+pieces dap 9 5
+pieces engine 1 3
 
 for source in "$root"/tests/programs/*.s "$root"/asm/examples/*.s; do
     "$c205" asm "$source" -o "$corpus/object/$(basename "$source" .s).o"

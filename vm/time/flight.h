@@ -4,9 +4,10 @@
 #ifndef C205_FLIGHT_H
 #define C205_FLIGHT_H
 
+#include "vm/decode.h"
 #include "vm/time/clock.h"
 
-enum { PENDING_MOST = 48, FLIGHTS = 1 << 11 };
+enum { PENDING_MOST = 48, FLIGHTS = 1 << (TABLE_BITS - 3) };
 
 /* A register, a unit or a load, and how long it takes yet. */
 struct pending {

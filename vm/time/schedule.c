@@ -6,7 +6,7 @@
 #include <string.h>
 
 enum {
-    SCHEDULES = 1 << 13,
+    SCHEDULES = 1 << (TABLE_BITS - 1),
     SCHEDULES_OF_BLOCK = 24,
     PATIENCE = 8 /* blocks */
 };
