@@ -1,14 +1,14 @@
 /* fuzz_asm.c - any bytes as a program text and as an object file; what they
  * make must come back from its disassembly (clang -fsanitize=fuzzer). */
-#include <stdlib.h>
 #include <string.h>
 
 #include "asm/assemble.h"
 #include "asm/disassemble.h"
 #include "asm/listing.h"
 #include "asm/object.h"
+#include "tests/fuzz/fuzz.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+bool fuzz_accepted;
 
 static void ignore(void *context, const char *text, size_t length)
 {
@@ -45,6 +45,7 @@ static void try_text(const char *text)
         abort();
     diagnostics_put(&errors, &nowhere);
     if (object) {
+        fuzz_accepted = true;
         go_round(object);
         listing(object, &nowhere);
         object_write(object, &nowhere);

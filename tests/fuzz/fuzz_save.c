@@ -5,13 +5,12 @@
  * gives the same bytes, what is saved of its twin after a few steps is what
  * is saved of it, and the accounts sum to the clock, now and then.
  */
-#include <stdlib.h>
 #include <string.h>
 
-#include "vm/c205.h"
+#include "tests/fuzz/fuzz.h"
 #include "vm/hash.h"
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+bool fuzz_accepted;
 
 #define CLOCKS 20000
 enum { WORD_BYTES = 8, STEPS = 20 };
@@ -20,12 +19,6 @@ struct bytes {
     size_t count, room;
     uint8_t *byte;
 };
-
-static void must(bool holds)
-{
-    if (!holds)
-        abort();
-}
 
 static bool append(void *context, const void *more, size_t count)
 {
@@ -52,15 +45,9 @@ static struct bytes save(const c205 *machine)
 
 static c205 *restore(const uint8_t *data, size_t size)
 {
-    static c205_model *model; /* read once */
     c205_error error = { "" };
-    c205 *machine;
+    c205 *machine = c205_restore(data, size, fuzz_model(), &error);
 
-    if (!model)
-        model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (!model)
-        return NULL;
-    machine = c205_restore(data, size, model, &error);
     must(machine || error.message[0] != '\0');
     return machine;
 }
@@ -139,8 +126,10 @@ static void try_bytes(const uint8_t *data, size_t size)
 {
     c205 *machine = restore(data, size);
 
-    if (machine)
+    if (machine) {
+        fuzz_accepted = true;
         check_twins(machine);
+    }
     c205_free(machine);
 }
 

@@ -1,11 +1,11 @@
 /* fuzz_scene.c - any bytes as a scene: read, printed, freed. */
 #include "rt/scene/language/scene_read.h"
 
-#include <stdint.h>
-#include <stdlib.h>
+#include "tests/fuzz/fuzz.h"
+
 #include <string.h>
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+bool fuzz_accepted;
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -18,7 +18,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (out && text) {
         memcpy(text, data, size);
         text[size] = '\0';
-        scene_free(scene_read_text("fuzz.pov", text, &options, &reports));
+        struct scene *scene = scene_read_text("fuzz.pov", text, &options,
+                                              &reports);
+        fuzz_accepted = fuzz_accepted || scene;
+        scene_free(scene);
         diagnostics_print(&reports, out);
     }
     diagnostics_free(&reports);

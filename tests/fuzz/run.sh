@@ -1,22 +1,26 @@
 #!/bin/sh
 # run.sh BUILD [SECONDS] - each fuzz target of BUILD for so many seconds, 60
 # unless told.  The corpus stays in BUILD for the next time; an input that
-# crashes or hangs a target is named and kept beside it.
+# crashes or hangs a target is named and kept beside it.  A target fails, too,
+# if none of its seeds gets past its first check.
 set -u
 . "$(dirname "$0")/../count.sh"
 build=$1 seconds=${2:-60}
 here=$(dirname "$0")
 
-sh "$here/seed.sh" "$build/c205" "$build/corpus"
+rm -rf "$build/seeds"
+sh "$here/seed.sh" "$build/c205" "$build/seeds"
 for source in "$here"/fuzz_*.c; do
     target=$(basename "$source" .c)
     target=${target#fuzz_}
     mkdir -p "$build/corpus/$target" "$build/found/$target"
+    "$build/tests/fuzz/replay_$target" "$build/seeds/$target"/* >"$build/$target.log" 2>&1
+    verdict $? "no seed gets past the first check of fuzz_$target; $build/$target.log"
     echo "fuzz_$target, $seconds s"
     if "$build/tests/fuzz/fuzz_$target" -max_total_time="$seconds" \
         -timeout=10 -len_control=0 -rss_limit_mb=4096 -print_final_stats=0 \
         -artifact_prefix="$build/found/$target/" \
-        "$build/corpus/$target" >"$build/$target.log" 2>&1; then
+        "$build/corpus/$target" "$build/seeds/$target" >"$build/$target.log" 2>&1; then
         pass
         tail -n 1 "$build/$target.log"
     else
