@@ -496,6 +496,7 @@ check-commands: $(programs) $(adapter) $(BUILD)/fit205 \
 		$(BUILD)/tests/unit/test_debugger_scripts
 	sh tests/check_commands.sh $(BUILD)
 	sh tests/check_overwrite.sh $(BUILD)
+	sh tests/check_plurals.sh $(BUILD)
 	sh tests/check_pages.sh $(BUILD)
 	sh tests/check_replay.sh $(BUILD)
 

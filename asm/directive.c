@@ -1,6 +1,7 @@
 /* directive.c - the directives that the parser obeys. */
 #include "asm/statement.h"
 #include "asm/suggest.h"
+#include "base/plural.h"
 
 enum { WORD_BITS = 64, HALF_BITS = 32, WORD_HALVES = 2 };
 
@@ -281,8 +282,9 @@ static bool parse_elements(struct cursor *cursor, enum item_kind kind,
     *rest = (uint64_t)length - given;
     return given <= (uint64_t)length
            || report(cursor->assembler, cursor->line, at,
-                     "these are %lu values, more than the vector holds: %lu",
-                     (unsigned long)given, (unsigned long)length);
+                     "%lu value%s: more than the vector holds, %lu",
+                     (unsigned long)given, plural(given),
+                     (unsigned long)length);
 }
 
 static bool parse_vector(struct cursor *cursor)

@@ -1,4 +1,5 @@
 #include "asm/expect.h"
+#include "base/plural.h"
 
 #include <inttypes.h>
 #include <math.h>
@@ -252,8 +253,8 @@ static bool check_clocks(struct outcome *outcome,
     if (found == (uint64_t)wanted || outcome->other_model)
         return true;
     say_where(outcome, expectation);
-    sink_print(outcome->report, "%" PRId64 " clocks, found %" PRIu64 "\n",
-               wanted, found);
+    sink_print(outcome->report, "%" PRId64 " clock%s, found %" PRIu64 "\n",
+               wanted, plural((uint64_t)wanted), found);
     return false;
 }
 

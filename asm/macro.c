@@ -1,4 +1,5 @@
 #include "asm/macro.h"
+#include "base/plural.h"
 
 #include <ctype.h>
 #include <inttypes.h>
@@ -158,7 +159,8 @@ const struct span *macro_arguments(struct cursor *cursor,
     while (!cursor_at_end(cursor)) {
         if (i == macro->parameter_count) {
             report(cursor->assembler, cursor->line, cursor->token.begin,
-                   "macro %s has %zu parameters, not more", macro->name, i);
+                   "macro %s has %zu parameter%s, not more", macro->name, i,
+                   plural(i));
             return NULL;
         }
         arguments[i++] = take_argument(cursor);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "asm/watch_look.h"
+#include "base/plural.h"
 
 enum { CHUNK = 256, LENGTH_SHIFT = 48, FULL_LOOKS = 16 };
 #define ADDRESS_MASK ((UINT64_C(1) << LENGTH_SHIFT) - 1)
@@ -392,18 +393,24 @@ void watch_recurrence(struct program_watch *watch, const c205 *machine,
             read = &view->operands[i];
     if (read)
         watch_tell(watch, spot, WARNING_RECURRENCE,
-                   "%zu elements of [r%u] are results of this instruction,"
-                   " and wait for them one by one; the real machine promised"
+                   "%zu element%s of [r%u] %s of this instruction,"
+                   " and %s; the real machine promised"
                    " nothing here",
-                   elements, read->number);
+                   elements, plural(elements), read->number,
+                   elements == 1 ? "is a result" : "are results",
+                   elements == 1 ? "waits for it"
+                                 : "wait for them one by one");
     else
         watch_tell(watch, spot, WARNING_RECURRENCE,
-                   "%zu elements of a source are results of this %s, and"
-                   " wait for them one by one; the real machine promised"
+                   "%zu element%s of a source %s of this %s, and"
+                   " %s; the real machine promised"
                    " nothing here",
-                   elements,
+                   elements, plural(elements),
+                   elements == 1 ? "is a result" : "are results",
                    view->insn->timing == C205_TIMING_vlink ? "pair"
-                                                           : "instruction");
+                                                           : "instruction",
+                   elements == 1 ? "waits for it"
+                                 : "wait for them one by one");
 }
 
 /* The two after the prefix run as one stream. */

@@ -1,5 +1,6 @@
 /* provenance.c - see provenance.h. */
 #include "base/provenance.h"
+#include "base/plural.h"
 
 #include <stdio.h>
 
@@ -124,7 +125,8 @@ static void print_sources(const c205_model *model, const char *before,
                           FILE *file)
 {
     const char *before_next = "";
-    fprintf(file, "%s%zu constants:", before, c205_model_size(model));
+    fprintf(file, "%s%zu constant%s:", before, c205_model_size(model),
+            plural(c205_model_size(model)));
     for (size_t i = 0; sources[i].letter; i++) {
         size_t count = constants_from(model, sources[i].letter);
         if (count > 0) {

@@ -133,8 +133,9 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
     if (address > ADDRESS_MASK || (uint64_t)words > ADDRESS_SPACE_WORDS
         || (words > 0 && last > ADDRESS_MASK)) {
         snprintf(error->message, sizeof error->message,
-                 "%zu words at %llX lie beyond the end of the address space",
-                 words, (unsigned long long)address);
+                 "%zu word%s at %llX %s beyond the end of the address space",
+                 words, words == 1 ? "" : "s", (unsigned long long)address,
+                 words == 1 ? "lies" : "lie");
         return false;
     }
     forget_near(memory);

@@ -47,7 +47,8 @@ bool shared_map(const c205_shared *shared, struct memory *memory,
         return memory_map_shared(memory, address, shared->pages,
                                  shared->count, error);
     snprintf(error->message, sizeof error->message,
-             "%zu pages do not begin at %llX", shared->count,
+             "%zu page%s not begin at %llX", shared->count,
+             shared->count == 1 ? " does" : "s do",
              (unsigned long long)address);
     return false;
 }

@@ -2,6 +2,7 @@
 #include <inttypes.h>
 
 #include "base/accounts_show.h"
+#include "base/plural.h"
 #include "asm/command/c205_command.h"
 #include "base/interrupt.h"
 #include "asm/disassemble.h"
@@ -79,8 +80,8 @@ static int show_accounts(const struct c205_arguments *arguments,
         stop_json(machine, stop, results->json);
     }
     accounts_time(model, c205_clock(machine), time);
-    results_say(results, "%" PRIu64 " clocks, %s\n", c205_clock(machine),
-                time);
+    results_say(results, "%" PRIu64 " clock%s, %s\n", c205_clock(machine),
+                plural(c205_clock(machine)), time);
     int code = accounts_show(&accounts, results);
     results_model(results, model);
     accounts_free(&accounts);
@@ -203,8 +204,8 @@ static int conclude(const struct c205_arguments *arguments,
     }
     return cmd_failed(arguments->command,
                       "interrupted; these are the accounts of the first "
-                      "%" PRIu64 " clocks",
-                      c205_clock(machine));
+                      "%" PRIu64 " clock%s",
+                      c205_clock(machine), plural(c205_clock(machine)));
 }
 
 /* ---- The run ------------------------------------------------------------- */

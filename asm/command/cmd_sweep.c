@@ -10,6 +10,7 @@
 #include "base/accounts.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/plural.h"
 #include "base/progress.h"
 #include "base/text_file.h"
 #include "base/whole.h"
@@ -53,11 +54,13 @@ static void tell_crossings(const struct program_sweep *sweep,
     for (size_t i = 0; i < sweep->crossing_count; i++) {
         const struct swept_crossing *crossing = &sweep->crossings[i];
         results_say(results,
-                    "From %s = %" PRIu64 " on the second is %s: %.0f clocks, "
+                    "From %s = %" PRIu64
+                    " on the second is %s: %.0f clock%s, "
                     "and the first %.0f.\n",
                     sweep->constant, crossing->at.value,
                     crossing->faster ? "faster" : "not faster any more",
                     clocks_of(&crossing->at, SWEPT_SECOND),
+                    plural((uint64_t)clocks_of(&crossing->at, SWEPT_SECOND)),
                     clocks_of(&crossing->at, SWEPT_FIRST));
     }
 }

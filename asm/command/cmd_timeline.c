@@ -4,6 +4,7 @@
 
 #include "asm/command/c205_command.h"
 #include "asm/timeline/timeline.h"
+#include "base/plural.h"
 
 static int write_file(const struct c205_arguments *arguments,
                       const struct timeline *timeline)
@@ -17,9 +18,10 @@ static int write_file(const struct c205_arguments *arguments,
         return cmd_failed(arguments->command, "%s", error.message);
     }
     cmd_print_line(stdout,
-                   "%s: %zu instructions, clocks %" PRIu64 " to %" PRIu64,
+                   "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64,
                    arguments->output, timeline_instructions(timeline),
-                   timeline->from, timeline->to);
+                   plural(timeline_instructions(timeline)), timeline->from,
+                   timeline->to);
     return CMD_DONE;
 }
 
@@ -59,10 +61,10 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
         return cmd_failed(arguments->command,
                           ending.ended
                               ? "no instruction is at work then: the "
-                                "program takes %" PRIu64 " clocks"
+                                "program takes %" PRIu64 " clock%s"
                               : "no instruction is at work then: it "
-                                "was run for %" PRIu64 " clocks",
-                          c205_clock(machine));
+                                "was run for %" PRIu64 " clock%s",
+                          c205_clock(machine), plural(c205_clock(machine)));
     }
     timeline_settle(timeline);
     code = write_file(arguments, timeline);

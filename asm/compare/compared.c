@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "base/plural.h"
 #include "base/table.h"
 
 bool compared_take(struct compared_run *run, const c205 *machine)
@@ -101,12 +102,13 @@ struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
     return table;
 }
 
-static void add_figure(struct table *table, const char *name, double first,
-                       double second)
+/* With the decimals of the account of c205 run. */
+static void add_figure(struct table *table, const char *name, int decimals,
+                       double first, double second)
 {
     table_text(table, name);
-    table_number(table, first);
-    table_number(table, second);
+    table_rounded(table, first, decimals);
+    table_rounded(table, second, decimals);
     table_number(table, quotient(first, second));
 }
 
@@ -129,17 +131,17 @@ struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS])
     struct table *table = table_new(TABLE_COLUMNS(figure_columns));
     if (!table)
         return NULL;
-    add_figure(table, "milliseconds", 1e3 * seconds_of(one),
+    add_figure(table, "milliseconds", 3, 1e3 * seconds_of(one),
                1e3 * seconds_of(other));
-    add_figure(table, "instructions", (double)first->instructions,
+    add_figure(table, "instructions", 0, (double)first->instructions,
                (double)second->instructions);
-    add_figure(table, "of them vector", (double)first->vector_instructions,
+    add_figure(table, "of them vector", 0, (double)first->vector_instructions,
                (double)second->vector_instructions);
-    add_figure(table, "elements", (double)first->elements,
+    add_figure(table, "elements", 0, (double)first->elements,
                (double)second->elements);
-    add_figure(table, "mean vector length", mean_length(first),
+    add_figure(table, "mean vector length", 1, mean_length(first),
                mean_length(second));
-    add_figure(table, "Mflop/s", accounts_rate(one->accounts.model, first),
+    add_figure(table, "Mflop/s", 2, accounts_rate(one->accounts.model, first),
                accounts_rate(other->accounts.model, second));
     return table;
 }
@@ -188,7 +190,8 @@ void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
     char cause[CAUSE_TEXT], beside[CAUSE_TEXT] = "";
 
     if (most < 0) {
-        snprintf(text, COMPARED_SENTENCE, "Both take %.0f clocks.", first);
+        snprintf(text, COMPARED_SENTENCE, "Both take %.0f clock%s.", first,
+                 plural((uint64_t)first));
         return;
     }
     say_cause(runs, most, cause);
@@ -198,7 +201,8 @@ void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
                >= fabs(difference_of(runs, most)))
         say_cause(runs, next, beside);
     snprintf(text, COMPARED_SENTENCE,
-             "The second takes %.0f clocks %s than the first: %s%s%s.",
-             fabs(whole), whole < 0 ? "less" : "more", cause,
-             *beside ? ", and " : "", beside);
+             "The second takes %.0f clock%s %s than the first: %s%s%s.",
+             fabs(whole), plural((uint64_t)fabs(whole)),
+             whole < 0 ? "less" : "more", cause, *beside ? ", and " : "",
+             beside);
 }

@@ -142,8 +142,8 @@ static void arrive(struct dap *dap, enum moved moved)
         break;
     case MOVED_INTERRUPTED: dap_stopped(dap, "pause"); break;
     case MOVED_TOO_FAR:
-        sink_print(&say, "%" PRIu64 " clocks have passed",
-                   dap->setup.clocks_most);
+        sink_print(&say, "%" PRIu64 " clock%s passed", dap->setup.clocks_most,
+                   dap->setup.clocks_most == 1 ? " has" : "s have");
         dap_stopped(dap, "pause");
         break;
     default: dap_stopped(dap, dap->reason);

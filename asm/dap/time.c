@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "asm/dap/variables.h"
+#include "base/plural.h"
 
 static void put_plain(struct json *json, const char *name, const char *format,
                       ...)
@@ -34,8 +35,9 @@ void put_time(struct dap *dap, struct json *json)
     if (dap->debugger->has_last) {
         char text[40];
 
-        snprintf(text, sizeof text, "%" PRIu64 " clocks",
-                 dap->debugger->last.clocks);
+        snprintf(text, sizeof text, "%" PRIu64 " clock%s",
+                 dap->debugger->last.clocks,
+                 plural(dap->debugger->last.clocks));
         put_variable(json, "last instruction", text,
                      reference_of(OF_LAST, 0));
         json_end(json);
@@ -44,8 +46,8 @@ void put_time(struct dap *dap, struct json *json)
         const c205_account *account = c205_account_at(machine, i);
         char text[60];
 
-        snprintf(text, sizeof text, "%" PRIu64 " instructions",
-                 account->instructions);
+        snprintf(text, sizeof text, "%" PRIu64 " instruction%s",
+                 account->instructions, plural(account->instructions));
         put_variable(json, *account->name ? account->name : "outside regions",
                      text, reference_of(OF_REGION, i));
         json_end(json);
@@ -77,7 +79,8 @@ static void put_piece(struct dap *dap, struct json *json,
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
 
-    sink_print(&sink, "%" PRIu64 " clocks", piece->clocks);
+    sink_print(&sink, "%" PRIu64 " clock%s", piece->clocks,
+               plural(piece->clocks));
     if (piece->wait != C205_WAIT_NONE)
         sink_put(&sink, ", ");
     show_wait(dap->debugger, piece, &sink);

@@ -1,20 +1,41 @@
 /* info.c - what there is of a kind: registers, stops, regions, pages, symbols. */
 #include <inttypes.h>
+#include <stdio.h>
 
 #include "asm/debug/parts.h"
 #include "asm/trap_report.h"
+#include "base/plural.h"
 
-/* Those that hold something. */
+static void put_register(const struct debugger *debugger, unsigned number,
+                         c205_word word)
+{
+    char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE], length[8] = "";
+    unsigned elements = (unsigned)(word >> 48);
+
+    c205_to_hex(word, hex);
+    c205_to_text(word, text);
+    if (elements > 0)
+        snprintf(length, sizeof length, "%u", elements);
+    sink_print(&debugger->out, "r%-3u %-12s X'%s' %-22s %6s %12" PRIX64 "\n",
+               number, debug_register_name(debugger, number), hex, text,
+               length, word & UINT64_C(0xFFFFFFFFFFFF));
+}
+
+/* Those that hold something, in columns. */
 static bool info_registers(struct debugger *debugger)
 {
+    bool headed = false;
+
     for (unsigned i = 1; i < C205_REGISTERS; i++) {
         c205_word word = c205_register(machine_of(debugger), i);
 
         if (word == 0)
             continue;
-        sink_print(&debugger->out, "r%-3u %-12s ", i,
-                   debug_register_name(debugger, i));
-        show_word(word, false, &debugger->out);
+        if (!headed)
+            sink_print(&debugger->out, "%-17s %-22s %-22s %6s %12s\n",
+                       "register", "word", "number", "length", "address");
+        headed = true;
+        put_register(debugger, i, word);
     }
     return true;
 }
@@ -26,10 +47,12 @@ static bool info_breaks(struct debugger *debugger)
     for (size_t i = 0; i < debugger->stop_count; i++) {
         const struct stop_point *stop = &debugger->stops[i];
 
-        sink_print(&debugger->out, "%zu %s %s%s%s%s, met %" PRIu64 " times\n",
-                   stop->number, stop->kind == STOP_WATCH ? "watch" : "break",
-                   stop->text, *stop->condition ? " if " : "",
-                   stop->condition, stop->once ? ", once" : "", stop->hits);
+        sink_print(&debugger->out,
+                   "%zu %s %s%s%s%s, met %" PRIu64 " time%s\n", stop->number,
+                   stop->kind == STOP_WATCH ? "watch" : "break", stop->text,
+                   *stop->condition ? " if " : "", stop->condition,
+                   stop->once ? ", once" : "", stop->hits,
+                   plural(stop->hits));
     }
     return true;
 }

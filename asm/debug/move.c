@@ -16,8 +16,9 @@ static bool arrive(struct debugger *debugger, enum moved moved)
         sink_put(&debugger->out, "interrupted\n");
     else if (moved == MOVED_TOO_FAR)
         sink_print(&debugger->out,
-                   "%" PRIu64 " clocks have passed; continue goes on\n",
-                   debugger->setup.clocks_most);
+                   "%" PRIu64 " clock%s passed; continue goes on\n",
+                   debugger->setup.clocks_most,
+                   debugger->setup.clocks_most == 1 ? " has" : "s have");
     show_place(debugger);
     return true;
 }

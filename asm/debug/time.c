@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "asm/debug/parts.h"
+#include "base/plural.h"
 
 /* ---- The last instruction ------------------------------------------------- */
 
@@ -85,8 +86,9 @@ static void put_phases(const struct debugger *debugger)
                    "%10" PRIu64 "  %-16s  %" PRIu64 " .. %" PRIu64,
                    end - begin, c205_cause_name(cause), begin, end);
         if (cause == C205_VECTOR_STREAM)
-            sink_print(&debugger->out, "  %zu elements",
-                       debugger->last.elements);
+            sink_print(&debugger->out, "  %zu element%s",
+                       debugger->last.elements,
+                       plural(debugger->last.elements));
         put_constant(debugger, cause);
         sink_put(&debugger->out, "\n");
     }
@@ -132,11 +134,12 @@ static void put_account(const struct debugger *debugger,
     if (sum == 0 && account->instructions == 0)
         return;
     sink_print(&debugger->out,
-               "%s: %" PRIu64 " clocks, %" PRIu64 " instructions, %" PRIu64
-               " of them vector, %" PRIu64 " elements\n",
+               "%s: %" PRIu64 " clock%s, %" PRIu64 " instruction%s, %" PRIu64
+               " of them vector, %" PRIu64 " element%s\n",
                *account->name ? account->name : "outside regions", sum,
-               account->instructions, account->vector_instructions,
-               account->elements);
+               plural(sum), account->instructions,
+               plural(account->instructions), account->vector_instructions,
+               account->elements, plural(account->elements));
     for (int i = 0; i < C205_CAUSES; i++)
         if (account->clocks[i] > 0)
             sink_print(&debugger->out, "%10" PRIu64 "  %s\n",
@@ -151,7 +154,7 @@ bool verb_account(struct debugger *debugger, struct rest *rest)
         return false;
     for (size_t i = 0; i < c205_account_count(machine); i++)
         put_account(debugger, c205_account_at(machine, i));
-    sink_print(&debugger->out, "%" PRIu64 " clocks in all\n",
-               c205_clock(machine));
+    sink_print(&debugger->out, "%" PRIu64 " clock%s in all\n",
+               c205_clock(machine), plural(c205_clock(machine)));
     return true;
 }

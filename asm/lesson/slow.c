@@ -5,6 +5,7 @@
 
 #include "asm/lesson/parts.h"
 #include "base/accounts.h"
+#include "base/plural.h"
 
 enum { LINES_TOLD = 3 };
 
@@ -52,9 +53,10 @@ static void tell_goal(const struct lesson_trial *trial,
     uint64_t goal = trial->test->goals[next];
 
     report_say(report,
-               "It took %" PRIu64 " clocks, %" PRIu64
+               "It took %" PRIu64 " clock%s, %" PRIu64
                " more than the %" PRIu64 " of %s.",
-               trial->clocks, trial->clocks - goal, goal, medal_name(next));
+               trial->clocks, plural(trial->clocks), trial->clocks - goal,
+               goal, medal_name(next));
 }
 
 /* ---- The cause ------------------------------------------------------------- */
@@ -88,9 +90,10 @@ static void tell_cause(const struct lesson_trial *trial,
                  && all->instructions < many;
     int cause = waits ? wait : most;
 
-    report_say(report, "%s is %s: %" PRIu64 " clocks, %d %%.  %s",
+    report_say(report, "%s is %s: %" PRIu64 " clock%s, %d %%.  %s",
                waits ? "The longest wait" : "What took most",
                c205_cause_name((c205_cause)cause), all->clocks[cause],
+               plural(all->clocks[cause]),
                percent_of(all->clocks[cause], trial->clocks), helps[cause]);
 }
 
@@ -151,11 +154,11 @@ static void tell_line(const struct lesson_trial *trial,
     bool link = is_link(row);
 
     sink_print(&sink,
-               "Line %zu took %" PRIu64 " clocks, %d %%, in %" PRIu64
+               "Line %zu took %" PRIu64 " clock%s, %d %%, in %" PRIu64
                " %s%s:",
-               row->number, clocks, percent_of(clocks, trial->clocks),
-               row->executions, link ? "linked pair" : "instruction",
-               row->executions == 1 ? "" : "s");
+               row->number, clocks, plural(clocks),
+               percent_of(clocks, trial->clocks), row->executions,
+               link ? "linked pair" : "instruction", plural(row->executions));
     if (!link)
         sink_print(&sink, " %.200s", lesson_source(row->source));
     for (int i = 1; link && i <= 2; i++)

@@ -7,6 +7,7 @@
 
 #include "asm/lesson/parts.h"
 #include "base/fold.h"
+#include "base/plural.h"
 
 /* ---- Sentences ------------------------------------------------------------- */
 
@@ -93,7 +94,8 @@ static void put_trial(const struct lesson_trial *trial,
     sink_print(sink, "%s: %s", test->name,
                trial->right ? "right" : "not right");
     if (trial->right && test->has_goals)
-        sink_print(sink, ", %" PRIu64 " clocks: %s", trial->clocks,
+        sink_print(sink, ", %" PRIu64 " clock%s: %s", trial->clocks,
+                   plural(trial->clocks),
                    trial->medal ? medal_name(trial->medal) : "too slow");
     sink_print(sink, " (%s)\n", test->tries);
     put_report(&trial->report, sink);

@@ -9,6 +9,7 @@
 
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
+#include "base/plural.h"
 #include "base/svg.h"
 
 /* Pixels. */
@@ -237,8 +238,8 @@ static void put_points(const struct swept_picture *picture, size_t which)
                    sweep->count > 60 ? "2" : "3", colors[which]);
         svg_put_escaped(picture->sink, sweep->constant);
         sink_print(picture->sink,
-                   " = %" PRIu64 ": %.0f clocks</title></circle>\n",
-                   point->value, clocks);
+                   " = %" PRIu64 ": %.0f clock%s</title></circle>\n",
+                   point->value, clocks, plural((uint64_t)clocks));
     }
 }
 

@@ -16,6 +16,7 @@
 #include <stdlib.h>
 
 #include "asm/timeline/timeline.h"
+#include "base/plural.h"
 
 /* What happens at a clock; at one clock in the order of the run. */
 enum { LEAVES, RETIRES, APPEARS, ENTERS };
@@ -111,8 +112,9 @@ static void put(const struct timeline *timeline, const struct happening *item,
                    insn->text);
         sink_print(sink,
                    "L\t%zu\t1\tissued %" PRIu64 ", result %" PRIu64
-                   ", %zu elements\n",
-                   id, insn->issued, insn->ready, insn->elements);
+                   ", %zu element%s\n",
+                   id, insn->issued, insn->ready, insn->elements,
+                   plural(insn->elements));
         break;
     case ENTERS: sink_print(sink, "S\t%zu\t0\t%s\n", id, item->stage); break;
     case LEAVES: sink_print(sink, "E\t%zu\t0\t%s\n", id, item->stage); break;

@@ -8,6 +8,7 @@
 
 #include "asm/timeline/lanes.h"
 #include "base/svg.h"
+#include "base/plural.h"
 
 /* Pixels. */
 enum {
@@ -130,15 +131,17 @@ static void put_title(const struct timeline_picture *picture,
         sink_print(picture->sink, "%s, ",
                    c205_cause_name(span->piece->cause));
     sink_print(picture->sink,
-               "%" PRIu64 " clocks, %" PRIu64 " .. %" PRIu64 "\n%" PRIX64
+               "%" PRIu64 " clock%s, %" PRIu64 " .. %" PRIu64 "\n%" PRIX64
                ": ",
-               span->end - span->begin, span->begin, span->end, insn->pc);
+               span->end - span->begin, plural(span->end - span->begin),
+               span->begin, span->end, insn->pc);
     svg_put_escaped(picture->sink, insn->text);
     sink_print(picture->sink,
                "\narrived %" PRIu64 ", issued %" PRIu64 ", result %" PRIu64,
                insn->arrived, insn->issued, insn->ready);
     if (insn->elements > 0)
-        sink_print(picture->sink, ", %zu elements", insn->elements);
+        sink_print(picture->sink, ", %zu element%s", insn->elements,
+                   plural(insn->elements));
     sink_put(picture->sink, "</title>");
 }
 

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "rt/host/processes.h"
+#include "base/plural.h"
 
 /* ---- Shares -------------------------------------------------------------- */
 
@@ -32,10 +33,10 @@ int cmd_tell_share(const struct rt205_arguments *arguments, size_t units)
     const struct farm *farm = &arguments->units.farm;
 
     if (farm->file)
-        cmd_print_line(stderr,
-                       "%s: part %zu of %zu is done: %s has %zu of %zu units",
-                       arguments->command, farm->part, farm->parts,
-                       farm->paths[0], unit_file_count(farm->file), units);
+        cmd_print_line(
+            stderr, "%s: part %zu of %zu is done: %s has %zu of %zu unit%s",
+            arguments->command, farm->part, farm->parts, farm->paths[0],
+            unit_file_count(farm->file), units, plural(units));
     return CMD_DONE;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 #include "rt/heat/heat_picture.h"
@@ -173,10 +174,10 @@ static bool tell(const struct rt205_arguments *arguments,
     const struct heat_request *request = heat->request;
     struct json *json = results->json;
 
-    results_say(results, "%s: %zu repeats of %zu %s, %s\n", arguments->scene,
-                request->repeats, heat->drawn,
-                request->by_lines ? "lines through all of it"
-                                  : "points of each primitive",
+    results_say(results, "%s: %zu repeats of %zu %s%s %s, %s\n",
+                arguments->scene, request->repeats, heat->drawn,
+                request->by_lines ? "line" : "point", plural(heat->drawn),
+                request->by_lines ? "through all of it" : "of each primitive",
                 request->lattice ? "of the lattice" : "random");
     results_model(results, request->model);
     if (json) {

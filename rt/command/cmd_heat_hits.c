@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 #include "rt/heat/hits.h"
@@ -133,12 +134,14 @@ static bool tell(const struct hits_ways *ways, const struct results *results)
     struct table *table = table_of_ways(ways);
     bool good;
 
-    results_say(results,
-                "%s: %llu of %llu rays from %s strike one of %zu cylinders: "
-                "the factor is %.6f +- %.6f\n",
-                arguments->scene, (unsigned long long)found->struck,
-                (unsigned long long)found->rays, arguments->heat.from,
-                found->cylinders, found->factor.value, found->factor.error);
+    results_say(
+        results,
+        "%s: %llu of %llu ray%s from %s strike one of %zu cylinder%s: "
+        "the factor is %.6f +- %.6f\n",
+        arguments->scene, (unsigned long long)found->struck,
+        (unsigned long long)found->rays, plural(found->rays),
+        arguments->heat.from, found->cylinders, plural(found->cylinders),
+        found->factor.value, found->factor.error);
     results_model(results, arguments->trace.model);
     if (results->json) {
         json_text(results->json, "scene", arguments->scene);

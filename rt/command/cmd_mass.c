@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/error.h"
+#include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 #include "rt/mass/mass_tables.h"
@@ -92,20 +93,22 @@ static void tell_run(const struct rt205_arguments *arguments,
 {
     const double *about = mass->request->about;
     const char *mode = trace_mode_name(mass->request->mode);
+    size_t rays = (size_t)1 << mass->sums.rays_log;
     char sum[24];
 
     snprintf(sum, sizeof sum, "%016llX",
              (unsigned long long)columns_checksum(&mass->sums));
-    results_say(results,
-                "%s: 3 views of %zu shifts of %zu rays, %llu crossings, %s; "
-                "checksum %s\n"
-                "errors are half the interval of 95 %%; inertia I about "
-                "<%g, %g, %g>, J about the centroid; Ixy = - integral of x y "
-                "dm\n",
-                arguments->scene, mass->sums.repeats,
-                (size_t)1 << mass->sums.rays_log,
-                (unsigned long long)mass->sums.crossings, mode, sum, about[0],
-                about[1], about[2]);
+    results_say(
+        results,
+        "%s: 3 views of %zu shift%s of %zu ray%s, %llu crossing%s, %s; "
+        "checksum %s\n"
+        "errors are half the interval of 95 %%; inertia I about "
+        "<%g, %g, %g>, J about the centroid; Ixy = - integral of x y "
+        "dm\n",
+        arguments->scene, mass->sums.repeats, plural(mass->sums.repeats),
+        rays, plural(rays), (unsigned long long)mass->sums.crossings,
+        plural(mass->sums.crossings), mode, sum, about[0], about[1],
+        about[2]);
     if (results->json) {
         json_text(results->json, "scene", arguments->scene);
         json_text(results->json, "mode", mode);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/diagnostic.h"
+#include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 #include "rt/roots/polynomials.h"
@@ -306,9 +307,10 @@ static int compare_rules(const struct rt205_arguments *arguments,
     for (size_t rule = 0; good && rule < FALSI_RULES; rule++)
         add_rule(table, &comparison, rule);
     if (good) {
-        results_say(results, "%s%zu polynomials, a queue of %zu, %s\n",
+        results_say(results, "%s%zu polynomial%s, a queue of %zu, %s\n",
                     results->format == RESULTS_TEXT ? "# " : "",
-                    polynomials->count, arguments->trace.queue,
+                    polynomials->count, plural(polynomials->count),
+                    arguments->trace.queue,
                     arguments->first ? "first roots" : "all roots");
         quartic_costs_model(results, arguments->trace.model);
         if (results->json)

@@ -3,6 +3,7 @@
 
 #include "base/accounts_show.h"
 #include "base/interrupt.h"
+#include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/command/rt205_command.h"
 #include "rt/view/frame_profile.h"
@@ -98,9 +99,9 @@ static void print_rays(const struct result *result,
                  * (double)(result->samples * result->samples);
 
     results_say(results,
-                "threshold %g: %zu rays of the camera, %.1f %% of those of "
+                "threshold %g: %zu ray%s of the camera, %.1f %% of those of "
                 "all samples\n",
-                trace->threshold, result->rays,
+                trace->threshold, result->rays, plural(result->rays),
                 100 * (double)result->rays / all);
 }
 
@@ -110,6 +111,7 @@ static void print_result(const struct result *result,
     const struct rt205_arguments *arguments = result->arguments;
     const struct trace_options *trace = &arguments->trace;
     bool sampled = result->samples > 1;
+    size_t tried = sampled ? trace->width * trace->height : result->rays;
     char queue[48] = "", samples[64] = "", time[ACCOUNTS_TIME];
 
     if (sampled)
@@ -118,15 +120,15 @@ static void print_result(const struct result *result,
     if (trace->mode != TRACE_SCALAR)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     accounts_time(result->model, result->clocks, time);
-    results_say(results, "%s: %zu x %zu%s, %s%s; %zu of %zu %s hit\n",
+    results_say(results, "%s: %zu x %zu%s, %s%s; %zu of %zu %s%s hit\n",
                 arguments->scene, trace->width, trace->height, samples,
-                trace_mode_name(trace->mode), queue, result->hits,
-                sampled ? trace->width * trace->height : result->rays,
-                sampled ? "pixels" : "rays");
+                trace_mode_name(trace->mode), queue, result->hits, tried,
+                sampled ? "pixel" : "ray", plural(tried));
     results_say(results,
-                "%llu clocks, %s on the machine\n"
+                "%llu clock%s, %s on the machine\n"
                 "frame checksum %s\n",
-                (unsigned long long)result->clocks, time, result->checksum);
+                (unsigned long long)result->clocks, plural(result->clocks),
+                time, result->checksum);
     if (trace->threshold > 0)
         print_rays(result, results);
     if (arguments->output)
@@ -252,9 +254,9 @@ static void tell_kept(const struct rt205_arguments *arguments,
 
     if (arguments->units.farm.kept > 0)
         cmd_print_line(stderr,
-                       "%s: the frame goes on from %s: %zu of %zu bands",
+                       "%s: the frame goes on from %s: %zu of %zu band%s",
                        arguments->command, path, arguments->units.farm.kept,
-                       trace_bands(trace));
+                       trace_bands(trace), plural(trace_bands(trace)));
     else
         cmd_print_line(stderr, "%s: the frame begins: %s has no band yet",
                        arguments->command, path);
@@ -283,8 +285,9 @@ static void save_rows(const struct rt205_arguments *arguments,
         snprintf(told, size, "; %s", why.message);
     else
         snprintf(told, size,
-                 "; %.100s has %zu of %zu rows, the others are black",
-                 arguments->output, rows, arguments->trace.height);
+                 "; %.100s has %zu of %zu row%s, the others are black",
+                 arguments->output, rows, arguments->trace.height,
+                 plural(arguments->trace.height));
 }
 
 /* What a later run with --resume begins with. */
@@ -295,8 +298,9 @@ static void tell_resume(const struct rt205_arguments *arguments,
 
     if (arguments->units.resume.count > 0 && kept > 0)
         snprintf(told, size,
-                 "; --resume goes on from %.100s: %zu of %zu bands",
-                 arguments->units.resume.items[0], kept, trace_bands(trace));
+                 "; --resume goes on from %.100s: %zu of %zu band%s",
+                 arguments->units.resume.items[0], kept, trace_bands(trace),
+                 plural(trace_bands(trace)));
     else if (arguments->units.resume.count > 0)
         snprintf(told, size, "; no band is done: --resume begins anew");
 }

@@ -45,8 +45,8 @@ static int check_lengths(const struct rt205_arguments *arguments,
                          "lengths");
     if (kind == &sweep_queue && longest > rays)
         return cmd_usage(arguments->command,
-                         "%zu rays do not fill a queue of %zu", rays,
-                         longest);
+                         "%zu ray%s not fill a queue of %zu", rays,
+                         rays == 1 ? " does" : "s do", longest);
     return CMD_DONE;
 }
 

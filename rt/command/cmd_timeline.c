@@ -5,6 +5,7 @@
 
 #include "asm/timeline/timeline.h"
 #include "base/error.h"
+#include "base/plural.h"
 #include "rt/command/rt205_command.h"
 #include "rt/view/pixel_clocks.h"
 
@@ -92,11 +93,11 @@ static bool draw(const struct rt205_arguments *arguments,
            && save(arguments, pixel, &timeline, error);
     if (good)
         results_say(results,
-                    "%s: %zu instructions, clocks %" PRIu64 " to %" PRIu64
+                    "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64
                     " of band %zu of %zu\n",
                     arguments->output, timeline_instructions(&timeline),
-                    timeline.from, timeline.to, pixel->band + 1,
-                    trace_bands(pixel->trace));
+                    plural(timeline_instructions(&timeline)), timeline.from,
+                    timeline.to, pixel->band + 1, trace_bands(pixel->trace));
     timeline_free(&timeline);
     return good;
 }

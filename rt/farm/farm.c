@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/plural.h"
 #include "rt/host/threads.h"
 
 /* ---- Files and keys ------------------------------------------------------ */
@@ -124,8 +125,8 @@ static bool may_go_on(const struct farm_work *work, size_t done,
 {
     if (work->progress
         && !work->progress(work->progress_context, done, work->count))
-        return error_say(why, "stopped after %zu of %zu packets", done,
-                         work->count);
+        return error_say(why, "stopped after %zu of %zu packet%s", done,
+                         work->count, plural(work->count));
     return !work->go_on || work->go_on(work->context, done, why);
 }
 

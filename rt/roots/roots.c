@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "base/plural.h"
 #include "rt/layout/program.h"
 
 /* Polynomials and results lie in the machine's memory plane by plane, in the
@@ -241,8 +242,8 @@ bool roots_run(struct root_search *search, c205_error *error)
     if (good && options->progress)
         options->progress(options->context, search->count, search->count);
     if (stopped)
-        error_say(error, "stopped after %zu of %zu polynomials", done(search),
-                  search->count);
+        error_say(error, "stopped after %zu of %zu polynomial%s",
+                  done(search), search->count, plural(search->count));
     return good;
 }
 

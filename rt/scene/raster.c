@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "base/plural.h"
 
 /* ---- Kinds --------------------------------------------------------------- */
 
@@ -107,8 +108,8 @@ static bool take_samples(struct netpbm *file, struct raster *raster,
     for (size_t i = 0; i < count; i++) {
         uint32_t sample;
         if (!take_sample(file, &sample))
-            return error_say(error, "only %zu of its %zu samples are there",
-                             i, count);
+            return error_say(error, "only %zu of its %zu sample%s are there",
+                             i, count, plural(count));
         if (sample > raster->most)
             return error_say(
                 error,

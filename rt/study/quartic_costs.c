@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "base/accounts.h"
+#include "base/plural.h"
 #include "base/provenance.h"
 #include "rt/study/iterations_table.h"
 
@@ -101,13 +102,14 @@ static void print_head(const struct quartic_costs *costs,
     if (options->mode == TRACE_VECTOR)
         snprintf(queue, sizeof queue, ", a queue of %zu", options->queue);
     results_say(results,
-                "%s%zu polynomials, %zu roots; %s%s, %s, falsi %s\n"
-                "%s%llu clocks, %.8f s on the machine\n",
-                mark, costs->polynomials, costs->roots,
+                "%s%zu polynomial%s, %zu root%s; %s%s, %s, falsi %s\n"
+                "%s%llu clock%s, %.8f s on the machine\n",
+                mark, costs->polynomials, plural(costs->polynomials),
+                costs->roots, plural(costs->roots),
                 trace_mode_name(options->mode), queue,
                 options->first ? "first roots" : "all roots",
                 falsi_name(roots_falsi(costs->search)), mark,
-                (unsigned long long)clocks,
+                (unsigned long long)clocks, plural(clocks),
                 accounts_seconds(options->model, clocks));
     quartic_costs_model(results, options->model);
 }

@@ -12,6 +12,7 @@
 #include "rt/trace/form.h"
 #include "base/error.h"
 #include "base/hash.h"
+#include "base/plural.h"
 
 struct trace {
     struct trace_options options;
@@ -68,8 +69,8 @@ static bool ask(struct trace *trace)
         || options->progress(options->context, done, all))
         return !trace->stop;
     trace->stop = true;
-    return error_say(&trace->error, "stopped after %zu of %zu pixels", done,
-                     all);
+    return error_say(&trace->error, "stopped after %zu of %zu pixel%s", done,
+                     all, plural(all));
 }
 
 static bool go_on(void *context)

@@ -59,9 +59,10 @@ X'0000 0000 0000 0000'  number 0  address 0
 (c205) print clock * 2 + 1
 2375  X'947'
 (c205) info registers
-r10  fs           X'00C8 0000 0080 0000'  number 1.34799733335754e67  length 200, address 800000
-r14  one          X'0000 0000 0000 0001'  number 1  address 1
-r20  flag         X'FFD2 4000 0000 0000'  number 1  length 65490, address 400000000000
+register          word                   number                 length      address
+r10  fs           X'00C8 0000 0080 0000' 1.34799733335754e67       200       800000
+r14  one          X'0000 0000 0000 0001' 1                                        1
+r20  flag         X'FFD2 4000 0000 0000' 1                       65490 400000000000
 (c205) break insn EXIT
 break 1: insn EXIT
 (c205) tbreak insn EX if step > 4

@@ -357,7 +357,7 @@ static void test_errors(void **state)
         { " .endm\n", 1, "ends nothing" },
         { " .rept 2\n EXIT\n", 1, "no .endr" },
         { " .macro m a\n EXIT\n .endm\n m\n", 4, "expected argument 'a'" },
-        { " .macro m a\n EXIT\n .endm\n m 1, 2\n", 4, "1 parameters" },
+        { " .macro m a\n EXIT\n .endm\n m 1, 2\n", 4, "1 parameter, " },
         { " .macro m\n m\n .endm\n m\n", 2, "nested too deeply" },
         { " .macro m\n .word x\n .endm\n m\n", 2, "from test.s:4" },
         { " .if 1\n", 1, "no .endif" },

@@ -107,7 +107,7 @@ static void test_recurrences(void **state)
     (void)state;
     check(DATA " RTOR fs, a\n IX a, 64\n ELEN a, 2\n"
                " ADDNV [fs], [fs], [a]\n EXIT\n",
-          "test.s:17:2: warning: 1 elements of [r11] are results of this");
+          "test.s:17:2: warning: 1 element of [r11] is a result of this");
     check(DATA " RTOR fs, a\n IX a, 128\n ELEN a, 1\n"
                " ADDNV [fs], [fs], [a]\n EXIT\n",
           "");
@@ -118,7 +118,7 @@ static void test_recurrences(void **state)
     check(DATA " RTOR fs, a\n IX a, 64\n ELEN a, 2\n ELEN fs, 2\n"
                " ELEN ys, 2\n LINKV\n ADDNV [fs], r0, [ys]\n"
                " MPYSV [ys], [fs], [a]\n EXIT\n",
-          "warning: 1 elements of a source are results of this pair");
+          "warning: 1 element of a source is a result of this pair");
 }
 
 static void test_lengths(void **state)

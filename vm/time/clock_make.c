@@ -89,7 +89,8 @@ bool clock_set_regions(struct clock *clock, const char *const *names,
 {
     if (!accounts_open(&clock->accounts, names, count)) {
         snprintf(error->message, sizeof error->message,
-                 "no memory left for the accounts of %zu regions", count);
+                 "no memory left for the accounts of %zu region%s", count,
+                 count == 1 ? "" : "s");
         return false;
     }
     clock->generation++; /* schedules name accounts that are no more */

@@ -296,7 +296,7 @@ bool c205_projection_holds(const c205_projection *projection,
         strangers += projection_strangers(projection, i);
     if (strangers)
         snprintf(error->message, sizeof error->message,
-                 "%llu vector instructions, which cannot be projected",
-                 (unsigned long long)strangers);
+                 "%llu vector instruction%s, which cannot be projected",
+                 (unsigned long long)strangers, strangers == 1 ? "" : "s");
     return projection_complete(projection, error) && strangers == 0;
 }

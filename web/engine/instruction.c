@@ -6,6 +6,7 @@
 #include "asm/disassemble.h"
 #include "asm/vector_view.h"
 #include "web/engine/parts.h"
+#include "base/plural.h"
 
 /* ---- The next one -------------------------------------------------------------- */
 
@@ -119,7 +120,8 @@ static bool put_formula(const c205_event *event, struct json *reply,
                  record->phase[i].end - record->phase[i].begin,
                  record->phase[i].cause);
     if (event->elements > 0)
-        sink_print(&sink, ", %zu elements", event->elements);
+        sink_print(&sink, ", %zu element%s", event->elements,
+                   plural(event->elements));
     good = !text.failed;
     if (good)
         json_text(reply, "formula", text.text);

@@ -1,6 +1,6 @@
 // causes.js - where the clocks went: a bar and a table of causes, and the regions.
 
-import { colour, count, draw, el, fill, fixed, heading, table } from "./dom.js";
+import { colour, count, draw, el, fill, fixed, heading, some, table } from "./dom.js";
 
 /** A bar of {cause, clocks}, each as wide as its share. */
 export function bar(causes) {
@@ -10,7 +10,7 @@ export function bar(causes) {
     const x = 100 * at / all;
     at += clocks;
     return draw("rect", { x: `${x}%`, y: 0, width: `${100 * clocks / all}%`, height: "100%",
-      class: colour(cause) }, draw("title", {}, `${cause}: ${count(clocks)} clocks`));
+      class: colour(cause) }, draw("title", {}, `${cause}: ${some(clocks, "clock")}`));
   });
   return draw("svg", { class: "bar-of-causes", "aria-hidden": "true" }, parts);
 }
@@ -36,7 +36,7 @@ function told({ causes, regions, clocks, mflops, mean_length: meanLength }) {
       [["region"], ...["instr.", "vector", "elements", "clocks"].map((title) => [title, "number"])],
       regions.map((row) => ({ cells: [row.region,
         ...[row.instructions, row.vector, row.elements, row.clocks].map(count)] }))),
-    el("p", { class: "figures" }, mflops > 0 && figure(fixed(mflops, 1), "Mflop/s"),
+    el("p", { class: "figures" }, mflops > 0 && figure(fixed(mflops, 2), "Mflop/s"),
       meanLength > 0 && figure(fixed(meanLength, 1), "mean vector length")),
   ];
 }

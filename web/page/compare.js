@@ -55,7 +55,7 @@ export function makeCompare(panel, session, others) {
     const beside = (caption, key, rows, name = String) => table(caption,
       [[key], ...titles.map((title) => [title, "number"])],
       rows.map((row) => ({ class: row[key] === "all" ? "sum" : null, cells: [name(row[key]),
-        figure(row.first), figure(row.second), row.difference === undefined ? "" : count(row.difference),
+        figure(row.first, row[key]), figure(row.second, row[key]), row.difference === undefined ? "" : count(row.difference),
         row.ratio == null ? "-" : fixed(row.ratio, 3)] })));
     return [
       el("p", { class: "verdict-words" }, reply.sentence),
@@ -67,9 +67,9 @@ export function makeCompare(panel, session, others) {
     ];
   }
 
-  // Four digits, or all of an integer.
-  const figure = (x) => x == null ? "-" : Number.isInteger(x) ? count(x)
-    : x.toLocaleString("en", { maximumSignificantDigits: 4 });
+  // The decimals of c205 compare; all others are counts.
+  const decimals = { milliseconds: 3, "mean vector length": 1, "Mflop/s": 2 };
+  const figure = (x, name) => x == null ? "-" : fixed(x, decimals[name] ?? 0);
 
   return { offer, renew, run };
 }

@@ -63,8 +63,11 @@ export function choices(select, list) {
 }
 
 export const count = (n) => n.toLocaleString("en");
-export const fixed = (x, places) => Number.isFinite(x) ? x.toLocaleString("en",
-  { minimumFractionDigits: places, maximumFractionDigits: places, signDisplay: "negative" }) : "-";
+// Rounded as printf does: toLocaleString alone rounds the shortest decimal form of the number.
+export const fixed = (x, places, signed = false) => Number.isFinite(x)
+  ? Number(x.toFixed(places)).toLocaleString("en", { minimumFractionDigits: places,
+    maximumFractionDigits: places, signDisplay: signed ? "always" : "negative" })
+  : "-";
 /** "1 clock", "2 clocks". */
 export const some = (n, what) => `${count(n)} ${what}${n === 1 ? "" : "s"}`;
 /** A time in the unit that suits it. */

@@ -177,7 +177,7 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
   function look({ width, rows, first, rgba, clocks: sum, seconds, causes }) {
     const list = Object.entries(causes).map(([cause, of]) => ({ cause, clocks: of }));
     canvas.getContext("2d").putImageData(new ImageData(rgba, width, rows), 0, first);
-    fill(clocks, el("p", { class: "figures" }, el("span", {}, el("b", {}, count(sum)), " clocks,"),
+    fill(clocks, el("p", { class: "figures" }, el("span", {}, el("b", {}, count(sum)), sum === 1 ? " clock," : " clocks,"),
       el("span", {}, el("b", {}, duration(1e6 * seconds)), " on the machine")),
     bar(list),
     table("Clocks by cause so far", [["cause"], ["clocks", "number"], ["%", "number"]],
@@ -205,12 +205,18 @@ export function tracerPanel(panel, { source, wasm, scenes, models }) {
       table(`Table 1, a queue of ${queue.value}`,
         [["primitive"], ["figures"], ["205 scalar, s", "number"], ["205 vector, s", "number"], ["720, s", "number"],
           ["over scalar", "number"], ["over 720", "number"]],
-        JSON.parse(ended.stdout).table1.map((one) => ({ cells: [one.primitive, one.figures,
-          fixed(one.scalar, 3), fixed(one.vector, 4), fixed(one.cyber720, 2),
-          fixed(one.vector_over_scalar, 2), fixed(one.vector_over_720, 0)] })))),
+        JSON.parse(ended.stdout).table1.map((one) => ({ cells: cellsOfTable1(one) })))),
     el("p", { class: "note" }, `CPU seconds for ${count(PAPER[0] * PAPER[1])} rays, of which ${count(across * down)} `
       + "were traced, and how much faster the vector form of the 205 is."));
   }
+}
+
+/** The cells of a row of Table 1, with the digits that rt205 speedup prints. */
+export function cellsOfTable1(row) {
+  const places = { scalar: 3, vector: 4, cyber720: 2, vector_over_scalar: 2, vector_over_720: 0 };
+  const error = row.figures.endsWith("%"); // all are in percent, then
+  return [row.primitive, row.figures, ...Object.entries(places).map(([key, n]) =>
+    row[key] == null ? "-" : fixed(row[key], error ? 1 : n, error))];
 }
 
 // The row of which the scene has most; of none: the first.

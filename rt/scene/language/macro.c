@@ -3,6 +3,7 @@
 
 #include "rt/scene/language/condition.h"
 #include "rt/scene/language/declare.h"
+#include "base/plural.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -137,9 +138,10 @@ static bool read_arguments(struct reader *reader, struct call *call)
     while (call->count < macro->count) {
         if (reader_at_sign(reader, ')'))
             return reader_fault(reader, &reader->token,
-                                "'%.*s' takes %zu arguments, found %zu",
+                                "'%.*s' takes %zu argument%s, found %zu",
                                 (int)call->at.length, call->at.text,
-                                macro->count, call->count);
+                                macro->count, plural(macro->count),
+                                call->count);
         call->count++;
         if (!read_argument(reader, &call->arguments[call->count - 1]))
             return false;

@@ -2,6 +2,7 @@
 #include "rt/scene/language/mesh.h"
 
 #include "base/array.h"
+#include "base/plural.h"
 #include "rt/scene/language/expression.h"
 
 #include <math.h>
@@ -292,8 +293,8 @@ static bool check_count(struct reader *reader,
                                                     : true;
 
     return fits || mesh->faulty
-           || reader_fault(reader, at, "%zu '%s' for %zu faces", count,
-                           rules[section].word, faces);
+           || reader_fault(reader, at, "%zu '%s' for %zu face%s", count,
+                           rules[section].word, faces, plural(faces));
 }
 
 static bool read_count(struct reader *reader,

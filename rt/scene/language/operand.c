@@ -5,6 +5,7 @@
 #include "rt/scene/language/formula.h"
 #include "rt/scene/language/query.h"
 #include "rt/scene/vector.h"
+#include "base/plural.h"
 
 #include <string.h>
 
@@ -61,8 +62,9 @@ bool starts_expression(const struct reader *reader)
 bool operand_found_vector(struct reader *reader, const struct scene_token *at,
                           const char *expected, const struct numbers *value)
 {
-    return reader_fault(reader, at, "expected %s, found %d components",
-                        expected, value->count);
+    return reader_fault(reader, at, "expected %s, found %d component%s",
+                        expected, value->count,
+                        plural((uint64_t)value->count));
 }
 
 /* Neither overflow nor the argument outside of a function's domain. */

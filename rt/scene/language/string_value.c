@@ -2,6 +2,7 @@
 #include "rt/scene/language/string_value.h"
 
 #include "rt/scene/language/expression.h"
+#include "base/plural.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -248,8 +249,8 @@ static bool read_range(struct reader *reader, size_t length, size_t *from,
         || !read_full_number(reader, &wanted))
         return false;
     if (!(first >= 1 && wanted >= 0 && first - 1 + wanted <= (double)length))
-        return reader_fault(reader, &at, "the string has %zu characters",
-                            length);
+        return reader_fault(reader, &at, "the string has %zu character%s",
+                            length, plural(length));
     *from = (size_t)first - 1;
     *count = (size_t)wanted;
     return true;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/plural.h"
 #include "base/provenance.h"
 
 static const struct table_column observed[] = {
@@ -414,7 +415,7 @@ static void print_head(const struct study *study,
 
     results_say(
         results,
-        "%zu observations, %zu free constants; cost %.3f after %d steps, "
+        "%zu observation%s, %zu free constant%s; cost %.3f after %d step%s, "
         "%s.\n"
         "The data know as much as %.1f of the constants; %.1f degrees of "
         "freedom are left.\n"
@@ -423,7 +424,9 @@ static void print_head(const struct study *study,
         "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
         "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
         "%s.\n",
-        best->used, study->fit.constants->count, best->cost, best->steps,
+        best->used, plural(best->used), study->fit.constants->count,
+        plural(study->fit.constants->count), best->cost, best->steps,
+        plural((uint64_t)best->steps),
         best->converged ? "converged" : "not converged", known,
         (double)best->used - known, FIT_LOSS,
         provenance_left_out(fitted_model(study)));

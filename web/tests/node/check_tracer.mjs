@@ -16,6 +16,7 @@ import fs from "node:fs";
 import path from "node:path";
 import zlib from "node:zlib";
 
+import { cellsOfTable1 } from "../../page/tracer.js";
 import { loadTracer } from "../../tracer/tracer.js";
 
 const [build, drawn, only = ""] = process.argv.slice(2);
@@ -228,6 +229,22 @@ for (const [open, close] of [["union { ", " }"], ["(", ")"], ["#if (1) ", " #end
   check(["render", broken, "--no-picture", "-W", "6", "-H", "5"], { [broken]: text });
 }
 fs.rmSync(broken, { force: true });
+
+// ---- Table 1 of the page -----------------------------------------------------
+
+// The page formats the figures of JSON; its digits are those that rt205 prints.
+if (only === "" || only === "table1") {
+  const printed = (format) => spawnSync(path.join(build, "rt205"),
+    ["speedup", "-W", "16", "-H", "10", "--format", format]).stdout.toString();
+  const rows = printed("md").split("\n").filter((line) => /\| (ours|paper|error %) *\|/.test(line))
+    .map((line) => line.slice(1, -1).split("|").map((cell) => cell.trim() || "-"));
+  const { table1 } = JSON.parse(printed("json"));
+  for (const [i, row] of table1.map(cellsOfTable1).entries())
+    if (row.join() === rows[i].join())
+      passed++;
+    else
+      console.log(`FAIL the page shows ${row}, rt205 prints ${rows[i]}`), failed++;
+}
 
 // ---- Pictures that grow ------------------------------------------------------
 
