@@ -68,7 +68,8 @@ oracles = $(BUILD)/tests/oracle/check_arithmetic \
 	$(BUILD)/tests/oracle/check_sample \
 	$(BUILD)/tests/oracle/check_scene $(BUILD)/tests/oracle/check_random \
 	$(BUILD)/tests/oracle/check_quartic $(BUILD)/tests/oracle/check_faces \
-	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/check_lines \
+	$(BUILD)/tests/oracle/check_regions $(BUILD)/tests/oracle/check_standing \
+	$(BUILD)/tests/oracle/check_lines \
 	$(BUILD)/tests/oracle/check_mass $(BUILD)/tests/oracle/check_heat \
 	$(BUILD)/tests/oracle/digest \
 	$(BUILD)/tests/oracle/check_language_scenes \
@@ -94,8 +95,8 @@ test_packages = $(build_packages) $(fit_packages) $(exact_packages) $(mpi_packag
 # come first.
 check_parts = check-unit check-scenes check-hosts check-commands check-web-engine \
 	check-web-tracer check-texts check-library check-random check-language-scenes check-uses \
-	check-regions check-faces check-heat check-fit check-arithmetic check-course \
-	check-mass check-quartic check-docs check-adaptive check-bugs check-lines \
+	check-regions check-faces check-standing check-heat check-fit check-arithmetic \
+	check-course check-mass check-quartic check-docs check-adaptive check-bugs check-lines \
 	check-install check-language check-narrow check-rooms check-programs check-isa \
 	check-bench
 CASES ?= 1000000
@@ -104,6 +105,7 @@ PROGRAMS ?= 12000
 POLYNOMIALS ?= 600
 FACES ?= 300
 REGIONS ?= 200
+STANDING ?= 20
 SEEN ?= 60
 MASSES ?= 24
 HEATS ?= 16
@@ -153,6 +155,7 @@ check-long: export PROGRAMS = 200000
 check-long: export POLYNOMIALS = 10000
 check-long: export FACES = 20000
 check-long: export REGIONS = 10000
+check-long: export STANDING = 2000
 check-long: export SEEN = 5000
 check-long: export MASSES = 1000
 check-long: export HEATS = 1000
@@ -421,6 +424,10 @@ check-faces: $(BUILD)/tests/oracle/check_faces
 
 check-regions: $(BUILD)/tests/oracle/check_regions
 	$(call by_shares,$(REGIONS))
+
+# Clear bodies on a ground, also beside POV-Ray.
+check-standing: $(BUILD)/tests/oracle/check_standing $(adapter)
+	$(call by_shares,$(STANDING))
 
 check-lines: $(BUILD)/tests/oracle/check_lines
 	$(call by_shares,$(SEEN))

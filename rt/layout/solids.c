@@ -271,7 +271,7 @@ static void put_interior(struct record *record,
 
 /* A region with clear parts has a rank among those that have them, by which coincident
  * faces are ordered (docs/solids.md). */
-struct ranks {
+struct clear_ranks {
     size_t region; /* the next one */
     size_t end;    /* of the primitives of the one before */
     size_t rank;   /* .. its rank, or 0 */
@@ -288,9 +288,9 @@ static bool has_clear_part(const struct scene *scene,
     return false;
 }
 
-static struct ranks ranks_of(const struct scene *scene)
+static struct clear_ranks ranks_of(const struct scene *scene)
 {
-    struct ranks ranks = { .count = 0 };
+    struct clear_ranks ranks = { .count = 0 };
 
     for (size_t i = 0; i < scene->region_count; i++)
         ranks.count += has_clear_part(scene, &scene->regions[i]);
@@ -299,7 +299,7 @@ static struct ranks ranks_of(const struct scene *scene)
 
 /* Primitives come in the order of the regions. */
 static void put_rank(struct record *record, const struct scene *scene,
-                     size_t i, struct ranks *ranks)
+                     size_t i, struct clear_ranks *ranks)
 {
     double yield = 0;
 
@@ -418,7 +418,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
     bool alike = false;
     struct record record;
     struct map_place map = { NULL, 0, images };
-    struct ranks ranks = ranks_of(scene);
+    struct clear_ranks ranks = ranks_of(scene);
     size_t space = 0;
     struct row row;
     uint64_t look;

@@ -24,7 +24,7 @@ struct grid_scene {
     double scale; /* of everything but the lamps */
     size_t lamp_count, solid_count;
     char lamps[LAMPS_MOST][WORDS];
-    struct solid *solids[SOLIDS_MOST];
+    struct solid *solids[SOLIDS_MOST + 1]; /* with a ground */
 };
 
 /* --- by chance ------------------------------------------------------------ */
@@ -351,6 +351,28 @@ static void random_lamp(uint64_t *state, char *lamp)
                     below(state, 3) ? "" : "shadowless ");
 }
 
+/* One in three scenes is of clear solids on a ground.  What else is drawn does not
+ * depend on it. */
+static void put_on_ground(uint64_t state, struct grid_scene *scene)
+{
+    state = stream_beside(state, 7, 1);
+    if (below(&state, 3))
+        return;
+    for (size_t i = 0; i < scene->solid_count; i++)
+        solid_words(scene->solids[i]->look,
+                    "pigment { rgbf <.9, %.2f, .8, .9> } "
+                    "interior { ior %.2f } ",
+                    between(&state, .5, 1), between(&state, 1, 1.6));
+    struct solid *ground = solid_new(SHAPE, 0);
+    if (below(&state, 2))
+        solid_words(ground->shape, "plane { y, %g ", on_grid(&state));
+    else
+        solid_words(ground->shape, "box { <-2, -2, -2>, <2, %g, 2> ",
+                    on_grid(&state));
+    random_look(&state, ground->look);
+    scene->solids[scene->solid_count++] = ground;
+}
+
 struct grid_scene *grid_scene_random(uint64_t *state)
 {
     struct grid_scene *scene = test_room(sizeof *scene);
@@ -365,6 +387,7 @@ struct grid_scene *grid_scene_random(uint64_t *state)
         scene->solids[i] = below(state, 10) == 0
                                ? random_mesh(state)
                                : random_solid(state, 1 + below(state, DEPTH));
+    put_on_ground(*state, scene);
     return scene;
 }
 

@@ -187,6 +187,23 @@ static void add_groups(struct drawing *drawing, size_t count)
     }
 }
 
+/* A plane in which bottoms of things on whole numbers lie.  What else is drawn does
+ * not depend on it. */
+static void add_ground(struct drawing *drawing)
+{
+    uint64_t state = stream_beside(*drawing->state, 7, 1);
+    struct many_regions *scene = drawing->scene;
+    if (!drawing->whole || below(&state, 3)
+        || scene->solid_count == MANY_REGIONS_MOST)
+        return;
+    struct solid *ground = solid_new(SHAPE, 0);
+    solid_words(ground->shape, "plane { y, %g ",
+                (double)below(&state, 5) - 2.5);
+    random_look(&state, scene->mood, ground->look);
+    drawing->places[scene->solid_count] = (struct place){ .size = 1 };
+    scene->solids[scene->solid_count++] = ground;
+}
+
 /* Some of the scene's things become one, or all of them. */
 static void join_some(struct drawing *drawing)
 {
@@ -391,6 +408,7 @@ struct many_regions *many_regions_random(uint64_t *state)
     random_view(drawing);
     if (scene->solid_count > 0 && one_in(state, 6))
         join_some(drawing);
+    add_ground(drawing);
     free(drawing);
     return scene;
 }

@@ -13,8 +13,13 @@
         .regs   r131, mesh_crossed, sorted_count, sorted_triangles, sorted_at
         .reg    sorted_before, r135
         .regs   r136, sorted_t, sorted_triangle
-        .endshare
+        .if     INTERIORS
+        .reg    mesh_is_solid, r138
+        .equ    MESH_CROSSING_REGISTERS, 107
+        .else
         .equ    MESH_CROSSING_REGISTERS, 106
+        .endif
+        .endshare
 
         .data
 crossings_save: .space MESH_CROSSING_REGISTERS
@@ -84,6 +89,17 @@ side_wide\@:
 side_not\@:
         .endm
 
+; Of a solid what lies beyond the start counts, or beyond lower if that is less.
+        .macro  from_start
+        RTOR    r0, mesh_least
+        .if     INTERIORS
+        ES      mesh_is_solid, 1
+        CFPGE   lower, r0, from_start\@
+        RTOR    lower, mesh_least
+from_start\@:
+        .endif
+        .endm
+
 ; The list is empty; behind it stand the triangles.
         .macro  begin_crossings room
         FLR     \room, sorted_triangles
@@ -97,10 +113,13 @@ side_not\@:
 mesh_crossings:
         enter_solver 2, crossings_save, MESH_CROSSING_REGISTERS
         RTOR    lower, mesh_least
+        .if     INTERIORS
+        ES      mesh_is_solid, 0
+        .endif
         BIM     crossings_begin
 mesh_body:
         enter_solver 4, crossings_save, MESH_CROSSING_REGISTERS
-        RTOR    r0, mesh_least
+        from_start
         FLR     sh2, sorted_at
         SHIFTI  sorted_at, 6, sorted_at
         begin_crossings sh3
@@ -109,13 +128,17 @@ mesh_body:
         BIM     crossings_walk
 mesh_solid:
         enter_solver 2, crossings_save, MESH_CROSSING_REGISTERS
-        RTOR    r0, mesh_least
+        from_start
 crossings_begin:
         begin_crossings sh1
         begin_mesh
 crossings_walk:
         walk_mesh every_side
+        .if     INTERIORS
+        IBXNE   mesh_is_solid, r0, r0, crossings_solid
+        .else
         CFPEQ   mesh_least, r0, crossings_solid
+        .endif
         IBXNE   sorted_count, r0, r0, crossings_any
         STO     [a_segment], big
         ES      sorted_count, 1

@@ -28,7 +28,7 @@
 ;
 ; mesh_crossings: the crossings beyond lower, a little farther than near_limit at the
 ;   most: what lies behind that is not seen.
-; mesh_solid, mesh_body: those beyond the ray's start, with the mesh or with its body.  It starts inside if their number is odd:
+; mesh_solid, mesh_body: those beyond the ray's start, or beyond lower if that is less, with the mesh or with its body.  It starts inside if their number is odd:
 ;   then the first is minus_big.
 ;
 ; In:  ox oy oz dx dy dz lower near_limit, near long; the primitive's record and
@@ -269,6 +269,10 @@ meet_every:
         side_and side_bits, [side_g1], [side_z0]
         BIM     every_counted
 every_ahead:
+        .if     INTERIORS
+        load_word passed_at_hand, s0
+        IBXNE   s0, r0, r0, every_passed
+        .endif
         CMPLTV  r0, [side_z0], [side_bits]
 every_counted:
         CNTOB   [side_bits], s3
@@ -295,4 +299,12 @@ every_turn:
         IBXNE   s2, r0, r0, every_keep
 every_met:
         BIM     0, lane_link
+        .if     INTERIORS
+every_passed:
+        of_ray  lower, side_g1
+        CMPLTV  [side_g1], r0, [side_bits]
+        VTOV    r0, [side_g1] ?! [side_bits]
+        CMPLTV  [side_g1], [side_z0], [side_bits]
+        BIM     every_counted
+        .endif
         .endkernel

@@ -117,10 +117,11 @@ levels_queue:
         BSAVE   link, [target]
         EX      target, find_nearest
         BSAVE   link, [target]
-        .if     INTERIORS
-        describe nearest, depth_store, n
-        .endif
 levels_found:
+        .if     INTERIORS
+        describe s0, depth_store, n
+        VTOV    [s0], [nearest]
+        .endif
         .if     FOG
         load_word scene_levels, s0
         IBXEQ   level, r0, s0, levels_shade

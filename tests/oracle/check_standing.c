@@ -1,0 +1,227 @@
+/* check_standing.c - clear bodies that stand on a ground, in every form and beside
+ * two other tracers.
+ *
+ *     check_standing [SCENES [OF SHARE]] [--first]
+ *
+ * Traces random scenes (standing_scene.h), or every OF-th from the one of the number
+ * SHARE on.  The forms give one frame, bit for bit.  Every pixel off the outlines is
+ * that of the plain tracer.  POV-Ray loses one of two coincident faces, so its
+ * picture is of the scene with a ground that is higher by LIFT; of bodies in stacks
+ * there is none.  A scene that fails is printed, and written to standing_N.pov; after
+ * --first nothing more is done.  Exit code 1: some failed.
+ */
+#include "rt/trace/trace.h"
+#include "tests/oracle/chance.h"
+#include "tests/oracle/compare_pictures.h"
+#include "tests/oracle/many_scenes.h"
+#include "tests/oracle/plain_tracer.h"
+#include "tests/oracle/run_povray.h"
+#include "tests/oracle/standing_scene.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    WIDTH = STANDING_WIDTH,
+    HEIGHT = STANDING_HEIGHT,
+    PIXELS = WIDTH * HEIGHT,
+    AHEAD = 4,
+    PATH = 80,
+    REASON = 200
+};
+
+/* What is seen of the ground through a body moves by about as much. */
+#define LIFT 1e-5
+
+/* On an edge that is seen through a body the lift decides, and at some pixels POV-Ray
+ * shows the lifted scene otherwise than both other tracers. */
+static const struct comparison with_povray = { "colour", CHANNEL_RED, 3,  1,
+                                               false,    1e-3,        .01 };
+
+static c205_model *model;
+
+static uint64_t seed_of(size_t number)
+{
+    return RANDOM_SEED ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
+}
+
+/* --- forms ---------------------------------------------------------------- */
+
+/* Each is compared with the first. */
+static const struct trace_options forms[] = {
+    { .mode = TRACE_SCALAR, .queue = 1 },
+    { .mode = TRACE_SCALAR, .queue = 1, .no_bounds = true },
+    { .mode = TRACE_VECTOR, .queue = TRACE_QUEUE },
+    { .mode = TRACE_VECTOR, .queue = 7, .flat = true },
+    { .mode = TRACE_VECTOR, .queue = 77, .visible = VISIBLE_EVERY },
+    { .mode = TRACE_VECTOR, .queue = 333, .no_bounds = true },
+    { .mode = TRACE_KERNELS, .queue = 77 },
+};
+enum { FORMS = sizeof forms / sizeof *forms };
+
+static struct trace *trace_in(const struct scene *scene, size_t i)
+{
+    struct trace_options form = forms[i];
+    c205_error error;
+    form.width = WIDTH;
+    form.height = HEIGHT;
+    form.model = model;
+    struct trace *trace = trace_new(scene, &form, &error);
+    if (!trace || !trace_run(trace, &error))
+        give_up(error.message);
+    return trace;
+}
+
+static bool same_frame(const struct trace *a, const struct trace *b)
+{
+    for (int i = 0; i < FRAME_CHANNELS; i++)
+        if (memcmp(trace_channel(a, (enum frame_channel)i),
+                   trace_channel(b, (enum frame_channel)i),
+                   PIXELS * sizeof(c205_word))
+            != 0)
+            return false;
+    return true;
+}
+
+static bool same_in_all_forms(const struct scene *scene,
+                              const struct trace *expected, char *reason)
+{
+    bool good = true;
+    for (size_t i = 1; good && i < FORMS; i++) {
+        struct trace *found = trace_in(scene, i);
+        good = same_frame(expected, found);
+        trace_free(found);
+        snprintf(reason, REASON, "form %zu gives another frame than form 0",
+                 i);
+    }
+    return good;
+}
+
+/* --- other tracers -------------------------------------------------------- */
+
+static bool same_pictures(const struct comparison *comparison,
+                          const char *who, const struct frame *expected,
+                          const struct frame *ours, const bool *inner,
+                          char *reason)
+{
+    struct picture_difference is = compare_pictures(comparison, expected,
+                                                    ours, inner);
+    snprintf(reason, REASON,
+             "%s has another %s at %zu of %zu pixels, by %g at %zu, %zu", who,
+             comparison->name, is.beyond, is.compared, is.greatest,
+             is.worst_x, is.worst_y);
+    return (double)is.beyond <= comparison->share * (double)is.compared;
+}
+
+/* No pixel is left to rounding. */
+static bool same_as_plain(const struct frame *plain, const struct frame *ours,
+                          const bool *inner, char *reason)
+{
+    bool good = true;
+    for (size_t i = 0; good && i < WITH_FRAME; i++) {
+        struct comparison comparison = with_frame[i];
+        comparison.share = 0;
+        good = same_pictures(&comparison, "the plain tracer", plain, ours,
+                             inner, reason);
+    }
+    return good;
+}
+
+/* Of those that are begun the first ended is the first begun. */
+static struct povray *runs[AHEAD + 1];
+static size_t begun, ended;
+
+static void path_of(size_t number, char path[PATH])
+{
+    snprintf(path, PATH, "standing_%zu_lifted.pov", number);
+}
+
+static void begin(size_t number)
+{
+    struct picture_error error;
+    char path[PATH];
+    if (standing_scene_is_stacked(seed_of(number)))
+        return;
+    char *text = standing_scene_text(seed_of(number), LIFT);
+    path_of(number, path);
+    keep_scene(path, text);
+    struct povray *run = povray_begin(path, WIDTH, HEIGHT, &error);
+    if (!run)
+        give_up(error.message);
+    runs[begun++ % (AHEAD + 1)] = run;
+    free(text);
+}
+
+static bool same_as_povray(size_t number, const struct frame *ours,
+                           const bool *inner, char *reason)
+{
+    struct picture_error error;
+    struct frame theirs;
+    char path[PATH];
+    if (standing_scene_is_stacked(seed_of(number)))
+        return true;
+    if (!povray_end(runs[ended++ % (AHEAD + 1)], &theirs, &error))
+        give_up(error.message);
+    path_of(number, path);
+    remove(path);
+    bool good = same_pictures(&with_povray, "POV-Ray", &theirs, ours, inner,
+                              reason);
+    frame_free(&theirs);
+    return good;
+}
+
+/* --- scenes --------------------------------------------------------------- */
+
+static bool same_as_others(const struct scene *scene,
+                           const struct trace *trace, size_t number,
+                           char *reason)
+{
+    struct frame plain, ours;
+    char also[REASON];
+    if (!plain_trace(scene, WIDTH, HEIGHT, &plain)
+        || !frame_allocate(&ours, WIDTH, HEIGHT))
+        give_up("no memory left");
+    trace_read(trace, 0, &ours);
+    bool *inner = inner_pixels(&plain);
+    if (!inner)
+        give_up("no memory left");
+    bool good = same_as_plain(&plain, &ours, inner, reason);
+    bool by_povray = same_as_povray(number, &ours, inner, also);
+    if (good)
+        strcpy(reason, also);
+    free(inner);
+    frame_free(&plain);
+    frame_free(&ours);
+    return good && by_povray;
+}
+
+static bool check_scene(size_t number, bool first)
+{
+    char *text = standing_scene_text(seed_of(number), 0);
+    struct scene *scene = scene_of(text);
+    struct trace *expected = trace_in(scene, 0);
+    char reason[REASON], path[PATH];
+    bool good = same_as_others(scene, expected, number, reason)
+                && same_in_all_forms(scene, expected, reason);
+    if (!good) {
+        snprintf(path, PATH, "standing_%zu.pov", number);
+        printf("FAIL %s -W %d -H %d: %s\n%s", path, WIDTH, HEIGHT, reason,
+               first ? "" : text);
+        if (!first)
+            keep_scene(path, text);
+    }
+    trace_free(expected);
+    scene_free(scene);
+    free(text);
+    return good;
+}
+
+int main(int count, char **words)
+{
+    model = usual_model();
+    int code = check_many_ahead(count, words, check_scene, begin, AHEAD);
+    c205_model_free(model);
+    return code;
+}

@@ -1,0 +1,189 @@
+/* standing_scene.c - see standing_scene.h. */
+#include "tests/oracle/standing_scene.h"
+
+#include "tests/oracle/chance.h"
+#include "tests/oracle/mesh_text.h"
+#include "tests/oracle/solid_text.h"
+
+enum { WORDS = SOLID_WORDS, BODIES_MOST = 5 };
+
+/* Where a body stands; its half width and height. */
+struct stand {
+    double x, y, z, size, height;
+};
+
+static void box_words(uint64_t *state, const struct stand *at, char *words)
+{
+    double wide = at->size * between(state, .6, 1);
+    solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ",
+                -at->size, -wide, at->size, at->height, wide);
+}
+
+static void whole_box_words(uint64_t *state, const struct stand *at,
+                            char *words)
+{
+    (void)state;
+    solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ",
+                -at->size, -at->size, at->size, at->height, at->size);
+}
+
+static void cylinder_words(uint64_t *state, const struct stand *at,
+                           char *words)
+{
+    (void)state;
+    solid_words(words, "cylinder { 0, %.9g*y, %.9g ", at->height, at->size);
+}
+
+static void cone_words(uint64_t *state, const struct stand *at, char *words)
+{
+    double share = one_in(state, 3) ? 0 : between(state, .2, .8);
+    bool upright = share == 0 || one_in(state, 2);
+    solid_words(words, "cone { 0, %.9g, %.9g*y, %.9g ",
+                upright ? at->size : share * at->size, at->height,
+                upright ? share * at->size : at->size);
+}
+
+static void prism_words(uint64_t *state, const struct stand *at, char *words)
+{
+    double s = at->size, u = between(state, .3, 1), v = between(state, .3, 1);
+    solid_words(words,
+                "prism { 0, %.9g, 5, <%.9g, %.9g>, <%.9g, %.9g>, "
+                "<%.9g, %.9g>, <%.9g, %.9g>, <%.9g, %.9g> ",
+                at->height, -s, -s * u, s * v, -s, s, s * u, -s * v, s, -s,
+                -s * u);
+}
+
+static void mesh_words(uint64_t *state, const struct stand *at, char *words)
+{
+    double corner[2][3] = { { -at->size, 0, -at->size },
+                            { at->size, at->height, at->size } };
+    mesh_box_words(*state, corner, words);
+}
+
+static void merge_words(uint64_t *state, const struct stand *at, char *words)
+{
+    double s = at->size, h = at->height, r = between(state, .3, .6) * s;
+    solid_words(words,
+                "merge { box { <%.9g, 0, %.9g>, <0, %.9g, %.9g> } "
+                "cylinder { 0, %.9g*y, %.9g } ",
+                -s, -s, h, s, between(state, .5, .9) * h, r);
+}
+
+static void bored_words(uint64_t *state, const struct stand *at, char *words)
+{
+    double s = at->size, h = at->height, r = between(state, .3, .8) * s;
+    solid_words(words,
+                "difference { box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> } "
+                "cylinder { -1*y, %.9g*y, %.9g } ",
+                -s, -s, s, h, s, h + 1, r);
+}
+
+/* --- scenes --------------------------------------------------------------- */
+
+struct drawing {
+    uint64_t state;
+    bool stacked;
+    char motion[WORDS]; /* of everything */
+    FILE *text;
+};
+
+static void (*const shapes[])(uint64_t *, const struct stand *, char *) = {
+    box_words,   whole_box_words, cylinder_words, cone_words,
+    prism_words, mesh_words,      merge_words,    bored_words,
+};
+enum { SHAPES = sizeof shapes / sizeof *shapes };
+
+static struct stand random_stand(struct drawing *drawing)
+{
+    uint64_t *state = &drawing->state;
+    if (!drawing->stacked)
+        return (struct stand){ between(state, -1.5, 1.5), 0,
+                               between(state, -1.5, 1.5),
+                               between(state, .3, .9),
+                               between(state, .2, 1.2) };
+    return (struct stand){ (double)below(state, 2) - .5,
+                           .5 * (double)below(state, 2),
+                           (double)below(state, 2) - .5, .5, .5 };
+}
+
+/* A shape, closed but for its look and motion. */
+static void put_body(struct drawing *drawing, bool clear)
+{
+    uint64_t *state = &drawing->state;
+    struct stand at = random_stand(drawing);
+    double turn = drawing->stacked ? 90 * (double)below(state, 4)
+                                   : between(state, 0, 360);
+    char words[WORDS] = "";
+    shapes[below(state, SHAPES)](state, &at, words);
+    fprintf(drawing->text, "%s pigment { rgb%s <%.2f, %.2f, %.2f%s> } %s",
+            words, clear ? "f" : "", between(state, .6, 1),
+            between(state, .6, 1), between(state, .6, 1), clear ? ", .9" : "",
+            one_in(state, 6) ? "finish { reflection .1 } " : "");
+    if (clear && !one_in(state, 4))
+        fprintf(drawing->text, "interior { ior %.2f } ",
+                between(state, 1.1, 1.7));
+    fprintf(drawing->text, "rotate %.9g*y translate <%.9g, %.9g, %.9g> %s}\n",
+            turn, at.x, at.y, at.z, drawing->motion);
+}
+
+/* Its colour changes slowly. */
+static void put_ground(struct drawing *drawing, double lift)
+{
+    uint64_t *state = &drawing->state;
+    bool plane = one_in(state, 2);
+    bool clear = drawing->stacked && one_in(state, 3);
+    fprintf(drawing->text,
+            "%s pigment { gradient x color_map { [0 rgb%s <.2, .4, .9%s>] "
+            "[1 rgb%s <1, .8, .3%s>] } translate -.5*x scale 60 "
+            "rotate 37*y } translate %.9g*y %s}\n",
+            plane ? "plane { y, 0" : "box { <-3, -1, -3>, <3, 0, 3>",
+            clear ? "f" : "", clear ? ", .8" : "", clear ? "f" : "",
+            clear ? ", .8" : "", lift, drawing->motion);
+}
+
+static void put_view(struct drawing *drawing)
+{
+    uint64_t *state = &drawing->state;
+    double x = between(state, -4, 4), y = between(state, 2, 6);
+    fprintf(drawing->text,
+            "#version 3.7;\nglobal_settings { assumed_gamma 1 "
+            "max_trace_level 8 }\nbackground { rgb <.3, .4, .6> }\n"
+            "camera { location <%.5f, %.5f, %.5f> "
+            "look_at <.013, .3171, .021> right x*%d/%d angle %.2f }\n"
+            "light_source { <%.3f, 9, -7>, 1 }\n",
+            x, y, between(state, -8, -5), STANDING_WIDTH, STANDING_HEIGHT,
+            between(state, 18, 40), between(state, -9, 9));
+    if (one_in(state, 3))
+        solid_words(drawing->motion,
+                    "rotate <%.3f, %.3f, %.3f> translate %.5f*y ",
+                    between(state, -9, 9), between(state, 0, 360),
+                    between(state, -9, 9), between(state, -.5, .5));
+}
+
+bool standing_scene_is_stacked(uint64_t seed)
+{
+    return stream_beside(seed, 7, 1) % 3 == 0;
+}
+
+char *standing_scene_text(uint64_t seed, double lift)
+{
+    struct drawing drawing = { .state = seed };
+    char *words;
+    for (int i = 0; i < 8; i++)
+        xorshift(&drawing.state);
+    drawing.stacked = standing_scene_is_stacked(seed);
+    drawing.text = test_text(&words);
+    put_view(&drawing);
+    bool ground_first = one_in(&drawing.state, 2);
+    size_t least = drawing.stacked ? 3 : 1;
+    size_t count = least + below(&drawing.state, BODIES_MOST + 1 - least);
+    size_t opaque = below(&drawing.state, 2 * BODIES_MOST);
+    if (ground_first)
+        put_ground(&drawing, lift);
+    for (size_t i = 0; i < count; i++)
+        put_body(&drawing, i != opaque || !drawing.stacked);
+    if (!ground_first)
+        put_ground(&drawing, lift);
+    fclose(drawing.text);
+    return words;
+}
