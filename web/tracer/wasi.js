@@ -118,8 +118,31 @@ export class System {
     return path === ""
       || [...this.files.keys()].some((name) => name.startsWith(path + "/"));
   }
+  // What is in a folder: names and their kinds.
+  entries(folder) {
+    const before = folder === "" ? "" : folder + "/";
+    const kindOf = new Map();
+    for (const path of this.files.keys())
+      if (path.startsWith(before)) {
+        const [name, ...rest] = path.slice(before.length).split("/");
+        kindOf.set(name, rest.length > 0 ? kinds.folder : kinds.file);
+      }
+    return [...kindOf];
+  }
   pathAt(at, length) {
     return plain(this.text(at, length));
+  }
+  // An entry of a folder, and which one is the next.
+  entry(next, name, kind) {
+    const bytes = new TextEncoder().encode(name);
+    const entry = new Uint8Array(24 + bytes.length);
+    const view = new DataView(entry.buffer);
+    view.setBigUint64(0, BigInt(next), true);
+    view.setBigUint64(8, 1n, true); // a number other than 0
+    view.setUint32(16, bytes.length, true);
+    view.setUint8(20, kind);
+    entry.set(bytes, 24);
+    return entry;
   }
   status(to, kind, size, number) {
     this.bytes(to, 64).fill(0);
@@ -222,6 +245,19 @@ export class System {
           return errors.badFile;
         this.open[number] = undefined;
         return errors.none;
+      },
+      fd_readdir: (number, to, room, from, used) => {
+        const folder = at(number)?.folder;
+        let filled = 0;
+        if (folder === undefined)
+          return errors.badFile;
+        const entries = this.entries(folder);
+        for (let i = Number(from); i < entries.length && filled < room; i++) {
+          const entry = this.entry(i + 1, ...entries[i]).subarray(0, room - filled);
+          this.bytes(to + filled, entry.length).set(entry);
+          filled += entry.length;
+        }
+        return this.number(used, filled);
       },
       fd_read: (number, list, count, size) => {
         const open = at(number);

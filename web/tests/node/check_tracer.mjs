@@ -228,6 +228,12 @@ for (const [open, close] of [["union { ", " }"], ["(", ")"], ["#if (1) ", " #end
   fs.writeFileSync(broken, text);
   check(["render", broken, "--no-picture", "-W", "6", "-H", "5"], { [broken]: text });
 }
+// A file that is found by a name of other case: the folder is listed.
+{
+  const text = '#include "STEINER.inc" sphere { 0, 1 }';
+  fs.writeFileSync(broken, text);
+  check(["render", broken, "-I", "scenes", "--no-picture", ...small], { [broken]: text });
+}
 fs.rmSync(broken, { force: true });
 
 // ---- Table 1 of the page -----------------------------------------------------
