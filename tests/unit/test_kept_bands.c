@@ -228,6 +228,64 @@ static void test_planted(void **state)
     scene_free(scene);
 }
 
+/* Whether the kept bands of one scene are another's. */
+static bool are_kept_for(const char *one, const char *other,
+                         enum trace_mode mode)
+{
+    const char *const paths[] = { path };
+    const char *const texts[] = { one, other };
+    bool kept = true;
+
+    for (size_t i = 0; i < 2; i++) {
+        struct farm farm = { .paths = paths, .path_count = 1 };
+        struct trace_options options = how(mode);
+        struct scene *scene = read_text(texts[i]);
+        c205_error error = { "" };
+        struct trace *trace;
+
+        options.farm = &farm;
+        trace = begin(scene, &options);
+        if (i == 0)
+            plant(trace, &farm, 1, ROWS);
+        else
+            kept = trace_keep(trace, &error);
+        if (!kept && !strstr(error.message, "another scene"))
+            fail_msg("%s", error.message);
+        farm_end(&farm, false);
+        trace_free(trace);
+        scene_free(scene);
+    }
+    remove(path);
+    return kept;
+}
+
+/* Each scene differs from the first in one number or word. */
+static void test_other_scene(void **state)
+{
+#define BALL(sky, place, light, color, radius, more) \
+    "background { rgb " sky " } camera { location <0, 0, " place "> }\n" \
+    "light_source { " light ", 1 } sphere { 0, " radius \
+    " pigment { rgb " color " } } " more
+    static const char *const scenes[] = {
+        BALL("0", "-5", "<3, 5, -9>", ".5", "1", ""),
+        BALL(".1", "-5", "<3, 5, -9>", ".5", "1", ""),
+        BALL("0", "-5.001", "<3, 5, -9>", ".5", "1", ""),
+        BALL("0", "-5", "<3, 5, -9.001>", ".5", "1", ""),
+        BALL("0", "-5", "<3, 5, -9>", ".501", "1", ""),
+        BALL("0", "-5", "<3, 5, -9>", ".5", "1.001", ""),
+        BALL("0", "-5", "<3, 5, -9>", ".5", "1", "sphere { 9*z, 1 }"),
+        BALL("0", "-5", "<3, 5, -9>", ".5", "1",
+             "#default { finish { reflection .1 } } sphere { 9*z, 1 }"),
+    };
+
+    (void)state;
+    for (int mode = 0; mode < TRACE_MODES; mode++)
+        for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
+            assert_int_equal(are_kept_for(scenes[0], scenes[i],
+                                          (enum trace_mode)mode),
+                             i == 0);
+}
+
 /* A name for which there is no file yet. */
 static int new_name(void **state)
 {
@@ -243,6 +301,7 @@ int main(void)
         cmocka_unit_test(test_stopped),
         cmocka_unit_test(test_stopped_with_mirrors),
         cmocka_unit_test(test_planted),
+        cmocka_unit_test(test_other_scene),
     };
 
     return cmocka_run_group_tests(tests, new_name, tear_down_model);

@@ -296,18 +296,20 @@ static void add_mesh(void)
     add_text(text, sizeof text, " }\n");
 }
 
-/* Meshes, what stands far behind them, a mirror: rays come from everywhere. */
-static void write_scene(void)
+/* Meshes, objects far behind them, a mirror: rays come from everywhere.  The camera has
+ * these words besides. */
+static void write_scene(const char *camera)
 {
     double place[3];
 
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
     random_place(place);
-    add_vector("camera { location", place);
-    add_text(text, sizeof text,
-             "angle %.3f %s look_at <%.3f, %.3f, %.3f> }\n", between(20, 90),
-             below(8) ? "" : "orthographic", between(-.5, .5),
-             between(-.5, .5), between(-.5, .5));
+    add_vector("#declare Eye =", place);
+    add_text(
+        text, sizeof text,
+        ";\ncamera { location Eye angle %.3f %s look_at <%.3f, %.3f, %.3f> }\n",
+        between(20, 90), camera, between(-.5, .5), between(-.5, .5),
+        between(-.5, .5));
     add_lights();
     for (size_t i = among(1, 2); i > 0; i--)
         add_mesh();
@@ -322,6 +324,23 @@ static void write_scene(void)
                  place_between(-2, 2));
 }
 
+/* How many pixels show something. */
+static size_t check_frame(void)
+{
+    struct words *words = same_frame(text), *boxes;
+    size_t seen = hits(words);
+
+    check_paper_stage(text, words);
+    traced.variant = "MESH_BOXES";
+    boxes = same_frame(text);
+    traced.variant = NULL;
+    if (memcmp(words, boxes, sizeof *words) != 0)
+        fail_msg("by boxes there is another frame of\n%s", text);
+    free(words);
+    free(boxes);
+    return seen;
+}
+
 static void test_frames(void **state)
 {
     size_t seen = 0;
@@ -329,21 +348,28 @@ static void test_frames(void **state)
     (void)state;
     traced.reported = true;
     for (size_t i = 0; i < scene_count; i++) {
-        struct words *words, *boxes;
-
-        write_scene();
-        words = same_frame(text);
-        check_paper_stage(text, words);
-        traced.variant = "MESH_BOXES";
-        boxes = same_frame(text);
-        traced.variant = NULL;
-        if (memcmp(words, boxes, sizeof *words) != 0)
-            fail_msg("by boxes there is another frame of\n%s", text);
-        seen += hits(words);
-        free(words);
-        free(boxes);
+        write_scene(below(8) ? "" : "orthographic");
+        seen += check_frame();
     }
     assert_true(seen > scene_count * traced.pixels / 4);
+}
+
+/* Rays of the camera do not go through its place, but those to a light there do. */
+static void test_other_cameras(void **state)
+{
+    static const char *const cameras[] = {
+        "orthographic", "aperture .4 focal_point 0 blur_samples 4",
+        "orthographic aperture .4 focal_point 0 blur_samples 4"
+    };
+
+    (void)state;
+    traced.reported = true;
+    for (size_t i = 0; i < sizeof cameras / sizeof *cameras; i++)
+        for (size_t k = 0; k < scene_count / 3; k++) {
+            write_scene(cameras[i]);
+            add_text(text, sizeof text, "light_source { Eye, .5 }\n");
+            check_frame();
+        }
 }
 
 /* ---- Edge-on ---------------------------------------------------------------- */
@@ -553,6 +579,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(test_ways),
         cmocka_unit_test(test_few_are_asked),
         cmocka_unit_test(test_frames),
+        cmocka_unit_test(test_other_cameras),
         cmocka_unit_test(test_known),
         cmocka_unit_test(test_edge_on),
         cmocka_unit_test(test_lights),
