@@ -289,7 +289,7 @@ static void bring_light(struct light *light, const double center[3])
     shrink_area(light);
 }
 
-void unit_settle(struct scene *scene, struct scene_object *world)
+bool unit_settle(struct scene *scene, struct scene_object *world)
 {
     struct reach size = find_size(scene, world);
     double by;
@@ -301,4 +301,5 @@ void unit_settle(struct scene *scene, struct scene_object *world)
     scale3(by, size.center);
     for (size_t i = 0; i < world->light_count; i++)
         bring_light(&world->lights[i], size.center);
+    return abs(scene->unit_log) < UNIT_LOG_MOST;
 }

@@ -7,7 +7,8 @@
 /* Sets scene->unit_log by the sizes and distances of the world's objects, and divides
  * every length of the world and of the scene by it.  Lights that are then farther
  * than LIGHT_FARTHEST from the objects are moved to that distance; their
- * directions and shadows are the same within rounding. */
-void unit_settle(struct scene *scene, struct scene_object *world);
+ * directions and shadows are the same within rounding.  False: the sizes are beyond
+ * 1e-60 to 1e60, which is not the unit's range. */
+bool unit_settle(struct scene *scene, struct scene_object *world);
 
 #endif

@@ -350,7 +350,10 @@ static bool take_world(struct reader *reader)
     struct scene *scene = reader->scene;
     bool done;
 
-    unit_settle(scene, &reader->world);
+    if (!unit_settle(scene, &reader->world))
+        reader_warn(reader, &reader->token,
+                    "the objects are smaller than 1e-60 or larger than 1e60: "
+                    "surfaces and shadows may be lost");
     scene->light_count = reader->world.light_count;
     scene->lights = reader->world.lights;
     reader->world.lights = NULL;
