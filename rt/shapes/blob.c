@@ -61,12 +61,20 @@ static void bound_parts(const struct primitive *primitive,
                         const struct transform *placed, struct bound *bound)
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
-    struct bound bounds[BLOB_PARTS_MOST];
+    enum { AT_A_TIME = 256 };
+    struct bound bounds[AT_A_TIME];
     size_t count = 0;
 
-    for (size_t i = 0; i < parts->count; i++)
-        if (parts->list[i].strength > 0)
-            bound_part(&parts->list[i], placed, &bounds[count++]);
+    for (size_t i = 0; i < parts->count; i++) {
+        if (parts->list[i].strength <= 0)
+            continue;
+        if (count == AT_A_TIME) {
+            bound_enclose(bounds, count, bound);
+            bounds[0] = *bound;
+            count = 1;
+        }
+        bound_part(&parts->list[i], placed, &bounds[count++]);
+    }
     bound_enclose(bounds, count, bound);
 }
 

@@ -58,7 +58,8 @@ struct scene *read_versioned(const char *name, const char *text,
 struct scene *read_with(const char *text, size_t expected)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options,
+                                         &reports);
 
     if (!scene || reports.count != expected) {
         diagnostics_print(&reports, stderr);
@@ -100,7 +101,8 @@ void assert_errors(const struct line_error *errors, size_t count)
 void assert_refused(const char *text, size_t most, const char *message)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options,
+                                         &reports);
     bool said = false;
 
     for (size_t i = 0; i < reports.count; i++)

@@ -132,8 +132,8 @@ static void test_errors(void **state)
           "a component or a word that changes the blob" },
         { "blob { sphere { 0, 1, 1 } sturm sphere { 0, 1, 1 } }", 33,
           "a word that changes the object" },
-        { "blob { #for (I, 1, 257) sphere { 0, 1, 1 } #end }", 25,
-          "more than 256 components in one blob" },
+        { "blob { #for (I, 1, 1501) sphere { 0, 1, 1 } #end }", 26,
+          "more than 1500 components in one blob" },
         { "blob { sphere { 0, 1e200, 1 } }", 1,
           "the blob is too large or too small" },
     };

@@ -65,8 +65,12 @@
         .reg    last_at, k3
         .reg    cap_z, k4
 
-; So many lanes at a time, at the most: pieces take much room.
-        .if     QUEUE > 2000
+; At most 2000 lanes at a time, and fewer if their pieces took more than 2^24
+; words.
+        .equ    PIECES_FIT, 3355443 / (BLOB_PIECES + 1)
+        .if     PIECES_FIT < 2000 & PIECES_FIT < QUEUE
+        .equ    BLOB_LANES, PIECES_FIT
+        .elseif QUEUE > 2000
         .equ    BLOB_LANES, 2000
         .else
         .equ    BLOB_LANES, QUEUE

@@ -241,6 +241,27 @@ static bool add_piece(struct patch_cutting *cutting, struct piece *piece)
     return true;
 }
 
+/* A patch without an area becomes a triangle too small to be seen, since the
+ * part has its place in the trees of solids. */
+static void replace_unseen(struct reader *reader,
+                           const struct patch_cutting *cutting,
+                           struct primitive *primitive)
+{
+    struct triangle *triangle = cutting->triangles.list;
+    const double *corner = cutting->points.at[0][0];
+    double size = 1e-6 * (1 + length3(corner));
+
+    reader_report(reader, cutting->at,
+                  "the patch has no area: nothing is seen of it");
+    triangle->smooth = false;
+    for (int k = 0; k < 3; k++) {
+        copy3(corner, triangle->corners[k]);
+        triangle->corners[k][k] += size;
+    }
+    primitive->shape.mesh.triangles = (struct triangles){ 1, triangle };
+    shapes[PRIMITIVE_MESH]->settle(primitive);
+}
+
 bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
                        const struct scene_token *at)
 {
@@ -260,8 +281,9 @@ bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
     if (!add_piece(&cutting, &whole))
         return false;
     primitive->shape.mesh.triangles = cutting.triangles;
-    return reader_check(reader, at,
-                        shapes[PRIMITIVE_MESH]->settle(primitive));
+    if (shapes[PRIMITIVE_MESH]->settle(primitive))
+        replace_unseen(reader, &cutting, primitive);
+    return true;
 }
 
 /* ---- The statement ------------------------------------------------------- */

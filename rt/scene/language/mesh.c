@@ -170,12 +170,15 @@ bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
     return true;
 }
 
-/* As in POV-Ray nothing is seen of one alone, which is no error. */
+/* Nothing is seen of it, which is no error. */
 static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
 {
     reader_report(reader, &mesh->at,
-                  "the triangle has no area, or a normal that is 0: it is "
-                  "left out");
+                  mesh->lone
+                      ? "the triangle has no area, or a normal that is "
+                        "0: it is left out"
+                      : "no triangle of the mesh has an area: it is "
+                        "left out");
     scene_object_free(&mesh->object);
     return true;
 }
@@ -189,19 +192,17 @@ static bool keep(struct reader *reader, struct mesh_reading *mesh)
     const char *fault;
 
     if (count == 0)
-        return mesh->lone ? leave_out(reader, mesh)
-                          : reader_fault(reader, &mesh->at,
-                                         "the mesh has no triangles");
+        return leave_out(reader, mesh);
     list = arena_take(&reader->scene->kept, count * sizeof *list);
     if (!list)
         return reader_no_memory(reader);
     memcpy(list, mesh->triangles.list, count * sizeof *list);
     primitive->shape.mesh.triangles = (struct triangles){ count, list };
     fault = shapes[PRIMITIVE_MESH]->settle(primitive);
-    if (fault && mesh->lone)
+    if (fault)
         return leave_out(reader, mesh);
     settle_look(reader, mesh);
-    return reader_check(reader, &mesh->at, fault);
+    return true;
 }
 
 bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,

@@ -16,12 +16,12 @@
 enum {
     NESTING_MOST = 200,        /* blocks and brackets within each other */
     PRIMITIVES_MOST = 1000000, /* made in all, copies counted */
-    TRIANGLES_MOST = 4000000,  /* of meshes, likewise */
+    TRIANGLES_MOST = 4000000,  /* of meshes, likewise: minutes, and 6 GB */
     SOLID_MOST = 10000,        /* primitives in one tree */
     FILES_MOST = 1000,         /* read; each once */
     CONDITIONS_MOST = 500,     /* within each other */
     TURNS_MOST = 2000000,      /* of one loop */
-    SEEDS_MOST = 10000         /* of random numbers */
+    SEEDS_MOST = 1000000       /* of random numbers: 4 MB */
 };
 
 /* Bytes of text that may be read, some more counted for each token; what a
