@@ -113,6 +113,8 @@ USES ?= some
 LANGUAGE ?= 200
 TEXTS ?= 20
 TRIES ?= 300
+# FIRST=1: a generator stops at its first find, before it reduces that.
+first = $(if $(FIRST),--first)
 HOSTS ?= quick
 DOCS ?= quick
 # Of the unit tests, scenes, scenes of which heat and mass are asked, and pages those
@@ -405,7 +407,7 @@ check-narrow: $(BUILD)/tests/oracle/check_narrow
 	$< $(PAIRS)
 
 check-random: $(BUILD)/tests/oracle/check_random
-	$< $(PROGRAMS) $(FIRST)
+	$< $(PROGRAMS) $(first)
 
 # The random stream, by dieharder; a part of check-long.  TESTS=0,205: those.
 check-stream: $(BUILD)/tests/oracle/draw_words
@@ -416,8 +418,8 @@ check-quartic: $(BUILD)/tests/oracle/check_quartic
 	$< $(POLYNOMIALS)
 
 # A scene that fails is left in the build's folder.
-by_shares = @seq 0 $$(($(JOBS) - 1)) | (cd $(BUILD) && xargs -n 1 -P $(JOBS) \
-	tests/oracle/$(subst -,_,$@) $(1) $(JOBS))
+by_shares = @seq 0 $$(($(JOBS) - 1)) | (cd $(BUILD) && xargs -I{} -P $(JOBS) \
+	tests/oracle/$(subst -,_,$@) $(1) $(JOBS) {} $(first))
 
 check-faces: $(BUILD)/tests/oracle/check_faces
 	$(call by_shares,$(FACES))

@@ -132,7 +132,7 @@ mkdir -p "$place/said" "$whole"
 unpack
 for fault in "$place"/faults/*; do
     [ -s "$fault/part" ] ||
-        echo "check-random PROGRAMS=20000 FIRST=--first" >"$fault/part"
+        echo "check-random PROGRAMS=20000 FIRST=1" >"$fault/part"
 done
 
 # The sources anew, their times kept, for what is built of them.
