@@ -79,15 +79,33 @@ export function duration(microseconds) {
 /** The class that has the colour of a cause: vector start-up, vector_startup .. */
 export const colour = (cause) => `cause-${cause.toLowerCase().replace(/[^a-z]/g, "")}`;
 
-/** What is kept between visits, where the browser lets us. */
+const lost = new Map(); // names of values that could not be stored: why
+
+function report() {
+  const [why] = lost.values();
+  $("unstored").hidden = !why;
+  $("unstored").textContent = why ? `${why} What you write is lost with this page: copy it, or use Share.` : "";
+}
+
+/** Values that are stored between visits.  The page reports it if one cannot be stored.  What is
+ * read may be anything: other versions of the page, and other pages, write there. */
 export const kept = {
   get(name) {
     try { return JSON.parse(localStorage.getItem(`c205.${name}`)); } catch { return null; }
   },
-  set(name, value) {
-    try { localStorage.setItem(`c205.${name}`, JSON.stringify(value)); } catch { /* not let */ }
+  /** A text; null: there is none. */
+  text(name) {
+    const value = kept.get(name);
+    return typeof value === "string" ? value : null;
   },
-  drop(name) {
-    try { localStorage.removeItem(`c205.${name}`); } catch { /* not let */ }
+  set(name, value) {
+    try {
+      localStorage.setItem(`c205.${name}`, JSON.stringify(value));
+      lost.delete(name);
+    } catch (fault) {
+      lost.set(name, /quota/i.test(fault.name) ? "The storage of this browser is full."
+        : "This browser stores nothing for this page.");
+    }
+    report();
   },
 };

@@ -10,6 +10,7 @@ import { Decoration, EditorView, GutterMarker, drawSelection, gutter, highlightA
   hoverTooltip, keymap, lineNumbers } from "@codemirror/view";
 import { tags } from "@lezer/highlight";
 import { count, el, fixed, some } from "./dom.js";
+import { PROGRAM_MOST } from "./share.js";
 
 const TAB = 8;
 const MARGIN = 2; // lines above and below the line that is brought into sight
@@ -158,9 +159,17 @@ function explain(about, word) {
 
 /**
  * The editor in PARENT.  CHANGED hears of the text, BREAKS of the lines with
- * breakpoints, AT of what the table says of the word under the cursor.
+ * breakpoints, AT of what the table says of the word under the cursor, TOOLONG of the length of
+ * a text that is rejected.
  */
-export function makeEditor(parent, about, { changed, breaks: broken, at }) {
+export function makeEditor(parent, about, { changed, breaks: broken, at, tooLong }) {
+  // However it comes: pasted, dropped, typed.  A text that is longer already may become shorter.
+  const limit = EditorState.transactionFilter.of((change) => {
+    const length = change.changes.newLength;
+    if (length <= Math.max(PROGRAM_MOST, change.startState.doc.length)) return change;
+    tooLong(length);
+    return [];
+  });
   const lines = (state) => {
     const found = [];
     state.field(breaks).between(0, state.doc.length, (from) => {
@@ -191,7 +200,7 @@ export function makeEditor(parent, about, { changed, breaks: broken, at }) {
   });
 
   const extensions = [
-    breaks, here, clocks,
+    limit, breaks, here, clocks,
     gutter({
       class: "cm-breaks",
       markers: (editor) => [editor.state.field(breaks), hereMarks(editor)],

@@ -5,8 +5,12 @@ import { $, count, el, fill, kept, some } from "./dom.js";
 
 const MEDALS = ["", "bronze", "silver", "gold"];
 
-/** What is kept of a lesson: {text, medal, passed}. */
-export const progress = (name) => kept.get(`lesson.${name}`) ?? {};
+/** What is kept of a lesson: {text, medal, passed}, without what has another type. */
+export function progress(name) {
+  const { text, medal, passed } = kept.get(`lesson.${name}`) ?? {};
+  return { ...(typeof text === "string" && { text }),
+    ...(passed === true && { passed, medal: MEDALS.includes(medal) ? medal : "" }) };
+}
 export const note = (name, more) => kept.set(`lesson.${name}`, { ...progress(name), ...more });
 
 /** "3 First vector", with a sign of what was reached. */

@@ -4,7 +4,7 @@ import { makeBar, say } from "./bar.js";
 import { makeCauses } from "./causes.js";
 import { makeCompare } from "./compare.js";
 import { makeConsole } from "./console.js";
-import { $, choices, el, fill, kept, some } from "./dom.js";
+import { $, choices, count, el, fill, kept, some } from "./dom.js";
 import { makeEditor } from "./editor.js";
 import { makeInstruction } from "./instruction.js";
 import { makeKeys } from "./keys.js";
@@ -15,7 +15,7 @@ import { course, engineBytes, notice, scenes, tracerBytes, tracerSource, workerS
 import { OWN, Programs } from "./programs.js";
 import { makeRegisters } from "./registers.js";
 import { Session } from "./session.js";
-import { fromHash, toHash } from "./share.js";
+import { PROGRAM_MOST, fromHash, toHash } from "./share.js";
 import { makeSplit } from "./split.js";
 import { makeTabs } from "./tabs.js";
 import { switchTheme } from "./theme.js";
@@ -46,6 +46,8 @@ const editor = makeEditor($("source"), about, {
     typing = setTimeout(() => { typing = 0; session.load(); }, PAUSE);
   },
   breaks: (lines) => session.setBreaks(lines),
+  tooLong: (length) => say(`The text was rejected: the program would have ${some(length, "character")}, `
+    + `and the limit is ${count(PROGRAM_MOST)}.`, "bad"),
   at: (told) => fill($("source-note"), told && [el("code", {}, told.name), ` ${told.effect}`]),
 });
 makeBar(session);
@@ -136,7 +138,13 @@ async function check() {
 async function share() {
   const lesson = programs.exercise && programs.lesson.name;
   const { model, warm } = session;
-  history.replaceState(null, "", await toHash({ text: editor.text, model, warm, lesson }));
+  try {
+    history.replaceState(null, "", await toHash({ text: editor.text, model, warm, lesson }));
+  } catch (fault) {
+    forgetLink();
+    return say(fault instanceof RangeError ? `The program ${fault.message}`
+      : `This browser makes no link: ${fault.message}`, "bad");
+  }
   try {
     await navigator.clipboard.writeText(location.href);
     say("The link is in the clipboard; it holds the whole program.");
@@ -155,8 +163,9 @@ async function openLink(otherwise) {
   let shared = null, fault = "";
   try {
     shared = await fromHash(location.hash);
-  } catch {
-    fault = "The link is spoilt: there is no program in it.";
+  } catch (reason) {
+    fault = reason instanceof RangeError ? `The link is not opened: its program ${reason.message}`
+      : "The link is spoilt: there is no program in it.";
   }
   if (shared) {
     const wanted = shared.lesson ? `lesson:${shared.lesson}` : OWN;

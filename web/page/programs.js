@@ -63,7 +63,7 @@ export class Programs {
   /** What the learner has written of it; null: nothing. */
   get written() {
     if (this.exercise) return progress(this.lesson.name).text ?? null;
-    return this.key === OWN ? kept.get("own") : null;
+    return this.key === OWN ? kept.text("own") : null;
   }
 
   write(text) {

@@ -1,7 +1,14 @@
 // share.js - a link that holds all: behind its # the program (deflated), the model,
 // the pages, the lesson.  Nothing of it goes to any server.
 
-const MOST = 1 << 20; // bytes of a program: a link may hold very many that are packed well
+import { count } from "./dom.js";
+
+/** Limits, checked where a link is made and where it is opened: bytes of a program (a link may hold
+ * very many that are packed well), and characters of a link, which every browser opens. */
+export const PROGRAM_MOST = 1 << 20;
+const LINK_MOST = 1 << 19;
+
+const tooLong = (most, what) => new RangeError(`is too long for a link: the limit is ${count(most)} ${what}.`);
 
 async function through(stream, bytes, most = Infinity) {
   const reader = new Blob([bytes]).stream().pipeThrough(stream).getReader();
@@ -12,7 +19,7 @@ async function through(stream, bytes, most = Infinity) {
     length += part.value.length;
     if (length > most) {
       await reader.cancel();
-      throw new Error("it is too long");
+      throw tooLong(most, "bytes");
     }
   }
   return new Uint8Array(await new Blob(parts).arrayBuffer());
@@ -27,21 +34,30 @@ function toText(bytes) {
 const toBytes = (text) => Uint8Array.from(
   atob(text.replaceAll("-", "+").replaceAll("_", "/")), (letter) => letter.charCodeAt(0));
 
-/** The # part for {text, model, warm, lesson}. */
-export async function toHash({ text, model, warm, lesson }) {
-  const packed = await through(new CompressionStream("deflate-raw"), new TextEncoder().encode(text));
-  const words = new URLSearchParams({ ...(lesson && { lesson }), model, ...(warm && { pages: warm }),
-    program: toText(packed) });
-  return `#${words}`;
+function check(length, most, what) {
+  if (length > most) throw tooLong(most, what);
 }
 
-/** What a # part holds; null: nothing of ours; throws: it is spoilt. */
+/** The # part for {text, model, warm, lesson}; throws a RangeError if that is too long. */
+export async function toHash({ text, model, warm, lesson }) {
+  const bytes = new TextEncoder().encode(text);
+  check(bytes.length, PROGRAM_MOST, "bytes");
+  const packed = await through(new CompressionStream("deflate-raw"), bytes);
+  const words = new URLSearchParams({ ...(lesson && { lesson }), model, ...(warm && { pages: warm }),
+    program: toText(packed) });
+  const hash = `#${words}`;
+  check(hash.length, LINK_MOST, "characters in the link");
+  return hash;
+}
+
+/** What a # part holds; null: nothing of ours; throws: it is spoilt, or too long (a RangeError). */
 export async function fromHash(hash) {
+  check(hash.length, LINK_MOST, "characters in the link");
   const words = new URLSearchParams(hash.slice(1));
   const shared = { lesson: words.get("lesson"), model: words.get("model"),
     warm: words.get("pages") ?? "" };
   const packed = words.get("program");
   if (packed === null) return shared.lesson ? shared : null;
-  const bytes = await through(new DecompressionStream("deflate-raw"), toBytes(packed), MOST);
+  const bytes = await through(new DecompressionStream("deflate-raw"), toBytes(packed), PROGRAM_MOST);
   return { ...shared, text: new TextDecoder().decode(bytes) };
 }

@@ -17,6 +17,6 @@ export function switchTheme() {
   name();
 }
 
-if (kept.get("theme")) root.dataset.theme = kept.get("theme");
+if (["light", "dark"].includes(kept.get("theme"))) root.dataset.theme = kept.get("theme");
 liked.addEventListener("change", name);
 name();

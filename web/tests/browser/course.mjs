@@ -89,6 +89,53 @@ export const tests = {
     await visit.close();
   },
 
+  async "whoever writes where nothing is stored is warned"({ browser, page }) {
+    const visit = await Visit.open(browser, page);
+    assert.equal(await visit.shown("#unstored"), false);
+    await visit.page.evaluate(() => {
+      for (let size = 1 << 22, n = 0; size > 0; n++)
+        try { localStorage.setItem(`fill${n}`, "x".repeat(size)); } catch { size >>= 1; }
+    });
+    await visit.write("; lost\n".repeat(100));
+    assert.match(await visit.text("#unstored"), /^The storage of this browser is full\. .* copy it, or use Share\.$/);
+    assert.equal(await visit.shown("#unstored"), true);
+    // A value that has room does not hide that another has none.
+    await visit.page.evaluate("localStorage.removeItem('fill0')");
+    await visit.press("theme");
+    assert.equal(await visit.shown("#unstored"), true);
+    await visit.write(PRINTS);
+    assert.equal(await visit.shown("#unstored"), false);
+    await visit.page.evaluateOnNewDocument(() => Object.defineProperty(window, "localStorage",
+      { get() { throw new DOMException("off", "SecurityError"); } }));
+    await visit.page.reload();
+    await visit.page.waitForSelector("body.ready");
+    assert.match(await visit.text("#unstored"), /^This browser stores nothing for this page\./);
+    await visit.close();
+  },
+
+  async "what is stored in another form does not stop the page"({ browser, page, native }) {
+    const visit = await Visit.open(browser, page);
+    const { name, start } = native.lessons[0];
+    const values = ["5", "true", "null", "[1]", "{}", '"own"', "not JSON", "",
+      '{"text": 5, "medal": {}, "passed": ""}', '{"text": {"length": 3}, "passed": 1, "medal": ["gold"]}'];
+    for (const [i, value] of values.entries()) {
+      const at = [value, '"own"', `"lesson:${name}"`][i % 3];
+      await visit.page.evaluate((value, at, name) => {
+        for (const key of ["own", `lesson.${name}`, "split", "theme"]) localStorage.setItem(`c205.${key}`, value);
+        localStorage.setItem("c205.at", at);
+      }, value, at, name);
+      await visit.page.reload();
+      await visit.page.waitForSelector("body.ready");
+      await visit.quiet();
+      await visit.choose("lesson", `lesson:${name}`);
+      assert.equal(await visit.look("editor.text"), start, value);
+      assert.ok(!(await visit.text("#lesson")).includes("✓"), value);
+      await visit.choose("lesson", "own");
+      assert.equal(typeof await visit.look("editor.text"), "string", value);
+    }
+    await visit.close();
+  },
+
   async "pages begin as the lesson's tests have them"({ browser, page, native }) {
     const visit = await Visit.open(browser, page);
     for (const { name } of native.lessons) {

@@ -1,6 +1,7 @@
 // moving.mjs - forth and back: steps, the slider, breakpoints, the console, links.
 
 import assert from "node:assert/strict";
+import { randomBytes } from "node:crypto";
 import { deflateRawSync } from "node:zlib";
 import { Visit } from "./visit.mjs";
 import { SUM, SUM_LOOP, WRONG } from "./texts.mjs";
@@ -197,6 +198,55 @@ export const tests = {
     await other.close();
   },
 
+  // Up to the limits and beyond, packed well and badly.
+  async "Share makes only links that it opens"(world) {
+    const noise = (length) => randomBytes(length).toString("base64").slice(0, length);
+    const MOST = 1 << 20;
+    let made = 0, refused = 0;
+    for (const text of [";".repeat(MOST), "é".repeat(MOST / 2), "é".repeat(MOST / 2 + 1), noise(MOST),
+      ...[5.1e5, 5.3e5, 6e5].map(noise)]) {
+      const visit = await open(world, text);
+      await visit.page.click("#share");
+      await visit.page.waitForFunction(
+        "/^The (link is in|program is too long)/.test(document.getElementById('status').textContent)");
+      const told = await visit.text("#status"), address = visit.page.url();
+      await visit.close();
+      if (told.startsWith("The link is in")) {
+        const other = await Visit.open(world.browser, address);
+        assert.ok(await other.look("editor.text") === text);
+        await other.close();
+        made++;
+      } else {
+        assert.match(told, /too long for a link: the limit is (1,048,576 bytes|524,288 characters in the link)\.$/);
+        assert.ok(!address.includes("#"));
+        refused++;
+      }
+    }
+    assert.ok(made > 2 && refused > 2, `${made} made, ${refused} refused`);
+  },
+
+  async "a text that is too long is rejected with the limit, however it comes"(world) {
+    const visit = await open(world, SUM);
+    const limit = /^The text was rejected: .* 30,0\d\d,\d\d\d characters, and the limit is 1,048,576\.$/;
+    await visit.page.evaluate(() => {
+      const clipboardData = new DataTransfer();
+      clipboardData.setData("text/plain", "; pasted\n".repeat(30e6 / 9));
+      document.querySelector(".cm-content").dispatchEvent(
+        new ClipboardEvent("paste", { clipboardData, bubbles: true, cancelable: true }));
+    });
+    assert.match(await visit.text("#status"), limit);
+    assert.equal(await visit.look("editor.text"), SUM);
+    await visit.page.evaluate("window.c205.editor.type('x'.repeat(1 << 20))");
+    await visit.quiet();
+    assert.equal(await visit.look("editor.text.length"), 1 << 20);
+    await visit.page.evaluate("window.c205.editor.type('x'.repeat(1 + (1 << 20)))");
+    assert.match(await visit.text("#status"), /^The text was rejected/);
+    await visit.write(SUM);
+    await visit.press("run");
+    assert.equal((await visit.view()).ended, true);
+    await visit.close();
+  },
+
   async "a link that is spoilt is told, and does no harm"({ browser, page }) {
     const packed = (bytes) => deflateRawSync(bytes).toString("base64url");
     const mine = "        EXIT    ; a text of mine\n";
@@ -204,7 +254,7 @@ export const tests = {
     const ABSENT = "The link is to a lesson that is not here.";
     for (const [link, told, text] of [
       ["model=x&program=!!", SPOILT], ["program=", SPOILT], [`program=${"A".repeat(100000)}`, SPOILT],
-      [`program=${packed(Buffer.alloc(1 << 27, "; much\n"))}`, SPOILT],
+      [`program=${packed(Buffer.alloc(1 << 27, "; much\n"))}`, /^The link is not opened: .* limit is 1,048,576 bytes\.$/],
       ["lesson=%3Cimg%20src=x%3E", ABSENT], ["lesson=__proto__", ABSENT],
       [`lesson=none&model=none&pages=none&program=${packed(mine)}`, ABSENT, mine], ["%E0%A4%A", /^Assembled/]]) {
       const visit = await Visit.open(browser, `${page}#${link}`);
@@ -214,5 +264,10 @@ export const tests = {
         text ? "own" : `lesson:${await visit.look("about.lessons[0].name")}`);
       await visit.close();
     }
+    const visit = await Visit.open(browser, page);
+    await visit.page.evaluate("location.hash = 'program=' + 'A'.repeat(1 << 19)");
+    await visit.page.waitForFunction("/^The link is not/.test(document.getElementById('status').textContent)");
+    assert.match(await visit.text("#status"), /: its program is too long .* 524,288 characters in the link\.$/);
+    await visit.close();
   },
 };
