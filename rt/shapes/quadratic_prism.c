@@ -19,7 +19,7 @@ static const struct shape_field fields[] = {
 /* ---- The path ------------------------------------------------------------ */
 
 /* The spline as it is written: points, of which so many are used. */
-struct spline {
+struct spline_points {
     const double (*points)[2];
     size_t count, used;
     double closeness; /* of its points (path.h) */
@@ -46,7 +46,7 @@ static void add_parabola(struct outline *path, const double before[2],
 
 /* A point that only gives the first direction, then the loop, up to where it
  * comes back to its own first.  False: it does not. */
-static bool add_loop(struct outline *path, struct spline *spline)
+static bool add_loop(struct outline *path, struct spline_points *spline)
 {
     const double(*points)[2] = spline->points;
     const double *before = points[spline->used];
@@ -73,8 +73,9 @@ static bool add_loop(struct outline *path, struct spline *spline)
  * points with the handles. */
 static const char *make_parabolas(struct outline *path)
 {
-    struct spline spline = { (const double(*)[2])path->points + path->count,
-                             path->count, 0, 0 };
+    struct spline_points spline = {
+        (const double(*)[2])path->points + path->count, path->count, 0, 0
+    };
 
     if (path->count < POINTS_LEAST)
         return "a quadratic spline needs five points";

@@ -56,6 +56,7 @@ static void test_lists(void **state)
     check_list("macros");
     check_list("arrays");
     check_list("functions");
+    check_list("splines");
 }
 
 /* ---- Errors ------------------------------------------------------------- */
@@ -166,6 +167,20 @@ static void test_errors(void **state)
         { "#declare A = function { internal(9) }"
           " #declare B = function { A(x, 1, 2, 3).x } sphere { B(1, 2, 3) 1 }",
           90, "a function with 'internal' is not supported" },
+        { "#declare A = spline { linear_spline }", 37, "expected a number" },
+        { "#declare A = spline { 0 }", 25, "expected a number" },
+        { "#declare A = spline { x, 1 }", 23, "expected a number" },
+        { "#declare A = spline { akima_spline 0, 1 }", 23, "'akima_spline'" },
+        { "#declare A = spline { 0, 1 } sphere { A, 1 }", 40,
+          "expected '('" },
+        { "#declare A = spline { 0, 1 } sphere { A(x), 1 }", 41,
+          "expected a number" },
+        { "#declare A = spline { 0, 1 } sphere { A(1, 2), 1 }", 44,
+          "a kind of spline" },
+        { "#declare A = spline { 0, 1 } sphere { A(1).z, 1 }", 44,
+          "a component that the value has" },
+        { "#declare A = spline { 0, -1e308 1e-9, 1e308 } sphere { A(1e-10), 1 }",
+          56, "not a finite number" },
         { "#error concat(\"a\", \"b\")", 1, "ab" },
     };
 

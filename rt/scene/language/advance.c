@@ -77,6 +77,15 @@ void reader_step(struct reader *reader)
     }
 }
 
+struct scene_token reader_peek(struct reader *reader)
+{
+    struct text_place place = lexer_top(&reader->lexer)->place;
+    struct scene_token token = lexer_next(&reader->lexer);
+
+    lexer_top(&reader->lexer)->place = place;
+    return token;
+}
+
 void reader_back(struct reader *reader)
 {
     struct open_text *top = lexer_top(&reader->lexer);

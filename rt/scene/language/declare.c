@@ -194,6 +194,7 @@ static const struct keyword declared_words[] = {
     { "transform", declare_transform, 0 },
     { "camera", declare_camera, 0 },
     { "function", declare_function, 0 },
+    { "spline", spline_read, 0 },
     { NULL, NULL, 0 },
 };
 
@@ -296,7 +297,8 @@ bool value_read(struct reader *reader, struct scene_value *value)
         done = array_read(reader, value);
     else if (starts_string(reader))
         done = read_string(reader, value);
-    else if (is_color_word(&reader->token) || starts_expression(reader))
+    else if (is_color_word(&reader->token)
+             || (starts_expression(reader) && !spline_is_alone(reader)))
         done = read_numbers(reader, value);
     else
         done = read_noted(reader, value);

@@ -32,10 +32,8 @@ static bool read_size(struct reader *reader, double most, size_t *size)
 
 static bool bracket_follows(struct reader *reader)
 {
-    struct text_place place = lexer_top(&reader->lexer)->place;
-    struct scene_token token = lexer_next(&reader->lexer);
+    struct scene_token token = reader_peek(reader);
 
-    lexer_top(&reader->lexer)->place = place;
     return token_is_sign(&token, '[');
 }
 

@@ -102,22 +102,13 @@ struct call {
     struct argument arguments[]; /* as many as it has parameters */
 };
 
-static struct scene_token peek(struct reader *reader)
-{
-    struct text_place place = lexer_top(&reader->lexer)->place;
-    struct scene_token token = lexer_next(&reader->lexer);
-
-    lexer_top(&reader->lexer)->place = place;
-    return token;
-}
-
 static bool is_alone(struct reader *reader)
 {
     struct scene_token behind;
 
     if (reader->token.kind != TOKEN_WORD || !reader->token.reference.symbol)
         return false;
-    behind = peek(reader);
+    behind = reader_peek(reader);
     return token_is_sign(&behind, ',') || token_is_sign(&behind, ')');
 }
 

@@ -56,6 +56,7 @@ bool starts_expression(const struct reader *reader)
     return token->kind == TOKEN_NUMBER
            || reader_value_of(reader, VALUE_NUMBERS)
            || reader_value_of(reader, VALUE_FUNCTION)
+           || reader_value_of(reader, VALUE_SPLINE)
            || is_expression_word(token);
 }
 
@@ -204,6 +205,8 @@ static bool read_name(struct reader *reader, struct numbers *value)
         return take(reader, declared->is.numbers, value);
     if (function)
         return formula_call(reader, function->is.formula, value);
+    if (reader_value_of(reader, VALUE_SPLINE))
+        return spline_call(reader, value);
     constant = constant_find(token);
     if (constant)
         return take(reader, constant->value, value);

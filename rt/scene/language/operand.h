@@ -6,6 +6,8 @@
 
 /* primary { "." component }, as expression.c writes it. */
 bool operand_read(struct reader *reader, struct numbers *value);
+/* The next token is the name of a spline: NAME(t) or NAME(t, kind). */
+bool spline_call(struct reader *reader, struct numbers *value);
 
 /* The error, at the token, of a value that is not a float; not finite: from
  * overflow, or from an argument outside of a function's domain. */

@@ -29,7 +29,10 @@ enum {
 #ifndef READING_MOST
 #define READING_MOST (1 << 30)
 #endif
-enum { TOKEN_COST = 16 };
+enum {
+    TOKEN_COST = 16,
+    MEMORY_COST = 8 /* of a byte of memory that reading may fill */
+};
 
 /* A directive whose #end has not come. */
 enum condition_kind {
@@ -118,6 +121,8 @@ void reader_step(struct reader *reader);
 void reader_settle(struct reader *reader);
 /* Behind the last token of a value: reader_step if a directive ends there. */
 void reader_pass(struct reader *reader);
+/* The token after the next one, as the frame has it; it is not read yet. */
+struct scene_token reader_peek(struct reader *reader);
 /* The token comes again with the next step, if its frame goes on. */
 void reader_back(struct reader *reader);
 /* On from another place of the frame: the token is not read, nor is it a brace

@@ -137,6 +137,10 @@ bool shape_copy(struct reader *reader, struct scene_object *copy,
 /* Shapes of POV-Ray that are not supported. */
 extern const struct keyword other_shapes[];
 
+item_reader spline_read; /* its subject: a value */
+/* The next token is the name of a spline without a parameter after it. */
+bool spline_is_alone(struct reader *reader);
+
 extern const struct grammar file_grammar;
 extern const struct grammar modifier_grammar;
 

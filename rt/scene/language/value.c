@@ -1,6 +1,8 @@
 /* value.c - numbers, and values of every kind. */
 #include "rt/scene/language/value.h"
 
+#include "rt/scene/spline.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,6 +50,7 @@ const char *value_copy(struct scene_value *copy,
     *copy = *value;
     switch (value->kind) {
     case VALUE_STRING: return copy_string(copy, value->is.string);
+    case VALUE_SPLINE: copy->is.spline->holders++; return NULL;
     case VALUE_ARRAY: return array_copy(&copy->is.array, value->is.array);
     case VALUE_OBJECT:
         memset(&copy->is.object, 0, sizeof copy->is.object);
@@ -66,6 +69,7 @@ void value_free(struct scene_value *value)
     case VALUE_STRING: free(value->is.string); break;
     case VALUE_ARRAY: array_free(value->is.array); break;
     case VALUE_MACRO: free(value->is.macro); break;
+    case VALUE_SPLINE: spline_release(value->is.spline); break;
     default: break;
     }
     memset(value, 0, sizeof *value);

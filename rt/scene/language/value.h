@@ -60,6 +60,7 @@ enum scene_value_kind {
     VALUE_ARRAY,
     VALUE_MACRO,
     VALUE_FUNCTION,
+    VALUE_SPLINE,
     VALUE_FILE,
     VALUE_FAULTY /* its declaration has an error, reported there */
 };
@@ -99,6 +100,7 @@ struct data_file {
 };
 
 struct formula;
+struct spline;
 struct scene_value {
     enum scene_value_kind kind;
     union {
@@ -118,6 +120,7 @@ struct scene_value {
         struct array *array;
         struct scene_macro *macro;
         const struct formula *formula;
+        struct spline *spline; /* held */
         struct data_file file;
     } is;
     struct notes *notes; /* of its text */
