@@ -638,7 +638,7 @@ check-bench: $(benches) $(programs) $(adapter) $(ranks)
 fuzz:
 	@sh .ci/need $(build_packages) clang libclang-rt-14-dev
 	@$(MAKE) --no-print-directory BUILD=$(BUILD)/fuzz CC=clang OPT=-O1 \
-		CFLAGS="-g -DREADING_MOST=1000000 -DTABLE_BITS=6 -DBLOCK_SIZE=256 \
+		CFLAGS="-g -DTABLE_BITS=6 -DBLOCK_SIZE=256 \
 			-fsanitize=fuzzer-no-link,$(sanitizers) \
 			-fno-sanitize-recover=$(sanitizers)" \
 		LDFLAGS="-fsanitize=$(sanitizers)" fuzz-targets $(BUILD)/fuzz/c205

@@ -10,6 +10,7 @@ bool fuzz_accepted;
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     static const struct scene_options options = { .width = 640,
+                                                  .reading_most = 1000000,
                                                   .height = 480 };
     struct diagnostics reports = { 0 };
     FILE *out = fopen("/dev/null", "w");

@@ -7,7 +7,9 @@
 
 #define VERSION "#version 3.7;"
 
-const struct scene_options reading_options = { .width = 640, .height = 480 };
+const struct scene_options reading_options = { .width = 640,
+                                               .height = 480,
+                                               .reading_most = 1 << 30 };
 const struct scene_options strict_options = { .width = 640,
                                               .height = 480,
                                               .strict = true };

@@ -171,10 +171,17 @@ static void test_bounds(void **state)
           "too long to read" },
         { "#declare S = sphere { 0, 1 } #while (1)\n"
           "#declare S = union { object { S } object { S } } #end",
-          "primitives, copies counted" },
+          "primitives and lights, copies counted" },
         { "#declare A = array[2] { sphere { 0, 1 }, sphere { 0, 1 } }\n"
           "#while (1) #declare B = A; #end",
-          "primitives, copies counted" },
+          "primitives and lights, copies counted" },
+        { "#declare A = union { #for (I, 1, 1000) light_source { 0, 1 } #end }\n"
+          "#for (I, 1, 998) #declare B = A; #end\n"
+          "#for (I, 1, 1500) light_source { 0, 1 } #end",
+          "1000000 primitives and lights" },
+        { "#declare I = 0; #declare S = spline { 0, 1 } #while (1)\n"
+          "#declare I = I + 1; #declare S = spline { S I, 1 } #end",
+          "more than 1073741824 bytes" },
         { "#while (1) #declare S = seed(1); #end", "random streams" },
         { "#while (1) #if (file_exists(\"no\")) #end #end",
           "files are read" },

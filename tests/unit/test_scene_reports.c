@@ -332,7 +332,7 @@ static void test_includes(void **state)
 
     const char *const search[] = { folder, NULL };
     const struct scene_options searching = { 4,    3,    false, search,
-                                             NULL, NULL, NULL };
+                                             NULL, NULL, NULL,  0 };
     scene = read_versioned("x.pov", "#include \"part.inc\"", &searching,
                            &reports);
     assert_non_null(scene);
@@ -366,7 +366,7 @@ static void test_bounds(void **state)
         { "sphere{0,", "(", "within each other" },
         { "sphere{0,", "-", "within each other" },
         { "#declare A=sphere{0,1} ", "#declare A=union{object{A}object{A}}",
-          "primitives, copies counted" },
+          "primitives and lights, copies counted" },
         { "", "foo{}\n", "too many errors" },
     };
 
@@ -481,7 +481,7 @@ static void test_libraries(void **state)
     char folder[] = "/tmp/scene-XXXXXX";
     const char *const search[] = { folder, NULL };
     const struct scene_options searching = { 4,    3,    false, search,
-                                             NULL, NULL, NULL };
+                                             NULL, NULL, NULL,  0 };
     struct diagnostics reports = { 0 };
     struct scene *scene;
 

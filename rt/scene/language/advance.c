@@ -5,6 +5,8 @@
 #include "rt/scene/language/macro.h"
 #include "rt/scene/language/semicolon.h"
 
+#include <inttypes.h>
+
 enum { ASKED_EACH = 1 << 20 };
 
 bool reader_stop(struct reader *reader)
@@ -18,29 +20,39 @@ bool reader_stop(struct reader *reader)
 static bool is_stopped(struct reader *reader, size_t bytes)
 {
     const struct scene_options *options = reader->options;
-    size_t period = ASKED_EACH;
+    uint64_t period = ASKED_EACH;
 
     return options && options->go_on
            && reader->bytes / period != (reader->bytes + bytes) / period
            && !options->go_on(options->context);
 }
 
+static uint64_t reading_most(const struct reader *reader)
+{
+    const struct scene_options *options = reader->options;
+
+    return options && options->reading_most ? options->reading_most
+                                            : READING_MOST;
+}
+
 bool reader_spend(struct reader *reader, size_t bytes)
 {
+    uint64_t most = reading_most(reader);
+
     if (reader->stopped)
         return false;
     if (is_stopped(reader, bytes)) {
         reader_fault(reader, &reader->token, "the reading is stopped here");
         return reader_stop(reader);
     }
-    if (bytes <= READING_MOST - reader->bytes) {
+    if (bytes <= most - reader->bytes) {
         reader->bytes += bytes;
         return true;
     }
     reader_fault(reader, &reader->token,
-                 "the scene takes too long to read: more than %d bytes, "
-                 "loops and macros counted each time",
-                 READING_MOST);
+                 "the scene takes too long to read: more than %" PRIu64
+                 " bytes, loops and macros counted each time",
+                 most);
     return reader_stop(reader);
 }
 

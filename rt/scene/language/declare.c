@@ -215,12 +215,8 @@ static bool copy_array(struct reader *reader, struct scene_value *value,
 {
     struct scene_token at = reader->token;
 
-    reader->primitives_made += array_primitives(array);
-    if (reader->primitives_made > PRIMITIVES_MOST)
-        return reader_fault(reader, &at,
-                            "more than %d primitives, copies counted",
-                            PRIMITIVES_MOST);
-    if (!reader_spend(reader, array->count * TOKEN_COST)
+    if (!shape_count(reader, array_primitives(array), &at)
+        || !reader_spend(reader, array->count * TOKEN_COST)
         || !reader_check(reader, &at, array_copy(&value->is.array, array)))
         return false;
     value->kind = VALUE_ARRAY;

@@ -382,9 +382,10 @@ const struct formula *formula_read(struct reader *reader)
     compiler.formula->nesting = 1;
     if (!read_parameters(&compiler) || !block_open(reader, &block, '{')
         || !read_body(&compiler, &block)
-        || !reader_spend(reader,
-                         sizeof *compiler.formula
-                             + compiler.capacity * sizeof *compiler.steps))
+        || !reader_spend(reader, MEMORY_COST
+                                     * (sizeof *compiler.formula
+                                        + compiler.capacity
+                                              * sizeof *compiler.steps)))
         return NULL;
     return compiler.formula;
 }

@@ -315,7 +315,8 @@ bool light_read(struct reader *reader, struct scene_object *object)
         good = shape_copy(reader, object, &value->is.object);
         reader_next(reader);
     } else {
-        good = read_point(reader, object);
+        good = shape_count(reader, 1, &block.open)
+               && read_point(reader, object);
     }
     object->is_light = true;
     if (!block_items(reader, &block, &grammar, object, good)

@@ -15,7 +15,7 @@
 #define ERRORS_MOST 200
 enum {
     NESTING_MOST = 200,        /* blocks and brackets within each other */
-    PRIMITIVES_MOST = 1000000, /* made in all, copies counted */
+    PRIMITIVES_MOST = 1000000, /* and lights, copies counted: 2 GB */
     TRIANGLES_MOST = 4000000,  /* of meshes, likewise: minutes, and 6 GB */
     SOLID_MOST = 10000,        /* primitives in one tree */
     FILES_MOST = 1000,         /* read; each once */
@@ -24,14 +24,13 @@ enum {
     SEEDS_MOST = 1000000       /* of random numbers: 4 MB */
 };
 
-/* Bytes of text that may be read, some more counted for each token; what a
- * loop or a macro reads again counts again.  Five seconds or so. */
-#ifndef READING_MOST
-#define READING_MOST (1 << 30)
-#endif
+/* Bytes of text that may be read, unless the options of the scene say another
+ * number; each token counts as some more, and what a loop or a macro reads
+ * again counts again.  About a minute. */
+#define READING_MOST (UINT64_C(8) << 30)
 enum {
     TOKEN_COST = 16,
-    MEMORY_COST = 8 /* of a byte of memory that reading may fill */
+    MEMORY_COST = 8 /* of a byte in splines and functions: 1 GiB */
 };
 
 /* A directive whose #end has not come. */
@@ -66,7 +65,7 @@ struct reader {
     struct lexer lexer;
     struct scene_source *sources;
     size_t includes, files;   /* files: that were read */
-    size_t bytes;             /* read */
+    uint64_t bytes;           /* read, and counted as such */
     struct scene_token token; /* the next to be read, */
     struct text_place before; /* .. behind the one before it */
     size_t braces;            /* open before it */

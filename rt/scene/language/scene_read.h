@@ -19,6 +19,7 @@ struct scene_options {
     /* What reads the images that the scene names, other than PGM and PPM. NULL:
      * these are errors. */
     raster_reader *read_raster;
+    uint64_t reading_most; /* bytes, loops counted; 0: as reader.h says */
 };
 
 /* Read a scene file.  NULL when it has errors (all are in *reports) or cannot

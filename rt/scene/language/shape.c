@@ -18,9 +18,10 @@ bool shape_count(struct reader *reader, size_t more,
 {
     reader->primitives_made += more;
     return reader->primitives_made <= PRIMITIVES_MOST
-           || reader_fault(reader, at,
-                           "more than %d primitives, copies counted",
-                           PRIMITIVES_MOST);
+           || reader_fault(
+               reader, at,
+               "more than %d primitives and lights, copies counted",
+               PRIMITIVES_MOST);
 }
 
 bool shape_copy(struct reader *reader, struct scene_object *copy,

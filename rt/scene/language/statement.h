@@ -117,7 +117,7 @@ bool text_read(struct reader *reader, struct scene_object *object,
  * primitive. */
 bool mesh_read(struct reader *reader, struct scene_object *object,
                const struct item *item);
-/* So many primitives more, within the bound of PRIMITIVES_MOST. */
+/* Counts n more primitives and lights, at most PRIMITIVES_MOST. */
 bool shape_count(struct reader *reader, size_t more,
                  const struct scene_token *at);
 /* Another primitive, which is `at`, within the bound of PRIMITIVES_MOST. */
