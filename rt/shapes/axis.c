@@ -34,11 +34,9 @@ double axis_words(const double base[3], const double cap[3], double *words)
     return length;
 }
 
-const char *axis_fault(const double base[3], const double cap[3])
+bool axis_is_point(const double base[3], const double cap[3])
 {
-    return base[0] == cap[0] && base[1] == cap[1] && base[2] == cap[2]
-               ? "both ends of the axis are the same"
-               : NULL;
+    return base[0] == cap[0] && base[1] == cap[1] && base[2] == cap[2];
 }
 
 const char *axis_make_normal(double normal[3])

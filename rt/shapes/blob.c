@@ -17,15 +17,22 @@ static const char *settle(struct primitive *primitive)
 {
     struct blob_parts *parts = &primitive->shape.blob.parts;
     size_t kept = 0;
-    bool adds = false;
+    double most = 0;
 
     for (size_t i = 0; i < parts->count; i++) {
-        adds |= parts->list[i].strength > 0;
-        if (parts->list[i].strength != 0)
-            parts->list[kept++] = parts->list[i];
+        if (parts->list[i].strength == 0 || parts->list[i].radius == 0)
+            continue;
+        most += fmax(0, parts->list[i].strength);
+        parts->list[kept++] = parts->list[i];
     }
     parts->count = kept;
-    return adds ? NULL : "no component of the blob has a strength above 0";
+    if (primitive->shape.blob.threshold <= 0)
+        return shape_empty(primitive, "the threshold is not above 0");
+    return most >= primitive->shape.blob.threshold
+               ? NULL
+               : shape_empty(primitive,
+                             "the components of the blob never reach its "
+                             "threshold");
 }
 
 /* ---- Its bound ----------------------------------------------------------- */

@@ -11,14 +11,16 @@ static const char *settle(struct primitive *primitive)
 {
     double *low = primitive->shape.box.corner[0];
     double *high = primitive->shape.box.corner[1];
+    int flat = 0;
 
     for (int i = 0; i < 3; i++) {
         double a = low[i], b = high[i];
 
         low[i] = fmin(a, b);
         high[i] = fmax(a, b);
+        flat += a == b;
     }
-    return NULL;
+    return flat < 2 ? NULL : shape_empty(primitive, "the box has no area");
 }
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)

@@ -30,14 +30,14 @@ static const char *settle(struct primitive *primitive)
 {
     double base = primitive->shape.cone.base_radius;
     double cap = primitive->shape.cone.cap_radius;
-    const char *fault = axis_fault(primitive->shape.cone.base,
-                                   primitive->shape.cone.cap);
 
-    if (!fault && base == 0 && cap == 0)
-        fault = "both radii of the cone are 0";
-    if (!fault && base == cap)
+    if (axis_is_point(primitive->shape.cone.base, primitive->shape.cone.cap))
+        return shape_empty(primitive, AXIS_IS_POINT);
+    if (base == 0 && cap == 0)
+        return shape_empty(primitive, "both radii of the cone are 0");
+    if (base == cap)
         become_cylinder(primitive);
-    return fault;
+    return NULL;
 }
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)

@@ -13,8 +13,12 @@ static const struct shape_field fields[] = {
 
 static const char *settle(struct primitive *primitive)
 {
-    return axis_fault(primitive->shape.cylinder.base,
-                      primitive->shape.cylinder.cap);
+    if (axis_is_point(primitive->shape.cylinder.base,
+                      primitive->shape.cylinder.cap))
+        return shape_empty(primitive, AXIS_IS_POINT);
+    return primitive->shape.cylinder.radius > 0
+               ? NULL
+               : shape_empty(primitive, "the radius is 0");
 }
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)

@@ -13,8 +13,12 @@ static const struct shape_field fields[] = {
 
 static const char *settle(struct primitive *primitive)
 {
+    const char *fault = axis_make_normal(primitive->shape.disc.normal);
+
     primitive->shape.disc.hole = fabs(primitive->shape.disc.hole);
-    return axis_make_normal(primitive->shape.disc.normal);
+    if (!fault && primitive->shape.disc.hole >= primitive->shape.disc.radius)
+        fault = "the disc has no area";
+    return fault ? shape_empty(primitive, fault) : NULL;
 }
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)

@@ -3,14 +3,20 @@
 #include "rt/shapes/tori.h"
 
 static const struct shape_field fields[] = {
-    { TAKES_SIZE, SHAPE_AT(elliptical_torus, major), "major radius", 0,
-      NULL },
-    { TAKES_SIZE, SHAPE_AT(elliptical_torus, radial),
-      "tube's radial half axis", 0, NULL },
-    { TAKES_SIZE, SHAPE_AT(elliptical_torus, axial), "tube's axial half axis",
-      0, NULL },
+    { TAKES_NUMBER, SHAPE_AT(elliptical_torus, major), NULL, 0, NULL },
+    { TAKES_NUMBER, SHAPE_AT(elliptical_torus, radial), NULL, 0, NULL },
+    { TAKES_NUMBER, SHAPE_AT(elliptical_torus, axial), NULL, 0, NULL },
     { TAKES_END, 0, NULL, 0, NULL },
 };
+
+static const char *settle(struct primitive *primitive)
+{
+    return primitive->shape.elliptical_torus.major > 0
+                   && primitive->shape.elliptical_torus.radial > 0
+                   && primitive->shape.elliptical_torus.axial > 0
+               ? NULL
+               : shape_empty(primitive, "a radius is not above 0");
+}
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
@@ -36,7 +42,7 @@ static const char *emit(const struct primitive *primitive,
 
 const struct shape shape_elliptical_torus = {
     .fields = fields,
-    .settle = shape_as_read,
+    .settle = settle,
     .bound = put_bound,
     .words = put_words,
     .region = "torus",

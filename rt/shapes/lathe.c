@@ -50,8 +50,9 @@ static const char *settle(struct primitive *primitive)
         greatest = fmax(greatest, path->points[i][0]);
     }
     drop_repeated(path);
-    return path->count < 2 || greatest == 0 ? "the lathe has no surface"
-                                            : NULL;
+    return path->count < 2 || greatest == 0
+               ? shape_empty(primitive, "the lathe has no surface")
+               : NULL;
 }
 
 /* What closes a path that is not: level to the least radius, there to the

@@ -54,7 +54,8 @@ static const char *settle(struct primitive *primitive)
             triangles->list[kept++] = *triangle;
     }
     triangles->count = kept;
-    return kept == 0 ? "no triangle has an area" : NULL;
+    return kept > 0 ? NULL
+                    : shape_empty(primitive, "no triangle has an area");
 }
 
 static bool has_body(const struct primitive *primitive)

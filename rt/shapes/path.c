@@ -20,7 +20,7 @@ double path_closeness(const double (*points)[2], size_t count)
 
 bool path_is_near(const double a[2], const double b[2], double closeness)
 {
-    return fabs(a[0] - b[0]) < closeness && fabs(a[1] - b[1]) < closeness;
+    return fabs(a[0] - b[0]) <= closeness && fabs(a[1] - b[1]) <= closeness;
 }
 
 bool path_next(struct path_walk *walk)

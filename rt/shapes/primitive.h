@@ -59,6 +59,7 @@ struct primitive {
     } name;
 #include "rt/shapes/shapes.def"
     } shape;
+    bool empty; /* nothing is seen of it: the reader leaves it out */
     struct transform to_world;
     struct transform to_local; /* the inverse of to_world */
     bool transformed;          /* to_world is not the identity */

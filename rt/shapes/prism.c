@@ -73,9 +73,11 @@ static const char *settle(struct primitive *primitive)
     for (size_t next = 0; next < path->count;)
         next = close_loop(path, next, closeness, &kept);
     path->count = kept;
-    return a == b      ? "the prism has no height"
-           : kept == 0 ? "the path of the prism encloses nothing"
-                       : NULL;
+    if (a == b)
+        return shape_empty(primitive, "the prism has no height");
+    return kept > 0 ? NULL
+                    : shape_empty(primitive,
+                                  "the path of the prism encloses nothing");
 }
 
 /* ---- Its bound ----------------------------------------------------------- */

@@ -97,7 +97,7 @@ static const char *settle(struct primitive *primitive)
 
     primitive->shape.quadratic_prism.low = fmin(a, b);
     primitive->shape.quadratic_prism.high = fmax(a, b);
-    return a == b ? "the prism has no height"
+    return a == b ? shape_empty(primitive, "the prism has no height")
                   : make_parabolas(&primitive->shape.quadratic_prism.path);
 }
 

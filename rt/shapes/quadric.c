@@ -12,7 +12,8 @@ static const struct shape_field fields[] = {
 
 static const char *settle(struct primitive *primitive)
 {
-    return terms_fault(primitive->shape.quadric.coefficients, QUADRIC_TERMS);
+    return terms_settle(primitive, primitive->shape.quadric.coefficients,
+                        QUADRIC_TERMS);
 }
 
 /* X A X + 2 g X + k about the centre: A c = -g, the nearest such point to the

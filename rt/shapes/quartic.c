@@ -11,17 +11,19 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-const char *terms_fault(const double *coefficients, size_t count)
+const char *terms_settle(struct primitive *primitive,
+                         const double *coefficients, size_t count)
 {
     for (size_t i = 0; i + 1 < count; i++)
         if (coefficients[i] != 0)
             return NULL;
-    return "all coefficients of the surface are 0";
+    return shape_empty(primitive, "all coefficients of the surface are 0");
 }
 
 static const char *settle(struct primitive *primitive)
 {
-    return terms_fault(primitive->shape.quartic.coefficients, QUARTIC_TERMS);
+    return terms_settle(primitive, primitive->shape.quartic.coefficients,
+                        QUARTIC_TERMS);
 }
 
 /* x^a y^b z^c of x / 2^log, and all terms 2^(4 log) times as large. */

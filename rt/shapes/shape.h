@@ -23,7 +23,7 @@ enum shape_takes {
     TAKES_END,
     TAKES_NUMBER,
     TAKES_VECTOR,
-    TAKES_RADIUS, /* counts by its size, and is not 0 */
+    TAKES_RADIUS, /* counts by its size */
     TAKES_SIZE,   /* a number above 0 */
     TAKES_WIDTH,  /* a number not below 0 */
     TAKES_MORE,   /* a number that may be left out */
@@ -74,7 +74,7 @@ struct shape {
     /* Up to TAKES_END; of a mesh, for which the language has a file, none. */
     const struct shape_field *fields;
     /* What is read becomes what is traced.  Returns what is wrong with it, or
-     * NULL; shape_as_read if there is nothing to do. */
+     * NULL; shape_empty of the reason if nothing is seen of it. */
     const char *(*settle)(struct primitive *primitive);
     const char *povray; /* its name in POV-Ray; NULL: it has none */
 
@@ -143,6 +143,7 @@ const struct shape_kernels *
 shape_kernels_of(const struct primitive *primitive);
 /* Has it no inside? */
 bool shape_is_surface(const struct primitive *primitive);
-const char *shape_as_read(struct primitive *primitive);
+/* Marks it as one of which nothing is seen.  Returns the reason. */
+const char *shape_empty(struct primitive *primitive, const char *reason);
 
 #endif

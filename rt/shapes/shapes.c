@@ -39,8 +39,8 @@ bool shape_is_surface(const struct primitive *primitive)
            == 0;
 }
 
-const char *shape_as_read(struct primitive *primitive)
+const char *shape_empty(struct primitive *primitive, const char *reason)
 {
-    (void)primitive;
-    return NULL;
+    primitive->empty = true;
+    return reason;
 }

@@ -8,6 +8,13 @@ static const struct shape_field fields[] = {
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
+static const char *settle(struct primitive *primitive)
+{
+    return primitive->shape.sphere.radius > 0
+               ? NULL
+               : shape_empty(primitive, "the radius is 0");
+}
+
 /* An ellipsoid in the world: along each axis it reaches as far as that axis's row
  * of the matrix is long. */
 static void put_bound(const struct primitive *primitive, struct bound *bound)
@@ -76,7 +83,7 @@ static const char *emit(const struct primitive *primitive,
 
 const struct shape shape_sphere = {
     .fields = fields,
-    .settle = shape_as_read,
+    .settle = settle,
     .povray = "sphere",
     .bound = put_bound,
     .words = put_words,

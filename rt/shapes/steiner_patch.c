@@ -20,7 +20,9 @@ static const char *settle(struct primitive *primitive)
 
     for (size_t i = 0; i < STEINER_POINTS && weights[i] == 0; i++)
         weights[i] = 1;
-    return patch_has_area(primitive) ? NULL : "the patch has no area";
+    return patch_has_area(primitive)
+               ? NULL
+               : shape_empty(primitive, "the patch has no area");
 }
 
 /* With weights above 0 a patch lies in the hull of its control points. */

@@ -4,9 +4,10 @@
 
 #include "rt/shapes/primitive.h"
 
-/* A surface needs a coefficient besides the last, the constant.  What is wrong
- * with it, or NULL. */
-const char *terms_fault(const double *coefficients, size_t count);
+/* A surface needs a coefficient besides the last, the constant.  As a shape's
+ * settle. */
+const char *terms_settle(struct primitive *primitive,
+                         const double *coefficients, size_t count);
 /* A quartic in a space that is 2^log times as large: the same surface in the world. */
 void quartic_enlarge(struct primitive *quartic, int log);
 

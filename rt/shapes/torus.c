@@ -5,10 +5,18 @@
 #include "rt/shapes/tori.h"
 
 static const struct shape_field fields[] = {
-    { TAKES_SIZE, SHAPE_AT(torus, major), "major radius", 0, NULL },
-    { TAKES_SIZE, SHAPE_AT(torus, minor), "minor radius", 0, NULL },
+    { TAKES_NUMBER, SHAPE_AT(torus, major), NULL, 0, NULL },
+    { TAKES_NUMBER, SHAPE_AT(torus, minor), NULL, 0, NULL },
     { TAKES_END, 0, NULL, 0, NULL },
 };
+
+static const char *settle(struct primitive *primitive)
+{
+    return primitive->shape.torus.major > 0
+                   && primitive->shape.torus.minor > 0
+               ? NULL
+               : shape_empty(primitive, "a radius is not above 0");
+}
 
 /* A circle about y, and from there the tube; its box is that of two circles. */
 void torus_bound(const struct primitive *primitive, double major,
@@ -69,7 +77,7 @@ static const char *emit(const struct primitive *primitive,
 
 const struct shape shape_torus = {
     .fields = fields,
-    .settle = shape_as_read,
+    .settle = settle,
     .povray = "torus",
     .bound = put_bound,
     .words = put_words,

@@ -131,7 +131,9 @@ static void test_middle(void **state)
                  5 - 2 * SEEN);
     /* below, beside, too weak, taken away */
     check_middle(AHEAD "blob { " HALF "sphere { 2*y, 2, 1 } }", 0, 0);
-    check_middle(AHEAD "blob { " HALF "sphere { 0, 2, .0624 } }", 0, 0);
+    check_middle(AHEAD "blob { " HALF "sphere { 0, 2, .0624 }"
+                       " sphere { 9*y, 1, .0624 } }",
+                 0, 0);
     check_middle(AHEAD "blob { " HALF "sphere { 0, 2, 1 }"
                        " sphere { 0, 2.5, -1 } }",
                  0, 0);

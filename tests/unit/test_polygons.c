@@ -439,7 +439,8 @@ static void test_reports(void **state)
         struct scene *scene = read_with(left_out[i], 1);
         assert_int_equal(scene->primitive_count, 0);
         scene_free(scene);
-        assert_error(left_out[i], &strict_options, 1, 1, "it is left out");
+        assert_error(left_out[i], &strict_options, 1, 1,
+                     "the shape is left out");
     }
     assert_error("polygon { 3, 0, x, y }", &strict_options, 1, 1,
                  "the polygon is not closed");

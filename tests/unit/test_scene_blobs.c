@@ -113,19 +113,9 @@ static void test_one_look(void **state)
 static void test_errors(void **state)
 {
     static const struct line_error errors[] = {
-        { "blob { }", 1, "the blob has no component" },
-        { "blob { threshold .5 }", 1, "the blob has no component" },
-        { "blob { threshold 0 sphere { 0, 1, 1 } }", 18,
-          "the threshold is not above 0" },
-        { "blob { threshold -1 sphere { 0, 1, 1 } }", 18,
-          "the threshold is not above 0" },
-        { "blob { sphere { 0, 0, 1 } }", 20, "the radius is 0" },
         { "blob { cylinder { x, x, 1, 1 } }", 19,
           "the cylinder has no length" },
-        { "blob { component 1, 0, x }", 21, "the radius is 0" },
         { "blob { sphere { 0, 1 } }", 22, "expected a number" },
-        { "blob { sphere { 0, 1, -1 } sphere { 0, 1, 0 } }", 1,
-          "no component of the blob has a strength above 0" },
         { "blob { sphere { 0, 1, 1 interior { ior 2 } } }", 25,
           "a word that moves the component" },
         { "blob { sphere { 0, 1, 1 } box { 0, 1 } }", 27,

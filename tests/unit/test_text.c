@@ -381,7 +381,6 @@ static void test_errors(void **state)
         { "text { ttf \"no.ttf\" \"a\" 1, 0 }", 12, "no such file" },
         { "text { ttf \"math.inc\" \"a\" 1, 0 }", 1, "it is not a font" },
         { "text { internal 1 \"a\" 1, 0 }", 8, "built in" },
-        { "text { ttf \"timrom.ttf\" \"a\" 0, 0 }", 29, "no thickness" },
         { "text { ttf \"timrom.ttf\" 1, 0 }", 25, "expected a string" },
         { "text { ttf \"timrom.ttf\" \"a\" x, 0 }", 29, "expected a number" },
     };

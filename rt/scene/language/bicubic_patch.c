@@ -241,26 +241,7 @@ static bool add_piece(struct patch_cutting *cutting, struct piece *piece)
     return true;
 }
 
-/* A patch without an area becomes a triangle too small to be seen, since the
- * part has its place in the trees of solids. */
-static void replace_unseen(struct reader *reader,
-                           const struct patch_cutting *cutting,
-                           struct primitive *primitive)
-{
-    struct triangle *triangle = cutting->triangles.list;
-    const double *corner = cutting->points.at[0][0];
-    double size = 1e-6 * (1 + length3(corner));
-
-    reader_report(reader, cutting->at,
-                  "the patch has no area: nothing is seen of it");
-    triangle->smooth = false;
-    for (int k = 0; k < 3; k++) {
-        copy3(corner, triangle->corners[k]);
-        triangle->corners[k][k] += size;
-    }
-    primitive->shape.mesh.triangles = (struct triangles){ 1, triangle };
-    shapes[PRIMITIVE_MESH]->settle(primitive);
-}
+#define PATCH_HAS_NO_AREA "the patch has no area"
 
 bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
                        const struct scene_token *at)
@@ -282,7 +263,7 @@ bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
         return false;
     primitive->shape.mesh.triangles = cutting.triangles;
     if (shapes[PRIMITIVE_MESH]->settle(primitive))
-        replace_unseen(reader, &cutting, primitive);
+        primitive_leave_out(reader, primitive, at, PATCH_HAS_NO_AREA);
     return true;
 }
 
@@ -339,6 +320,26 @@ static bool read_points(struct reader *reader, struct patch_points *points)
     return true;
 }
 
+/* Nothing is seen of it, wherever it is. */
+static bool is_on_line(const struct patch_points *points)
+{
+    const double *at = points->at[0][0];
+    double axis[3] = { 0 }, across[3], to[3];
+
+    for (int i = 1; i < 16; i++) {
+        subtract3(points->at[i / 4][i % 4], at, to);
+        if (length3(to) > length3(axis))
+            copy3(to, axis);
+    }
+    for (int i = 1; i < 16; i++) {
+        subtract3(points->at[i / 4][i % 4], at, to);
+        cross3(axis, to, across);
+        if (length3(across) > 1e-14 * dot3(axis, axis))
+            return false;
+    }
+    return true;
+}
+
 bool bicubic_patch_read(struct reader *reader, struct scene_object *object,
                         const struct scene_token *at)
 {
@@ -349,8 +350,11 @@ bool bicubic_patch_read(struct reader *reader, struct scene_object *object,
         return reader_no_memory(reader);
     memset(&primitive, 0, sizeof primitive);
     primitive.kind = PRIMITIVE_MESH;
-    if (!read_words(reader, patch) || !read_points(reader, &patch->points)
-        || !shape_add(reader, object, &primitive, at))
+    if (!read_words(reader, patch) || !read_points(reader, &patch->points))
+        return false;
+    if (is_on_line(&patch->points))
+        return shape_leave_out(reader, object, at, PATCH_HAS_NO_AREA);
+    if (!shape_add(reader, object, &primitive, at))
         return false;
     object->parts->patch = patch;
     return true;

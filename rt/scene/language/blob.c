@@ -32,14 +32,11 @@ struct part_reading {
 
 static bool read_radius(struct reader *reader, double *radius)
 {
-    struct scene_token at;
-
     reader_comma(reader);
-    at = reader->token;
     if (!read_number(reader, radius))
         return false;
     *radius = fabs(*radius);
-    return *radius > 0 || reader_fault(reader, &at, "the radius is 0");
+    return true;
 }
 
 static bool read_strength(struct reader *reader, double *strength)
@@ -203,15 +200,9 @@ static bool read_threshold(struct reader *reader, void *subject,
 {
     struct blob_reading *blob = subject;
     struct primitive *primitive = &blob->object.parts->primitive;
-    struct scene_token at = reader->token;
-    double threshold;
 
     (void)item;
-    if (!read_number(reader, &threshold))
-        return false;
-    primitive->shape.blob.threshold = threshold;
-    return threshold > 0
-           || reader_fault(reader, &at, "the threshold is not above 0");
+    return read_number(reader, &primitive->shape.blob.threshold);
 }
 
 static const struct keyword blob_words[] = {
@@ -262,16 +253,14 @@ static bool keep(struct reader *reader, struct blob_reading *blob)
     size_t count = blob->parts.count;
     struct blob_part *list;
 
-    if (count == 0)
-        return reader_fault(reader, &blob->at, "the blob has no component");
-    list = arena_take(&reader->scene->kept, count * sizeof *list);
+    list = arena_take(&reader->scene->kept, (count + 1) * sizeof *list);
     if (!list)
         return reader_no_memory(reader);
-    memcpy(list, blob->parts.list, count * sizeof *list);
+    if (count > 0)
+        memcpy(list, blob->parts.list, count * sizeof *list);
     primitive->shape.blob.parts = (struct blob_parts){ count, list };
     settle_look(reader, blob);
-    return reader_check(reader, &blob->at,
-                        shapes[PRIMITIVE_BLOB]->settle(primitive));
+    return primitive_settle(reader, primitive, &blob->at);
 }
 
 bool blob_read(struct reader *reader, struct scene_object *object,

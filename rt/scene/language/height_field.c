@@ -267,15 +267,6 @@ static bool read_words(struct height_field *field)
     }
 }
 
-/* As in POV-Ray nothing is seen of it, which is no error. */
-static bool leave_out(const struct height_field *field)
-{
-    reader_report(field->reader, field->at,
-                  "the height_field lies below its water_level: it is left "
-                  "out");
-    return true;
-}
-
 static bool add_mesh(const struct height_field *field,
                      struct scene_object *object)
 {
@@ -285,7 +276,9 @@ static bool add_mesh(const struct height_field *field,
     primitive.kind = PRIMITIVE_MESH;
     primitive.shape.mesh.triangles = field->triangles;
     if (shapes[PRIMITIVE_MESH]->settle(&primitive))
-        return leave_out(field);
+        return shape_leave_out(field->reader, object, field->at,
+                               "the height_field lies below its "
+                               "water_level");
     if (!shape_add(field->reader, object, &primitive, field->at))
         return false;
     object->parts[object->part_count - 1].smooth_field = field->smooth;

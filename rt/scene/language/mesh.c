@@ -173,13 +173,10 @@ bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
 /* Nothing is seen of it, which is no error. */
 static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
 {
-    reader_report(reader, &mesh->at,
-                  mesh->lone
-                      ? "the triangle has no area, or a normal that is "
-                        "0: it is left out"
-                      : "no triangle of the mesh has an area: it is "
-                        "left out");
-    scene_object_free(&mesh->object);
+    primitive_leave_out(
+        reader, &mesh->object.parts->primitive, &mesh->at,
+        mesh->lone ? "the triangle has no area, or a normal that is 0"
+                   : "no triangle of the mesh has an area");
     return true;
 }
 

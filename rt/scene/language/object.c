@@ -325,6 +325,91 @@ bool object_clip(struct scene_object *object, const struct scene_object *clip)
     return done;
 }
 
+/* What a branch contains, once what is empty is taken out below it. */
+enum content { CONTENT_NOTHING, CONTENT_ALL, CONTENT_SOME };
+
+/* In place: the next to be read, and how many are kept. */
+struct pruning {
+    struct scene_object *object;
+    size_t branch, part;
+    size_t kept_branches, kept_parts;
+};
+
+static enum content prune_leaf(struct pruning *pruning)
+{
+    struct scene_part *parts = pruning->object->parts;
+    const struct scene_part *part = &parts[pruning->part++];
+
+    if (part->primitive.empty)
+        return CONTENT_NOTHING;
+    parts[pruning->kept_parts++] = *part;
+    pruning->object->branches[pruning->kept_branches++] = (struct branch){
+        TREE_LEAF, 1, false
+    };
+    return CONTENT_SOME;
+}
+
+static enum content prune_branch(struct pruning *pruning);
+
+static enum content opposite(enum content content)
+{
+    return content == CONTENT_NOTHING ? CONTENT_ALL : CONTENT_NOTHING;
+}
+
+/* The root of a branch is kept at a place, if more than one child is. */
+static void keep_root(struct pruning *pruning, struct branch root,
+                      size_t place, size_t children)
+{
+    struct branch *branches = pruning->object->branches;
+
+    root.size = pruning->kept_branches - place;
+    branches[place] = root;
+    if (root.operation == TREE_NOT || children > 1)
+        return;
+    pruning->kept_branches--;
+    memmove(branches + place, branches + place + 1,
+            (root.size - 1) * sizeof *branches);
+}
+
+/* One child can decide: nothing in an intersection, all in a merge. */
+static enum content prune_branch(struct pruning *pruning)
+{
+    struct branch root = pruning->object->branches[pruning->branch++];
+    size_t end = pruning->branch - 1 + root.size;
+    size_t place = pruning->kept_branches, part = pruning->kept_parts;
+    size_t children = 0;
+    enum content decides = root.operation == TREE_AND ? CONTENT_NOTHING
+                                                      : CONTENT_ALL;
+    enum content content = opposite(decides);
+
+    if (root.operation == TREE_LEAF)
+        return prune_leaf(pruning);
+    pruning->kept_branches++;
+    while (pruning->branch < end) {
+        enum content child = prune_branch(pruning);
+        children += child == CONTENT_SOME;
+        if (child == decides)
+            content = decides;
+    }
+    if (content == opposite(decides) && children > 0) {
+        keep_root(pruning, root, place, children);
+        return CONTENT_SOME;
+    }
+    pruning->kept_branches = place;
+    pruning->kept_parts = part;
+    return root.operation == TREE_NOT ? opposite(content) : content;
+}
+
+void object_prune(struct scene_object *object)
+{
+    struct pruning pruning = { .object = object };
+
+    while (pruning.branch < object->branch_count)
+        prune_branch(&pruning);
+    object->branch_count = pruning.kept_branches;
+    object->part_count = pruning.kept_parts;
+}
+
 /* As in POV-Ray it counts on the whole of a solid only. */
 static void forget_no_shadow(struct scene_object *object)
 {

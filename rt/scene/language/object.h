@@ -82,6 +82,8 @@ bool object_invert(struct scene_object *object);
 /* Each solid is cut by all those of another, which are not seen. */
 bool object_clip(struct scene_object *object,
                  const struct scene_object *clip);
+/* Takes out what is empty, and what that decides of the solids. */
+void object_prune(struct scene_object *object);
 bool object_copy(struct scene_object *copy,
                  const struct scene_object *object);
 /* Its interiors are others, numbered behind last, which becomes the greatest. */

@@ -498,13 +498,6 @@ static bool cut(struct polygon *polygon)
 
 /* ---- The statement ------------------------------------------------------- */
 
-/* As in POV-Ray nothing is seen of it, which is no error. */
-static bool leave_out(struct polygon *polygon, const char *why)
-{
-    reader_report(polygon->reader, polygon->at, "%s: it is left out", why);
-    return true;
-}
-
 static bool add_mesh(struct polygon *polygon, struct scene_object *object)
 {
     struct primitive primitive;
@@ -513,7 +506,8 @@ static bool add_mesh(struct polygon *polygon, struct scene_object *object)
     primitive.kind = PRIMITIVE_MESH;
     primitive.shape.mesh.triangles = polygon->triangles;
     if (shapes[PRIMITIVE_MESH]->settle(&primitive))
-        return leave_out(polygon, "the polygon has no area");
+        return shape_leave_out(polygon->reader, object, polygon->at,
+                               "the polygon has no area");
     return shape_add(polygon->reader, object, &primitive, polygon->at);
 }
 
@@ -522,7 +516,7 @@ static bool make_mesh(struct polygon *polygon, struct scene_object *object)
     const char *why = find_plane(polygon);
 
     if (why)
-        return leave_out(polygon, why);
+        return shape_leave_out(polygon->reader, object, polygon->at, why);
     return make_edges(polygon) && find_heights(polygon) && cut(polygon)
            && add_mesh(polygon, object);
 }

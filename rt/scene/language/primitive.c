@@ -8,15 +8,13 @@
 
 /* ---- One argument -------------------------------------------------------- */
 
-/* A radius counts by its size; without one there is nothing to see. */
+/* A radius counts by its size. */
 static bool read_radius(struct reader *reader, double *radius)
 {
-    struct scene_token at = reader->token;
-
     if (!read_number(reader, radius))
         return false;
     *radius = fabs(*radius);
-    return *radius > 0 || reader_fault(reader, &at, "the radius is 0");
+    return true;
 }
 
 static bool read_size(struct reader *reader, const char *what, double *size)
@@ -190,6 +188,27 @@ static bool read_field(struct reader *reader, const struct shape_field *field,
     return read_row(reader, field, first, to);
 }
 
+/* It becomes a ball, which has an inside, as the empty set has. */
+void primitive_leave_out(struct reader *reader, struct primitive *primitive,
+                         const struct scene_token *at, const char *reason)
+{
+    reader_report(reader, at, "%s: the shape is left out", reason);
+    primitive->kind = PRIMITIVE_SPHERE;
+    memset(&primitive->shape, 0, sizeof primitive->shape);
+    primitive->empty = true;
+}
+
+bool primitive_settle(struct reader *reader, struct primitive *primitive,
+                      const struct scene_token *at)
+{
+    const char *fault = shapes[primitive->kind]->settle(primitive);
+
+    if (!fault || !primitive->empty)
+        return reader_check(reader, at, fault);
+    primitive_leave_out(reader, primitive, at, fault);
+    return true;
+}
+
 bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive)
 {
@@ -201,7 +220,7 @@ bool primitive_read(struct reader *reader, enum primitive_kind kind,
     for (size_t i = 0; fields[i].takes != TAKES_END; i++)
         if (!read_field(reader, &fields[i], i == 0, primitive))
             return false;
-    return reader_check(reader, &at, shapes[kind]->settle(primitive));
+    return primitive_settle(reader, primitive, &at);
 }
 
 /* ---- Polynomials --------------------------------------------------------- */
@@ -275,6 +294,5 @@ bool polynomial_read(struct reader *reader, enum shape_word word,
         make_quadric(terms, primitive);
     else
         make_quartic(terms, order, primitive);
-    return reader_check(reader, &at,
-                        shapes[primitive->kind]->settle(primitive));
+    return primitive_settle(reader, primitive, &at);
 }

@@ -51,6 +51,16 @@ bool shape_add(struct reader *reader, struct scene_object *object,
            || reader_no_memory(reader);
 }
 
+bool shape_leave_out(struct reader *reader, struct scene_object *object,
+                     const struct scene_token *at, const char *reason)
+{
+    struct primitive primitive;
+
+    memset(&primitive, 0, sizeof primitive);
+    primitive_leave_out(reader, &primitive, at, reason);
+    return shape_add(reader, object, &primitive, at);
+}
+
 /* In old scenes the finish has the index of refraction. */
 static void take_ior(struct reader *reader, struct scene_object *object)
 {

@@ -107,6 +107,13 @@ bool shape_read(struct reader *reader, struct scene_object *object,
 /* The arguments of one primitive, behind its '{'. */
 bool primitive_read(struct reader *reader, enum primitive_kind kind,
                     struct primitive *primitive);
+/* What is read becomes what is traced.  A shape of which nothing is seen is
+ * reported, and left out of the scene: it is the empty set in a solid. */
+bool primitive_settle(struct reader *reader, struct primitive *primitive,
+                      const struct scene_token *at);
+/* The same of any shape, for a reason. */
+void primitive_leave_out(struct reader *reader, struct primitive *primitive,
+                         const struct scene_token *at, const char *reason);
 /* Surfaces of a polynomial: cubic is of the order 3, poly says of which. */
 bool polynomial_read(struct reader *reader, enum shape_word word,
                      struct primitive *primitive);
@@ -123,6 +130,9 @@ bool shape_count(struct reader *reader, size_t more,
 /* Another primitive, which is `at`, within the bound of PRIMITIVES_MOST. */
 bool shape_add(struct reader *reader, struct scene_object *object,
                struct primitive *primitive, const struct scene_token *at);
+/* A shape of which nothing is seen. */
+bool shape_leave_out(struct reader *reader, struct scene_object *object,
+                     const struct scene_token *at, const char *reason);
 bool light_read(struct reader *reader, struct scene_object *object);
 /* The block of looks_like: a thing whose origin is a light's position. */
 bool looks_like_read(struct reader *reader, struct scene_object *object,

@@ -53,7 +53,7 @@ static bool make_quadratic_prism(struct text_reading *text,
     prism->shape.quadratic_prism.high = fmax(0, text->thickness);
     prism->shape.quadratic_prism.path = (struct outline){ glyph->count,
                                                           glyph->points };
-    return glyph->count >= 3;
+    return text->thickness != 0 && glyph->count >= 3;
 }
 
 static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
@@ -134,25 +134,20 @@ static bool add_characters(struct text_reading *text, const char *string)
             return false;
         before = character;
     }
-    if (!text->object->part_count)
-        reader_report(text->reader, text->at,
-                      "the text has nothing to be seen");
-    return true;
+    return text->object->part_count > 0
+           || shape_leave_out(text->reader, text->object, text->at,
+                              "the text has nothing to be seen");
 }
 
 static bool read_extent(struct text_reading *text)
 {
     struct reader *reader = text->reader;
-    struct scene_token at;
 
     reader_comma(reader);
-    at = reader->token;
     if (!read_number(reader, &text->thickness))
         return false;
     reader_comma(reader);
-    return read_vector(reader, text->offset)
-           && (text->thickness != 0
-               || reader_fault(reader, &at, "the text has no thickness"));
+    return read_vector(reader, text->offset);
 }
 
 /* The strings are read already. */

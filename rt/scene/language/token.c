@@ -221,7 +221,7 @@ static struct scene_token read_number(struct lexer *lexer)
     token.number = strtod(text, NULL);
     if (!isfinite(token.number)) {
         token.fault = "the number is too large: at most 1.8e308";
-        token.number = 0;
+        token.number = 1; /* no shape vanishes for it */
     }
     return token;
 }

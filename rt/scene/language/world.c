@@ -106,6 +106,18 @@ static bool note_object(struct reader *reader, size_t first,
     return true;
 }
 
+/* Patches are cut first, since that shows whether they are empty. */
+static bool prune(struct reader *reader, struct scene_object *object,
+                  const struct scene_token *at)
+{
+    for (size_t i = 0; i < object->part_count; i++)
+        if (object->parts[i].patch
+            && !bicubic_patch_cut(reader, &object->parts[i], at))
+            return false;
+    object_prune(object);
+    return true;
+}
+
 static bool add_to_world(struct reader *reader, struct scene_object *object,
                          const struct scene_token *at)
 {
@@ -116,14 +128,14 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
     object->textured = true;
     if (!object->filled)
         object_fill(reader, object, 1);
+    if (!prune(reader, object, at))
+        return false;
     if (!object_add(&reader->world, object))
         return reader_no_memory(reader);
     for (size_t i = first; i < reader->world.part_count; i++) {
         struct scene_part *part = &reader->world.parts[i];
 
         part->primitive.object = reader->scene->object_count;
-        if (part->patch && !bicubic_patch_cut(reader, part, at))
-            return false;
         if (part->smooth_field && !height_field_place(reader, part))
             return false;
         if (!check_part(reader, part, at))

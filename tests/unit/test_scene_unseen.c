@@ -1,0 +1,182 @@
+/* Shapes of which nothing is seen: each is reported, once, and the frame is that
+ * of the scene without it; in a solid it is the empty set. */
+#define SMALL_FRAMES
+#include "rt/shapes/primitive.h"
+#include "tests/unit/traced_frame.h"
+
+#include "tests/unit/scene_reading.h"
+
+#define ZEROS_10 "0, 0, 0, 0, 0, 0, 0, 0, 0, 0"
+
+/* P, Q: points; R: above 0.  Without the last brace. */
+static const struct {
+    enum primitive_kind kind;
+    const char *text;
+} shapes_unseen[] = {
+    { PRIMITIVE_SPHERE, "sphere { P, 0" },
+    { PRIMITIVE_BOX, "box { P, P" },
+    { PRIMITIVE_BOX, "box { P, P + R*y" },
+    { PRIMITIVE_CYLINDER, "cylinder { P, Q, 0" },
+    { PRIMITIVE_CYLINDER, "cylinder { P, P, R" },
+    { PRIMITIVE_CYLINDER, "cylinder { P, P, R open" },
+    { PRIMITIVE_DISC, "disc { P, Q, 0" },
+    { PRIMITIVE_DISC, "disc { P, 0, R" },
+    { PRIMITIVE_DISC, "disc { P, Q, R, R + 1" },
+    { PRIMITIVE_CONE, "cone { P, 0, Q, 0" },
+    { PRIMITIVE_CONE, "cone { P, R, P, 0" },
+    { PRIMITIVE_CONE, "cone { P, R, P, R open" },
+    { PRIMITIVE_QUADRIC, "quadric { 0, 0, 0, 0" },
+    { PRIMITIVE_QUADRIC, "quadric { 0, 0, 0, R" },
+    { PRIMITIVE_QUADRIC, "poly { 2, <" ZEROS_10 ">" },
+    { PRIMITIVE_TORUS, "torus { 0, R" },
+    { PRIMITIVE_TORUS, "torus { R, 0" },
+    { PRIMITIVE_TORUS, "torus { R, -.2" },
+    { PRIMITIVE_ELLIPTICAL_TORUS, "elliptical_torus { 0, R, R" },
+    { PRIMITIVE_ELLIPTICAL_TORUS, "elliptical_torus { R, 0, R" },
+    { PRIMITIVE_ELLIPTICAL_TORUS, "elliptical_torus { R, R, 0" },
+    { PRIMITIVE_QUARTIC, "cubic { <" ZEROS_10 ", " ZEROS_10 ">" },
+    { PRIMITIVE_QUARTIC, "poly { 3, <" ZEROS_10 ", " ZEROS_10 ">" },
+    { PRIMITIVE_QUARTIC,
+      "quartic { <" ZEROS_10 ", " ZEROS_10 ", " ZEROS_10 ", 0, 0, 0, 0, R>" },
+    { PRIMITIVE_STEINER_PATCH, "steiner_patch { P, P, P, P, P, P" },
+    { PRIMITIVE_PRISM, "prism { R, R, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0>" },
+    { PRIMITIVE_PRISM, "prism { 0, R, 3, <1, 2>, <1, 2>, <1, 2>" },
+    { PRIMITIVE_PRISM, "prism { 0, R, 4, <R, 2>, <1, 2>, <R, 2>, <1, 2>" },
+    { PRIMITIVE_PRISM, "text { ttf \"timrom.ttf\" \" \" 1, 0" },
+    { PRIMITIVE_PRISM, "text { ttf \"timrom.ttf\" \"ab\" 0, 0" },
+    { PRIMITIVE_QUADRATIC_PRISM, "prism { quadratic_spline R, R, 5, <0, 1>,"
+                                 " <0, 0>, <1, 0>, <1, 1>, <0, 0>" },
+    { PRIMITIVE_BLOB, "blob { threshold .5" },
+    { PRIMITIVE_BLOB, "blob { threshold .5 sphere { P, 0, 1 }" },
+    { PRIMITIVE_BLOB, "blob { threshold .5 sphere { P, R, 0 }" },
+    { PRIMITIVE_BLOB, "blob { threshold .5 cylinder { P, Q, R, -1 }" },
+    { PRIMITIVE_BLOB, "blob { threshold .5 component .2, R, P "
+                      "sphere { Q, R, .2 }" },
+    { PRIMITIVE_BLOB, "blob { threshold -.5 sphere { P, R, 1 }" },
+    { PRIMITIVE_BLOB, "blob { threshold 0 sphere { P, R, 1 }" },
+    { PRIMITIVE_MESH, "mesh { triangle { P, P, Q } inside_vector y" },
+    { PRIMITIVE_MESH, "mesh2 { vertex_vectors { 3, P, Q, P }"
+                      " face_indices { 1, <0, 1, 2> }" },
+    { PRIMITIVE_MESH, "triangle { P, Q, P" },
+    { PRIMITIVE_MESH, "smooth_triangle { P, x, Q, y, P, z" },
+    { PRIMITIVE_MESH, "polygon { 4, P, Q, 2*Q - P, P" },
+    { PRIMITIVE_MESH, "bicubic_patch { type 1 flatness 0 u_steps 2 v_steps 2"
+                      " P P P P P P P P P P P P P P P P" },
+    { PRIMITIVE_MESH, "bicubic_patch { type 0 P Q P P P P P P Q P P P P P P "
+                      "(P + Q)/2" },
+    { PRIMITIVE_MESH, "height_field { function 3, 3 { .2 } water_level .5" },
+    { PRIMITIVE_LATHE, "lathe { 3, <0, 0>, <0, 1>, <0, R>" },
+    { PRIMITIVE_LATHE, "lathe { 3, <R, 1>, <R, 1>, <R, 1>" },
+};
+
+#define BALL "sphere { 0, 1 pigment { rgb 1 }"
+
+/* Where a shape is, as before(S) and after(S); whether the ball is seen. */
+static const struct {
+    const char *before, *after;
+    bool ball;
+} places[] = {
+    { "", "}", false },
+    { "", "inverse rotate 20*x }", false },
+    { "union { " BALL "}", "} }", true },
+    { "union { ", "} " BALL "} rotate 30*y }", true },
+    { "merge { " BALL "}", "} }", true },
+    { "difference { " BALL "}", "pigment { rgb x } } }", true },
+    { "difference { ", "}" BALL "} }", false },
+    { "intersection { " BALL "}", "} }", false },
+    { "intersection { " BALL "} object { ", "} inverse } }", true },
+    { "difference { " BALL "} object { ", "} inverse } }", false },
+    { "#declare D = ", "} object { D } union { object { D } " BALL "} }",
+      true },
+    { "#declare D = difference { " BALL "}", "} } object { D inverse }",
+      true },
+    { "#declare D = intersection { " BALL "}",
+      "} } difference { " BALL "} object { D } }", true },
+    { "union { " BALL "} intersection { box { -1, 2 } union {",
+      "} sphere { 0, .2 translate 9*x } } } }", true },
+    { "light_source { <3, 9, -5>, 0 looks_like { ", "} } } " BALL "}", true },
+};
+
+static void scene_text(char *text, size_t size, size_t shape, size_t place)
+{
+    snprintf(text, size,
+             HEAD "camera { location <1, 2, -4> look_at 0 }\n"
+                  "plane { y, -1 pigment { rgb .5 } }\n"
+                  "#declare P = <%g, %g, %g>; #declare Q = P + <%g, .3, %g>; "
+                  "#declare R = %g;\n%s%s %s\n",
+             between(-1, 1), between(-1, 1), between(-1, 1), between(.1, 1),
+             between(-1, 1), between(.2, 1), places[place].before,
+             shapes_unseen[shape].text, places[place].after);
+}
+
+static struct words *frame_without(bool ball)
+{
+    char text[700];
+
+    snprintf(text, sizeof text,
+             HEAD "camera { location <1, 2, -4> look_at 0 }\n"
+                  "plane { y, -1 pigment { rgb .5 } }\n%s\n",
+             ball ? BALL "}" : "");
+    return same_frame(text);
+}
+
+static size_t count_reports(const struct diagnostics *reports)
+{
+    size_t count = 0;
+
+    for (size_t i = 0; i < reports->count; i++)
+        count += strstr(reports->items[i].message, "the shape is left out")
+                 != NULL;
+    return count;
+}
+
+static void check(size_t shape, size_t place, const struct words *expected)
+{
+    char text[2000];
+    struct diagnostics reports = { 0 };
+    struct scene *scene;
+    struct words *words;
+
+    scene_text(text, sizeof text, shape, place);
+    scene = scene_read_text("unseen.pov", text, &reading_options, &reports);
+    if (!scene)
+        fail_msg("is not read: %s\n%s", reports.items[0].message, text);
+    if (count_reports(&reports) != 1)
+        fail_msg("%zu reports that the shape is left out:\n%s",
+                 count_reports(&reports), text);
+    words = same_frame_of(scene, text);
+    if (memcmp(words, expected, sizeof *words) != 0)
+        fail_msg("the frame is not that of the scene without:\n%s", text);
+    free(words);
+    diagnostics_free(&reports);
+    scene_free(scene);
+}
+
+static void test_unseen(void **state)
+{
+    struct words *without[2];
+    bool drawn[PRIMITIVE_KINDS] = { [PRIMITIVE_PLANE] = true }; /* an error */
+
+    (void)state;
+    memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
+    for (int ball = 0; ball < 2; ball++)
+        without[ball] = frame_without(ball);
+    for (size_t i = 0; i < COUNT(shapes_unseen); i++) {
+        drawn[shapes_unseen[i].kind] = true;
+        for (size_t place = 0; place < COUNT(places); place++)
+            check(i, place, without[places[place].ball]);
+    }
+    for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
+        assert_true(drawn[kind]);
+    free(without[0]);
+    free(without[1]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_unseen),
+    };
+
+    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+}
