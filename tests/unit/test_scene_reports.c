@@ -46,7 +46,7 @@ static void test_errors(void **state)
         { "sphere { 0, x.t }", 1, 15, "a component" },
         { "sphere { 0, sin(1, 2) }", 1, 18, "expected ')'" },
         { "sphere { 0, 1 scale 2 colr 1 }", 1, 23, "found 'colr'" },
-        { "sphere { 0, 1 matrix <1,0,0,0,1,0,0,0,0,0,0,0> }", 1, 15,
+        { "sphere { 0, 1 matrix <1,1,0,1,1,0,0,0,1,0,0,0> }", 1, 15,
           "no inverse" },
         { "sphere { 0, 1 finish { roughness 0 } }", 1, 24, "roughness" },
         { "sphere { 0, 1 pigment { rgb <1, 2, 3, 4> } }", 1, 29,

@@ -172,10 +172,28 @@ static void test_unseen(void **state)
     free(without[1]);
 }
 
+/* As in POV-Ray, what makes a shape flat counts as a scale by 1. */
+static void test_flat(void **state)
+{
+    static const char *const rows[] = {
+        "sphere { 0, 1 scale <1, 0, 1> }",
+        "sphere { 0, 1 matrix <1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0> }",
+    };
+
+    (void)state;
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct scene *scene = read_with(rows[i], 1);
+
+        assert_false(scene->primitives[0].transformed);
+        scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_unseen),
+        cmocka_unit_test(test_flat),
     };
 
     return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);

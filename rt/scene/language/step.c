@@ -4,6 +4,8 @@
 
 #include <string.h>
 
+#define SCALED_BY_0 "scale by 0 along %c is replaced by 1"
+
 static bool read_scaling(struct reader *reader, const struct item *item,
                          struct placement *step)
 {
@@ -14,11 +16,22 @@ static bool read_scaling(struct reader *reader, const struct item *item,
     for (int i = 0; i < 3; i++)
         if (by[i] == 0) {
             by[i] = 1;
-            reader_report(reader, &item->at,
-                          "scale by 0 along %c is replaced by 1", "xyz"[i]);
+            reader_report(reader, &item->at, SCALED_BY_0, "xyz"[i]);
         }
     *step = placement_scaling(by);
     return true;
+}
+
+/* As in POV-Ray a column of zeros, which makes everything flat, gets a 1. */
+static void fill_columns(struct reader *reader, const struct item *item,
+                         double values[12])
+{
+    for (int i = 0; i < 3; i++) {
+        if (values[i] != 0 || values[i + 3] != 0 || values[i + 6] != 0)
+            continue;
+        values[4 * i] = 1;
+        reader_report(reader, &item->at, SCALED_BY_0, "xyz"[i]);
+    }
 }
 
 static bool read_matrix(struct reader *reader, const struct item *item,
@@ -35,6 +48,7 @@ static bool read_matrix(struct reader *reader, const struct item *item,
     }
     if (!reader_expect_sign(reader, '>'))
         return false;
+    fill_columns(reader, item, values);
     return placement_matrix(values, step)
            || reader_fault(reader, &item->at, "the matrix has no inverse");
 }
