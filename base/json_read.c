@@ -186,8 +186,8 @@ static bool read_number(struct json_reading *reading,
         return fail(reading, "no value");
     length = (size_t)(reading->at - from);
     if (length >= sizeof digits)
-        return fail(reading, "a number of so many digits, "
-                             "at least " LIMIT_TEXT(DIGITS_MOST));
+        return fail(reading,
+                    "a number of " LIMIT_TEXT(DIGITS_MOST) " digits or more");
     memcpy(digits, from, length);
     digits[length] = '\0';
     value->kind = JSON_NUMBER;

@@ -2,9 +2,10 @@
  *
  * It is written under a temporary name beside the real one, and gets the real
  * name when all of it has reached the disk; a signal that ends the program removes
- * it.  A symbolic link stays, and the file that it leads to is replaced.  What is no regular file (a device, a pipe), and
- * stdout and stderr ("-", "/dev/stdout") are written directly, as there is nothing
- * to keep.  An input of the command is not replaced (outputs.h).
+ * it.  A symbolic link stays, and the file that it leads to is replaced.  What is
+ * no regular file (a device, a pipe), and stdout and stderr ("-", "/dev/stdout")
+ * are written directly, as there is nothing to keep.  An input of the command is
+ * not replaced (outputs.h).
  */
 #ifndef BASE_WHOLE_H
 #define BASE_WHOLE_H

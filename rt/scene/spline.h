@@ -38,7 +38,7 @@ void spline_release(struct spline *spline);
 /* The first point that is not before the parameter; the count from the last
  * point on. */
 size_t spline_find(const struct spline *spline, double t);
-/* Adds a point whose value has so many terms.  False: no memory. */
+/* Adds a point whose value has that many terms.  False: no memory. */
 bool spline_add(struct spline *spline, double t, const double *value,
                 int terms);
 /* After the last point: computes the second derivatives. */

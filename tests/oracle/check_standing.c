@@ -32,7 +32,7 @@ enum {
     REASON = 200
 };
 
-/* What is seen of the ground through a body moves by about as much. */
+/* The ground seen through a body moves by about the same distance. */
 #define LIFT 1e-5
 
 /* On an edge that is seen through a body the lift decides, and at some pixels POV-Ray

@@ -77,7 +77,8 @@ static void type(struct terminal *terminal, const char *text)
     assert_int_equal(write(terminal->master, text, length), length);
 }
 
-/* More of what it says, for so long at the most; false: nothing came, or it has ended. */
+/* Reads more output, and waits up to that many milliseconds; false: there was none, or it has
+ * ended. */
 static bool listen_on(struct terminal *terminal, int milliseconds)
 {
     struct pollfd input = { .fd = terminal->master, .events = POLLIN };
