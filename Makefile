@@ -323,13 +323,17 @@ check-site: site
 # Test programs do not stand beside the adapter.
 export RT205_LIBDIR = $(abspath $(BUILD))
 
-oracle_o = $(call objects,$(filter-out $(oracles:$(BUILD)/%=%.c),\
-	$(wildcard tests/oracle/*.c)))
+# Programs of tests are built fast, with the lines of a stack trace alone; their debug
+# information stays in the objects.
+$(BUILD)/tests/%.o: override CFLAGS := $(patsubst -g,-g1,$(CFLAGS))
+$(BUILD)/tests/unit/%.o: OPT = -O1
+lld := $(if $(shell command -v ld.lld),-fuse-ld=lld)
+test_link = $(LDFLAGS) $(lld) $(if $(findstring sanitize,$(CFLAGS)),,-Wl,-S)
 
-# What the unit tests share.
-helpers = $(BUILD)/tests/unit/libhelpers.a
-$(helpers): $(call objects,$(filter-out tests/unit/test_%,\
-	$(wildcard tests/unit/*.c)))
+# What unit tests and oracles share.
+helpers = $(BUILD)/tests/libhelpers.a
+$(helpers): $(call objects,$(filter-out tests/unit/test_% $(oracles:$(BUILD)/%=%.c),\
+	$(wildcard tests/unit/*.c tests/oracle/*.c)))
 
 # What is assembled of the kernels is kept (kept_programs.c), but where memory is short.
 keeping = -Wl,--wrap=program_assemble,--wrap=object_free,-u,__wrap_object_free
@@ -337,9 +341,8 @@ $(BUILD)/tests/unit/test_allocation: keeping =
 # All allocations go through the test that makes them fail.
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
-$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(oracle_o) \
-		$(engine) $(libraries)
-	$(CC) $(LDFLAGS) $(keeping) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
+$(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(engine) $(libraries)
+	$(CC) $(test_link) $(keeping) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
 # Its client starts the command.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)) \
 		$(BUILD)/tests/unit/test_breakpoints: | $(BUILD)/c205
@@ -362,9 +365,8 @@ $(BUILD)/tests/oracle/digest: $(BUILD)/tests/oracle/digest.o \
 		$(call objects,$(wildcard $(addprefix tests/oracle/,random_*.c reference*.c \
 			operand*.c plain_memory.c *_oracle.c))) $(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm
-$(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(oracle_o) $(helpers) \
-		$(libraries)
-	$(CC) $(LDFLAGS) $(keeping) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
+$(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(helpers) $(libraries)
+	$(CC) $(test_link) $(keeping) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
 		$(BUILD)/tests/fuzz/fuzz_%.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl -lpthread
