@@ -35,13 +35,13 @@ enum { WIDTH = 17, HEIGHT = 13 };
 enum { WIDTH = 31, HEIGHT = 23 };
 #define STRAIGHT_AHEAD "direction 48*z right 31*x up 23*y"
 /* clang-format off */
-#define QUEUES { 1, 40, 2000 }
+#define QUEUES { 40, 2000 }
 /* clang-format on */
 #else
 enum { WIDTH = 41, HEIGHT = 31 };
 #define STRAIGHT_AHEAD "direction 64*z right 41*x up 31*y"
 /* clang-format off */
-#define QUEUES { 1, WIDTH - 1, WIDTH, 2000 }
+#define QUEUES { WIDTH - 1, WIDTH, 2000 }
 /* clang-format on */
 #endif
 
