@@ -478,9 +478,9 @@ check-hosts: $(BUILD)/tests/bench_lanes
 	sh tests/check_hosts.sh $(BUILD) "$(MAKE)" $(HOSTS)
 	MAKE="$(MAKE)" sh tests/check_bench.sh $(BUILD) hosts
 
-check-scenes: $(programs) $(adapter) $(BUILD)/tests/oracle/check_scene
+check-scenes: $(adapter) $(BUILD)/tests/oracle/check_scene
 	@printf '%s\n' $(SCENES) | \
-		xargs -n 1 -P $(JOBS) sh tests/check_scenes.sh $(BUILD) $(WAYS)
+		xargs -n 26 -P $(JOBS) $(BUILD)/tests/oracle/check_scene $(WAYS)
 
 # Heat and mass of scenes.
 check-uses: $(programs)
