@@ -20,7 +20,7 @@
 #include "vm/text.h"
 
 enum { COLUMNS = 8, ROWS = 6 };
-static size_t scene_count = 15;
+static size_t scene_count = 8;
 
 /* ---- What the assembler tells ------------------------------------------- */
 
