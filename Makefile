@@ -330,6 +330,14 @@ $(BUILD)/tests/unit/%.o: OPT = -O1
 lld := $(if $(shell command -v ld.lld),-fuse-ld=lld)
 test_link = $(LDFLAGS) $(lld) $(if $(findstring sanitize,$(CFLAGS)),,-Wl,-S)
 
+# A unit test and its main, which is written from its TEST lines (tests/unit/unit.h).
+$(BUILD)/tests/unit/%.main.c: tests/unit/%.c tests/unit/main.awk
+	@mkdir -p $(@D)
+	awk -f tests/unit/main.awk $< >$@.new
+	@mv $@.new $@
+$(call objects,$(wildcard tests/unit/test_*.c)): %.o: %.main.c
+	$(CC) $(C_FLAGS) -c -o $@ $<
+
 # What unit tests and oracles share.
 helpers = $(BUILD)/tests/libhelpers.a
 $(helpers): $(call objects,$(filter-out tests/unit/test_% $(oracles:$(BUILD)/%=%.c),\

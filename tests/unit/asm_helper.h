@@ -2,16 +2,10 @@
 #ifndef TESTS_ASM_HELPER_H
 #define TESTS_ASM_HELPER_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 #undef expect_check /* ours is another */
 
 #include "asm/assemble.h"
+#include "tests/unit/unit.h"
 
 /* A text without errors. */
 struct object *good(const char *text);

@@ -4,16 +4,9 @@
 #ifndef CLOCK_DRIVER_H
 #define CLOCK_DRIVER_H
 
+#include "tests/unit/unit.h"
 #include "vm/time/clock.h"
 #include "vm/memory.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 struct clock *clock_of(const char *text);
 struct clock *two_pipes(void);

@@ -4,13 +4,7 @@
 #ifndef TESTS_CSV_READING_H
 #define TESTS_CSV_READING_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdbool.h>
-#include <stddef.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "tests/unit/unit.h"
 
 enum { CSV_ROWS = 64, CSV_CELLS = 24, CSV_CELL = 256 };
 

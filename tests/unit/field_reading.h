@@ -8,8 +8,8 @@
 #include "tests/unit/scene_reading.h"
 
 /* The file has a name of its own, and is removed in the end. */
-void field_begin(void);
-void field_end(void);
+int field_begin(void **state);
+int field_end(void **state);
 /* The file's bytes. */
 void field_keep(const char *bytes, size_t count);
 

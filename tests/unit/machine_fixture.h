@@ -2,15 +2,8 @@
 #ifndef MACHINE_FIXTURE_H
 #define MACHINE_FIXTURE_H
 
+#include "tests/unit/unit.h"
 #include "vm/c205.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 enum { CODE_WORDS = 64 };
 #define CODE UINT64_C(0x400000)   /* page 1 */

@@ -3,18 +3,9 @@
 #ifndef TESTS_PLAIN_SURFACE_H
 #define TESTS_PLAIN_SURFACE_H
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "tests/oracle/plain_shapes.h"
 #include "tests/random.h"
-
-#include <stdlib.h>
-#include <string.h>
+#include "tests/unit/unit.h"
 
 #define PI 3.14159265358979323846
 #define CLOSE 1e-12

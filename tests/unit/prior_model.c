@@ -3,18 +3,16 @@
 
 c205_model *prior_model;
 
-int set_up_model(void **state)
+int set_up_model(STATE)
 {
     c205_error error;
 
-    (void)state;
     prior_model = c205_model_find("cyber205-2pipe-prior", &error);
     return !prior_model;
 }
 
-int tear_down_model(void **state)
+int tear_down_model(STATE)
 {
-    (void)state;
     c205_model_free(prior_model);
     return 0;
 }

@@ -2,6 +2,7 @@
 #ifndef TESTS_PRIOR_MODEL_H
 #define TESTS_PRIOR_MODEL_H
 
+#include "tests/unit/unit.h"
 #include "vm/c205.h"
 
 extern c205_model *prior_model;

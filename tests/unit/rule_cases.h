@@ -2,14 +2,8 @@
 #ifndef TESTS_RULE_CASES_H
 #define TESTS_RULE_CASES_H
 
+#include "tests/unit/unit.h"
 #include "vm/number/arith.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-
-#include <cmocka.h>
 
 #define MZ C205_MACHINE_ZERO
 #define IND C205_INDEFINITE

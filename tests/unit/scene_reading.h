@@ -3,15 +3,9 @@
 #define TESTS_SCENE_READING_H
 
 #include "rt/scene/language/scene_read.h"
+#include "tests/unit/unit.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 #define CLOSE 1e-12

@@ -1,16 +1,10 @@
 /* test_accounts.c - where the clocks of runs went, for the reader: a matrix
  * that adds up, has nothing empty, and stays within the width of a page. */
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
-#include <cmocka.h>
-
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "base/accounts_show.h"
 #include "base/fold.h"
+#include "tests/unit/unit.h"
 
 enum { REGIONS_MOST = 20, TRIES = 300 };
 
@@ -155,9 +149,8 @@ static void check_matrix(const struct accounts *accounts,
     table_free(table);
 }
 
-static void matrices_add_up(void **state)
+TEST(matrices_add_up)
 {
-    (void)state;
     for (int i = 0; i < TRIES; i++) {
         struct accounts accounts = random_accounts();
         if (accounts.clocks > 0) {
@@ -193,9 +186,8 @@ static size_t times_in(const char *text, const char *word)
 
 /* Whichever way it lies: each region that took time is told of once, no other
  * is, and no line is longer than a page is wide. */
-static void matrices_are_narrow(void **state)
+TEST(matrices_are_narrow)
 {
-    (void)state;
     for (int i = 0; i < TRIES; i++) {
         struct accounts accounts = random_accounts();
         size_t regions = accounts_regions(&accounts);
@@ -234,9 +226,8 @@ static void check_share(const struct accounts *accounts, const char *text,
 }
 
 /* CSV has the clocks themselves. */
-static void csv_is_exact(void **state)
+TEST(csv_is_exact)
 {
-    (void)state;
     for (int i = 0; i < TRIES; i++) {
         struct accounts accounts = random_accounts();
         char *text, row[200];
@@ -272,9 +263,8 @@ static void assert_twice(const c205_account *twice, const c205_account *once)
 }
 
 /* Two runs alike are each region twice. */
-static void runs_add_up(void **state)
+TEST(runs_add_up)
 {
-    (void)state;
     for (int i = 0; i < TRIES; i++) {
         struct accounts once = random_accounts(), twice = { .model = model };
         for (size_t k = 0; k < 2 * once.count; k++) {
@@ -300,9 +290,8 @@ static void assert_time(uint64_t clocks, const char *expected)
 }
 
 /* Clocks of 20 ns. */
-static void times_are_short(void **state)
+TEST(times_are_short)
 {
-    (void)state;
     assert_time(0, "0.00 us");
     assert_time(1, "0.02 us");
     assert_time(1139, "22.78 us");
@@ -313,29 +302,17 @@ static void times_are_short(void **state)
     assert_time(50000000000, "1000.000 s");
 }
 
-static int set_up(void **state)
+FIXTURE(set_up)
 {
     c205_error error;
-    (void)state;
     model = c205_model_find(C205_DEFAULT_MODEL, &error);
     return !model;
 }
 
-static int tear_down(void **state)
+FIXTURE(tear_down)
 {
-    (void)state;
     c205_model_free(model);
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matrices_add_up),
-        cmocka_unit_test(matrices_are_narrow),
-        cmocka_unit_test(csv_is_exact),
-        cmocka_unit_test(runs_add_up),
-        cmocka_unit_test(times_are_short),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+GROUP(set_up, tear_down);

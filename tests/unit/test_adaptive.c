@@ -221,9 +221,8 @@ static void check_scene(const char *text, const struct trace_options *options)
     scene_free(scene);
 }
 
-static void test_random(void **state)
+TEST(random)
 {
-    (void)state;
     for (int i = 0; i < 30; i++) {
         char text[3000] = "";
         const struct trace_options options = { .mode = TRACE_SCALAR,
@@ -242,9 +241,8 @@ static void test_random(void **state)
 
 /* Stripes as wide as pixels, all of whose first rays are white: what is refined is
  * darker, so the next one is refined as well, up to the end of its block. */
-static void test_chains(void **state)
+TEST(chains)
 {
-    (void)state;
     for (int i = 0; i < 6; i++) {
         char text[3000] = "";
         const struct trace_options options = { .mode = TRACE_SCALAR,
@@ -303,7 +301,7 @@ static void check_nearly(double found, double expected)
 
 /* Where all pixels differ by more than the threshold they have all samples, and the
  * first ray counts once more; where none does they have that ray. */
-static void test_ends(void **state)
+TEST(ends)
 {
     struct scene *scene = read_text(shades);
     struct trace *one = trace_with(scene, 1, 0);
@@ -312,7 +310,6 @@ static void test_ends(void **state)
     struct trace *first = trace_with(scene, 3, 3);
     uint64_t first_rays = (WIDTH + 1) * (HEIGHT + 1);
 
-    (void)state;
     for (size_t k = 0; k < PIXELS; k++) {
         check_nearly(red(first, k), red(one, k));
         check_nearly(red(refined, k), .9 * red(all, k) + .1 * red(one, k));
@@ -330,13 +327,12 @@ static void test_ends(void **state)
 
 /* Depth, normal and number are those of the ray through the middle, which all
  * samples have, too. */
-static void test_middles(void **state)
+TEST(middles)
 {
     char text[3000] = "";
     struct trace *all, *refined;
     struct scene *scene;
 
-    (void)state;
     add_scene(text, sizeof text);
     scene = read_text(text);
     all = trace_with(scene, 3, 0);
@@ -371,12 +367,11 @@ static void check_refused(const char *text, size_t width, size_t samples,
     scene_free(scene);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     static const char lens[] = "sphere { 0, 1 } camera { location -5*z\n"
                                "aperture .3 focal_point 0 blur_samples 9 }\n";
 
-    (void)state;
     check_refused(shades, 9, 0, .3, "needs samples");
     check_refused(shades, 9, 1, .3, "needs samples");
     check_refused(shades, 9, 3, -.3, "above 0");
@@ -428,7 +423,7 @@ static struct trace *begin_kept(const struct scene *scene, double threshold,
 }
 
 /* Bands are kept whole; of one that is stopped nothing is known. */
-static void test_kept(void **state)
+TEST(kept)
 {
     char path[] = "/tmp/test_adaptive.XXXXXX";
     const char *const paths[] = { path };
@@ -438,7 +433,6 @@ static void test_kept(void **state)
     struct trace *whole = begin_kept(scene, .02, &patience, NULL), *trace;
     c205_error error = { "" };
 
-    (void)state;
     close(mkstemp(path));
     assert_true(trace_run(whole, &error));
     patience = (struct patience){ 0, patience.asked * 3 / 4 };
@@ -461,13 +455,4 @@ static void test_kept(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),  cmocka_unit_test(test_chains),
-        cmocka_unit_test(test_ends),    cmocka_unit_test(test_middles),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_kept),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

@@ -560,24 +560,25 @@ static bool report_pipes(FILE *out, c205_error *error)
 
 /* ---- The tests ----------------------------------------------------------- */
 
-#define TASKS(use) \
-    use(find_models) use(assemble_one) use(assemble_wrong) use(read_object) \
-        use(disassemble_object) use(run_object) use(run_example) \
-            use(save_and_restore) use(check_object) use(measure_one) \
-                use(grade_answer) use(answer_requests) use(write_json) \
-                    use(report_speedups) use(report_pipes)
-
-#define TEST(task) \
-    static void test_##task(void **state) \
-    { \
-        (void)state; \
-        exhaust(task, false); \
-    }
-TASKS(TEST)
+TEST_CALL(find_models, exhaust(find_models, false))
+TEST_CALL(assemble_one, exhaust(assemble_one, false))
+TEST_CALL(assemble_wrong, exhaust(assemble_wrong, false))
+TEST_CALL(read_object, exhaust(read_object, false))
+TEST_CALL(disassemble_object, exhaust(disassemble_object, false))
+TEST_CALL(run_object, exhaust(run_object, false))
+TEST_CALL(run_example, exhaust(run_example, false))
+TEST_CALL(save_and_restore, exhaust(save_and_restore, false))
+TEST_CALL(check_object, exhaust(check_object, false))
+TEST_CALL(measure_one, exhaust(measure_one, false))
+TEST_CALL(grade_answer, exhaust(grade_answer, false))
+TEST_CALL(answer_requests, exhaust(answer_requests, false))
+TEST_CALL(write_json, exhaust(write_json, false))
+TEST_CALL(report_speedups, exhaust(report_speedups, false))
+TEST_CALL(report_pipes, exhaust(report_pipes, false))
 
 /* A page that was to take room when it is touched: the trap says why it is not
  * there, and it is when there is memory. */
-static void test_untouched_page(void **state)
+TEST(untouched_page)
 {
     static const char text[] = "        .entry first\n"
                                "first:  EX r4, 0x50000000\n"
@@ -586,7 +587,6 @@ static void test_untouched_page(void **state)
     c205_error error = { "" };
     struct object *program = assembled(text, &error);
     size_t lacked = 0;
-    (void)state;
     for (size_t fails = 1;; fails++) {
         c205 *machine = loaded(program, &error);
         c205_word word;
@@ -644,7 +644,7 @@ static size_t calls_without_memory(const char *loop, size_t steps)
 /* Scalar instructions are many, vector instructions long: a snapshot that fails is tried again
  * after twice as many instructions or clocks, so 16 times as many add four attempts, of two
  * allocations each. */
-static void test_snapshots(void **state)
+TEST(snapshots)
 {
     static const char *const loops[] = {
         "        EX      r11, loop\n"
@@ -657,7 +657,6 @@ static void test_snapshots(void **state)
         "loop:   ADDNV   [r10], [r10], [r10]\n"
         "        IBXEQ   r0, r0, r0, loop, r12\n",
     };
-    (void)state;
     for (size_t i = 0; i < sizeof loops / sizeof *loops; i++) {
         size_t few = calls_without_memory(loops[i], 10000);
         size_t many = calls_without_memory(loops[i], 160000);
@@ -666,39 +665,28 @@ static void test_snapshots(void **state)
     }
 }
 
-static void test_any_block(void **state)
+TEST(any_block)
 {
-    (void)state;
     for (size_t length = 0; length < LABEL_MOST; length += LABEL_STEP) {
         begin_with_label(length);
         exhaust(assemble_long, true);
     }
 }
 
-static int prepare(void **state)
+FIXTURE(prepare)
 {
     c205_error error = { "" };
-    (void)state;
     model = c205_model_find("cyber205-2pipe-prior", &error);
     object = assembled(program_text, &error);
     fputs(error.message, stderr);
     return model && object ? 0 : -1;
 }
 
-static int tidy(void **state)
+FIXTURE(tidy)
 {
-    (void)state;
     object_free((struct object *)object);
     c205_model_free((c205_model *)model);
     return 0;
 }
 
-int main(void)
-{
-#define LISTED(task) cmocka_unit_test(test_##task),
-    const struct CMUnitTest tests[] = {
-        TASKS(LISTED) cmocka_unit_test(test_untouched_page),
-        cmocka_unit_test(test_any_block), cmocka_unit_test(test_snapshots)
-    };
-    return cmocka_run_group_tests_name("allocation", tests, prepare, tidy);
-}
+GROUP(prepare, tidy);

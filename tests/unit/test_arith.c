@@ -21,9 +21,8 @@ enum { TOP = WORD_EXPONENT_MAX, BOTTOM = WORD_EXPONENT_MIN, ROUNDS = 20000 };
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-static void test_add_machine_zero(void **state)
+TEST(add_machine_zero)
 {
-    (void)state;
     BINARY(add_upper, W(3, 5), MZ + 9, W(3, 5), 0);
     BINARY(add_upper, MZ + 9, W(BOTTOM, 5), W(BOTTOM, 5), 0);
     BINARY(add_lower, W(3, 5), MZ + 9, W(-44, 0), 0);
@@ -36,9 +35,8 @@ static void test_add_machine_zero(void **state)
     BINARY(subtract_normalised, MZ, W(3, HALF), W(2, MIN), 0);
 }
 
-static void test_add_aligns(void **state)
+TEST(add_aligns)
 {
-    (void)state;
     BINARY(add_upper, W(4, 3), W(0, 0x25), W(4, 5), 0);
     BINARY(add_lower, W(4, 3), W(0, 0x25), W(-43, INT64_C(5) << 43), 0);
     BINARY(add_upper, W(4, 3), W(0, -1), W(4, 2), 0);
@@ -52,9 +50,8 @@ static void test_add_aligns(void **state)
 
 /* What leaves the register of 95 bits is floored; a subtrahend before its
  * sign changes. */
-static void test_add_beyond_the_register(void **state)
+TEST(add_beyond_the_register)
 {
-    (void)state;
     BINARY(add_upper, W(0, HALF), W(-95, 1), W(0, HALF), 0);
     BINARY(add_upper, W(0, HALF), W(-95, -1), W(0, HALF - 1), 0);
     BINARY(add_lower, W(0, HALF), W(-95, -1), W(-47, MAX), 0);
@@ -67,9 +64,8 @@ static void test_add_beyond_the_register(void **state)
     BINARY(subtract_normalised, W(-48, -1), W(0, HALF), W(0, -HALF - 1), 0);
 }
 
-static void test_add_overflows_the_register(void **state)
+TEST(add_overflows_the_register)
 {
-    (void)state;
     BINARY(add_upper, W(0, MAX), W(0, MAX), W(1, MAX), 0);
     BINARY(add_upper, W(0, MAX), W(0, 2), W(1, HALF), 0);
     BINARY(add_upper, W(0, MIN), W(0, -1), W(1, -HALF - 1), 0);
@@ -80,9 +76,8 @@ static void test_add_overflows_the_register(void **state)
     BINARY(add_lower, W(TOP, MAX), W(TOP, 2), W(TOP - 46, HALF), 0);
 }
 
-static void test_add_normalises(void **state)
+TEST(add_normalises)
 {
-    (void)state;
     BINARY(add_normalised, W(0, 1), W(0, 1), W(-45, HALF), 0);
     BINARY(add_normalised, W(0, 0), W(0, -1), W(-47, MIN), 0);
     BINARY(add_normalised, W(9, 5), W(9, -5), MZ, ZERO_FLAG);
@@ -94,9 +89,8 @@ static void test_add_normalises(void **state)
     BINARY(add_normalised, W(TOP, 1), W(TOP, 1), W(TOP - 45, HALF), 0);
 }
 
-static void test_average(void **state)
+TEST(average)
 {
-    (void)state;
     BINARY(average, W(0, HALF), W(0, HALF), W(0, HALF), 0);
     BINARY(average, W(0, HALF), W(0, HALF + 1), W(0, HALF), 0);
     BINARY(average, W(0, 1), W(0, -1), MZ, ZERO_FLAG);
@@ -108,9 +102,8 @@ static void test_average(void **state)
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-static void test_multiply_special(void **state)
+TEST(multiply_special)
 {
-    (void)state;
     BINARY(multiply_upper, IND + 1, MZ, IND, INDEFINITE_FLAG);
     BINARY(multiply_lower, MZ, IND, IND, INDEFINITE_FLAG);
     BINARY(multiply_significant, MZ + 3, C205_ONE, MZ, ZERO_FLAG);
@@ -118,9 +111,8 @@ static void test_multiply_special(void **state)
     BINARY(multiply_lower, C205_ONE, MZ, MZ, ZERO_FLAG);
 }
 
-static void test_multiply_halves(void **state)
+TEST(multiply_halves)
 {
-    (void)state;
     BINARY(multiply_lower, W(1, 6), W(2, 7), W(3, 42), 0);
     BINARY(multiply_upper, W(1, 6), W(2, 7), W(50, 0), 0);
     BINARY(multiply_upper, W(1, 6), W(2, -7), W(50, -1), 0);
@@ -136,9 +128,8 @@ static void test_multiply_halves(void **state)
     BINARY(multiply_upper, W(TOP, 0), W(0, 0), IND, OVERFLOW_FLAGS);
 }
 
-static void test_multiply_significant(void **state)
+TEST(multiply_significant)
 {
-    (void)state;
     BINARY(multiply_significant, C205_ONE, W(5, MAX), W(5, MAX), 0);
     BINARY(multiply_significant, W(0, MAX), W(0, MAX), W(47, MAX - 1), 0);
     BINARY(multiply_significant, W(0, HALF), W(0, MIN), W(46, MIN), 0);
@@ -160,9 +151,8 @@ static void test_multiply_significant(void **state)
 
 /* ---- Divide ------------------------------------------------------------- */
 
-static void test_divide_special(void **state)
+TEST(divide_special)
 {
-    (void)state;
     BINARY(divide_upper, IND, MZ, IND, INDEFINITE_FLAG);
     BINARY(divide_significant, MZ, IND + 1, IND, INDEFINITE_FLAG);
     BINARY(divide_significant, C205_ONE, MZ, IND, FAULT_FLAGS);
@@ -172,9 +162,8 @@ static void test_divide_special(void **state)
     BINARY(divide_significant, MZ, W(0, 3), MZ, ZERO_FLAG);
 }
 
-static void test_divide_upper(void **state)
+TEST(divide_upper)
 {
-    (void)state;
     BINARY(divide_upper, W(0, 1), W(0, 3), W(-47, 0x2AAAAAAAAAAA), 0);
     BINARY(divide_upper, W(0, -1), W(0, 3), W(-47, -0x2AAAAAAAAAAA), 0);
     BINARY(divide_upper, W(0, 1), W(0, 1), W(-46, HALF), 0);
@@ -188,9 +177,8 @@ static void test_divide_upper(void **state)
     BINARY(divide_upper, W(TOP, 1), W(-47, MAX), W(TOP, 1), 0);
 }
 
-static void test_divide_significant(void **state)
+TEST(divide_significant)
 {
-    (void)state;
     BINARY(divide_significant, C205_ONE, C205_ONE, C205_ONE, 0);
     BINARY(divide_significant, C205_ONE, W(-45, HALF / 2 * 3),
            W(-48, 0x555555555555), 0);
@@ -212,9 +200,8 @@ static void test_divide_significant(void **state)
 
 /* ---- Square root -------------------------------------------------------- */
 
-static void test_square_root(void **state)
+TEST(square_root)
 {
-    (void)state;
     UNARY(square_root, C205_ONE, C205_ONE, 0);
     UNARY(square_root, W(-44, HALF), W(-45, HALF), 0);
     UNARY(square_root, W(-45, HALF), W(-46, 0x5A827999FCEF), 0);
@@ -233,9 +220,8 @@ static void test_square_root(void **state)
 
 /* ---- Parts of a number, sign -------------------------------------------- */
 
-static void test_integer_parts(void **state)
+TEST(integer_parts)
 {
-    (void)state;
     UNARY(truncate, W(-1, 5), W(0, 2), 0);
     UNARY(floor, W(-1, 5), W(0, 2), 0);
     UNARY(truncate, W(-1, -5), W(0, -2), 0);
@@ -254,9 +240,8 @@ static void test_integer_parts(void **state)
     UNARY(floor, IND | 77, IND | 77, INDEFINITE_FLAG);
 }
 
-static void test_sign(void **state)
+TEST(sign)
 {
-    (void)state;
     UNARY(negate, W(3, 5), W(3, -5), 0);
     UNARY(negate, W(3, 0), W(3, 0), 0);
     UNARY(negate, W(3, MIN), W(4, HALF), 0);
@@ -275,9 +260,8 @@ static void test_sign(void **state)
     UNARY(absolute, IND | UINT64_C(0xFFFFFFFFFFFF), IND, INDEFINITE_FLAG);
 }
 
-static void test_exponent(void **state)
+TEST(exponent)
 {
-    (void)state;
     UNARY(exponent, C205_ONE, W(0, -46), 0);
     UNARY(exponent, IND, W(0, 0x7000), 0);
     UNARY(exponent, MZ, W(0, -0x8000), 0);
@@ -313,21 +297,19 @@ static void compare_steps(size_t i, size_t j)
     }
 }
 
-static void test_compare(void **state)
+TEST(compare)
 {
     size_t steps = sizeof ladder / sizeof *ladder;
 
-    (void)state;
     for (size_t i = 0; i < steps; i++)
         for (size_t j = 0; j < steps; j++)
             compare_steps(i, j);
 }
 
-static void test_compare_indefinite(void **state)
+TEST(compare_indefinite)
 {
     const c205_word others[] = { IND, C205_ONE, MZ, W(TOP, MIN) };
 
-    (void)state;
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
         assert_false(arith_equal(IND, others[i]));
         assert_true(arith_not_equal(others[i], IND));
@@ -348,11 +330,10 @@ static c205_word shifted(c205_word a, int64_t count)
     return result;
 }
 
-static void test_shift(void **state)
+TEST(shift)
 {
     c205_word a = UINT64_C(0x8123456789ABCDEF);
 
-    (void)state;
     assert_int_equal(shifted(a, 0), a);
     assert_int_equal(shifted(a, 4), UINT64_C(0x123456789ABCDEF8));
     assert_int_equal(shifted(a, 63), UINT64_C(0xC091A2B3C4D5E6F7));
@@ -371,11 +352,10 @@ static c205_word any(uint64_t *seed)
                               : xorshift_unnormalised(seed, -60, 60);
 }
 
-static void test_add_and_multiply_commute(void **state)
+TEST(add_and_multiply_commute)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = any(&seed), b = any(&seed);
         assert_int_equal(arith_add_upper(a, b, &flags),
@@ -389,11 +369,10 @@ static void test_add_and_multiply_commute(void **state)
 
 /* Upper and lower hold all of the register: their sum normalised is the
  * normalised sum. */
-static void test_upper_and_lower_make_the_whole(void **state)
+TEST(upper_and_lower_make_the_whole)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = any(&seed), b = any(&seed);
         c205_word upper = arith_subtract_upper(a, b, &flags);
@@ -404,11 +383,10 @@ static void test_upper_and_lower_make_the_whole(void **state)
 }
 
 /* r = root of c: r^2 <= c <= (r + 1)^2, by products of the machine. */
-static void test_roots_and_squares(void **state)
+TEST(roots_and_squares)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = arith_absolute(xorshift_normalised(&seed, -99, 99),
                                      &flags);
@@ -419,34 +397,4 @@ static void test_roots_and_squares(void **state)
         assert_true(arith_not_less(a, square));
         assert_true(arith_not_less(next, a));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_add_machine_zero),
-        cmocka_unit_test(test_add_aligns),
-        cmocka_unit_test(test_add_beyond_the_register),
-        cmocka_unit_test(test_add_overflows_the_register),
-        cmocka_unit_test(test_add_normalises),
-        cmocka_unit_test(test_average),
-        cmocka_unit_test(test_multiply_special),
-        cmocka_unit_test(test_multiply_halves),
-        cmocka_unit_test(test_multiply_significant),
-        cmocka_unit_test(test_divide_special),
-        cmocka_unit_test(test_divide_upper),
-        cmocka_unit_test(test_divide_significant),
-        cmocka_unit_test(test_square_root),
-        cmocka_unit_test(test_integer_parts),
-        cmocka_unit_test(test_sign),
-        cmocka_unit_test(test_exponent),
-        cmocka_unit_test(test_compare),
-        cmocka_unit_test(test_compare_indefinite),
-        cmocka_unit_test(test_shift),
-        cmocka_unit_test(test_add_and_multiply_commute),
-        cmocka_unit_test(test_upper_and_lower_make_the_whole),
-        cmocka_unit_test(test_roots_and_squares),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -89,14 +89,13 @@ static size_t check_file(const char *path)
     return blocks;
 }
 
-static void test_examples(void **state)
+TEST(examples)
 {
     DIR *docs = opendir("docs");
     struct dirent *entry;
     char path[600];
     size_t blocks = 0;
 
-    (void)state;
     assert_non_null(docs);
     while ((entry = readdir(docs)) != NULL) {
         size_t length = strlen(entry->d_name);
@@ -108,11 +107,4 @@ static void test_examples(void **state)
     }
     closedir(docs);
     assert_true(blocks > 10);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_examples) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,7 +37,7 @@ static void check_failures(const struct failure *failure, size_t count)
 #define CHECK(failures) \
     check_failures(failures, sizeof failures / sizeof *failures)
 
-static void test_expressions(void **state)
+TEST(expressions)
 {
     static const struct failure failures[] = {
         { " .word\n", 1, 7, "expected a number, a name or '('" },
@@ -64,11 +64,10 @@ static void test_expressions(void **state)
           1, 8, "78 characters" },
     };
 
-    (void)state;
     CHECK(failures);
 }
 
-static void test_directives(void **state)
+TEST(directives)
 {
     static const struct failure failures[] = {
         { " .reg\n", 1, 6, "expected a name" },
@@ -101,11 +100,10 @@ static void test_directives(void **state)
         { " .error 5\n", 1, 9, "expected a string" },
     };
 
-    (void)state;
     CHECK(failures);
 }
 
-static void test_expansion(void **state)
+TEST(expansion)
 {
     static const struct failure failures[] = {
         { " .include 5\n", 1, 11, "expected a string" },
@@ -120,11 +118,10 @@ static void test_expansion(void **state)
         { " .if 1 2\n .endif\n", 1, 8, "the end of the statement" },
     };
 
-    (void)state;
     CHECK(failures);
 }
 
-static void test_instructions(void **state)
+TEST(instructions)
 {
     static const struct failure failures[] = {
         { " ADDN r1, r2, r256\n", 1, 15, "expected a register" },
@@ -144,11 +141,10 @@ static void test_instructions(void **state)
         { ".frob\n", 1, 1, "expected a directive" },
     };
 
-    (void)state;
     CHECK(failures);
 }
 
-static void test_expectations(void **state)
+TEST(expectations)
 {
     static const struct failure failures[] = {
         { "; expect: r1\n", 1, 13, "expected '='" },
@@ -171,7 +167,6 @@ static void test_expectations(void **state)
           "already, in test.s:1" },
     };
 
-    (void)state;
     CHECK(failures);
 }
 
@@ -204,12 +199,11 @@ static void check_long(char *text, size_t line, size_t column,
     free(text);
 }
 
-static void test_bounds(void **state)
+TEST(bounds)
 {
     char *model = repeated(" .macro m a\n .text \"", "\\a", 100,
                            "\"\n .endm\n m ");
 
-    (void)state;
     check_long(repeated("a:", " ", 70000, "EXIT\n"), 1, 1, "too long");
     check_long(repeated(model, "1234567890", 70, "\n"), 2, 2,
                "too long a line");
@@ -223,11 +217,10 @@ static void test_bounds(void **state)
 }
 
 /* Carriage returns before the ends of lines do not matter. */
-static void test_line_ends(void **state)
+TEST(line_ends)
 {
     struct object *object = good(" .data\r\n .word 5 \r\n .word 6\r\n");
 
-    (void)state;
     assert_int_equal(word_of(&object->program, 0x800000), 5);
     assert_int_equal(word_of(&object->program, 0x800040), 6);
     object_free(object);
@@ -235,20 +228,19 @@ static void test_line_ends(void **state)
 
 /* ---- Names from outside ------------------------------------------------ */
 
-static void test_names_of_the_command(void **state)
+TEST(names_of_the_command)
 {
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
     const struct asm_options options = { .defines = defines };
     struct diagnostics errors = { 0 };
 
-    (void)state;
     assert_null(
         assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
     check_one(&errors, "N", 2, 1, "defined by the command already");
     diagnostics_free(&errors);
 }
 
-static void test_search_folders(void **state)
+TEST(search_folders)
 {
     static const char *const folders[] = { "no such folder",
                                            "tests/programs/", NULL };
@@ -259,7 +251,6 @@ static void test_search_folders(void **state)
     struct diagnostics errors = { 0 };
     struct object *object;
 
-    (void)state;
     object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n",
                            &options, &errors);
     assert_non_null(object);
@@ -273,7 +264,7 @@ static void test_search_folders(void **state)
 
 /* ---- Operators --------------------------------------------------------- */
 
-static void test_operators(void **state)
+TEST(operators)
 {
     static const struct {
         const char *expression;
@@ -309,7 +300,6 @@ static void test_operators(void **state)
         { "bits(word(77))", 77 },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[80];
         struct object *object;
@@ -347,9 +337,8 @@ static void check_all(const char *text, const struct failure *wanted,
               sizeof(const struct failure[]){ __VA_ARGS__ } \
                   / sizeof(struct failure))
 
-static void test_all_of_a_line(void **state)
+TEST(all_of_a_line)
 {
-    (void)state;
     ALL(" ADDNV [1], [r300], 5 ? [)]\n",
         { NULL, 1, 9,
           "expected a register, found '1'; its form: ADDNV [r] or"
@@ -370,9 +359,8 @@ static void test_all_of_a_line(void **state)
         { NULL, 1, 14, "'two'" });
 }
 
-static void test_what_was_meant(void **state)
+TEST(what_was_meant)
 {
-    (void)state;
     ALL(" ADDVN [r1], [r2], [r3]\n", { NULL, 1, 2, "did you mean ADDNV?" });
     ALL(" .dta\n", { NULL, 1, 2, "did you mean .data?" });
     ALL(" .incldue \"core.s\"\n", { NULL, 1, 2, "did you mean .include?" });
@@ -391,22 +379,4 @@ static void test_what_was_meant(void **state)
         { NULL, 1, 6, "expected '[', found 'r1'; its form: LOD [r, r], r" });
     ALL(" MPYSH 1, h2, h3\n", { NULL, 1, 8, "its form: MPYSH h, h, h" });
     ALL(" EXIT 5\n", { NULL, 1, 7, "its form: EXIT (r, (r, (number)))" });
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_all_of_a_line),
-                                        cmocka_unit_test(test_what_was_meant),
-                                        cmocka_unit_test(test_expressions),
-                                        cmocka_unit_test(test_directives),
-                                        cmocka_unit_test(test_expansion),
-                                        cmocka_unit_test(test_instructions),
-                                        cmocka_unit_test(test_expectations),
-                                        cmocka_unit_test(test_bounds),
-                                        cmocka_unit_test(test_line_ends),
-                                        cmocka_unit_test(
-                                            test_names_of_the_command),
-                                        cmocka_unit_test(test_search_folders),
-                                        cmocka_unit_test(test_operators) };
-    return cmocka_run_group_tests_name("asm errors", tests, NULL, NULL);
 }

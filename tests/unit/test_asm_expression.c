@@ -18,7 +18,7 @@ static c205_word value(const char *expression)
     return word;
 }
 
-static void test_integers(void **state)
+TEST(integers)
 {
     static const struct {
         const char *text;
@@ -60,15 +60,13 @@ static void test_integers(void **state)
                   { "1 << 63 >> 63", -1 } };
     size_t i;
 
-    (void)state;
     for (i = 0; i < sizeof cases / sizeof *cases; i++)
         assert_int_equal(value(cases[i].text),
                          c205_from_integer(cases[i].value));
 }
 
-static void test_words(void **state)
+TEST(words)
 {
-    (void)state;
     assert_int_equal(value("1.0"), C205_ONE);
     assert_int_equal(value("1e0"), C205_ONE);
     assert_int_equal(value(".5"), 0xFFD1400000000000);
@@ -82,9 +80,8 @@ static void test_words(void **state)
 }
 
 /* The first and the last that are taken. */
-static void test_edges(void **state)
+TEST(edges)
 {
-    (void)state;
     assert_int_equal(value("(1 << 48) - 1"), 0xFFFFFFFFFFFF);
     assert_int_equal(value("-(1 << 47)"), 0x800000000000);
     assert_int_equal(value("9223372036854775807 >> 62"), 1);
@@ -106,11 +103,10 @@ static void expect_failure(const char *expression, const char *message)
     diagnostics_free(&errors);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     char deep[500] = "";
 
-    (void)state;
     expect_failure("1 / 0", "division by zero");
     expect_failure("1 % (2 - 2)", "division by zero");
     expect_failure("(1 << 63) / -1", "does not fit");
@@ -161,12 +157,11 @@ static char *times(char *text, const char *part, int count)
 
 /* MAX_EXPRESSION_DEPTH levels of brackets, the one within them among them,
  * and as many of operators. */
-static void test_depth(void **state)
+TEST(depth)
 {
     enum { DEEPEST = 200 };
     char text[1000] = "";
 
-    (void)state;
     times(strcat(times(text, "(", DEEPEST - 1), "5"), ")", DEEPEST - 1);
     assert_int_equal(value(text), 5);
     *text = '\0';
@@ -176,14 +171,4 @@ static void test_depth(void **state)
     assert_int_equal(value(times(text, "+N", DEEPEST)), 7 * (DEEPEST + 1));
     strcpy(text, "F");
     expect_failure(times(text, "+F", DEEPEST + 1), "too deeply");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_integers),
-                                        cmocka_unit_test(test_words),
-                                        cmocka_unit_test(test_errors),
-                                        cmocka_unit_test(test_edges),
-                                        cmocka_unit_test(test_depth) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

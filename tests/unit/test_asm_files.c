@@ -86,9 +86,8 @@ static void check_folder(const char *folder)
         closedir(listed);
 }
 
-static void test_sources(void **state)
+TEST(sources)
 {
-    (void)state;
     check_folder("asm/lib");
     check_folder("asm/examples");
     check_folder("tests/programs");
@@ -117,18 +116,17 @@ static const char sample[] = " .include \"print.s\"\n"
                              "; expect-model: cyber205-1pipe\n"
                              "; expect-warning: run-off\n";
 
-static void test_sample(void **state)
+TEST(sample)
 {
     struct object *object = good(sample);
 
-    (void)state;
     assert_int_equal(object->expectation_count, EXPECT_KINDS);
     check_disassembly(object);
     check_object_file(object);
     object_free(object);
 }
 
-static void test_saved(void **state)
+TEST(saved)
 {
     static const char path[] = "test_asm_files.tmp";
     struct object *object = good(sample), *again;
@@ -136,7 +134,6 @@ static void test_saved(void **state)
     size_t length;
     char *text;
 
-    (void)state;
     assert_true(object_save(object, path, &error));
     text = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(text);
@@ -168,7 +165,7 @@ static bool is_disassembled_as(const struct object *object,
 }
 
 /* Data disassembled as if they were code, from any bits. */
-static void test_any_bits(void **state)
+TEST(any_bits)
 {
     enum { WORDS = 4000 };
     static c205_word words[WORDS];
@@ -180,7 +177,6 @@ static void test_any_bits(void **state)
     uint64_t seed = 84;
     size_t i;
 
-    (void)state;
     memset(&object, 0, sizeof object);
     for (i = 0; i < WORDS; i++) {
         words[i] = xorshift(&seed);
@@ -215,7 +211,7 @@ static void test_any_bits(void **state)
 
 /* No piece of an object file, and none with a byte changed, does harm. */
 /* Labels keep their names, if these can stand in a text: once, on a line. */
-static void test_names(void **state)
+TEST(names)
 {
     static const char file[] =
         "c205-object 1\nentry 400000\nsegment 400000 2\n3E010005BE020000\n"
@@ -234,7 +230,6 @@ static void test_names(void **state)
     struct object *object = object_read(file, sizeof file - 1, &error);
     size_t i;
 
-    (void)state;
     assert_non_null(object);
     check_disassembly(object);
     assert_true(disassemble(object, &sink));
@@ -247,7 +242,7 @@ static void test_names(void **state)
     object_free(object);
 }
 
-static void test_broken_files(void **state)
+TEST(broken_files)
 {
     struct object *object = good(sample);
     struct text_buffer text = { NULL, 0, 0, false };
@@ -256,7 +251,6 @@ static void test_broken_files(void **state)
     c205_error error;
     size_t i;
 
-    (void)state;
     object_write(object, &sink);
     object_free(object);
     for (i = 0; i < text.length; i++)
@@ -281,20 +275,18 @@ static void check_refused(const char *text, const char *message)
         fail_msg("%s: %s", text, error.message);
 }
 
-static void test_last_address(void **state)
+TEST(last_address)
 {
     static const char text[] = "c205-object 1\nzeros FFFFFFFFFFC0 1\nend\n";
     c205_error error;
     struct object *object = object_read(text, sizeof text - 1, &error);
 
-    (void)state;
     assert_non_null(object);
     object_free(object);
 }
 
-static void test_refused_files(void **state)
+TEST(refused_files)
 {
-    (void)state;
     check_refused("", "ends before");
     check_refused("hello\n", "no object file");
     check_refused("c205-object 2\nend\n", "version");
@@ -318,17 +310,4 @@ static void test_refused_files(void **state)
     check_refused("c205-object 1\nexpect clocks 0 0 0 1 x\nend\n",
                   "number of words");
     check_refused("c205-object 1\nend\nend\n", "follows");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_sources),
-                                        cmocka_unit_test(test_sample),
-                                        cmocka_unit_test(test_saved),
-                                        cmocka_unit_test(test_any_bits),
-                                        cmocka_unit_test(test_names),
-                                        cmocka_unit_test(test_broken_files),
-                                        cmocka_unit_test(test_refused_files),
-                                        cmocka_unit_test(test_last_address) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,7 +20,7 @@ static c205_word encoding(const char *instruction)
     return word;
 }
 
-static void test_encodings(void **state)
+TEST(encodings)
 {
     static const struct {
         const char *text;
@@ -109,14 +109,13 @@ static void test_encodings(void **state)
     };
     size_t i;
 
-    (void)state;
     for (i = 0; i < sizeof cases / sizeof *cases; i++)
         if (encoding(cases[i].text) != cases[i].word)
             fail_msg("%s: %016llX", cases[i].text,
                      (unsigned long long)encoding(cases[i].text));
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct {
         const char *text;
@@ -189,7 +188,6 @@ static void test_errors(void **state)
     };
     size_t i;
 
-    (void)state;
     for (i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct diagnostics errors = { 0 };
         char text[300];
@@ -225,13 +223,12 @@ static void check_round_trip(c205_word word)
     object_free(object);
 }
 
-static void test_round_trip(void **state)
+TEST(round_trip)
 {
     uint64_t seed = 205;
     size_t i;
     int j;
 
-    (void)state;
     for (i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
 
@@ -266,11 +263,10 @@ static void check_written(const c205_insn *insn, uint8_t g)
     check_round_trip(word);
 }
 
-static void test_sizes(void **state)
+TEST(sizes)
 {
     size_t i;
 
-    (void)state;
     for (i = 0; i < c205_insn_count; i++) {
         check_written(&c205_insns[i], 0);
         if (c205_insns[i].flags & C205_INSN_HALF)
@@ -279,7 +275,7 @@ static void test_sizes(void **state)
 }
 
 /* What no machine executes is no text. */
-static void test_refused(void **state)
+TEST(refused)
 {
     static const c205_word words[] = {
         0xDA10001000000014, /* SUMV r16, r20 */
@@ -294,19 +290,8 @@ static void test_refused(void **state)
     char text[DISASSEMBLE_TEXT_SIZE];
     size_t i;
 
-    (void)state;
     for (i = 0; i < sizeof words / sizeof *words; i++) {
         assert_int_equal(disassemble_one(words[i], 0, text), 1);
         assert_memory_equal(text, ".half", 5);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_encodings),
-                                        cmocka_unit_test(test_errors),
-                                        cmocka_unit_test(test_round_trip),
-                                        cmocka_unit_test(test_sizes),
-                                        cmocka_unit_test(test_refused) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

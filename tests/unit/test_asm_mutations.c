@@ -98,13 +98,12 @@ static size_t check_text(const char *path, const char *text)
     return errors;
 }
 
-static void test_mutations(void **state)
+TEST(mutations)
 {
     uint64_t seed = RANDOM_SEED;
     size_t i, k, wrong = 0;
     int try;
 
-    (void)state;
     for (i = 0; i < sizeof programs / sizeof *programs; i++) {
         c205_error error;
         size_t length;
@@ -122,11 +121,4 @@ static void test_mutations(void **state)
         free(text);
     }
     assert_true(wrong > TRIES);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_mutations) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -177,12 +177,11 @@ static struct object *assemble_value(const char *text)
     return object;
 }
 
-static void test_operations(void **unused)
+TEST(operations)
 {
     static struct drawn drawn;
     int values = 0;
 
-    (void)unused;
     for (int i = 0; i < TRIES; i++) {
         struct object *object;
         c205_word expected, word;
@@ -247,13 +246,12 @@ static void check_function(const char *name, bool two)
 }
 
 /* Indefinite is what a word may be; it is neither less nor not less than anything. */
-static void test_indefinite(void **unused)
+TEST(indefinite)
 {
     static const char *const operators[] = {
         "<", ">=", ">", "<=", "==", "!="
     };
 
-    (void)unused;
     for (size_t i = 0; i < 6; i++) {
         char text[80];
         struct object *object;
@@ -267,9 +265,8 @@ static void test_indefinite(void **unused)
     }
 }
 
-static void test_functions(void **unused)
+TEST(functions)
 {
-    (void)unused;
     for (int i = 0; i < 4; i++) {
         check_function("exp", false);
         check_function("log", false);
@@ -280,25 +277,16 @@ static void test_functions(void **unused)
     }
 }
 
-static int begin_all(void **unused)
+FIXTURE(begin_all)
 {
     oracle_begin();
-    return set_up_model(unused);
+    return set_up_model(test_state);
 }
 
-static int end_all(void **unused)
+FIXTURE(end_all)
 {
     oracle_end();
-    return tear_down_model(unused);
+    return tear_down_model(test_state);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_operations),
-        cmocka_unit_test(test_indefinite),
-        cmocka_unit_test(test_functions),
-    };
-
-    return cmocka_run_group_tests(tests, begin_all, end_all);
-}
+GROUP(begin_all, end_all);

@@ -13,7 +13,7 @@ static void assert_place(const struct object *object, const char *name,
                  (long)place);
 }
 
-static void test_places(void **state)
+TEST(places)
 {
     struct object *object = good(" .equ n, 2\n"
                                  " .record BALL\n"
@@ -33,7 +33,6 @@ static void test_places(void **state)
                                  " .equ radius, 3\n"
                                  " .word BALL_SIZE\n");
 
-    (void)state;
     assert_place(object, "BALL_CENTER", 0);
     assert_place(object, "radius", 3);
     assert_place(object, "none", 4);
@@ -96,11 +95,10 @@ static void make_record(struct random_record *record, uint64_t *seed)
     say(record, " .endrecord\n", 0, 0);
 }
 
-static void test_random_records(void **state)
+TEST(random_records)
 {
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     for (size_t i = 0; i < 300; i++) {
         struct random_record record;
         struct object *object;
@@ -123,7 +121,7 @@ struct failure {
     const char *message;
 };
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct failure failures[] = {
         { " .record\n", 1, 9, "expected the record's name" },
@@ -153,7 +151,6 @@ static void test_errors(void **state)
           "'a_SIZE' is defined already, in test.s:1" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof failures / sizeof *failures; i++) {
         const struct failure *failure = &failures[i];
         struct diagnostics errors = { 0 };
@@ -170,13 +167,4 @@ static void test_errors(void **state)
                      errors.count ? errors.items[0].message : "");
         diagnostics_free(&errors);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_places),
-                                        cmocka_unit_test(test_random_records),
-                                        cmocka_unit_test(test_errors) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -33,7 +33,7 @@ static void check_warning(const struct expected *expected)
     object_free(object);
 }
 
-static void test_warnings(void **state)
+TEST(warnings)
 {
     static const struct expected warnings[] = {
         { " .reg a, r5\n .reg b, r6\n .reg h, h8\n .reg i, h9\n", 0, 0, "" },
@@ -89,12 +89,11 @@ static void test_warnings(void **state)
           7, "'a' already, of test.s:1" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof warnings / sizeof *warnings; i++)
         check_warning(&warnings[i]);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct expected errors[] = {
         { " .share\n", 1, 2, "this .share has no .endshare" },
@@ -106,7 +105,6 @@ static void test_errors(void **state)
           "nested more than 64 deep" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
         struct diagnostics found = { 0 };
 
@@ -121,7 +119,7 @@ static void test_errors(void **state)
 }
 
 /* What the object tells of names and of where they stand. */
-static void test_mentions(void **state)
+TEST(mentions)
 {
     struct object *object = good(" .regs r5, a, b\n"
                                  " .reg h, h20\n"
@@ -138,7 +136,6 @@ static void test_mentions(void **state)
                      { 0x400020, 1 }, { 0x400020, 3 }, { 0x400020, 4 },
                      { 0x400020, 1 }, { 0x400060, 2 } };
 
-    (void)state;
     assert_int_equal(object->register_count, 5);
     assert_string_equal(object->registers[2].name, "h");
     assert_true(object->registers[2].half);
@@ -295,12 +292,11 @@ static void make_declarations(struct declarations *declarations,
         close_block(declarations);
 }
 
-static void test_random_declarations(void **state)
+TEST(random_declarations)
 {
     uint64_t seed = RANDOM_SEED;
     size_t told = 0, silent = 0;
 
-    (void)state;
     for (size_t i = 0; i < 2000; i++) {
         static struct declarations declarations;
         struct diagnostics found = { 0 };
@@ -324,16 +320,4 @@ static void test_random_declarations(void **state)
         object_free(object);
     }
     assert_true(told > 1000 && silent > 1000);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_warnings),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_mentions),
-        cmocka_unit_test(test_random_declarations),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,7 +14,7 @@ static c205_word first_word(const char *text, uint64_t address)
     return word;
 }
 
-static void test_data(void **state)
+TEST(data)
 {
     struct object *object = good(" .data\n"
                                  " .half 1\n"
@@ -29,7 +29,6 @@ static void test_data(void **state)
                                  " .half -1, 0xFFFFFFFF, -0x80000000\n");
     const c205_program *program = &object->program;
 
-    (void)state;
     assert_int_equal(object_symbol(object, "label")->value, DATA + 64);
     assert_int_equal(object_symbol(object, "same")->value, DATA + 64);
     assert_true(object_symbol(object, "v")->is_label);
@@ -47,7 +46,7 @@ static void test_data(void **state)
     object_free(object);
 }
 
-static void test_half_words(void **state)
+TEST(half_words)
 {
     struct object *object = good(
         " .equ tenth, 0.1\n"
@@ -60,7 +59,6 @@ static void test_half_words(void **state)
         " .word 8\n");
     const c205_program *program = &object->program;
 
-    (void)state;
     assert_int_equal(word_of(program, DATA), 0xEA600000EA800000);
     assert_int_equal(word_of(program, DATA + 64), 0x00FFFFFEE6666666);
     assert_int_equal(word_of(program, DATA + 128), 0x7012345670000000);
@@ -76,7 +74,7 @@ static void test_half_words(void **state)
     object_free(object);
 }
 
-static void test_places(void **state)
+TEST(places)
 {
     struct object *object = good(" .include \"core.s\"\n"
                                  " EXIT\n"
@@ -92,7 +90,6 @@ static void test_places(void **state)
                                  " .entry here\n");
     const c205_program *program = &object->program;
 
-    (void)state;
     assert_int_equal(program->entry, CODE + 64);
     assert_int_equal(word_of(program, CODE + 64), 0x3E01000200000000);
     assert_int_equal(word_of(program, 0x10000000), 0x3E010003);
@@ -102,17 +99,16 @@ static void test_places(void **state)
     object_free(object);
 }
 
-static void test_entry_is_the_first_instruction(void **state)
+TEST(entry_is_the_first_instruction)
 {
     struct object *object = good(" .data\n .word 1\n .code\n .org 0x500000\n"
                                  " EXIT\n .org 0x400000\n EXIT\n");
 
-    (void)state;
     assert_int_equal(object->program.entry, 0x500000);
     object_free(object);
 }
 
-static void test_regions(void **state)
+TEST(regions)
 {
     struct object *object = good(
         " EXIT\n .kernel one\n EXIT\n .data\n .org 0x20000000\n .word 1\n"
@@ -121,7 +117,6 @@ static void test_regions(void **state)
         " .kernel \"a b\"\n EXIT\n .endkernel\n");
     const c205_program *program = &object->program;
 
-    (void)state;
     assert_int_equal(program->region_count, 2);
     assert_string_equal(program->regions[0].name, "one");
     assert_int_equal(program->regions[0].begin, CODE + 32);
@@ -130,9 +125,8 @@ static void test_regions(void **state)
     object_free(object);
 }
 
-static void test_macros(void **state)
+TEST(macros)
 {
-    (void)state;
     assert_int_equal(first_word(" .macro put a, b=7\n .word \\a + \\b\n"
                                 " .endm\n .data\n put 5\n",
                                 DATA),
@@ -160,9 +154,8 @@ static void test_macros(void **state)
                      0x612C620000000000);
 }
 
-static void test_parameters(void **state)
+TEST(parameters)
 {
-    (void)state;
     assert_int_equal(first_word(" .macro put a=7, b\n .word \\a + \\b\n"
                                 " .endm\n .data\n put , 1\n",
                                 DATA),
@@ -174,9 +167,8 @@ static void test_parameters(void **state)
 }
 
 /* The number of each expansion is its own. */
-static void test_macro_in_macro(void **state)
+TEST(macro_in_macro)
 {
-    (void)state;
     assert_int_equal(first_word(" .macro out\n .macro in\n"
                                 " l\\@: .word l\\@\n .endm\n .endm\n"
                                 " .data\n out\n in\n in\n",
@@ -184,22 +176,20 @@ static void test_macro_in_macro(void **state)
                      DATA + 64);
 }
 
-static void test_lines_of_dos(void **state)
+TEST(lines_of_dos)
 {
     struct object *object = good(" EXIT\r\n; expect-print: a\r\n");
 
-    (void)state;
     assert_string_equal(object->expectations[0].text, "a");
     assert_string_equal(object->lines[0].source, " EXIT");
     object_free(object);
 }
 
 /* All that lies in the long one is told. */
-static void test_overlaps(void **state)
+TEST(overlaps)
 {
     struct diagnostics errors = { 0 };
 
-    (void)state;
     assert_null(assemble_text("test.s",
                               " .data\n .space 4\n .org 0x800040\n .word 1\n"
                               " .org 0x8000C0\n .word 2\n",
@@ -208,9 +198,8 @@ static void test_overlaps(void **state)
     diagnostics_free(&errors);
 }
 
-static void test_macro_in_brackets(void **state)
+TEST(macro_in_brackets)
 {
-    (void)state;
     assert_int_equal(first_word(" .macro add a, b\n"
                                 " ADDNV \\a, \\b, [r3]\n .endm\n"
                                 "l: add [r1, r9], r2 ; a comment\n",
@@ -218,13 +207,12 @@ static void test_macro_in_brackets(void **state)
                      0x8208090100020003);
 }
 
-static void test_repetition(void **state)
+TEST(repetition)
 {
     static const char nested[] =
         " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
         " .endr\n";
 
-    (void)state;
     assert_int_equal(first_word(" .data\n .rept 3\n .word \\+\n .endr\n",
                                 DATA + 128),
                      2);
@@ -237,7 +225,7 @@ static void test_repetition(void **state)
                      2);
 }
 
-static void test_conditions(void **state)
+TEST(conditions)
 {
     static const char text[] =
         " .data\n"
@@ -251,7 +239,6 @@ static void test_conditions(void **state)
     struct diagnostics errors = { 0 };
     struct object *object = assemble_text("t.s", text, &options, &errors);
 
-    (void)state;
     assert_non_null(object);
     assert_int_equal(word_of(&object->program, DATA), 2);
     assert_int_equal(word_of(&object->program, DATA + 64), 22);
@@ -259,9 +246,8 @@ static void test_conditions(void **state)
     object_free(object);
 }
 
-static void test_registers_are_named_anew(void **state)
+TEST(registers_are_named_anew)
 {
-    (void)state;
     assert_int_equal(first_word(" .reg x, r1\n .reg x, r2\n RTOR x, r3\n",
                                 CODE),
                      0x7802000300000000);
@@ -294,7 +280,7 @@ static void check_failure(const struct failure *failure)
     diagnostics_free(&errors);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct failure failures[] = {
         { " .frob 1\n", 1, "a directive" },
@@ -379,12 +365,11 @@ static void test_errors(void **state)
     };
     size_t i;
 
-    (void)state;
     for (i = 0; i < sizeof failures / sizeof *failures; i++)
         check_failure(&failures[i]);
 }
 
-static void test_all_errors_with_carets(void **state)
+TEST(all_errors_with_carets)
 {
     static const char text[] = " ADDN r1, r2\n\n\tES\tr1, nowhere\n FROB\n";
     static const char printed[] =
@@ -403,7 +388,6 @@ static void test_all_errors_with_carets(void **state)
     struct text_buffer buffer = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&buffer);
 
-    (void)state;
     assert_null(assemble_text("test.s", text, NULL, &errors));
     diagnostics_put(&errors, &sink);
     assert_string_equal(buffer.text, printed);
@@ -411,37 +395,12 @@ static void test_all_errors_with_carets(void **state)
     diagnostics_free(&errors);
 }
 
-static void test_missing_file(void **state)
+TEST(missing_file)
 {
     struct diagnostics errors = { 0 };
 
-    (void)state;
     assert_null(assemble_file("no such file.s", NULL, &errors));
     assert_int_equal(errors.count, 1);
     assert_int_equal(errors.items[0].line, 0);
     diagnostics_free(&errors);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_data),
-        cmocka_unit_test(test_half_words),
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_entry_is_the_first_instruction),
-        cmocka_unit_test(test_regions),
-        cmocka_unit_test(test_macros),
-        cmocka_unit_test(test_parameters),
-        cmocka_unit_test(test_macro_in_macro),
-        cmocka_unit_test(test_lines_of_dos),
-        cmocka_unit_test(test_overlaps),
-        cmocka_unit_test(test_macro_in_brackets),
-        cmocka_unit_test(test_repetition),
-        cmocka_unit_test(test_conditions),
-        cmocka_unit_test(test_registers_are_named_anew),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_all_errors_with_carets),
-        cmocka_unit_test(test_missing_file)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

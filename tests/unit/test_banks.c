@@ -1,14 +1,9 @@
 /* test_banks.c - conflicts of long lists against the rule, access by access. */
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 #include "vm/time/banks.h"
 
 #include <fenv.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 enum { LISTS = 2000, LENGTH_MOST = 1500, BANKS_MOST = 70, AGAIN = 4 };
 
@@ -85,36 +80,24 @@ static void check_list(uint64_t *seed)
     index_list_free(&list);
 }
 
-static void test_lists_by_chance(void **state)
+TEST(lists_by_chance)
 {
     uint64_t seed = RANDOM_SEED;
-    (void)state;
 
     for (int i = 0; i < LISTS; i++)
         check_list(&seed);
 }
 
 /* However whoever calls rounds doubles. */
-static void test_roundings(void **state)
+TEST(roundings)
 {
     static const int ways[] = { FE_DOWNWARD, FE_UPWARD, FE_TOWARDZERO };
     uint64_t seed = RANDOM_SEED;
     int before = fegetround();
 
-    (void)state;
     for (size_t i = 0; i < 3 * LISTS; i++) {
         assert_int_equal(fesetround(ways[i % 3]), 0);
         check_list(&seed);
     }
     fesetround(before);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists_by_chance),
-        cmocka_unit_test(test_roundings),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,8 +8,6 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 static size_t patch_count = 400;
 static uint64_t random_state = RANDOM_SEED;
 
@@ -266,12 +264,11 @@ static bool has_all(const struct triangles *triangles,
     return true;
 }
 
-static void test_random_patches(void **state)
+TEST(random_patches)
 {
     static struct expected expected;
     char text[4096];
 
-    (void)state;
     for (size_t i = 0; i < patch_count; i++) {
         struct patch patch = random_patch();
         double scale[3];
@@ -304,9 +301,8 @@ static size_t count_of(const char *text)
     return count;
 }
 
-static void test_words(void **state)
+TEST(words)
 {
-    (void)state;
     /* flat, but no steps without a flatness above 0 */
     assert_int_equal(count_of("bicubic_patch { type 0 " SQUARE " }"), 2);
     assert_int_equal(
@@ -328,7 +324,7 @@ static void test_words(void **state)
 }
 
 /* It is its place in the world that counts, and that of each copy. */
-static void test_copies(void **state)
+TEST(copies)
 {
     struct scene *scene = read_scene(
         "#declare P = bicubic_patch { type 1 u_steps 1 v_steps 1 flatness .1\n"
@@ -340,7 +336,6 @@ static void test_copies(void **state)
         "object { P scale .1 scale 10 }");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 3);
     assert_int_equal(p[0].shape.mesh.triangles.count, 8);
     assert_int_equal(p[1].shape.mesh.triangles.count, 2);
@@ -349,7 +344,7 @@ static void test_copies(void **state)
     scene_free(scene);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error rows[] = {
         { "bicubic_patch { " SQUARE " }", 17, "expected 'type'" },
@@ -364,22 +359,13 @@ static void test_errors(void **state)
         { "bicubic_patch { type 1 " SQUARE ", x }", 195, "found \',\'" },
     };
 
-    (void)state;
     assert_errors(rows, COUNT(rows));
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_words),
-        cmocka_unit_test(test_copies),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_random_patches),
-    };
-
     if (argc > 1)
         patch_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         random_state ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("bicubic patches", tests, NULL, NULL);
 }

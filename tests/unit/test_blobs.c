@@ -95,9 +95,8 @@ static void add_moved_blob(char *text, size_t size)
     add_text(text, size, " ");
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     for (int gridded = 0; gridded < 2; gridded++) {
         solids.gridded = gridded;
         check_random_scenes(add_moved_blob, scene_count);
@@ -107,9 +106,8 @@ static void test_random_scenes(void **state)
 
 /* ---- Solids -------------------------------------------------------------- */
 
-static void test_solids(void **state)
+TEST(solids)
 {
-    (void)state;
     for (size_t i = 0; i < 2 * scene_count; i++) {
         solids.clear = i % 2;
         solids.gridded = i % 4 >= 2;
@@ -124,9 +122,8 @@ static void test_solids(void **state)
 #define HALF "threshold .0625 "
 #define SEEN 0.86602540378443865
 
-static void test_middle(void **state)
+TEST(middle)
 {
-    (void)state;
     check_middle(AHEAD "blob { " HALF "sphere { 0, 2, 1 } }", 1,
                  5 - 2 * SEEN);
     /* below, beside, too weak, taken away */
@@ -181,7 +178,7 @@ static void test_middle(void **state)
     "blob { threshold .997 sphere { -.52*z, 1, 1 } sphere { .52*z, 1, 1 }" \
     " scale 2 "
 
-static void test_humps(void **state)
+TEST(humps)
 {
     static const char *const cuts[] = { "-1.06", "-.9", "0", ".9", "1.06" };
     static const struct ray ray = { { 0, 0, -5 }, { 0, 0, 1 } };
@@ -189,7 +186,6 @@ static void test_humps(void **state)
     struct scene *scene = read_text(HUMPS "}");
     struct shape_words words;
 
-    (void)state;
     shape_words(scene->primitives, &words);
     assert_int_equal(words.segments, 3);
     assert_int_equal(plain_crossings(scene->primitives, &ray, crossings), 6);
@@ -206,9 +202,8 @@ static void test_humps(void **state)
 
 /* ---- Normals ------------------------------------------------------------- */
 
-static void test_inside(void **state)
+TEST(inside)
 {
-    (void)state;
     for (int try = 0; try < 200; try++) {
         char text[4000] = "";
         const struct ray ray = { { between(-1, 1), between(-1, 1), -9 },
@@ -236,18 +231,12 @@ static void test_inside(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_inside), cmocka_unit_test(test_middle),
-        cmocka_unit_test(test_humps),  cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_solids),
-    };
-
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("blobs", tests, set_up_frames,
-                                       tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

@@ -2,11 +2,10 @@
  * one that goes step by step: same state, same clock, same accounts; and so
  * does one that is stopped, listened to or disturbed on the way. */
 #include "tests/unit/saved_machine.h"
+#include "tests/unit/prior_model.h"
 
 #include "vm/machine.h"
 #include "vm/time/clock_parts.h"
-
-static c205_model *model;
 
 static const char arithmetic[] = /* of 40 quadratics, by calls */
     "        .include \"core.s\"\n"
@@ -44,7 +43,7 @@ static const char arithmetic[] = /* of 40 quadratics, by calls */
 static c205 *load(const char *text)
 {
     struct object *object = good(text);
-    c205 *machine = machine_with(&object->program, model);
+    c205 *machine = machine_with(&object->program, prior_model);
     object_free(object);
     return machine;
 }
@@ -83,10 +82,9 @@ static uint64_t schedule_count(const c205 *machine)
     return count;
 }
 
-static void test_whole(void **state)
+TEST(whole)
 {
     c205 *whole, *stepped;
-    (void)state;
     c205_stop stop = compare(arithmetic, &whole, &stepped);
     assert_int_equal(stop.trap, C205_TRAP_NONE);
     assert_true(schedule_count(whole) > 5);
@@ -122,9 +120,8 @@ static void check_limits(const char *text)
     c205_free(whole);
 }
 
-static void test_limits(void **state)
+TEST(limits)
 {
-    (void)state;
     check_limits(arithmetic);
     check_limits("        .include \"core.s\"\n"
                  "        .regs   r10, turns, to, x, y\n"
@@ -165,10 +162,9 @@ static uint64_t instructions(const c205 *machine)
 }
 
 /* Who begins to listen in the middle of a run hears of all the rest. */
-static void test_listener(void **state)
+TEST(listener)
 {
     c205 *whole = load(arithmetic);
-    (void)state;
     c205_run(whole, C205_NO_LIMIT);
     for (uint64_t limit = 1; limit < c205_clock(whole); limit += 137) {
         c205 *machine = load(arithmetic);
@@ -188,7 +184,7 @@ static void test_listener(void **state)
 
 /* A store over what stands behind it, and before it, in its own block: the
  * new instruction is executed from then on. */
-static void test_changes(void **state)
+TEST(changes)
 {
     static const char text[] =
         "        .include \"core.s\"\n"
@@ -216,7 +212,6 @@ static void test_changes(void **state)
         "other:  IS      sum, 100\n"
         "        IS      sum, 100\n";
     c205 *whole, *stepped;
-    (void)state;
     compare(text, &whole, &stepped);
     assert_int_equal(c205_register(whole, 15), 2 + 200 + 5 * 400);
     free_both(whole, stepped);
@@ -226,7 +221,7 @@ static void test_changes(void **state)
 
 /* Loads walk off the mapped memory, in the middle of a block; when the page
  * is there, the run goes on. */
-static void test_fault(void **state)
+TEST(fault)
 {
     static const char text[] = "        .include \"core.s\"\n"
                                "        .regs   r10, at, x, sum, turns, to\n"
@@ -245,7 +240,6 @@ static void test_fault(void **state)
                                "        .space  20\n";
     c205 *whole, *stepped;
     c205_error error;
-    (void)state;
     c205_stop stop = compare(text, &whole, &stepped);
     assert_int_equal(stop.trap, C205_TRAP_UNMAPPED_ADDRESS);
     assert_int_equal(stop.address, 0x10000000);
@@ -261,7 +255,7 @@ static void test_fault(void **state)
 
 /* Control comes into the middle of a block of another region, and vectors
  * stream beside it; the clock is read on the way. */
-static void test_regions(void **state)
+TEST(regions)
 {
     static const char text[] =
         "        .include \"core.s\"\n"
@@ -289,7 +283,6 @@ static void test_regions(void **state)
         "        .endkernel\n"
         "        EXIT\n";
     c205 *whole, *stepped;
-    (void)state;
     compare(text, &whole, &stepped);
     assert_int_equal(c205_account_count(whole), 3);
     assert_int_equal(c205_account_at(whole, 1)->entries, 30);
@@ -297,7 +290,7 @@ static void test_regions(void **state)
 }
 
 /* Vectors stream beside blocks that load and compute. */
-static void test_vectors(void **state)
+TEST(vectors)
 {
     static const char text[] = "        .include \"core.s\"\n"
                                "        .regs   r10, turns, to, v, at, x, y\n"
@@ -318,13 +311,12 @@ static void test_vectors(void **state)
                                "        DBNZ    turns, [to]\n"
                                "        EXIT\n";
     c205 *whole, *stepped;
-    (void)state;
     compare(text, &whole, &stepped);
     free_both(whole, stepped);
 }
 
 /* What asks for the time gets that at which it begins, wherever it stands. */
-static void test_timer(void **state)
+TEST(timer)
 {
     static const char text[] =
         "        .include \"core.s\"\n"
@@ -352,7 +344,6 @@ static void test_timer(void **state)
         "        DBNZ    turns, [to]\n"
         "        EXIT\n";
     c205 *whole, *stepped;
-    (void)state;
     compare(text, &whole, &stepped);
     free_both(whole, stepped);
 }
@@ -361,21 +352,20 @@ static void test_timer(void **state)
 
 static void compare_on(const char *constants, const char *text)
 {
-    c205_model *usual = model;
+    c205_model *usual = prior_model;
     c205_error error;
     c205 *whole, *stepped;
-    model = c205_model_parse("other", constants, &error);
-    assert_non_null(model);
+    prior_model = c205_model_parse("other", constants, &error);
+    assert_non_null(prior_model);
     compare(text, &whole, &stepped);
     free_both(whole, stepped);
-    c205_model_free(model);
-    model = usual;
+    c205_model_free(prior_model);
+    prior_model = usual;
 }
 
 /* Loads wait for the oldest of three, over the ends of blocks. */
-static void test_loads(void **state)
+TEST(loads)
 {
-    (void)state;
     compare_on("title T\nlike cyber205-2pipe-prior\nlatency.load 70 clk R\n"
                "memory.loads_in_flight 3 loads R\n",
                "        .include \"core.s\"\n"
@@ -401,9 +391,8 @@ static void test_loads(void **state)
 
 /* More registers take longer, and end on another page: the third of three of
  * which two are known. */
-static void test_swap(void **state)
+TEST(swap)
 {
-    (void)state;
     compare_on("title T\nlike cyber205-2pipe-prior\npage.words 512 words R\n"
                "translation.registers 2 registers R\n",
                "        .include \"core.s\"\n"
@@ -432,9 +421,8 @@ static void test_swap(void **state)
 }
 
 /* As many loads as a block has room for, and a SWAP behind them. */
-static void test_most_ranges(void **state)
+TEST(most_ranges)
 {
-    (void)state;
     compare_on("title T\nlike cyber205-2pipe-prior\npage.words 512 words R\n"
                "translation.registers 2 registers R\n",
                "        .include \"core.s\"\n"
@@ -468,11 +456,10 @@ static void test_most_ranges(void **state)
 
 /* Numbers behind a branch that is always taken are no code: who stores there
  * changes code once. */
-static void test_data_behind_branch(void **state)
+TEST(data_behind_branch)
 {
     c205 *whole, *stepped;
 
-    (void)state;
     c205_stop stop = compare("        .include \"core.s\"\n"
                              "        .regs   r10, turns, to, at, x, one\n"
                              "        EX      to, again\n"
@@ -498,7 +485,7 @@ static void test_data_behind_branch(void **state)
 
 /* What goes to register 0 nobody waits for but SWAP and the end: by one way a
  * product, by the other one a sum. */
-static void test_lost_results(void **state)
+TEST(lost_results)
 {
     static const char text[] =
         "        .include \"core.s\"\n"
@@ -520,7 +507,6 @@ static void test_lost_results(void **state)
         "both:   SWAP    [r0], r4, [place]\n"
         "        DBNZ    turns, [to]\n"
         "        EXIT\n";
-    (void)state;
     compare_on("title T\nlike cyber205-2pipe-prior\n"
                "latency.multiply 40 clk R\nlatency.add 30 clk R\n",
                text);
@@ -529,7 +515,7 @@ static void test_lost_results(void **state)
 /* ---- No room ------------------------------------------------------------- */
 
 /* More than there is room for: all is forgotten, and begins anew. */
-static void test_many_blocks(void **state)
+TEST(many_blocks)
 {
     static const char text[] = "        .regs   r10, turns, to, sum\n"
                                "        .code\n"
@@ -542,7 +528,6 @@ static void test_many_blocks(void **state)
                                "        DBNZ    turns, [to]\n"
                                "        EXIT\n";
     c205 *machine = load(text);
-    (void)state;
     c205_run(machine, C205_NO_LIMIT);
     assert_int_equal(c205_register(machine, 12), 140000);
     assert_int_equal(instructions(machine), 140000 + 5);
@@ -552,7 +537,7 @@ static void test_many_blocks(void **state)
 
 /* Each of many branches goes by chance, so that there are ever new flights:
  * what was remembered is forgotten, and the blocks know it. */
-static void test_many_flights(void **state)
+TEST(many_flights)
 {
     static const char text[] =
         "        .include \"core.s\"\n"
@@ -583,34 +568,9 @@ static void test_many_flights(void **state)
         "        DBNZ    turns, [to]\n"
         "        EXIT\n";
     c205 *whole, *stepped;
-    (void)state;
     compare(text, &whole, &stepped);
     assert_true(whole->clock->generation > 1);
     free_both(whole, stepped);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_whole),
-        cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_listener),
-        cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_fault),
-        cmocka_unit_test(test_regions),
-        cmocka_unit_test(test_vectors),
-        cmocka_unit_test(test_timer),
-        cmocka_unit_test(test_swap),
-        cmocka_unit_test(test_most_ranges),
-        cmocka_unit_test(test_data_behind_branch),
-        cmocka_unit_test(test_loads),
-        cmocka_unit_test(test_lost_results),
-        cmocka_unit_test(test_many_blocks),
-        cmocka_unit_test(test_many_flights),
-    };
-    c205_error error;
-    model = c205_model_find("cyber205-2pipe-prior", &error);
-    int failed = model ? cmocka_run_group_tests(tests, NULL, NULL) : 1;
-    c205_model_free(model);
-    return failed;
-}
+GROUP(set_up_model, tear_down_model);

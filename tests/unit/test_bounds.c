@@ -28,7 +28,7 @@ static struct bound first_bound(const char *text)
 }
 
 /* Each with its centre and least radius, or none. */
-static void test_known(void **state)
+TEST(known)
 {
     static const struct {
         const char *text;
@@ -124,7 +124,6 @@ static void test_known(void **state)
           .002 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct bound bound = first_bound(rows[i].text);
         double within = rows[i].slack * rows[i].radius;
@@ -138,7 +137,7 @@ static void test_known(void **state)
     }
 }
 
-static void test_known_boxes(void **state)
+TEST(known_boxes)
 {
     static const struct {
         const char *text;
@@ -167,7 +166,6 @@ static void test_known_boxes(void **state)
           { 4, 4, 1 } },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct bound bound = first_bound(rows[i].text);
 
@@ -210,7 +208,7 @@ static size_t count_crossings(const struct primitive *primitive,
     return count;
 }
 
-static void test_crossings(void **state)
+TEST(crossings)
 {
     static const char *const shapes[] = {
         "sphere { <1, .5, 0>, 1.5",
@@ -238,7 +236,6 @@ static void test_crossings(void **state)
     };
     enum { PLACES = 20, LINES = 400 };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(shapes) * PLACES; i++) {
         size_t count = 0;
         char text[400];
@@ -265,11 +262,10 @@ static void test_crossings(void **state)
 
 /* What is enclosed lies within, and no sphere about it is much smaller: that
  * about any two of the parts is no greater. */
-static void test_enclose(void **state)
+TEST(enclose)
 {
     enum { PARTS = 20, TRIES = 1000 };
 
-    (void)state;
     for (int try = 0; try < TRIES; try++) {
         struct bound parts[PARTS], whole;
         size_t count = 1 + xorshift(&random_state) % PARTS;
@@ -302,16 +298,4 @@ static void test_enclose(void **state)
         }
         assert_true(whole.radius <= 1.25 * least);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known),
-        cmocka_unit_test(test_known_boxes),
-        cmocka_unit_test(test_crossings),
-        cmocka_unit_test(test_enclose),
-    };
-
-    return cmocka_run_group_tests_name("bounds", tests, NULL, NULL);
 }

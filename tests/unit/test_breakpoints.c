@@ -92,9 +92,8 @@ static void check_addresses(const char *path, bool stripped)
     object_free(whole);
 }
 
-static void test_addresses(void **state)
+TEST(addresses)
 {
-    (void)state;
     for (size_t i = 0; i < PROGRAMS; i++) {
         check_addresses(programs[i], false);
         check_addresses(programs[i], true);
@@ -102,9 +101,8 @@ static void test_addresses(void **state)
 }
 
 /* Wherever a program comes. */
-static void test_visited(void **state)
+TEST(visited)
 {
-    (void)state;
     for (size_t i = 0; i < PROGRAMS; i++) {
         struct plain plain = run_plainly(assembled(programs[i]),
                                          &random_state);
@@ -146,13 +144,12 @@ static size_t next_line(const struct object *object, const char *file,
 }
 
 /* Programs without LINKV, whose lines stay where they are. */
-static void test_lines(void **state)
+TEST(lines)
 {
     static const char *const paths[] = { "asm/examples/dot.s",
                                          "asm/examples/saxpy_scalar.s",
                                          "asm/examples/sieve.s" };
 
-    (void)state;
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
         struct object *object = assembled(paths[i]);
         struct debug_session session;
@@ -176,7 +173,7 @@ static void test_lines(void **state)
 }
 
 /* What moves is shown where it stops, and in the list. */
-static void test_moved(void **state)
+TEST(moved)
 {
     static const char text[] = "        ES   r10, 5\n"
                                "; a remark\n"
@@ -206,7 +203,6 @@ static void test_moved(void **state)
         { "list 0", "error: lines are counted from 1" },
     };
 
-    (void)state;
     check_session(text, lines, sizeof lines / sizeof *lines, 9);
 }
 
@@ -226,13 +222,12 @@ static void check_verified(struct dap_client *client, const char *request,
         fail_msg("%s %s", request, stop);
 }
 
-static void test_protocol(void **state)
+TEST(protocol)
 {
     struct object *object = good(client_program);
     struct dap_client client;
     char stop[100];
 
-    (void)state;
     client_enter(&client, client_program);
     for (size_t i = 0; i < REQUESTS; i++) {
         uint64_t address = draw_address(object);
@@ -258,13 +253,4 @@ static void test_protocol(void **state)
     object_free(object);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_addresses), cmocka_unit_test(test_visited),
-        cmocka_unit_test(test_lines),     cmocka_unit_test(test_moved),
-        cmocka_unit_test(test_protocol),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

@@ -145,11 +145,10 @@ static void check_changes(const struct random_program *program, size_t *dense)
     c205_model_free(model);
 }
 
-static void test_changes(void **unused)
+TEST(changes)
 {
     size_t dense = 0;
 
-    (void)unused;
     for (uint64_t i = 0; i < PROGRAMS; i++) {
         struct random_program program = random_program(RANDOM_SEED + 977 * i);
 
@@ -198,11 +197,10 @@ static void check_pages(void *context, const c205 *machine,
 }
 
 /* As many as time was charged for. */
-static void test_pages(void **unused)
+TEST(pages)
 {
     uint64_t faults = 0;
 
-    (void)unused;
     for (uint64_t i = 0; i < PROGRAMS; i++) {
         struct random_program program = random_program(RANDOM_SEED + 41 * i);
         c205_model *model = model_of(&program);
@@ -346,9 +344,8 @@ static void check_stops(const struct random_program *program, bool listens)
     c205_model_free(model);
 }
 
-static void test_stops(void **unused)
+TEST(stops)
 {
-    (void)unused;
     for (uint64_t i = 0; i < PROGRAMS; i++) {
         struct random_program program = random_program(RANDOM_SEED + 31 * i);
 
@@ -395,24 +392,11 @@ static void check_history(const struct random_program *program)
     c205_model_free(model);
 }
 
-static void test_history(void **unused)
+TEST(history)
 {
-    (void)unused;
     for (uint64_t i = 0; i < PROGRAMS / 2; i++) {
         struct random_program program = random_program(RANDOM_SEED + 57 * i);
 
         check_history(&program);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_pages),
-        cmocka_unit_test(test_stops),
-        cmocka_unit_test(test_history),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

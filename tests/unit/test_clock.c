@@ -7,9 +7,8 @@
 
 /* ---- Vector instructions ------------------------------------------------- */
 
-static void test_isolated_add(void **state)
+TEST(isolated_add)
 {
-    (void)state;
     static const size_t lengths[] = { 0, 1, 2, 3, 5, 100, 101, 65535 };
     static const char *const models[] = {
         "title T\nlike cyber205-1pipe-prior",
@@ -33,9 +32,8 @@ static void test_isolated_add(void **state)
 }
 
 /* Start-up plus stream of 1,001 elements on two pipes. */
-static void test_formulas(void **state)
+TEST(formulas)
 {
-    (void)state;
     static const struct {
         const char *name;
         uint64_t clocks;
@@ -56,9 +54,8 @@ static void test_formulas(void **state)
 }
 
 /* Half of the peak rate at 51 x 2 elements. */
-static void test_half_rate(void **state)
+TEST(half_rate)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     vector(clock, "ADDNV", 102);
     assert_total(clock, 102);
@@ -67,9 +64,8 @@ static void test_half_rate(void **state)
 
 /* Words at the rate of half words, which go no faster; gathers and bit strings
  * take what they took. */
-static void test_word_rate(void **state)
+TEST(word_rate)
 {
-    (void)state;
     static const struct {
         const char *name;
         uint8_t g;
@@ -102,9 +98,8 @@ static uint64_t pair_clocks(struct clock *clock, size_t first, size_t second)
     return clock_now(clock);
 }
 
-static void test_overlap(void **state)
+TEST(overlap)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     assert_int_equal(pair_clocks(clock, 100, 100), 101 + 101 - 10);
     assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM), 100);
@@ -120,9 +115,8 @@ static void test_overlap(void **state)
 }
 
 /* No more than the start-up hides, however much the model allows. */
-static void test_overlap_of_a_whole_startup(void **state)
+TEST(overlap_of_a_whole_startup)
 {
-    (void)state;
     struct clock *clock = clock_of("title T\nlike cyber205-2pipe-prior\n"
                                    "vector.overlap 1000 clk R\n");
     assert_int_equal(pair_clocks(clock, 1000, 100), 51 + 500 + 50);
@@ -131,9 +125,8 @@ static void test_overlap_of_a_whole_startup(void **state)
 }
 
 /* Scalar code runs on under the stream. */
-static void test_concurrent_scalar(void **state)
+TEST(concurrent_scalar)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     vector(clock, "ADDNV", 100);
     for (unsigned i = 0; i < 20; i++)
@@ -146,9 +139,8 @@ static void test_concurrent_scalar(void **state)
     clock_free(clock);
 }
 
-static void test_vector_result(void **state)
+TEST(vector_result)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     struct effect effect = no_effect;
     effect.elements = 100;
@@ -163,9 +155,8 @@ static void test_vector_result(void **state)
 }
 
 /* The members of a linked pair name the registers that it needs. */
-static void test_linked_pair(void **state)
+TEST(linked_pair)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     struct effect effect = no_effect;
     struct decoded first, second, prefix = insn("LINKV", 0, 0, 0);
@@ -202,9 +193,8 @@ static void charge_pair(struct clock *clock, const char *first_name,
 
 /* Of the slowest of the pair, whichever it is; what starts up later than an
  * addition adds that. */
-static void test_linked_rates(void **state)
+TEST(linked_rates)
 {
-    (void)state;
     static const struct {
         const char *first, *second;
         uint8_t g;
@@ -237,9 +227,8 @@ static void test_linked_rates(void **state)
 /* Each element that waits for one before costs the start-up once more, that
  * of a pair what the pair takes; all of it is stream, under which the next
  * may begin. */
-static void test_recurrences(void **state)
+TEST(recurrences)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     struct effect effect = no_effect;
     effect.elements = 6;
@@ -285,9 +274,8 @@ static uint64_t random_bits(void)
 
 enum { LIST = 60000 };
 
-static void test_bank_conflicts(void **state)
+TEST(bank_conflicts)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     c205_word *indices = calloc(LIST, sizeof *indices);
     static const c205_word near[] = { 5, 6, 5, 5, 7 };
@@ -304,9 +292,8 @@ static void test_bank_conflicts(void **state)
 }
 
 /* The published mean: 40 million elements a second, 1.25 clocks each. */
-static void test_random_gather(void **state)
+TEST(random_gather)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     c205_word *indices = calloc(LIST, sizeof *indices);
     uint64_t total = 0;
@@ -322,9 +309,8 @@ static void test_random_gather(void **state)
 
 /* ---- Scalar instructions ------------------------------------------------- */
 
-static void test_latencies(void **state)
+TEST(latencies)
 {
-    (void)state;
     static const struct {
         const char *name;
         uint64_t latency;
@@ -342,9 +328,8 @@ static void test_latencies(void **state)
     clock_free(clock);
 }
 
-static void test_pipelined_and_busy(void **state)
+TEST(pipelined_and_busy)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     for (unsigned reg = 10; reg < 20; reg++)
         scalar(clock, "ADDN", 3, 4, reg);
@@ -361,9 +346,8 @@ static void test_pipelined_and_busy(void **state)
     clock_free(clock);
 }
 
-static void test_loads(void **state)
+TEST(loads)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     scalar(clock, "LOD", 1, 0, 10);
     scalar(clock, "ADDN", 10, 4, 11);
@@ -382,9 +366,8 @@ static void test_loads(void **state)
 
 /* Memory is the vector unit's while it works; the wait is charged to the
  * phases of the vector instruction, in its region. */
-static void test_load_after_vector(void **state)
+TEST(load_after_vector)
 {
-    (void)state;
     static const char *const names[] = { "", "vector", "scalar" };
     c205_error error;
     struct clock *clock = two_pipes();
@@ -413,9 +396,8 @@ static void test_load_after_vector(void **state)
     clock_free(clock);
 }
 
-static void test_swap(void **state)
+TEST(swap)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     struct effect effect = no_effect;
     effect.swapped = 20;
@@ -429,9 +411,8 @@ static void test_swap(void **state)
 
 /* ---- Branches ------------------------------------------------------------ */
 
-static void test_branches(void **state)
+TEST(branches)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     driven_pc = 0x10000;
     scalar(clock, "BEQ", 0, 0, 0);
@@ -450,9 +431,8 @@ static void test_branches(void **state)
 }
 
 /* A loop of exactly 64 words stays in the stack; one word more does not. */
-static void test_stack_size(void **state)
+TEST(stack_size)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     for (unsigned words = 63; words <= 65; words++) {
         driven_pc = 0x40000;
@@ -475,9 +455,8 @@ static void test_stack_size(void **state)
 }
 
 /* After a loop has run once its whole body is in the stack. */
-static void test_forward_branch(void **state)
+TEST(forward_branch)
 {
-    (void)state;
     struct clock *clock = two_pipes();
     driven_pc = 0x10000;
     for (int i = 0; i < 9; i++)
@@ -519,9 +498,8 @@ static void random_instruction(struct clock *clock, c205_word *indices)
 
 /* The accounts sum to the time after each instruction, however they mix;
  * the drain asserts it too. */
-static void test_sum(void **state)
+TEST(sum)
 {
-    (void)state;
     static const char *const names[] = { "", "other" };
     c205_error error;
     c205_word indices[100];
@@ -546,40 +524,9 @@ static void test_sum(void **state)
     clock_free(clock);
 }
 
-static void test_cause_names(void **state)
+TEST(cause_names)
 {
-    (void)state;
     for (int cause = 0; cause < C205_CAUSES; cause++)
         assert_non_null(c205_cause_name((c205_cause)cause));
     assert_string_equal(c205_cause_name(C205_PAGE_FAULT), "page fault");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_isolated_add),
-        cmocka_unit_test(test_formulas),
-        cmocka_unit_test(test_half_rate),
-        cmocka_unit_test(test_word_rate),
-        cmocka_unit_test(test_overlap),
-        cmocka_unit_test(test_overlap_of_a_whole_startup),
-        cmocka_unit_test(test_concurrent_scalar),
-        cmocka_unit_test(test_vector_result),
-        cmocka_unit_test(test_linked_pair),
-        cmocka_unit_test(test_linked_rates),
-        cmocka_unit_test(test_recurrences),
-        cmocka_unit_test(test_bank_conflicts),
-        cmocka_unit_test(test_random_gather),
-        cmocka_unit_test(test_latencies),
-        cmocka_unit_test(test_pipelined_and_busy),
-        cmocka_unit_test(test_loads),
-        cmocka_unit_test(test_load_after_vector),
-        cmocka_unit_test(test_swap),
-        cmocka_unit_test(test_branches),
-        cmocka_unit_test(test_stack_size),
-        cmocka_unit_test(test_forward_branch),
-        cmocka_unit_test(test_sum),
-        cmocka_unit_test(test_cause_names)
-    };
-    return cmocka_run_group_tests_name("clock", tests, NULL, NULL);
 }

@@ -101,13 +101,12 @@ static void write_closed(void)
     end_mesh();
 }
 
-static void test_closed(void **state)
+TEST(closed)
 {
     static const size_t sizes[][2] = { { WIDTH, HEIGHT },
                                        { 17, 9 },
                                        { 40, 3 } };
 
-    (void)state;
     for (size_t i = 0; i < 3 * scene_count; i++) {
         set_size(sizes[i % 3][0], sizes[i % 3][1]);
         write_closed();
@@ -147,11 +146,10 @@ static void write_symmetric(size_t neighbour, const double middle[3])
     end_mesh();
 }
 
-static void test_symmetric(void **state)
+TEST(symmetric)
 {
     static const double middle[3] = { 5, -3, 8 };
 
-    (void)state;
     for (size_t i = 0; i < 27; i++)
         for (size_t body = 0; body < 2; body++) {
             if (i == 13)
@@ -186,11 +184,10 @@ static void write_whole(size_t side, const double middle[3])
     end_mesh();
 }
 
-static void test_rays_to_points(void **state)
+TEST(rays_to_points)
 {
     static const double middle[3] = { 3, -40, 7 };
 
-    (void)state;
     set_size(32, 32);
     for (size_t side = 0; side < 6; side++) {
         net_cube(&net, 16, side % 2 ? 8 : 4, &traced.random);
@@ -227,9 +224,8 @@ static void write_aimed(const size_t face[3], const double location[3],
     end_mesh();
 }
 
-static void test_rays_along_edges(void **state)
+TEST(rays_along_edges)
 {
-    (void)state;
     set_size(9, 9);
     for (size_t i = 0; i < 3 * scene_count; i++) {
         double scale = pow(10, between(-2, 3)), by[3], location[3];
@@ -248,24 +244,21 @@ static void test_rays_along_edges(void **state)
     set_size(WIDTH, HEIGHT);
 }
 
-static int look_at_ball_within(void **state)
+FIXTURE(look_at_ball_within)
 {
-    (void)state;
     sight = BALL_WITHIN;
     return 0;
 }
 
-static int look_at_shell(void **state)
+FIXTURE(look_at_shell)
 {
-    (void)state;
     sight = SHELL;
     return 0;
 }
 
 /* Through a body from one side to the other. */
-static void test_rays_from_outside(void **state)
+TEST_WITH(rays_from_outside, NULL, look_at_shell)
 {
-    (void)state;
     sight = BALL_APART;
     set_size(9, 9);
     for (size_t i = 0; i < 3 * scene_count; i++) {
@@ -286,27 +279,32 @@ static void test_rays_from_outside(void **state)
     set_size(WIDTH, HEIGHT);
 }
 
-#define SOLID(test) \
-    cmocka_unit_test_setup_teardown(test, look_at_ball_within, look_at_shell)
-
-int main(int argc, char **argv)
+TEST_WITH(symmetric_solid, look_at_ball_within, look_at_shell)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_symmetric),
-        cmocka_unit_test(test_rays_to_points),
-        cmocka_unit_test(test_rays_along_edges),
-        cmocka_unit_test(test_closed),
-        SOLID(test_symmetric),
-        SOLID(test_rays_to_points),
-        SOLID(test_rays_along_edges),
-        SOLID(test_closed),
-        cmocka_unit_test_teardown(test_rays_from_outside, look_at_shell),
-    };
+    test_symmetric(test_state);
+}
 
+TEST_WITH(rays_to_points_solid, look_at_ball_within, look_at_shell)
+{
+    test_rays_to_points(test_state);
+}
+
+TEST_WITH(rays_along_edges_solid, look_at_ball_within, look_at_shell)
+{
+    test_rays_along_edges(test_state);
+}
+
+TEST_WITH(closed_solid, look_at_ball_within, look_at_shell)
+{
+    test_closed(test_state);
+}
+
+ARGUMENTS(argc, argv)
+{
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("closed meshes", tests, set_up_frames,
-                                       tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

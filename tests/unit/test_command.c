@@ -1,19 +1,12 @@
 /* test_command.c - command lines by chance: every value lands where its row
  * says, in whatever order and form it is given; what is wrong is refused. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "base/command.h"
 #include "base/nearest.h"
 #include "base/progress.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 enum colour { RED, GREEN, NO_COLOUR, BLUE };
 
@@ -283,9 +276,8 @@ static size_t option_count(void)
     return sizeof options / sizeof *options - 1;
 }
 
-static void test_right_lines(void **state)
+TEST(right_lines)
 {
-    (void)state;
     for (uint64_t seed = 1; seed <= 3000; seed++) {
         struct line line;
         char expected[4096];
@@ -361,9 +353,8 @@ static void refused(const char *word, const char *value, const char *why)
     }
 }
 
-static void test_wrong_lines(void **state)
+TEST(wrong_lines)
 {
-    (void)state;
     refused("--count", "2",
             "--count: wrong argument: 2 (a whole number from "
             "3 to 1000)");
@@ -393,21 +384,20 @@ static void test_wrong_lines(void **state)
 }
 
 /* The least and the most of a count are right. */
-static void test_bounds(void **state)
+TEST(bounds)
 {
     char test[] = "test", look[] = "look", first[] = "first";
     char least[] = "--count=3", most[] = "--count=1000";
     char *few[] = { test, look, least, first, NULL };
     char *many[] = { test, look, most, first, NULL };
 
-    (void)state;
     assert_int_equal(run(4, few), CMD_DONE);
     assert_non_null(strstr(seen, "|3|"));
     assert_int_equal(run(4, many), CMD_DONE);
     assert_non_null(strstr(seen, "|1000|"));
 }
 
-static void test_missing_and_too_many(void **state)
+TEST(missing_and_too_many)
 {
     char test[] = "test", look[] = "look", other[] = "other", loo[] = "lok";
     char *none[] = { test, look, NULL },
@@ -417,7 +407,6 @@ static void test_missing_and_too_many(void **state)
     char *twice[] = { test, look, input, other, stream, NULL };
     struct caught caught;
 
-    (void)state;
     catch (&caught);
     assert_int_equal(run(2, none), CMD_USAGE);
     assert_int_equal(run(3, more), CMD_USAGE);
@@ -435,13 +424,12 @@ static void test_missing_and_too_many(void **state)
 
 /* A letter dropped, doubled, replaced or swapped with the next is near; a name
  * that shares nothing is not. */
-static void test_nearest(void **state)
+TEST(nearest)
 {
     static const char *const names[] = { "render", "profile", "speedup",
                                          "sweep", "quartic" };
     uint64_t random = RANDOM_SEED;
 
-    (void)state;
     for (int i = 0; i < 2000; i++) {
         const char *name = names[xorshift_between(&random, 0, 4)];
         size_t length = strlen(name);
@@ -470,11 +458,10 @@ static void test_nearest(void **state)
     assert_null(nothing.name);
 }
 
-static void test_time_left(void **state)
+TEST(time_left)
 {
     char text[PROGRESS_TIME_SIZE];
 
-    (void)state;
     progress_time(59.4, text);
     assert_string_equal(text, "59 s");
     progress_time(59.6, text);
@@ -483,18 +470,4 @@ static void test_time_left(void **state)
     assert_string_equal(text, "59 min 59 s");
     progress_time(7290, text);
     assert_string_equal(text, "2 h 1 min");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_right_lines),
-        cmocka_unit_test(test_wrong_lines),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_missing_and_too_many),
-        cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_time_left),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

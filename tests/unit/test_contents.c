@@ -119,11 +119,10 @@ static void check(const struct drawn_text *drawn)
     object_free(object);
 }
 
-static void test_labels(void **unused)
+TEST(labels)
 {
     static struct drawn_text drawn;
 
-    (void)unused;
     for (int try = 0; try < TRIES; try++) {
         drawn.length = 0;
         for (size_t i = 0; i < LABELS; i++) {
@@ -141,26 +140,15 @@ static void test_labels(void **unused)
 }
 
 /* The last line's code goes on after the last label of code; nothing lies at the end. */
-static void test_ends(void **unused)
+TEST(ends)
 {
     struct object *object = good("        .data\nx:      .word 1\nend:\n"
                                  "        .equ five, 5\n        .code\n"
                                  "        EXIT\n");
 
-    (void)unused;
     assert_int_equal(object_symbol(object, "end")->contents, ASM_NOTHING);
     assert_int_equal(object_symbol(object, "end")->count, 0);
     assert_int_equal(object_symbol(object, "five")->contents, ASM_NOTHING);
     assert_int_equal(object_symbol(object, "x")->count, 1);
     object_free(object);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_labels),
-        cmocka_unit_test(test_ends),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -138,9 +138,8 @@ static void check_all(void)
     check_tubes();
 }
 
-static void test_formulations(void **state)
+TEST(formulations)
 {
-    (void)state;
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         traced.historical = speedup_formulations[i].historical;
         traced.variant = speedup_formulations[i].variant;
@@ -151,7 +150,7 @@ static void test_formulations(void **state)
 }
 
 /* In a tree and where it is clear it is that of today. */
-static void test_trees(void **state)
+TEST(trees)
 {
     static const char text[] = AHEAD
         "difference { " SOLID "rotate 40*y } sphere { -z, .8 } }"
@@ -159,7 +158,6 @@ static void test_trees(void **state)
         " pigment { rgbf <1, .5, .5, .6> } }";
     struct words *today = plain_frame(text), *then;
 
-    (void)state;
     traced.historical = true;
     then = plain_frame(text);
     assert_memory_equal(today, then, sizeof *today);
@@ -168,12 +166,4 @@ static void test_trees(void **state)
     free(then);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_formulations),
-        cmocka_unit_test(test_trees),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

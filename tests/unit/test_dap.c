@@ -6,12 +6,11 @@
 
 /* ---- A whole session ------------------------------------------------------------------ */
 
-static void test_session(void **state)
+TEST(session)
 {
     struct dap_client client;
     const struct json_value *body, *list;
 
-    (void)state;
     client_launch(&client, client_program, "");
     body = client_ask(&client, "setBreakpoints",
                       "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": "
@@ -535,14 +534,13 @@ static const struct {
 enum { PROMISES = sizeof promises / sizeof *promises };
 
 /* Each is tried, and what is not promised is not tried. */
-static void test_promises(void **state)
+TEST(promises)
 {
     struct dap_client client;
     const struct json_value *capabilities = client_launch(&client,
                                                           client_program, "");
     size_t promised = 0;
 
-    (void)state;
     for (const struct json_value *item = capabilities->first; item;
          item = item->next)
         promised += item->kind == JSON_TRUTH && item->truth;
@@ -558,12 +556,4 @@ static void test_promises(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_session),
-        cmocka_unit_test(test_promises),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

@@ -211,11 +211,10 @@ static void check_breakpoints(struct dap_client *client)
     }
 }
 
-static void test_arguments(void **state)
+TEST(arguments)
 {
     struct dap_client client;
 
-    (void)state;
     client_write(client_program);
     client_begin(&client, NULL);
     check_requests(&client, "initialize");
@@ -236,7 +235,7 @@ static void test_arguments(void **state)
 }
 
 /* Names of constants, from the client and from the command line. */
-static void test_defines(void **state)
+TEST(defines)
 {
     static const struct {
         const char *defines, *said;
@@ -250,7 +249,6 @@ static void test_defines(void **state)
     };
     struct dap_client client;
 
-    (void)state;
     client_write("        ES r10, N\n        EXIT r10, r0, 0\n");
     client_begin(&client, NULL);
     client_ask(&client, "initialize", NULL);
@@ -264,12 +262,4 @@ static void test_defines(void **state)
     client_leave(&client);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_arguments),
-        cmocka_unit_test(test_defines),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

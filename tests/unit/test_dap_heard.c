@@ -12,11 +12,10 @@ static const char endless[] = "        EX r10, again\n"
                               "        EX r11, 1\n"
                               "        EXIT\n";
 
-static void test_running(void **state)
+TEST(running)
 {
     struct dap_client client;
 
-    (void)state;
     client_launch(&client, endless, "");
     client_ask(&client, "configurationDone", NULL);
     client_ask(&client, "threads", NULL);
@@ -46,11 +45,10 @@ static void test_running(void **state)
 }
 
 /* A line for the debugger that does not end: others are heard meanwhile. */
-static void test_running_line(void **state)
+TEST(running_line)
 {
     struct dap_client client;
 
-    (void)state;
     client_launch(&client, endless, ", \"stopOnEntry\": true");
     client_ask(&client, "configurationDone", NULL);
     client_stopped(&client, "entry");
@@ -73,11 +71,10 @@ static void test_running_line(void **state)
 }
 
 /* Without debugging there is no stop. */
-static void test_no_debug(void **state)
+TEST(no_debug)
 {
     struct dap_client client;
 
-    (void)state;
     client_launch(&client, "        STO [r0], r1\n",
                   ", \"noDebug\": true, \"stopOnEntry\": true");
     client_ask(&client, "configurationDone", NULL);
@@ -90,11 +87,10 @@ static void test_no_debug(void **state)
 
 /* ---- What is wrong -------------------------------------------------------------------------------- */
 
-static void test_wrong_order(void **state)
+TEST(wrong_order)
 {
     struct dap_client client;
 
-    (void)state;
     client_begin(&client, NULL);
     client_refused(&client, "initialize comes first", "launch", NULL);
     client_refused(&client, "there is no request 'attach'", "attach", NULL);
@@ -157,7 +153,7 @@ static void check_stop(struct dap_client *client, const char *request,
         fail_msg("%s: %s", stop, json_member_text(list->first, "message"));
 }
 
-static void test_wrong_stops(void **state)
+TEST(wrong_stops)
 {
     static const struct {
         const char *request, *stop, *why;
@@ -188,7 +184,6 @@ static void test_wrong_stops(void **state)
     };
     struct dap_client client;
 
-    (void)state;
     client_enter(&client, client_program);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         check_stop(&client, wrong[i].request, wrong[i].stop, wrong[i].why);
@@ -209,7 +204,7 @@ static void test_wrong_stops(void **state)
 
 /* What is no JSON is told and passed over; without a frame nobody knows where the next one
  * begins. */
-static void test_broken(void **state)
+TEST(broken)
 {
     static const char *const frames_of[] = {
         "Hello\r\n\r\n",
@@ -223,7 +218,6 @@ static void test_broken(void **state)
     static const char half[] = "Content-Length: 50\r\n\r\nhello";
     struct dap_client client;
 
-    (void)state;
     for (size_t i = 0; i < sizeof frames_of / sizeof *frames_of; i++) {
         client_begin(&client, NULL);
         client_send(&client, frames_of[i], strlen(frames_of[i]));
@@ -241,7 +235,7 @@ static void test_broken(void **state)
 
 /* ---- Of the command line ------------------------------------------------------------------------------ */
 
-static void test_command_line(void **state)
+TEST(command_line)
 {
     static const char *const arguments[] = {
         "--define",       "N=7",       "--warm", "--model",
@@ -249,7 +243,6 @@ static void test_command_line(void **state)
     };
     struct dap_client client;
 
-    (void)state;
     client_write("        ES r10, N + M\n        EXIT r10, r0, 0\n");
     client_begin(&client, arguments);
     client_ask(&client, "initialize", NULL);
@@ -263,17 +256,4 @@ static void test_command_line(void **state)
     client_leave(&client);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_running),
-        cmocka_unit_test(test_running_line),
-        cmocka_unit_test(test_no_debug),
-        cmocka_unit_test(test_wrong_order),
-        cmocka_unit_test(test_wrong_stops),
-        cmocka_unit_test(test_broken),
-        cmocka_unit_test(test_command_line),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

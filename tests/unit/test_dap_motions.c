@@ -149,11 +149,10 @@ static void check_disassembly(struct walk *walk)
                             the_text(from, "address"));
 }
 
-static void test_motions(void **state)
+TEST(motions)
 {
     enum { ROUNDS = 12, MOVES = 60 };
 
-    (void)state;
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk = { .step = 0 };
         struct text_buffer text;
@@ -179,11 +178,10 @@ static void test_motions(void **state)
 }
 
 /* Of an object the lines are not known: its instructions are read from the beginning. */
-static void test_objects(void **state)
+TEST(objects)
 {
     enum { ROUNDS = 6 };
 
-    (void)state;
     client_write("");
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk = { .step = 0 };
@@ -207,12 +205,4 @@ static void test_objects(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_motions),
-        cmocka_unit_test(test_objects),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

@@ -11,7 +11,7 @@
 /* ---- What is shown ------------------------------------------------------------------------ */
 
 /* A file is the same, whatever the way to it is called. */
-static void test_paths(void **state)
+TEST(paths)
 {
     static const char *const ways[] = { "asm/examples/", "./asm/examples/",
                                         "asm/../asm/examples/" };
@@ -19,7 +19,6 @@ static void test_paths(void **state)
     const struct json_value *stop = NULL;
     char folder[1200];
 
-    (void)state;
     assert_non_null(getcwd(folder, 1000));
     client_begin(&client, NULL);
     client_ask(&client, "initialize", NULL);
@@ -48,12 +47,11 @@ static void test_paths(void **state)
 }
 
 /* A stop in a macro of the library is one in each call. */
-static void test_library_lines(void **state)
+TEST(library_lines)
 {
     struct dap_client client;
     const struct json_value *core;
 
-    (void)state;
     client_enter(&client, client_program);
     core = element_with(the(client_ask(&client, "loadedSources", NULL),
                             "sources"),
@@ -77,7 +75,7 @@ static const char masked_text[] = "        .include \"vectors.s\"\n"
                                   "        ADDNV   [a], [a], [b] ? [mask]\n"
                                   "        EXIT\n";
 
-static void test_elements(void **state)
+TEST(elements)
 {
     static const char *const values[] = { "1.5  X'FFD2 6000 0000 0000'  ? 1",
                                           "-2  X'FFD2 8000 0000 0000'  ? 0",
@@ -87,7 +85,6 @@ static void test_elements(void **state)
     const struct json_value *list, *item;
     int reference;
 
-    (void)state;
     client_enter(&client, masked_text);
     client_stop_at(&client, "{\"line\": 6}");
     client_go(&client, "continue", "breakpoint");
@@ -150,7 +147,7 @@ static void check_accounts(struct dap_client *client, const c205 *machine)
     assert_int_equal(strtoull(value_of(time, "clock"), NULL, 10), sum);
 }
 
-static void test_time(void **state)
+TEST(time)
 {
     struct dap_client client;
     struct object *object = good(client_program);
@@ -158,7 +155,6 @@ static void test_time(void **state)
     c205 *machine = c205_new(prior_model, &error);
     c205_stop stop;
 
-    (void)state;
     assert_true(c205_load(machine, &object->program, &error));
     client_launch(&client, client_program,
                   ", \"stopOnEntry\": true, \"stopOnEnd\": "
@@ -221,7 +217,7 @@ static void put_defaults(struct json *json,
 }
 
 /* What its entry starts is the adapter, which takes what the entry proposes. */
-static void test_extension(void **state)
+TEST(extension)
 {
     struct dap_client client;
     struct text_buffer launch_text = { 0 };
@@ -232,7 +228,6 @@ static void test_extension(void **state)
         *entry = the(the(package, "contributes"), "debuggers")->first;
     struct json *json = json_open_line(&launch_text, &error);
 
-    (void)state;
     read_file(&arena, "language-configuration.json");
     read_file(&arena, "c205.tmLanguage.json");
     assert_string_equal(the_text(package, "version"), C205_VERSION);
@@ -255,15 +250,4 @@ static void test_extension(void **state)
     arena_free(&arena);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_paths),
-        cmocka_unit_test(test_library_lines),
-        cmocka_unit_test(test_elements),
-        cmocka_unit_test(test_time),
-        cmocka_unit_test(test_extension),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

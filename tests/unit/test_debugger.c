@@ -239,9 +239,8 @@ static void end(struct session *session)
     free(session->plain->moments);
 }
 
-static void test_movements(void **state)
+TEST(movements)
 {
-    (void)state;
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         struct plain plain = run_file(programs[i % PROGRAMS]);
         struct session session;
@@ -262,14 +261,13 @@ static void test_movements(void **state)
 }
 
 /* One stop, and from each step behind it the way back. */
-static void test_far_back(void **state)
+TEST(far_back)
 {
     enum { STOP = 150, FAR = 400 };
     struct plain plain = run_file("asm/examples/saxpy_scalar.s");
     struct session session;
     char line[80];
 
-    (void)state;
     begin(&session, &plain, "saxpy_scalar.s");
     snprintf(line, sizeof line, "break *%llu if $step == %d",
              (unsigned long long)plain.moments[STOP].pc, STOP);
@@ -285,12 +283,4 @@ static void test_far_back(void **state)
     end(&session);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_movements),
-        cmocka_unit_test(test_far_back),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

@@ -22,7 +22,7 @@ static const char text[] = "        .include \"vectors.s\"\n"
                            "        LODH  [r0], h99\n"
                            "        EXIT\n";
 
-static void test_values(void **state)
+TEST(values)
 {
     static const struct line_said lines[] = {
         { "print n * 2 + 1", "9  X'9'" },
@@ -82,12 +82,11 @@ static void test_values(void **state)
         { "help", "reverse-continue" },
     };
 
-    (void)state;
     check_session(text, lines, COUNT(lines), 3);
 }
 
 /* What it cannot do it says, and stands where it stood. */
-static void test_faults(void **state)
+TEST(faults)
 {
     static const struct line_said lines[] = {
         { "stpe", "there is no 'stpe': was it step?" },
@@ -133,7 +132,6 @@ static void test_faults(void **state)
     enum { LINES = COUNT(lines) };
     struct debug_session session;
 
-    (void)state;
     session_begin(&session, good(text), "-");
     session_check(&session, lines, LINES);
     assert_int_equal(debugger_faults(session.debugger), LINES);
@@ -144,7 +142,7 @@ static void test_faults(void **state)
 }
 
 /* What a program prints is printed once, however often it is gone through. */
-static void test_printed(void **state)
+TEST(printed)
 {
     static const char program[] = "        ES  r10, 5\n"
                                   "        EXIT r10, r0, 2\n"
@@ -153,7 +151,6 @@ static void test_printed(void **state)
                                   "        EXIT\n";
     struct debug_session session;
 
-    (void)state;
     session_begin(&session, good(program), "-");
     session_obey(&session, "step 3");
     assert_true(session_says(&session, "5\n"));
@@ -166,7 +163,7 @@ static void test_printed(void **state)
 }
 
 /* An open line of the program's output is ended before the debugger reports, once. */
-static void test_open_line(void **state)
+TEST(open_line)
 {
     static const char program[] = "        ES  r10, 5\n"
                                   "        EXIT r10, r0, 2\n"
@@ -174,7 +171,6 @@ static void test_open_line(void **state)
     static const char *const lines[] = { "step 2", "continue", "goto 2" };
     struct debug_session session;
 
-    (void)state;
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
         session_begin(&session, good(program), "-");
         session_obey(&session, lines[i]);
@@ -187,7 +183,7 @@ static void test_open_line(void **state)
 
 /* A call is one for next; a break at an instruction of a linked pair is one at its
  * LINKV. */
-static void test_calls_and_links(void **state)
+TEST(calls_and_links)
 {
     static const struct line_said lines[] = {
         { "next 2", "BSAVE" },
@@ -217,12 +213,11 @@ static void test_calls_and_links(void **state)
                                   "        ES   r21, 2\n"
                                   "        BIM  0, link\n";
 
-    (void)state;
     check_session(program, lines, COUNT(lines), 0);
 }
 
 /* A loop is no call: next goes round it with the program. */
-static void test_loops_and_conditions(void **state)
+TEST(loops_and_conditions)
 {
     static const struct line_said lines[] = {
         { "next 2", "DBNZ" },
@@ -238,12 +233,11 @@ static void test_loops_and_conditions(void **state)
                                   "again:  DBNZ turns, [to]\n"
                                   "        EXIT\n";
 
-    (void)state;
     check_session(program, lines, COUNT(lines), 1);
 }
 
 /* Behind its end a program does not go on, whatever is asked. */
-static void test_end(void **state)
+TEST(end)
 {
     static const char *const lines[] = {
         "step", "rs 0", "goto 4", "c", "until *0x400000", "goto clock 100000"
@@ -254,7 +248,6 @@ static void test_end(void **state)
                                   "        EXIT\n";
     struct debug_session session;
 
-    (void)state;
     session_begin(&session, good(program), "-");
     session_obey(&session, "run");
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
@@ -271,14 +264,13 @@ static void test_end(void **state)
 }
 
 /* What a run prints that somebody has changed is printed. */
-static void test_printed_again(void **state)
+TEST(printed_again)
 {
     static const char program[] = "        ES  r10, 5\n"
                                   "        EXIT r10, r0, 2\n"
                                   "        EXIT\n";
     struct debug_session session;
 
-    (void)state;
     session_begin(&session, good(program), "-");
     session_obey(&session, "run");
     assert_true(session_says(&session, "5\n"));
@@ -291,7 +283,7 @@ static void test_printed_again(void **state)
 
 /* Stops at lines: of a macro's call at its first instruction, of a line in a macro at each of
  * its calls, of data behind them; several at one step are all told. */
-static void test_lines_and_several(void **state)
+TEST(lines_and_several)
 {
     static const struct line_said lines[] = {
         { "break 9", "break 1: 9" },
@@ -328,12 +320,11 @@ static void test_lines_and_several(void **state)
                                   "here:   DIVS r10, r11, r12\n"
                                   "        EXIT\n";
 
-    (void)state;
     check_session(program, lines, COUNT(lines), 0);
 }
 
 /* An endless program ends no script. */
-static void test_endless(void **state)
+TEST(endless)
 {
     static const char program[] = "        .include \"vectors.s\"\n"
                                   "        .data\n"
@@ -344,27 +335,10 @@ static void test_endless(void **state)
                                   "        BIM loop\n";
     struct debug_session session;
 
-    (void)state;
     session_begin(&session, good(program), "test.s");
     session_obey(&session, "c");
     assert_true(session_says(&session, "1000000000 clocks have passed"));
     session_end(&session);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_faults),
-        cmocka_unit_test(test_printed),
-        cmocka_unit_test(test_open_line),
-        cmocka_unit_test(test_calls_and_links),
-        cmocka_unit_test(test_loops_and_conditions),
-        cmocka_unit_test(test_end),
-        cmocka_unit_test(test_printed_again),
-        cmocka_unit_test(test_lines_and_several),
-        cmocka_unit_test(test_endless),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

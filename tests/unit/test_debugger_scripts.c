@@ -315,11 +315,10 @@ static size_t count_of(const char *text, const char *part)
 }
 
 /* Most lines can be done. */
-static void test_scripts(void **state)
+TEST(scripts)
 {
     size_t all = 0, faults = 0;
 
-    (void)state;
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         static script_line lines[LINES];
         const char *name;
@@ -375,9 +374,8 @@ static void check_anew(const struct object *object, const char *name)
     text_buffer_free(&said[1]);
 }
 
-static void test_anew(void **state)
+TEST(anew)
 {
-    (void)state;
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
         const char *name;
         struct object *object = open_program(&name);
@@ -403,14 +401,10 @@ static int print_script(const char *number, const char *path)
     return 0;
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scripts),
-        cmocka_unit_test(test_anew),
-    };
-
     if (argc == 4 && strcmp(argv[1], "draw") == 0)
-        return print_script(argv[2], argv[3]);
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
+        exit(print_script(argv[2], argv[3]));
 }
+
+GROUP(set_up_model, tear_down_model);

@@ -98,15 +98,14 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
                  (unsigned long long)word, digits, text, exact);
 }
 
-static void test_digits(void **unused)
+TEST(digits)
 {
-    (void)unused;
     for (int i = 0; i < TRIES; i++)
         check(draw(), xorshift(&state) & 1 ? C205_FIXED : C205_SCIENTIFIC,
               (unsigned)xorshift_between(&state, 0, 20));
 }
 
-static void test_ends(void **unused)
+TEST(ends)
 {
     static const uint64_t words[] = {
         0,
@@ -118,7 +117,6 @@ static void test_ends(void **unused)
         UINT64_C(0x9000FFFFFFFFFFFF) /* -1 of the least units */
     };
 
-    (void)unused;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         for (unsigned digits = 0; digits < 20; digits++) {
             check(words[i], C205_FIXED, digits);
@@ -126,26 +124,16 @@ static void test_ends(void **unused)
         }
 }
 
-static int begin_oracle(void **unused)
+FIXTURE(begin_oracle)
 {
-    (void)unused;
     oracle_begin();
     return 0;
 }
 
-static int end_oracle(void **unused)
+FIXTURE(end_oracle)
 {
-    (void)unused;
     oracle_end();
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_digits),
-        cmocka_unit_test(test_ends),
-    };
-
-    return cmocka_run_group_tests(tests, begin_oracle, end_oracle);
-}
+GROUP(begin_oracle, end_oracle);

@@ -9,9 +9,8 @@
 static size_t scene_count = 4;
 
 /* Of the ray along z from -5*z. */
-static void test_middle(void **state)
+TEST(middle)
 {
-    (void)state;
     check_middle(STRAIGHT "disc { 0, z, 1 }", 1, 5);
     check_middle(STRAIGHT "disc { <.5, 0, 1>, -z, 1 }", 1, 6);
     check_middle(STRAIGHT "disc { <0, 0, 1>, <0, 1, 1>, 1 }", 1, 6);
@@ -26,9 +25,8 @@ static void test_middle(void **state)
 }
 
 /* Rays in its plane, and where they start. */
-static void test_beside(void **state)
+TEST(beside)
 {
-    (void)state;
     check_middle(STRAIGHT "disc { 0, y, 1 }", 0, 0);
     check_middle(STRAIGHT "disc { 0, x, 1, .5 }", 0, 0);
     /* so little aslant that it counts as along it */
@@ -40,9 +38,8 @@ static void test_beside(void **state)
 }
 
 /* What lies below its plane is taken away, as far as that reaches. */
-static void test_solids(void **state)
+TEST(solids)
 {
-    (void)state;
     check_middle(STRAIGHT "difference { sphere { 0, 2 } disc { 0, z, 1 } }",
                  2, 5);
     check_middle(STRAIGHT
@@ -75,25 +72,17 @@ static void add_discs(char *text, size_t size)
              between(.6, 1.4));
 }
 
-static void test_many(void **state)
+TEST(many)
 {
-    (void)state;
     check_random_scenes(add_discs, scene_count);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_middle),
-        cmocka_unit_test(test_beside),
-        cmocka_unit_test(test_solids),
-        cmocka_unit_test(test_many),
-    };
-
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("discs", tests, set_up_frames,
-                                       tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

@@ -2,16 +2,10 @@
  * sizes, and at those where they are exact. */
 #include "rt/scene/elementary.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 
-#include <cmocka.h>
 #include <mpfr.h>
 
 typedef int of_one(mpfr_t value, const mpfr_t x, mpfr_rnd_t rounding);
@@ -103,9 +97,8 @@ static void assert_same(const char *name, double x, double y, double ours,
     fail_msg("%s(%a, %a) is %a, should be %a", name, x, y, ours, exact);
 }
 
-static void test_of_one(void **unused)
+TEST(of_one)
 {
-    (void)unused;
     for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++)
         for (int i = 0; i < 4000; i++) {
             double x = draw(functions[f].least, functions[f].most);
@@ -116,9 +109,8 @@ static void test_of_one(void **unused)
 }
 
 /* Logarithms there are small, and what is off from 1 is all there is of x. */
-static void test_near_one(void **unused)
+TEST(near_one)
 {
-    (void)unused;
     for (int i = 0; i < 4000; i++) {
         double off = exp2(xorshift_real(&state, -45, -10));
         double x = i % 2 == 0 ? 1 + off : 1 - off;
@@ -132,9 +124,8 @@ static void test_near_one(void **unused)
 }
 
 /* Degrees, as scenes have them, and what is near multiples of pi / 2. */
-static void test_angles(void **unused)
+TEST(angles)
 {
-    (void)unused;
     for (int degrees = -720; degrees <= 720; degrees++) {
         double x = degrees * (3.14159265358979323846 / 180);
 
@@ -144,9 +135,8 @@ static void test_angles(void **unused)
     }
 }
 
-static void test_of_two(void **unused)
+TEST(of_two)
 {
-    (void)unused;
     for (int i = 0; i < 8000; i++) {
         double x = draw(-60, 60), y = draw(-60, 60), e = draw(-8, 5);
 
@@ -161,9 +151,8 @@ static void test_of_two(void **unused)
 }
 
 /* Squares of 27 bits lie halfway between two doubles. */
-static void test_halfway(void **unused)
+TEST(halfway)
 {
-    (void)unused;
     for (int i = 0; i < 4000; i++) {
         double x = (double)(xorshift(&state) % (1 << 27) | 1);
 
@@ -177,13 +166,12 @@ static void test_halfway(void **unused)
 }
 
 /* Where there is no value, or no finite one, C says what it is. */
-static void test_ends(void **unused)
+TEST(ends)
 {
     static const double ends[] = { 0,      -0.,     1,        -1,
                                    2,      -2,      1e308,    -1e308,
                                    1e-320, -1e-320, INFINITY, -INFINITY,
                                    NAN };
-    (void)unused;
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         double x = ends[i];
 
@@ -198,15 +186,4 @@ static void test_ends(void **unused)
                         pow(x, ends[k]));
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_of_one),  cmocka_unit_test(test_near_one),
-        cmocka_unit_test(test_angles),  cmocka_unit_test(test_of_two),
-        cmocka_unit_test(test_halfway), cmocka_unit_test(test_ends),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

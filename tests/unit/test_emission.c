@@ -3,8 +3,6 @@
  *
  *     test_emission [TRIES [SEED]]
  */
-#include <stdio.h>
-
 #include "base/accounts.h"
 #include "rt/heat/alias.h"
 #include "rt/heat/emission.h"
@@ -178,9 +176,8 @@ static void check_surface(enum primitive_kind kind)
                     POINTS / 1000);
 }
 
-static void test_surfaces(void **unused)
+TEST(surfaces)
 {
-    (void)unused;
     for (size_t i = 0; i < tries * EMITTING_KINDS; i++)
         check_surface(emitting_kinds[i % EMITTING_KINDS]);
 }
@@ -233,9 +230,8 @@ static void check_area(enum primitive_kind kind)
         assert_mean(&moments[k], 0, 4.5, slack);
 }
 
-static void test_areas(void **unused)
+TEST(areas)
 {
-    (void)unused;
     for (size_t i = 0; i < tries * EMITTING_KINDS; i++)
         check_area(emitting_kinds[i % EMITTING_KINDS]);
 }
@@ -252,7 +248,7 @@ static void assert_every_weight(const struct primitive *primitive,
 }
 
 /* Areas of massprops.csv. */
-static void test_exact_areas(void **unused)
+TEST(exact_areas)
 {
     struct primitive sphere = { .kind = PRIMITIVE_SPHERE,
                                 .shape.sphere = { { .3, -.2, .5 }, 1 } };
@@ -264,7 +260,6 @@ static void test_exact_areas(void **unused)
                                  { { -1, -.5, -.25 }, { 1, .5, .25 } } } };
     struct placement turned = placement_rotation((double[]){ 0, 0, 30 });
 
-    (void)unused;
     move_shape(&sphere, &placement_none);
     move_shape(&cylinder, &placement_none);
     move_shape(&box, &turned);
@@ -274,7 +269,7 @@ static void test_exact_areas(void **unused)
 }
 
 /* The torus of massprops.csv, whose weights are not the same. */
-static void test_torus_area(void **unused)
+TEST(torus_area)
 {
     struct primitive torus = { .kind = PRIMITIVE_TORUS,
                                .shape.torus = { 1, .25 } };
@@ -283,7 +278,6 @@ static void test_torus_area(void **unused)
     struct emission_choice choice = { .seed = 1, .m = 14 };
     struct mean area = { 0 };
 
-    (void)unused;
     move_shape(&torus, &placement_none);
     emit(&torus, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++)
@@ -294,7 +288,7 @@ static void test_torus_area(void **unused)
 /* ---- The circle, and the cosine law ---------------------------------------- */
 
 /* A sphere's points and directions against their formulas in long doubles. */
-static void test_accuracy(void **unused)
+TEST(accuracy)
 {
     struct primitive sphere = { .kind = PRIMITIVE_SPHERE,
                                 .shape.sphere = { { 0, 0, 0 }, 1 } };
@@ -304,7 +298,6 @@ static void test_accuracy(void **unused)
     static const long double turn = 6.283185307179586476925286766559L;
     double most = 0;
 
-    (void)unused;
     move_shape(&sphere, &placement_none);
     emit(&sphere, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
@@ -366,12 +359,11 @@ static void check_moments(const struct emitted_point *points, size_t count)
     }
 }
 
-static void test_cosine_law(void **unused)
+TEST(cosine_law)
 {
     struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false,
                                         NULL };
 
-    (void)unused;
     for (size_t i = 0; i < tries * EMITTING_KINDS; i++) {
         struct primitive primitive =
             draw_emitting(emitting_kinds[i % EMITTING_KINDS], &state);
@@ -407,9 +399,8 @@ static void compare_forms(enum primitive_kind kind)
     assert_memory_equal(emitted[0], emitted[1], count * sizeof **emitted);
 }
 
-static void test_forms(void **unused)
+TEST(forms)
 {
-    (void)unused;
     for (size_t i = 0; i < 2 * tries * EMITTING_KINDS; i++)
         compare_forms(emitting_kinds[i % EMITTING_KINDS]);
 }
@@ -458,7 +449,7 @@ static bool in_unit(const double point[3])
 }
 
 /* Factors of viewfactors.csv. */
-static void test_factors(void **unused)
+TEST(factors)
 {
     struct triangle halves[2] = {
         { .corners = { { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 1 } } },
@@ -470,7 +461,6 @@ static void test_factors(void **unused)
                               .shape.disc = {
                                   { 0, 0, 0 }, { 0, 1, 0 }, 1, 0 } };
 
-    (void)unused;
     move_shape(&square, &placement_none);
     move_shape(&disc, &placement_none);
     assert_share(share_through(&square, 1, in_square), 0.1998248956984);
@@ -500,14 +490,13 @@ static bool emits(enum primitive_kind kind)
     return false;
 }
 
-static void test_refused(void **unused)
+TEST(refused)
 {
     struct primitive primitive = { .kind = PRIMITIVE_TORUS,
                                    .line = 7,
                                    .shape.torus = { 1, 2 } };
     struct emission_options options = { TRACE_VECTOR, 10, 10, false, NULL };
 
-    (void)unused;
     move_shape(&primitive, &placement_none);
     assert_no_emission(&primitive, options,
                        "the torus of line 7: a torus that meets itself");
@@ -522,11 +511,10 @@ static void test_refused(void **unused)
         }
 }
 
-static void test_options(void **unused)
+TEST(options)
 {
     struct primitive primitive = draw_emitting(PRIMITIVE_SPHERE, &state);
 
-    (void)unused;
     assert_no_emission(&primitive,
                        (struct emission_options){ TRACE_KERNELS, 10, 10,
                                                   false, NULL },
@@ -567,9 +555,8 @@ static void check_alias(size_t count)
         assert_near(found[i] / (double)count, weights[i] / sum, 1e-13);
 }
 
-static void test_alias(void **unused)
+TEST(alias)
 {
-    (void)unused;
     for (size_t i = 0; i < 100 * tries; i++)
         check_alias(between(1, 50));
 }
@@ -614,7 +601,7 @@ static double print_clocks(const struct primitive *primitive,
     return all;
 }
 
-static void test_clocks(void **unused)
+TEST(clocks)
 {
     static const enum primitive_kind kinds[] = {
         PRIMITIVE_SPHERE, PRIMITIVE_CYLINDER, PRIMITIVE_BOX, PRIMITIVE_TORUS,
@@ -623,7 +610,6 @@ static void test_clocks(void **unused)
     c205_error error = { "" };
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
 
-    (void)unused;
     print_message("surface        form    queue   emit  carry  direction    "
                   "all\n");
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
@@ -638,20 +624,12 @@ static void test_clocks(void **unused)
     c205_model_free(model);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_alias),       cmocka_unit_test(test_accuracy),
-        cmocka_unit_test(test_surfaces),    cmocka_unit_test(test_areas),
-        cmocka_unit_test(test_exact_areas), cmocka_unit_test(test_torus_area),
-        cmocka_unit_test(test_cosine_law),  cmocka_unit_test(test_forms),
-        cmocka_unit_test(test_factors),     cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_options),     cmocka_unit_test(test_clocks),
-    };
-
     if (argc > 1)
         tries = (size_t)strtoul(argv[1], NULL, 10);
     if (argc > 2)
         state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
 }
+
+GROUP(set_up_model, tear_down_model);

@@ -16,7 +16,7 @@ static uint64_t below(uint64_t end)
 
 /* ---- What there is -------------------------------------------------------------------------- */
 
-static void test_about(void **state)
+TEST(about)
 {
     const struct json_value *about, *item;
     struct lessons lessons = { .count = 0 };
@@ -24,7 +24,6 @@ static void test_about(void **state)
     c205_error error;
     size_t i = 0;
 
-    (void)state;
     talk_begin(&talk);
     about = talk_ask(&talk, "{\"do\": \"about\"}");
     assert_string_equal(text_of(about, "version"), C205_VERSION);
@@ -49,12 +48,11 @@ static void test_about(void **state)
     talk_end(&talk);
 }
 
-static void test_load(void **state)
+TEST(load)
 {
     struct talk talk;
     const struct json_value *said;
 
-    (void)state;
     talk_begin(&talk);
     talk_load(&talk,
               " .include \"own.inc\"\n EX r10, m\n EXIT\n .data\nx: .space "
@@ -83,11 +81,10 @@ static void test_load(void **state)
 }
 
 /* The last instruction, and what the next is about to work on. */
-static void test_instructions(void **state)
+TEST(instructions)
 {
     struct talk talk;
 
-    (void)state;
     talk_begin(&talk);
     talk_load(&talk,
               " .include \"vectors.s\"\n .regs r16, a, b, z\n words a, 1.0, "
@@ -118,12 +115,11 @@ static void test_instructions(void **state)
     talk_end(&talk);
 }
 
-static void test_trap(void **state)
+TEST(trap)
 {
     struct talk talk;
     double clocks;
 
-    (void)state;
     talk_begin(&talk);
     talk_load(&talk, " ES r10, 64\n LOD [r10], r11\n EXIT\n", "");
     talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
@@ -139,7 +135,7 @@ static void test_trap(void **state)
 
 /* ---- Bad requests --------------------------------------------------------------------------- */
 
-static void test_bad(void **state)
+TEST(bad)
 {
     static const struct {
         const char *request, *why;
@@ -246,7 +242,6 @@ static void test_bad(void **state)
     };
     struct talk talk;
 
-    (void)state;
     talk_begin(&talk);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         talk_refused(&talk, cases[i].why, "%s", cases[i].request);
@@ -321,12 +316,11 @@ static void change_byte(char *text)
     }
 }
 
-static void test_chance(void **state)
+TEST(chance)
 {
     enum { ROUNDS = 3000 };
     struct talk talk;
 
-    (void)state;
     talk_begin(&talk);
     engine_bound(talk.engine, 200000);
     for (size_t i = 0; i < ROUNDS; i++) {
@@ -342,13 +336,4 @@ static void test_chance(void **state)
     talk_end(&talk);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_about),        cmocka_unit_test(test_load),
-        cmocka_unit_test(test_instructions), cmocka_unit_test(test_trap),
-        cmocka_unit_test(test_bad),          cmocka_unit_test(test_chance),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

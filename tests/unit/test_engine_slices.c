@@ -49,7 +49,7 @@ static void ask_both(struct talk *whole, struct talk *sliced,
     talk_refused(sliced, "nothing is left", "{\"do\": \"more\"}");
 }
 
-static void test_slices(void **state)
+TEST(slices)
 {
     static const char *const requests[] = {
         "{\"do\": \"go\", \"how\": \"end\"",
@@ -64,7 +64,6 @@ static void test_slices(void **state)
     enum { REQUESTS = sizeof requests / sizeof *requests, ROUNDS = 50 };
     struct talk whole, sliced;
 
-    (void)state;
     talk_begin(&whole);
     talk_begin(&sliced);
     talk_load(&whole, long_program, "");
@@ -90,7 +89,7 @@ static void test_slices(void **state)
 }
 
 /* A sweep and a comparison in slices tell the same. */
-static void test_other_work(void **state)
+TEST(other_work)
 {
     static const char *const requests[] = {
         "{\"do\": \"sweep\", " SWEEP,
@@ -100,7 +99,6 @@ static void test_other_work(void **state)
     };
     struct talk whole, sliced;
 
-    (void)state;
     talk_begin(&whole);
     talk_begin(&sliced);
     for (size_t i = 0; i < 2; i++) {
@@ -119,11 +117,10 @@ static void test_other_work(void **state)
 }
 
 /* What does not end is stopped by the limit, and can be gone on with. */
-static void test_limit(void **state)
+TEST(limit)
 {
     struct talk talk;
 
-    (void)state;
     talk_begin(&talk);
     talk_load(&talk, " EX r10, on\non: IBNZ r11, [r10]\n EX r11, 1\n EXIT\n",
               "");
@@ -145,13 +142,4 @@ static void test_limit(void **state)
     talk_end(&talk);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slices),
-        cmocka_unit_test(test_other_work),
-        cmocka_unit_test(test_limit),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

@@ -383,11 +383,10 @@ static void walk_end(struct walk *walk)
     free(walk->plain.moments);
 }
 
-static void test_walks(void **state)
+TEST(walks)
 {
     enum { ROUNDS = 10, MOVES = 40 };
 
-    (void)state;
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk;
 
@@ -478,11 +477,10 @@ static void check_timeline(struct walk *walk)
 }
 
 /* They leave the program where it stood, whether they are done or not. */
-static void test_replays(void **state)
+TEST(replays)
 {
     enum { ROUNDS = 10, MOVES = 6 };
 
-    (void)state;
     for (size_t i = 0; i < ROUNDS; i++) {
         struct walk walk;
         char *before;
@@ -506,13 +504,12 @@ static void test_replays(void **state)
 }
 
 /* Somebody has changed a register on the way: what is profiled is that run. */
-static void test_changed(void **state)
+TEST(changed)
 {
     struct talk talk;
     const struct json_value *rows, *account;
     double clocks;
 
-    (void)state;
     talk_begin(&talk);
     talk_load(&talk,
               "        ES r10, 100\n        EX r11, on\non:     IS r12, 1\n"
@@ -533,7 +530,7 @@ static void test_changed(void **state)
 
 /* The output of the program is a text of its own here: an open line in it puts no
  * newline before the words of the debugger. */
-static void test_open_line(void **state)
+TEST(open_line)
 {
     static const char text[] = "        ES r10, 9\n"
                                "        EXIT r10, r0, 2\n"
@@ -542,7 +539,6 @@ static void test_open_line(void **state)
                                          "where" };
     struct talk talk;
 
-    (void)state;
     talk_begin(&talk);
     talk_load(&talk, text, "");
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
@@ -555,7 +551,7 @@ static void test_open_line(void **state)
 }
 
 /* What is printed then is what that run prints. */
-static void test_changed_prints(void **state)
+TEST(changed_prints)
 {
     static const char text[] = "        ES r10, 9\n        EX r11, on\n"
                                "on:     EXIT r10, r0, 2\n"
@@ -563,7 +559,6 @@ static void test_changed_prints(void **state)
                                "        DBNZ r10, [r11]\n        EXIT\n";
     struct talk talk;
 
-    (void)state;
     talk_begin(&talk);
     talk_load(&talk, text, ON_PRIOR);
     talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
@@ -582,7 +577,7 @@ static void test_changed_prints(void **state)
 }
 
 /* A million characters are kept, of each run. */
-static void test_cut(void **state)
+TEST(cut)
 {
     static const char text[] =
         "        EX r10, 70000\n        EX r11, on\n"
@@ -590,7 +585,6 @@ static void test_cut(void **state)
         "on:     EXIT r12, r0, 2\n        DBNZ r10, [r11]\n        EXIT\n";
     struct talk talk;
 
-    (void)state;
     talk_begin(&talk);
     talk_load(&talk, text, "");
     talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
@@ -609,13 +603,4 @@ static void test_cut(void **state)
     talk_end(&talk);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_walks),   cmocka_unit_test(test_replays),
-        cmocka_unit_test(test_changed), cmocka_unit_test(test_changed_prints),
-        cmocka_unit_test(test_cut),     cmocka_unit_test(test_open_line),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

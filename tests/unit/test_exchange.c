@@ -1,17 +1,11 @@
 /* test_exchange.c - what grey surfaces exchange: known cases, and enclosures by chance beside
  * elimination in long doubles. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "rt/heat/exchange.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/unit.h"
 
 #define SIGMA 5.670374419e-8
 enum { MOST = 70 };
@@ -64,7 +58,7 @@ static void assert_near(double found, double expected, double scale)
 
 /* ---- Known cases: exchange.csv ---------------------------------------------- */
 
-static void test_spheres(void **state)
+TEST(spheres)
 {
     double pi = acos(-1);
     const struct enclosure spheres = {
@@ -76,7 +70,6 @@ static void test_spheres(void **state)
     };
     struct exchange exchange;
 
-    (void)state;
     solve(&spheres, &exchange);
     assert_near(exchange.flow[0], 25842.18560027, 25842);
     assert_near(exchange.flow[1], -25842.18560027, 25842);
@@ -84,7 +77,7 @@ static void test_spheres(void **state)
     exchange_free(&exchange);
 }
 
-static void test_cube(void **state)
+TEST(cube)
 {
     double beside = 0.2000437760754, opposite = 1 - 4 * beside;
     static const double flows[] = { 36940.48878972, -9963.172602644,
@@ -93,7 +86,6 @@ static void test_cube(void **state)
     struct enclosure cube = { .count = 6 };
     struct exchange exchange;
 
-    (void)state;
     for (size_t i = 0; i < 6; i++) {
         cube.area[i] = 1;
         cube.emissivity[i] = i == 0 ? .9 : i == 1 ? .5 : .3;
@@ -138,9 +130,8 @@ static void check_bay(double emissivity, double expected)
     exchange_free(&exchange);
 }
 
-static void test_finned_bay(void **state)
+TEST(finned_bay)
 {
-    (void)state;
     check_bay(.5, 0.647282105266);
     check_bay(1, 0.8961829422213);
 }
@@ -247,11 +238,10 @@ static void check_enclosure(const struct enclosure *enclosure)
     exchange_free(&exchange);
 }
 
-static void test_enclosures(void **state)
+TEST(enclosures)
 {
     uint64_t random = RANDOM_SEED + 17;
 
-    (void)state;
     for (int i = 0; i < 40; i++) {
         struct enclosure enclosure;
 
@@ -279,7 +269,7 @@ static void refuses(const struct enclosure *enclosure, const char *message)
     }
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     const struct enclosure pair = { .count = 2,
                                     .area = { 1, 1 },
@@ -288,7 +278,6 @@ static void test_refused(void **state)
                                     .factors = { 0, 1, 0, 1, 0, 0 } };
     struct enclosure other = pair;
 
-    (void)state;
     other.emissivity[0] = other.emissivity[1] = 0;
     refuses(&other, "the exchange has no solution: surface 2 is of some that "
                     "are adiabatic");
@@ -310,13 +299,4 @@ static void test_refused(void **state)
     refuses(&other, "0 surfaces: 1 .. 4096 exchange");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spheres),    cmocka_unit_test(test_cube),
-        cmocka_unit_test(test_finned_bay), cmocka_unit_test(test_enclosures),
-        cmocka_unit_test(test_refused),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

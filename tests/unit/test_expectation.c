@@ -45,7 +45,7 @@ static bool holds(const char *expectation)
     return good_end;
 }
 
-static void test_expectations(void **state)
+TEST(expectations)
 {
     static const struct {
         const char *right, *wrong;
@@ -61,7 +61,6 @@ static void test_expectations(void **state)
         { "expect-print: 5", "expect-print:" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         if (!holds(cases[i].right))
             fail_msg("fails: %s", cases[i].right);
@@ -71,17 +70,9 @@ static void test_expectations(void **state)
 }
 
 /* Beyond a page, where there is no memory. */
-static void test_unmapped(void **state)
+TEST(unmapped)
 {
-    (void)state;
     assert_false(holds("expect: [0x7000000000] = 0"));
     assert_false(holds("expect-halves: [0x7000000000] = 0"));
     assert_false(holds("expect-bits: [0x7000000000] = 0"));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_expectations),
-                                        cmocka_unit_test(test_unmapped) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -77,7 +77,7 @@ static void check_sights(const struct sight *sights, size_t count)
 /* --- faces that coincide -------------------------------------------------- */
 
 /* Faces 5e-8 apart are one, at 2e-7 they are two: k_delta lies between. */
-static void test_coincident(void **state)
+TEST(coincident)
 {
     static const struct sight sights[] = {
         { "difference { box { -1, 1 } box { -1, 1 } }", 0, 0 },
@@ -104,7 +104,6 @@ static void test_coincident(void **state)
           2, 5 },
     };
 
-    (void)state;
     check_sights(sights, COUNT(sights));
 }
 
@@ -114,7 +113,7 @@ static void test_coincident(void **state)
 #define ABOVE "box { <-1, 0, -1>, 1 } "
 #define BELOW "box { -1, <1, 0, 1> } "
 
-static void test_alone(void **state)
+TEST(alone)
 {
     static const struct sight sights[] = {
         { ABOVE, 1, 4 },
@@ -131,12 +130,11 @@ static void test_alone(void **state)
         { "plane { -y, 0 }", 0, 0 },
     };
 
-    (void)state;
     check_sights(sights, COUNT(sights));
 }
 
 /* The face belongs to both that share it. */
-static void test_intersection(void **state)
+TEST(intersection)
 {
     static const struct sight sights[] = {
         { "intersection { " ABOVE "box { <-1, -1, 0>, 2 } }", 2, 5 },
@@ -151,12 +149,11 @@ static void test_intersection(void **state)
         { "intersection { cylinder { -y, 0, 1 } box { -.5, 1 } }", 2, 4.5 },
     };
 
-    (void)state;
     check_sights(sights, COUNT(sights));
 }
 
 /* What is taken away takes its faces with it. */
-static void test_difference(void **state)
+TEST(difference)
 {
     static const struct sight sights[] = {
         { "difference { " ABOVE "box { <-.5, -1, -2>, <.5, 1, .5> } }", 2,
@@ -182,11 +179,10 @@ static void test_difference(void **state)
           3, 5.5 },
     };
 
-    (void)state;
     check_sights(sights, COUNT(sights));
 }
 
-static void test_merge(void **state)
+TEST(merge)
 {
     static const struct sight sights[] = {
         { "merge { " ABOVE "box { <-1, -1, -2>, <1, 0, .5> } }", 2, 3 },
@@ -196,7 +192,6 @@ static void test_merge(void **state)
           2, 6 },
     };
 
-    (void)state;
     check_sights(sights, COUNT(sights));
 }
 
@@ -209,7 +204,7 @@ static void test_merge(void **state)
     "0, 0, 0> } "
 
 /* Within k_tiny a ray is parallel, and where it starts decides. */
-static void test_nearly_parallel(void **state)
+TEST(nearly_parallel)
 {
     static const struct sight sights[] = {
         { SLANTED("1e-11"), 1, 3 },
@@ -238,20 +233,7 @@ static void test_nearly_parallel(void **state)
         { "difference { box { -1, 1 } plane { <0, 1, 1e-13>, 0 } }", 0, 0 },
     };
 
-    (void)state;
     check_sights(sights, COUNT(sights));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coincident),
-        cmocka_unit_test(test_alone),
-        cmocka_unit_test(test_intersection),
-        cmocka_unit_test(test_difference),
-        cmocka_unit_test(test_merge),
-        cmocka_unit_test(test_nearly_parallel),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

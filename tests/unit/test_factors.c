@@ -6,8 +6,6 @@
 #include "rt/heat/factors.h"
 #include "rt/heat/packet.h"
 
-#include <stdio.h>
-
 #include "tests/random.h"
 #include "tests/unit/heat_steps.h"
 #include "tests/unit/prior_model.h"
@@ -108,21 +106,19 @@ static void check_area(const char *solid, double expected)
     scene_free(scene);
 }
 
-static void test_areas(void **state)
+TEST(areas)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(solids); i++)
         check_area(solids[i].solid, solids[i].area);
 }
 
 /* A body of triangles radiates outward, in whatever order their corners are. */
-static void test_meshes(void **state)
+TEST(meshes)
 {
     static const char corners[][20] = { "<1, 1, 1>", "<1, -1, -1>",
                                         "<-1, 1, -1>", "<-1, -1, 1>" };
     struct factors_options few = usual;
 
-    (void)state;
     few.points = 64;
     for (unsigned turned = 0; turned < 16; turned++) {
         char text[600] = "mesh {";
@@ -241,11 +237,10 @@ static void check_crowd(uint64_t *random)
     free(text);
 }
 
-static void test_crowds(void **state)
+TEST(crowds)
 {
     uint64_t random = RANDOM_SEED + 23;
 
-    (void)state;
     for (int i = 0; i < CROWDS; i++)
         check_crowd(&random);
 }
@@ -277,7 +272,7 @@ static void check_factors(const char *text, const struct known_factor *known,
 
 /* Squares and discs that see each other; a bay of a finned tube; the inside of a
  * shell around a ball. */
-static void test_known_factors(void **state)
+TEST(known_factors)
 {
     static const struct known_factor parallel[] = {
         { 0, 1, 0.1998248956984 }, { 1, 0, 0.1998248956984 }
@@ -293,7 +288,6 @@ static void test_known_factors(void **state)
         { 2, 1, 1 }, { 1, 2, .25 }, { 1, 1, .75 }, { 0, 3, 1 }
     };
 
-    (void)state;
     check_factors("mesh { triangle { 0, z, x + z } triangle { 0, x + z, x } }"
                   "mesh { triangle { y, x + y + z, y + z }"
                   " triangle { y, x + y, x + y + z } }",
@@ -342,12 +336,11 @@ static void check_bias(const struct scene *scene, bool lattice)
         fail_msg("the mean of %d seeds is %.7g +- %.2g", SEEDS, mean, error);
 }
 
-static void test_bias(void **state)
+TEST(bias)
 {
     struct scene *scene = read_scene(
         "disc { 0, y, 1 } disc { .9*y, -y, .6 }");
 
-    (void)state;
     check_bias(scene, true);
     check_bias(scene, false);
     scene_free(scene);
@@ -405,9 +398,8 @@ static void check_forms(const char *text)
 }
 
 /* By its emission, and by lines through it. */
-static void test_forms(void **state)
+TEST(forms)
 {
-    (void)state;
     check_forms(
         "difference { box { -1, 1 } cylinder { -2*y, 2*y, .6 } torus { 1, .3 } }"
         "sphere { 0, .4 scale <1, 2, 1> }");
@@ -446,7 +438,7 @@ static void count_halves(const struct packet_programs *programs,
 }
 
 /* More points than a vector holds: wherever a repeat is cut, its rays are the same. */
-static void test_pieces(void **state)
+TEST(pieces)
 {
     struct scene *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");
     struct packet_programs programs = { .scene = scene, .options = usual };
@@ -455,7 +447,6 @@ static void test_pieces(void **state)
     c205_error error = { "" };
     uint64_t counts[3] = { 0, 0, 0 };
 
-    (void)state;
     programs.options.points = 65536;
     programs.options.repeats = 2;
     programs.options.seed = seed;
@@ -475,7 +466,7 @@ static void test_pieces(void **state)
     scene_free(scene);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     struct factors_options options = usual;
     struct scene *scene = read_scene("plane { y, 0 } sphere { 0, 1 }");
@@ -483,7 +474,6 @@ static void test_refused(void **state)
     struct factor_row row;
     c205_error error = { "" };
 
-    (void)state;
     assert_false(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     assert_non_null(strstr(error.message, "a plane has no end"));
     factors_free(factors);
@@ -498,16 +488,10 @@ static void test_refused(void **state)
     scene_free(scene);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),   cmocka_unit_test(test_meshes),
-        cmocka_unit_test(test_crowds),  cmocka_unit_test(test_known_factors),
-        cmocka_unit_test(test_bias),    cmocka_unit_test(test_forms),
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_pieces),
-    };
-
     if (argc > 1)
         seed = strtoull(argv[1], NULL, 10);
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
 }
+
+GROUP(set_up_model, tear_down_model);

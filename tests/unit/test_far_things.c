@@ -195,12 +195,11 @@ static void check_scene(const struct scene *scene)
     free(same);
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
     const struct scene_options how = { .strict = false };
     size_t scenes = 0;
 
-    (void)state;
     for (int i = 0; i < SCENES; i++) {
         struct diagnostics reports = { 0 };
         struct scene *scene;
@@ -216,11 +215,4 @@ static void test_random_scenes(void **state)
     assert_true(scenes > SCENES / 2);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

@@ -2,22 +2,14 @@
  * as it would be without all that. */
 #include "rt/farm/farm.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <signal.h>
 #include <time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "base/error.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 enum { MOST = 50, TRIES = 80, KILLS = 20, SHARES = 5, KEY = 205 };
 
@@ -101,9 +93,8 @@ static struct bench new_bench(size_t count)
 
 /* ---- Tests --------------------------------------------------------------- */
 
-static void test_threads(void **unused)
+TEST(threads)
 {
-    (void)unused;
     for (int i = 0; i < TRIES; i++) {
         struct bench bench = new_bench(between(0, MOST));
         struct farm farm = { .parts = 0 };
@@ -117,9 +108,8 @@ static void test_threads(void **unused)
 }
 
 /* However many there are: the error is of the lowest, and all before it are taken. */
-static void test_bad(void **unused)
+TEST(bad)
 {
-    (void)unused;
     for (int i = 0; i < TRIES; i++) {
         struct bench bench = new_bench(between(1, MOST));
         struct farm farm = { .parts = 0 };
@@ -137,9 +127,8 @@ static void test_bad(void **unused)
 }
 
 /* Shares in any order: none does what another does, and together they are all. */
-static void test_shares(void **unused)
+TEST(shares)
 {
-    (void)unused;
     for (int i = 0; i < TRIES; i++) {
         struct bench bench = new_bench(between(0, MOST));
         size_t parts = between(1, SHARES), first = between(0, parts - 1);
@@ -189,14 +178,13 @@ static void kill_one(void)
     assert_int_equal(waitpid(child, NULL, 0), child);
 }
 
-static void test_killed(void **unused)
+TEST(killed)
 {
     struct bench whole = new_bench(MOST);
     struct farm alone = { .parts = 0 };
     c205_error error = { "" };
     size_t kept = 0;
 
-    (void)unused;
     assert_true(do_farm(&alone, &whole, 1, &error));
     for (int i = 0; i < KILLS; i++) {
         struct bench bench = new_bench(MOST);
@@ -212,11 +200,10 @@ static void test_killed(void **unused)
     assert_true(kept > 0 && kept < KILLS * MOST);
 }
 
-static int set_up(void **unused)
+FIXTURE(set_up)
 {
     bool good = true;
 
-    (void)unused;
     for (size_t i = 0; i < SHARES; i++) {
         int file;
 
@@ -227,14 +214,4 @@ static int set_up(void **unused)
     return !good;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_bad),
-        cmocka_unit_test(test_shares),
-        cmocka_unit_test(test_killed),
-    };
-
-    return cmocka_run_group_tests(tests, set_up, NULL);
-}
+GROUP(set_up, NULL);

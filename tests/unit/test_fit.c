@@ -4,17 +4,9 @@
 #include "rt/study/fit/observations.h"
 #include "rt/study/fit/untouched.h"
 #include "tests/oracle/points.h"
+#include "tests/unit/unit.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 static c205_model *model;
 
@@ -71,9 +63,8 @@ static double clocks_of_rows(const struct fit_run *run)
 
 /* The scalar clocks of 640 rays, scaled, are within 1 percent of those of
  * 100,000; the same frame of rt205 speedup shows the same clocks. */
-static void test_fewer_rays(void **state)
+TEST(fewer_rays)
 {
-    (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
         const struct speedup_subject *subject = &speedup_subjects[i];
         struct trace_options options = { .mode = TRACE_SCALAR,
@@ -134,9 +125,8 @@ static double predicted(const char *row)
 }
 
 /* An addition alone takes 51 + n / 2 clocks of 20 ns on two pipes. */
-static void test_units(void **state)
+TEST(units)
 {
-    (void)state;
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
                           "cyber205-2pipe,1,ns/TIMES,1,,s,fit"),
                 1020);
@@ -188,9 +178,8 @@ static void assert_refused(const char *text, const char *message)
     remove("test_fit.csv");
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
-    (void)state;
     assert_refused("", "test_fit.csv:0:0: holds no table");
     assert_refused("a,b,c,d,e,f,g,h,i\n",
                    "test_fit.csv:1:1: another column is expected");
@@ -288,12 +277,11 @@ static struct fit_run *photons(const char *program)
 /* With a function of its own the scalar form swaps registers twice for each
  * number; nothing else does.  Rounding and the short logarithm move hardly a
  * photon. */
-static void test_photons(void **state)
+TEST(photons)
 {
     struct fit_run *run = photons("photons.s OWN_RANF=1");
     double calls = slower_swaps(run, "scalar") / 2;
 
-    (void)state;
     if (fabs(calls / photon_draws() - 1) > .001)
         fail_msg("%g calls for %g numbers", calls, photon_draws());
     assert_near(slower_swaps(run, "in_registers"), 0);
@@ -314,9 +302,8 @@ static void assert_group(const char *name, const char *group)
     assert_memory_equal(name, group, strlen(group));
 }
 
-static void test_groups(void **state)
+TEST(groups)
 {
-    (void)state;
     assert_group("sphere scalar", "sphere");
     assert_group("start-up", "start-up");
     assert_group("photons, in registers", "photons");
@@ -329,13 +316,12 @@ static void test_groups(void **state)
         &(const struct observation){ .name = "spheres, scalar" }));
 }
 
-static void test_ranges(void **state)
+TEST(ranges)
 {
     struct observations all = { 0 };
     struct run_options how = small();
     struct diagnostics found = { 0 };
 
-    (void)state;
     assert_true(observations_read(
         &all,
         file_of(HEAD "a,vector_add.s,cyber205-2pipe,1.5 to 3,clk,,,s,"
@@ -362,7 +348,7 @@ static void test_ranges(void **state)
 
 /* ---- Free constants ----------------------------------------------------- */
 
-static void test_constants(void **state)
+TEST(constants)
 {
     static struct constants constants;
     c205_setting settings[SETTINGS_MOST];
@@ -372,7 +358,6 @@ static void test_constants(void **state)
     c205_error error;
     c205_model *like = c205_model_find("eta10g", &error);
 
-    (void)state;
     assert_non_null(like);
     if (!constants_read(&constants,
                         file_of("name,machine,constants,source,least,most,"
@@ -416,7 +401,7 @@ static bool is_among(const struct untouched_list *untouched, const char *name,
 }
 
 /* Of a fit to additions alone; a gather is only compared. */
-static void test_untouched(void **state)
+TEST(untouched)
 {
     static struct constants constants;
     static struct untouched_list untouched;
@@ -428,7 +413,6 @@ static void test_untouched(void **state)
     c205_error error = { "" };
     const char *moved_by;
 
-    (void)state;
     assert_true(observations_read(
         &all,
         file_of(HEAD "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,"
@@ -458,20 +442,18 @@ static void test_untouched(void **state)
     remove("test_fit.csv");
 }
 
-int main(void)
+FIXTURE(find_model)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_units),     cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_photons),   cmocka_unit_test(test_constants),
-        cmocka_unit_test(test_groups),    cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_untouched), cmocka_unit_test(test_fewer_rays),
-    };
-    c205_error error = { "" };
-    int failed;
+    c205_error error;
 
     model = c205_model_find("cyber205-2pipe", &error);
-    assert_non_null(model);
-    failed = cmocka_run_group_tests(tests, NULL, NULL);
-    c205_model_free(model);
-    return failed;
+    return !model;
 }
+
+FIXTURE(free_model)
+{
+    c205_model_free(model);
+    return 0;
+}
+
+GROUP(find_model, free_model);

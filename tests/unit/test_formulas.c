@@ -3,8 +3,6 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 /* An expression of floats that exists everywhere. */
 static void put_formula(FILE *text, uint64_t *random, int depth)
 {
@@ -59,7 +57,7 @@ static char *formula_by_chance(uint64_t *random)
 
 /* The value of a function is that of its body where its parameters are names,
  * bit for bit; what is declared later does not change it. */
-static void test_by_chance(void **state)
+TEST(by_chance)
 {
     enum { FORMULAS = 500 };
     static const char frame[] =
@@ -69,7 +67,6 @@ static void test_by_chance(void **state)
         "sphere { <F(a, b, c), V, 0>, 1 }";
     uint64_t random = RANDOM_SEED;
 
-    (void)state;
     for (int i = 0; i < FORMULAS; i++) {
         char *formula = formula_by_chance(&random);
         size_t room = sizeof frame + 2 * strlen(formula);
@@ -89,13 +86,12 @@ static void test_by_chance(void **state)
 }
 
 /* Formulas of formulas take as long as they are reckoned. */
-static void test_long_ones(void **state)
+TEST(long_ones)
 {
     static char text[20000];
     size_t length = (size_t)snprintf(text, sizeof text,
                                      "#declare F0 = function(x) { x + 1 }\n");
 
-    (void)state;
     for (int i = 1; i < 100; i++)
         length += (size_t)
             snprintf(text + length, sizeof text - length,
@@ -103,14 +99,4 @@ static void test_long_ones(void **state)
                      i - 1, i - 1);
     snprintf(text + length, sizeof text - length, "sphere { 0, F99(1) }");
     assert_refused(text, 1, "too long to read");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_chance),
-        cmocka_unit_test(test_long_ones),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

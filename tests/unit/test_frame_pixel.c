@@ -213,9 +213,8 @@ static void check_pixels(enum trace_mode mode)
     scene_free(scene);
 }
 
-static void test_queues(void **state)
+TEST(queues)
 {
-    (void)state;
     for (size_t i = 0; i < 8 * TRACE_MODES; i++)
         check_pixels((enum trace_mode)(i % TRACE_MODES));
 }
@@ -417,11 +416,10 @@ static void check_colour(const struct following *following)
                          channel_of(pixel, (enum frame_channel)i));
 }
 
-static void test_rays(void **state)
+TEST(rays)
 {
     static struct following sum;
 
-    (void)state;
     for (size_t i = 0; i < 15 * TRACE_MODES; i++) {
         struct scene *scene = some_scene();
         struct trace_options options = some_options(
@@ -527,18 +525,10 @@ static void check_session(enum trace_mode mode)
     scene_free(scene);
 }
 
-static void test_sessions(void **state)
+TEST(sessions)
 {
-    (void)state;
     for (size_t i = 0; i < 2 * TRACE_MODES; i++)
         check_session((enum trace_mode)(i % TRACE_MODES));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_queues),
-                                        cmocka_unit_test(test_rays),
-                                        cmocka_unit_test(test_sessions) };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

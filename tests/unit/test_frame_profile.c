@@ -19,7 +19,7 @@ static struct {
     c205_model *list[MODELS_MOST]; /* on which programs run */
 } models;
 
-static int find_models(void **state)
+FIXTURE(find_models)
 {
     const char *const *name = c205_model_names();
     c205_error error;
@@ -32,14 +32,14 @@ static int find_models(void **state)
         else
             c205_model_free(model);
     }
-    return models.count < 2 || set_up_frames(state);
+    return models.count < 2 || set_up_frames(test_state);
 }
 
-static int free_models(void **state)
+FIXTURE(free_models)
 {
     while (models.count > 0)
         c205_model_free(models.list[--models.count]);
-    return tear_down_model(state);
+    return tear_down_model(test_state);
 }
 
 static struct trace_options some_options(enum trace_mode mode)
@@ -167,7 +167,7 @@ static void check_scene(const char *path, enum trace_mode mode)
 }
 
 /* Each scene in one of the stages, or in all (PROFILED=all). */
-static void test_scenes(void **state)
+TEST(scenes)
 {
     static const char *const patterns[] = { "scenes/*.pov",
                                             "tests/scenes/*.pov" };
@@ -175,7 +175,6 @@ static void test_scenes(void **state)
     bool all = profiled && strcmp(profiled, "all") == 0;
     size_t count = 0;
 
-    (void)state;
     for (size_t i = 0; i < 2; i++) {
         glob_t found;
 
@@ -191,13 +190,12 @@ static void test_scenes(void **state)
 }
 
 /* In all stages, whatever the number of bands at a time. */
-static void test_jobs(void **state)
+TEST(jobs)
 {
     static const char *const paths[] = { "scenes/first.pov",
                                          "scenes/rings.pov",
                                          "tests/scenes/glass.pov" };
 
-    (void)state;
     for (size_t i = 0; i < 3 * TRACE_MODES; i++) {
         const char *path = paths[i / TRACE_MODES];
         struct scene *scene = read_file(path);
@@ -218,7 +216,7 @@ static void test_jobs(void **state)
 }
 
 /* Regions from the hottest on, lines of each likewise. */
-static void test_order(void **state)
+TEST(order)
 {
     struct scene *scene = read_file("scenes/first.pov");
     char *text = check_frame(scene, some_options(TRACE_VECTOR), "order");
@@ -227,7 +225,6 @@ static void test_order(void **state)
                                in_last = UINT64_MAX;
     size_t regions = 0;
 
-    (void)state;
     for (; *line; line = strchr(line, '\n') + 1) {
         assert_int_equal(sscanf(line, "%39[^,],%*[^,],%llu", region, &clocks),
                          2);
@@ -248,11 +245,4 @@ static void test_order(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_scenes),
-                                        cmocka_unit_test(test_jobs),
-                                        cmocka_unit_test(test_order) };
-
-    return cmocka_run_group_tests(tests, find_models, free_models);
-}
+GROUP(find_models, free_models);

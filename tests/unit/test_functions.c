@@ -327,11 +327,10 @@ static void check_result(const struct function *function, size_t i,
     }
 }
 
-static void test_errors(void **unused)
+TEST(errors)
 {
     static const char *const results[] = { "vectors", "xs", "ys" };
 
-    (void)unused;
     printf("function   results   off by, units of the last place\n");
     for (size_t f = 0; f < FUNCTIONS; f++) {
         struct errors errors = { 0, 0, 0 };
@@ -356,9 +355,8 @@ static void test_errors(void **unused)
 }
 
 /* Vectors of all lengths about those of strips. */
-static void test_lengths(void **unused)
+TEST(lengths)
 {
-    (void)unused;
     for (size_t count = 0; count < 3 * STRIP; count += count % 7 + 1) {
         const struct function
             *function = &functions[below(&state, FUNCTIONS)];
@@ -376,9 +374,8 @@ static void test_lengths(void **unused)
 }
 
 /* (2^a)^n is exact. */
-static void test_powers_of_two(void **unused)
+TEST(powers_of_two)
 {
-    (void)unused;
     both.count = 500;
     for (size_t i = 0; i < both.count; i++) {
         both.x[i] = c205_from_double(
@@ -438,9 +435,8 @@ static void check_quotient(size_t i)
     }
 }
 
-static void test_quotients(void **unused)
+TEST(quotients)
 {
-    (void)unused;
     both.count = tries;
     for (size_t i = 0; i < tries; i++) {
         int64_t y = draw_integer();
@@ -487,7 +483,7 @@ static c205_word word_below(const mpfr_t value)
     return word;
 }
 
-static void test_polynomials(void **unused)
+TEST(polynomials)
 {
     struct object *object = good(
         "        .include \"exp.s\"\n        .include \"log.s\"\n"
@@ -495,7 +491,6 @@ static void test_polynomials(void **unused)
         "        .include \"power.s\"\n        EXIT\n");
     const struct exact_polynomial *polynomial;
 
-    (void)unused;
     for (size_t i = 0; (polynomial = exact_polynomial_at(i)) != NULL; i++) {
         mpfr_t exact[EXACT_COEFFICIENTS];
         uint64_t at = (uint64_t)object_symbol(object, polynomial->label)
@@ -517,7 +512,7 @@ static void test_polynomials(void **unused)
 
 /* The factors of power.s, and what their logarithms are: the first 30 digits behind the point,
  * and the others. */
-static void test_factors(void **unused)
+TEST(factors)
 {
     enum { FACTORS = 33 };
     struct object *object = good(
@@ -528,7 +523,6 @@ static void test_factors(void **unused)
     uint64_t low = (uint64_t)object_symbol(object, "power.low")->value;
     mpfr_t exact, part;
 
-    (void)unused;
     mpfr_inits2(DIGITS, exact, part, (mpfr_ptr)NULL);
     for (uint64_t j = 0; j < FACTORS; j++) {
         double factor = floor(64 * 32 / (32.0 + (double)j) + 0.5) / 64;
@@ -549,31 +543,22 @@ static void test_factors(void **unused)
     object_free(object);
 }
 
-static int begin_all(void **unused)
+FIXTURE(begin_all)
 {
     oracle_begin();
     mpfr_set_emin(mpfr_get_emin_min());
     mpfr_set_emax(mpfr_get_emax_max());
-    return set_up_model(unused);
+    return set_up_model(test_state);
 }
 
-static int end_all(void **unused)
+FIXTURE(end_all)
 {
     oracle_end();
-    return tear_down_model(unused);
+    return tear_down_model(test_state);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_polynomials),
-        cmocka_unit_test(test_factors),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_powers_of_two),
-        cmocka_unit_test(test_lengths),
-        cmocka_unit_test(test_quotients),
-    };
-
     if (argc > 1) {
         tries = (size_t)strtoul(argv[1], NULL, 10);
         tries = tries < MOST ? tries : MOST;
@@ -581,5 +566,6 @@ int main(int argc, char **argv)
     if (argc > 2) {
         state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);
     }
-    return cmocka_run_group_tests(tests, begin_all, end_all);
 }
+
+GROUP(begin_all, end_all);

@@ -6,7 +6,6 @@
 #include "rt/heat/global_lines.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "tests/random.h"
 #include "tests/unit/heat_steps.h"
@@ -63,14 +62,13 @@ static void assert_exact(const struct global_lines *found)
 /* ---- Closed forms ------------------------------------------------------------ */
 
 /* A ball in a shell sees that alone; the shell sees the ball by its share of the area. */
-static void test_shell(void **state)
+TEST(shell)
 {
     struct global_lines found =
         find("sphere { 0, .5 }"
              " difference { sphere { 0, 1.1 } sphere { 0, 1 } }",
              usual);
 
-    (void)state;
     assert_exact(&found);
     assert_estimate("ball", global_lines_area(&found, 0), acos(-1));
     assert_estimate("shell", global_lines_area(&found, 2), 4 * acos(-1));
@@ -82,13 +80,12 @@ static void test_shell(void **state)
 }
 
 /* Two sides of each disc: half of what is known for those that face each other. */
-static void test_discs(void **state)
+TEST(discs)
 {
     struct global_lines found = find("disc { 0, z, 1 } disc { z, z, 1 }",
                                      usual);
     double factor = (3 - sqrt(5)) / 2;
 
-    (void)state;
     assert_exact(&found);
     assert_estimate("disc", global_lines_area(&found, 0), 2 * acos(-1));
     assert_estimate("discs", global_lines_factor(&found, 0, 1), factor / 2);
@@ -97,7 +94,7 @@ static void test_discs(void **state)
 }
 
 /* Areas of massprops.csv, of surfaces that cut each other. */
-static void test_areas(void **state)
+TEST(areas)
 {
     static const struct {
         const char *solid;
@@ -112,7 +109,6 @@ static void test_areas(void **state)
         { "box { 0, 1 } box { x, <2,1,1> }", 10 }, /* they touch */
     };
 
-    (void)state;
     for (size_t s = 0; s < COUNT(solids); s++) {
         struct global_lines found = find(solids[s].solid, usual);
         struct estimate sum = { 0, 0 };
@@ -131,7 +127,7 @@ static void test_areas(void **state)
 
 /* ---- All forms, any queue and jobs ------------------------------------------- */
 
-static void test_forms(void **state)
+TEST(forms)
 {
     static const char text[] =
         "sphere { 0, .5 } blob { threshold .5 sphere { 2*x, 1, 1 } }"
@@ -140,7 +136,6 @@ static void test_forms(void **state)
     struct global_lines_options options = usual;
     struct global_lines one, other;
 
-    (void)state;
     options.repeats = 2;
     options.lines_log = 8;
     one = find(text, options);
@@ -179,11 +174,10 @@ static void assert_fails(const char *text,
     scene_free(scene);
 }
 
-static void test_refusals(void **state)
+TEST(refusals)
 {
     struct global_lines_options once = usual, many = usual;
 
-    (void)state;
     once.repeats = 1;
     many.lines_log = 21;
     assert_fails("camera { location -5*z }", usual, "no surfaces");
@@ -192,15 +186,10 @@ static void test_refusals(void **state)
     assert_fails("sphere { 0, 1 }", many, "at most 2^20");
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    static const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shell),    cmocka_unit_test(test_discs),
-        cmocka_unit_test(test_areas),    cmocka_unit_test(test_forms),
-        cmocka_unit_test(test_refusals),
-    };
-
     if (argc > 1)
         seed = strtoull(argv[1], NULL, 10);
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
 }
+
+GROUP(set_up_model, tear_down_model);

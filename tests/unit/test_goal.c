@@ -1,14 +1,7 @@
 /* test_goal.c - what keeps within the goal's limits and what does not, at the
  * limits themselves.  The fit is made up. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "rt/study/fit/goal.h"
+#include "tests/unit/unit.h"
 
 enum { ROWS = 12 };
 
@@ -67,7 +60,7 @@ static const double left_out[ROWS] = { 1.2499, 1.2501, .7501, .7499, 1, 1,
 static const double places[] = { 2, 2.01, -2, -2.01, 0, 5, -5 };
 enum { CONSTANTS = sizeof places / sizeof *places };
 
-static void test_limits(void **state)
+TEST(limits)
 {
     static struct study study;
     static struct constants constants = { .count = CONSTANTS };
@@ -77,7 +70,6 @@ static void test_limits(void **state)
     const struct results results = { .format = RESULTS_TEXT,
                                      .file = tmpfile() };
 
-    (void)state;
     assert_non_null(results.file);
     study.fit.observations = &all;
     study.fit.constants = &constants;
@@ -107,10 +99,4 @@ static void test_limits(void **state)
                         "    no row +100.0 %.\n"
                         "Constants inside their bounds: 5 of 7; within 2 "
                         "prior widths: 3.\n");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_limits) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -28,9 +28,8 @@ enum {
 #define UNARY(op, a, expected, flags) \
     UNARY_GIVES(half_##op, a, expected, flags)
 
-static void test_format(void **state)
+TEST(format)
 {
-    (void)state;
     assert_int_equal(H(-22, HALF), ONE);
     assert_int_equal(format_exponent_max(half_words), TOP);
     assert_int_equal(format_exponent_min(half_words), BOTTOM);
@@ -44,9 +43,8 @@ static void test_format(void **state)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
-static void test_add_machine_zero(void **state)
+TEST(add_machine_zero)
 {
-    (void)state;
     BINARY(add_upper, MZ | ANY, H(3, 5), H(3, 5), 0);
     BINARY(add_lower, H(3, 5), MZ | ANY, H(-20, 0), 0);
     BINARY(add_lower, H(BOTTOM, 5), MZ, MZ, ZERO_FLAG);
@@ -57,9 +55,8 @@ static void test_add_machine_zero(void **state)
     BINARY(subtract_normalised, MZ, H(3, HALF), H(2, MIN), 0);
 }
 
-static void test_add_aligns(void **state)
+TEST(add_aligns)
 {
-    (void)state;
     BINARY(add_upper, H(4, 3), H(0, 0x25), H(4, 5), 0);
     BINARY(add_lower, H(4, 3), H(0, 0x25), H(-19, 5 << 19), 0);
     BINARY(add_lower, H(4, 3), H(0, -1), H(-19, 15 << 19), 0);
@@ -78,9 +75,8 @@ static void test_add_aligns(void **state)
     BINARY(subtract_normalised, H(-24, -1), H(0, HALF), H(0, -HALF - 1), 0);
 }
 
-static void test_add_overflows_the_register(void **state)
+TEST(add_overflows_the_register)
 {
-    (void)state;
     BINARY(add_upper, H(0, MAX), H(0, MAX), H(1, MAX), 0);
     BINARY(add_upper, H(0, MIN), H(0, -1), H(1, -HALF - 1), 0);
     BINARY(add_lower, H(0, MIN), H(0, -1), H(-22, HALF), 0);
@@ -89,9 +85,8 @@ static void test_add_overflows_the_register(void **state)
     BINARY(add_lower, H(TOP, MAX), H(TOP, 2), H(89, HALF), 0);
 }
 
-static void test_add_normalises(void **state)
+TEST(add_normalises)
 {
-    (void)state;
     BINARY(add_normalised, H(0, 1), H(0, 1), H(-21, HALF), 0);
     BINARY(add_normalised, H(0, 0), H(0, -1), H(-23, MIN), 0);
     BINARY(add_normalised, H(9, 5), H(9, -5), MZ, ZERO_FLAG);
@@ -107,9 +102,8 @@ static void test_add_normalises(void **state)
 
 /* ---- Multiply ----------------------------------------------------------- */
 
-static void test_multiply(void **state)
+TEST(multiply)
 {
-    (void)state;
     BINARY(multiply_upper, IND | ANY, MZ, IND, INDEFINITE_FLAG);
     BINARY(multiply_significant, MZ | ANY, ONE, MZ, ZERO_FLAG);
     BINARY(multiply_lower, H(0, 0), MZ, MZ, ZERO_FLAG);
@@ -126,9 +120,8 @@ static void test_multiply(void **state)
     BINARY(multiply_lower, H(BOTTOM, 1), H(0, 1), H(BOTTOM, 1), 0);
 }
 
-static void test_multiply_significant(void **state)
+TEST(multiply_significant)
 {
-    (void)state;
     BINARY(multiply_significant, ONE, H(5, MAX), H(5, MAX), 0);
     BINARY(multiply_significant, H(0, HALF), H(0, MIN), H(22, MIN), 0);
     BINARY(multiply_significant, H(0, MIN), H(0, MIN), H(24, HALF), 0);
@@ -146,9 +139,8 @@ static void test_multiply_significant(void **state)
 
 /* ---- Divide, square root ------------------------------------------------ */
 
-static void test_divide_upper(void **state)
+TEST(divide_upper)
 {
-    (void)state;
     BINARY(divide_upper, IND, MZ, IND, INDEFINITE_FLAG);
     BINARY(divide_upper, MZ, MZ, IND, FAULT_FLAGS);
     BINARY(divide_upper, ONE, H(5, 0), IND, FAULT_FLAGS);
@@ -163,9 +155,8 @@ static void test_divide_upper(void **state)
     BINARY(divide_upper, H(0, MIN), H(0, -1), H(1, HALF), 0);
 }
 
-static void test_divide_significant(void **state)
+TEST(divide_significant)
 {
-    (void)state;
     BINARY(divide_significant, ONE, MZ, IND, FAULT_FLAGS);
     BINARY(divide_significant, ONE, ONE, ONE, 0);
     BINARY(divide_significant, H(0, 7), H(0, 3), H(0, 2), 0);
@@ -177,9 +168,8 @@ static void test_divide_significant(void **state)
            ZERO_FLAG);
 }
 
-static void test_square_root(void **state)
+TEST(square_root)
 {
-    (void)state;
     UNARY(square_root, ONE, ONE, 0);
     UNARY(square_root, H(-20, HALF), H(-21, HALF), 0);
     UNARY(square_root, H(-21, HALF), H(-22, 0x5A8279), 0);
@@ -194,9 +184,8 @@ static void test_square_root(void **state)
 
 /* ---- Parts of a number, sign -------------------------------------------- */
 
-static void test_integer_parts(void **state)
+TEST(integer_parts)
 {
-    (void)state;
     UNARY(truncate, H(-1, -5), H(0, -2), 0);
     UNARY(floor, H(-1, -5), H(0, -3), 0);
     UNARY(ceiling, H(-1, 5), H(0, 3), 0);
@@ -209,9 +198,8 @@ static void test_integer_parts(void **state)
     UNARY(ceiling, IND | ANY, IND | ANY, INDEFINITE_FLAG);
 }
 
-static void test_sign(void **state)
+TEST(sign)
 {
-    (void)state;
     UNARY(negate, H(3, 5), H(3, -5), 0);
     UNARY(negate, H(3, MIN), H(4, HALF), 0);
     UNARY(negate, H(3, HALF), H(2, MIN), 0);
@@ -224,9 +212,8 @@ static void test_sign(void **state)
     UNARY(absolute, IND | ANY, IND, INDEFINITE_FLAG);
 }
 
-static void test_exponent_and_pack(void **state)
+TEST(exponent_and_pack)
 {
-    (void)state;
     UNARY(exponent, ONE, H(0, -22), 0);
     UNARY(exponent, IND, H(0, 0x70), 0);
     UNARY(exponent, MZ, H(0, -0x80), 0);
@@ -235,9 +222,8 @@ static void test_exponent_and_pack(void **state)
     BINARY(pack, H(0, 0x80), H(0, -1), MZ | H(0, -1), 0);
 }
 
-static void test_adjust(void **state)
+TEST(adjust)
 {
-    (void)state;
     BINARY(adjust_significance, H(0, 5), H(0, 2), H(-2, 20), 0);
     BINARY(adjust_significance, H(0, 5), IND | H(0, -1), H(1, 2), 0);
     BINARY(adjust_significance, H(0, 5), H(0, 99), H(-20, 5 << 20), 0);
@@ -284,11 +270,10 @@ static void compare_steps(size_t i, size_t j)
     }
 }
 
-static void test_compare(void **state)
+TEST(compare)
 {
     size_t steps = sizeof ladder / sizeof *ladder;
 
-    (void)state;
     for (size_t i = 0; i < steps; i++)
         for (size_t j = 0; j < steps; j++)
             compare_steps(i, j);
@@ -308,12 +293,11 @@ static c205_word shifted(c205_word a, int64_t count)
     return result;
 }
 
-static void test_shift(void **state)
+TEST(shift)
 {
     c205_word a = UINT64_C(0x8123456700000000);
     c205_word ones = UINT64_C(0xFFFFFFFF00000000);
 
-    (void)state;
     assert_int_equal(shifted(a, 0), a);
     assert_int_equal(shifted(a, 4), UINT64_C(0x1234567800000000));
     assert_int_equal(shifted(a, 31), UINT64_C(0xC091A2B300000000));
@@ -327,9 +311,8 @@ static void test_shift(void **state)
 
 /* ---- Conversion between the sizes --------------------------------------- */
 
-static void test_contract(void **state)
+TEST(contract)
 {
-    (void)state;
     UNARY_GIVES(arith_contract, C205_ONE, ONE, 0);
     UNARY_GIVES(arith_contract, W(0, 0xFFFFFF), H(24, 0), 0);
     UNARY_GIVES(arith_contract, W(0, 0x1000000), H(24, 1), 0);
@@ -343,9 +326,8 @@ static void test_contract(void **state)
     UNARY_GIVES(arith_contract, IND | 77, IND, INDEFINITE_FLAG);
 }
 
-static void test_contract_rounded(void **state)
+TEST(contract_rounded)
 {
-    (void)state;
     UNARY_GIVES(arith_contract_rounded, C205_ONE, ONE, 0);
     UNARY_GIVES(arith_contract_rounded, W(0, 0x7FFFFF), H(24, 0), 0);
     UNARY_GIVES(arith_contract_rounded, W(0, 0x800000), H(24, 1), 0);
@@ -361,9 +343,8 @@ static void test_contract_rounded(void **state)
     UNARY_GIVES(arith_contract_rounded, IND | 77, IND, INDEFINITE_FLAG);
 }
 
-static void test_extend(void **state)
+TEST(extend)
 {
-    (void)state;
     UNARY_GIVES(arith_extend, ONE, C205_ONE, 0);
     UNARY_GIVES(arith_extend, H(BOTTOM, -1), W(BOTTOM - 24, -0x1000000), 0);
     UNARY_GIVES(arith_extend, H(TOP, 0), W(TOP - 24, 0), 0);
@@ -380,11 +361,10 @@ static c205_word extended(c205_word half)
     return arith_extend(half, &flags);
 }
 
-static void test_extended_come_back(void **state)
+TEST(extended_come_back)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = xorshift_unnormalised_of(half_words, &seed, BOTTOM,
                                                TOP);
@@ -397,11 +377,10 @@ static void test_extended_come_back(void **state)
 
 /* All results are floors: of normalised operands, the half result is the
  * longer one cut. */
-static void test_half_results_are_cut(void **state)
+TEST(half_results_are_cut)
 {
     uint64_t seed = RANDOM_SEED, flags = 0;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = half_absolute(xorshift_normalised_of(half_words, &seed,
                                                            -40, 30),
@@ -419,33 +398,4 @@ static void test_half_results_are_cut(void **state)
                          arith_contract(root, &flags));
         assert_int_equal(half_less(a, b), arith_less(x, y));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_format),
-        cmocka_unit_test(test_add_machine_zero),
-        cmocka_unit_test(test_add_aligns),
-        cmocka_unit_test(test_add_overflows_the_register),
-        cmocka_unit_test(test_add_normalises),
-        cmocka_unit_test(test_multiply),
-        cmocka_unit_test(test_multiply_significant),
-        cmocka_unit_test(test_divide_upper),
-        cmocka_unit_test(test_divide_significant),
-        cmocka_unit_test(test_square_root),
-        cmocka_unit_test(test_integer_parts),
-        cmocka_unit_test(test_sign),
-        cmocka_unit_test(test_exponent_and_pack),
-        cmocka_unit_test(test_adjust),
-        cmocka_unit_test(test_compare),
-        cmocka_unit_test(test_shift),
-        cmocka_unit_test(test_contract),
-        cmocka_unit_test(test_contract_rounded),
-        cmocka_unit_test(test_extend),
-        cmocka_unit_test(test_extended_come_back),
-        cmocka_unit_test(test_half_results_are_cut),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,11 +43,10 @@ static size_t drawn_of(const char *text, const struct heat_request *request,
 }
 
 /* Four times as many until the limit, which is drawn itself; lines in powers of two. */
-static void test_rounds(void **state)
+TEST(rounds)
 {
     struct heat_request request = usual();
 
-    (void)state;
     assert_int_equal(drawn_of(balls, &request, true), 16);
     request.tolerance = 1e-9;
     request.limit = 100;
@@ -65,11 +64,10 @@ static void test_rounds(void **state)
 
 /* All rays of a ball by itself go to the environment, in all repeats; that does not make few
  * of them good enough. */
-static void test_no_spread(void **state)
+TEST(no_spread)
 {
     struct heat_request request = usual();
 
-    (void)state;
     request.tolerance = .01;
     request.limit = 1000;
     assert_int_equal(drawn_of("sphere { 0, 1 }", &request, true), 64);
@@ -87,7 +85,7 @@ static void check_number(const struct heat *one, const struct heat *other,
     assert_true(heat_is_same(one, other));
 }
 
-static void test_same(void **state)
+TEST(same)
 {
     static const char *const warm[] = { "default=300" };
     struct scene *scene = read_scene(balls);
@@ -95,7 +93,6 @@ static void test_same(void **state)
     struct heat one, other;
     struct surface *last;
 
-    (void)state;
     request.smooth = request.exchange = true;
     request.temperatures = warm;
     request.temperature_count = 1;
@@ -122,13 +119,4 @@ static void test_same(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rounds),
-        cmocka_unit_test(test_no_spread),
-        cmocka_unit_test(test_same),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

@@ -3,9 +3,6 @@
  *
  *     test_heat_kept [SEED]
  */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "rt/heat/factors.h"
@@ -180,9 +177,8 @@ static void check_stopped(bool lines, const struct run *alone)
     remove(path[0]);
 }
 
-static void test_stopped(void **state)
+TEST(stopped)
 {
-    (void)state;
     for (int lines = 0; lines < 2; lines++) {
         struct run alone = find_alone(lines);
 
@@ -193,9 +189,8 @@ static void test_stopped(void **state)
 
 /* ---- Shares ------------------------------------------------------------------------ */
 
-static void test_shares(void **state)
+TEST(shares)
 {
-    (void)state;
     for (int lines = 0; lines < 2; lines++) {
         struct run alone = find_alone(lines), together;
         struct farm all = { .paths = paths, .path_count = SHARES };
@@ -221,9 +216,8 @@ static void test_shares(void **state)
 
 /* ---- Another run's ---------------------------------------------------------------- */
 
-static void test_others(void **state)
+TEST(others)
 {
-    (void)state;
     for (int lines = 0; lines < 2; lines++) {
         struct farm first = { .paths = paths, .path_count = 1 };
         struct farm second = first, third = first;
@@ -240,7 +234,7 @@ static void test_others(void **state)
     }
 }
 
-static bool make_paths(void)
+FIXTURE(set_up)
 {
     bool good = true;
 
@@ -251,20 +245,13 @@ static bool make_paths(void)
         file = mkstemp(path[i]);
         good = good && file >= 0 && close(file) == 0 && remove(path[i]) == 0;
     }
-    return good;
+    return !good || set_up_model(test_state);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stopped),
-        cmocka_unit_test(test_shares),
-        cmocka_unit_test(test_others),
-    };
-
     if (argc > 1)
         seed = strtoull(argv[1], NULL, 10);
-    if (!make_paths())
-        return 1;
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
 }
+
+GROUP(set_up, tear_down_model);

@@ -1,14 +1,6 @@
 /* test_heat_picture.c - pictures of flows and factors: each pixel has the value of what is
  * seen there. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "base/diagnostic.h"
@@ -16,6 +8,7 @@
 #include "rt/heat/heat_picture.h"
 #include "rt/scene/language/scene_read.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/unit.h"
 
 enum { WIDTH = 40, HEIGHT = 30 };
 static char folder[] = "/tmp/heatXXXXXX", path[sizeof folder + 10];
@@ -150,14 +143,13 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
     remove(path);
 }
 
-static void test_values(void **state)
+TEST(values)
 {
     struct heat_request request = usual();
     struct scene *scene = read_scene();
     struct heat heat;
     c205_error error = { "" };
 
-    (void)state;
     if (!heat_begin(scene, &request, &heat, &error)
         || !heat_find(&heat, &error))
         fail_msg("%s", error.message);
@@ -196,13 +188,12 @@ static size_t drawn_by(const char *title, double least, double most,
 }
 
 /* Every letter that a scale has is drawn, in pictures of every width. */
-static void test_scale(void **state)
+TEST(scale)
 {
     static const char used[] = "0123456789-+.,/^Wacefhilmnoprstuw";
     char letter[2] = "";
     size_t none = drawn_by("", -1, 1, 320), twice = drawn_by("", -1, 1, 640);
 
-    (void)state;
     for (size_t i = 0; used[i]; i++) {
         letter[0] = used[i];
         assert_true(drawn_by(letter, -1, 1, 320) > none);
@@ -216,7 +207,7 @@ static void test_scale(void **state)
     drawn_by("flow, W/m^2", -2, -1, 320);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     struct heat_request request = usual();
     struct heat_look look = look_of(SHOWN_FACTOR, "Lid");
@@ -225,7 +216,6 @@ static void test_refused(void **state)
     struct heat_drawn drawn;
     c205_error error = { "" };
 
-    (void)state;
     request.exchange = false;
     assert_true(heat_begin(scene, &request, &heat, &error)
                 && heat_find(&heat, &error));
@@ -245,19 +235,18 @@ static void test_refused(void **state)
     scene_free(scene);
 }
 
-int main(void)
+FIXTURE(make_folder)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_scale),
-    };
-    int failed;
-
     if (!mkdtemp(folder))
         return 1;
     snprintf(path, sizeof path, "%s/heat.exr", folder);
-    failed = cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-    rmdir(folder);
-    return failed;
+    return set_up_model(test_state);
 }
+
+FIXTURE(remove_folder)
+{
+    rmdir(folder);
+    return tear_down_model(test_state);
+}
+
+GROUP(make_folder, remove_folder);

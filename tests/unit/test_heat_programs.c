@@ -7,7 +7,6 @@
 #include "tests/unit/scene_reading.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static uint64_t random_state = RANDOM_SEED + 31;
 
@@ -99,12 +98,11 @@ static void check_received(const struct receiving *given,
                 <= 1e-12 * all);
 }
 
-static void test_received(void **state)
+TEST(received)
 {
     struct object *forms[] = { assemble("heat/received_scalar.s"),
                                assemble("heat/received_vector.s") };
 
-    (void)state;
     for (int i = 0; i < 60; i++) {
         struct receiving given = { .rays = some_length(65535),
                                    .receivers = some_length(300) };
@@ -230,12 +228,11 @@ static void check_staying(const struct staying *given, const c205_word *words)
     assert_int_equal(c205_to_integer(words[PLANES * given->points]), kept);
 }
 
-static void test_staying(void **state)
+TEST(staying)
 {
     struct object *forms[] = { assemble("heat/faces_scalar.s"),
                                assemble("heat/faces_vector.s") };
 
-    (void)state;
     for (int i = 0; i < 60; i++) {
         struct staying given = { .points = some_length(5000) };
         size_t words;
@@ -327,12 +324,11 @@ static void check_gaps(const struct gap_ends *given, const c205_word *counts)
     free(left);
 }
 
-static void test_gaps(void **state)
+TEST(gaps)
 {
     struct object *forms[] = { assemble("heat/gaps_scalar.s"),
                                assemble("heat/gaps_vector.s") };
 
-    (void)state;
     for (int i = 0; i < 60; i++) {
         struct gap_ends given = { .gaps = i ? some_length(65534) : 65534,
                                   .surfaces = 1 + below(40) };
@@ -352,13 +348,4 @@ static void test_gaps(void **state)
     object_free(forms[1]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_received),
-        cmocka_unit_test(test_staying),
-        cmocka_unit_test(test_gaps),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

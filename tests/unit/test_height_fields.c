@@ -9,8 +9,6 @@
 #include "tests/random.h"
 #include "tests/unit/field_reading.h"
 
-#include <stdio.h>
-
 enum { GRID_MOST = 9, SAMPLES = 100 };
 
 static size_t field_count = 200;
@@ -87,9 +85,8 @@ static void check_surface(const struct grid *grid,
     }
 }
 
-static void test_surface(void **state)
+TEST(surface)
 {
-    (void)state;
     for (size_t i = 0; i < field_count; i++) {
         struct grid grid = random_grid();
         double water = i % 3 ? between(-.2, .8) : 0;
@@ -167,9 +164,8 @@ static void check_corner(const struct grid *grid, const double corner[3],
 }
 
 /* In the world they have the length one. */
-static void test_normals(void **state)
+TEST(normals)
 {
-    (void)state;
     for (size_t i = 0; i < field_count; i++) {
         struct grid grid = random_grid();
         double wide = between(.5, 2), high = between(1, 4000);
@@ -195,7 +191,7 @@ static void test_normals(void **state)
 }
 
 /* What POV-Ray's trace() told: of a field of 16 bits, one corner each. */
-static void test_known_normals(void **state)
+TEST(known_normals)
 {
     static const char field[] = "P2\n4 3\n255\n0 50 100 150\n10 80 200 30\n"
                                 "255 5 60 120\n";
@@ -207,7 +203,6 @@ static void test_known_normals(void **state)
     struct scene *scene;
     size_t found = 0;
 
-    (void)state;
     field_keep(field, strlen(field));
     scene = field_expect("pgm", "smooth");
     for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++) {
@@ -240,12 +235,11 @@ static void expect_height(const char *text, double x, double z, double height)
 }
 
 /* As POV-Ray has them; y goes down as z goes up. */
-static void test_functions(void **state)
+TEST(functions)
 {
     static const char slanted[] = "height_field { function 5, 3 "
                                   "{ x*.5 + y*.25 } }";
 
-    (void)state;
     expect_height(slanted, 1e-9, 1e-9, 16383);
     expect_height(slanted, 1 - 1e-9, 1e-9, 49151);
     expect_height(slanted, .5 - 1e-9, .5 - 1e-9, 24575);
@@ -255,12 +249,11 @@ static void test_functions(void **state)
     scene_free(read_with("height_field { function 3, 3 { 3*x - 1 } }", 1));
 }
 
-static void test_below_water(void **state)
+TEST(below_water)
 {
     struct scene *scene =
         read_with("height_field { function 3, 3 { x } water_level 1 }", 1);
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 0);
     scene_free(scene);
 }
@@ -305,7 +298,7 @@ static void assert_is_closed(const struct triangles *triangles)
 }
 
 /* In its square, below a slope or the water, however deep. */
-static void test_bodies(void **state)
+TEST(bodies)
 {
     struct scene *scene = read_scene(
         "difference { height_field { function 5, 4 { .2 + .5*x } water_level "
@@ -315,7 +308,6 @@ static void test_bodies(void **state)
     const struct primitive *p = scene->primitives;
     uint64_t random = 5;
 
-    (void)state;
     assert_int_equal(p[0].shape.mesh.triangles.count, 21);
     assert_false(shape_is_surface(&p[0]));
     assert_is_closed(&p[0].shape.mesh.body);
@@ -339,7 +331,7 @@ static void test_bodies(void **state)
     scene_free(scene);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error errors[] = {
         { "height_field { pgm \"nowhere.pgm\" }", 20, "no such file" },
@@ -360,7 +352,6 @@ static void test_errors(void **state)
           "expected" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(errors); i++)
         assert_refused(errors[i].text, 2, errors[i].message);
     for (size_t i = 0; i < COUNT(errors); i++)
@@ -368,25 +359,12 @@ static void test_errors(void **state)
             assert_errors(&errors[i], 1);
 }
 
-int main(int count, char **words)
+ARGUMENTS(count, words)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surface),
-        cmocka_unit_test(test_normals),
-        cmocka_unit_test(test_known_normals),
-        cmocka_unit_test(test_functions),
-        cmocka_unit_test(test_below_water),
-        cmocka_unit_test(test_bodies),
-        cmocka_unit_test(test_errors),
-    };
-    int result;
-
     if (count > 1)
         field_count = strtoul(words[1], NULL, 10);
     if (count > 2)
         random_state = strtoull(words[2], NULL, 10);
-    field_begin();
-    result = cmocka_run_group_tests(tests, NULL, NULL);
-    field_end();
-    return result;
 }
+
+GROUP(field_begin, field_end);

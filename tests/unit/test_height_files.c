@@ -3,8 +3,6 @@
  */
 #include "tests/unit/field_reading.h"
 
-#include <stdio.h>
-
 /* ---- Kinds of files ------------------------------------------------------ */
 
 struct known_file {
@@ -132,15 +130,14 @@ static void check_file(const struct known_file *file)
     scene_free(scene);
 }
 
-static void test_kinds(void **state)
+TEST(kinds)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(known_files); i++)
         check_file(&known_files[i]);
 }
 
 /* Each colour of the table is in it twice; the second table is the image's. */
-static void test_tables(void **state)
+TEST(tables)
 {
     static const struct known_file own_table = {
         FILE_OF("gif",
@@ -151,15 +148,13 @@ static void test_tables(void **state)
         { 0, 256, 512, 768, 1024, 1280 }
     };
 
-    (void)state;
     check_file(&own_table);
 }
 
 /* A file without its end.  Of a broken PNG file the library forgets to free what it
  * has read so far, which a leak checker would take for ours. */
-static void test_broken(void **state)
+TEST(broken)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(known_files); i++)
         for (size_t k = 0; k < 8 && strcmp(known_files[i].word, "png"); k++) {
             const struct known_file *file = &known_files[i];
@@ -182,9 +177,8 @@ static void expect_file_fault(const char *word, const char *bytes,
     field_expect_fault(word, "", 17 + strlen(word), message);
 }
 
-static void test_faulty_files(void **state)
+TEST(faulty_files)
 {
-    (void)state;
     expect_file_fault("pgm", "", "empty");
     expect_file_fault("", "P2 3 1 255 1 2 3", "two rows of two heights");
     expect_file_fault("", "P2 1 3 255 1 2 3", "two rows of two heights");
@@ -202,13 +196,12 @@ static void test_faulty_files(void **state)
     expect_file_fault("gif", "GIF89a", "table of colours is broken");
 }
 
-static void test_large_file(void **state)
+TEST(large_file)
 {
     enum { SIDE = 1500 };
     char *bytes = calloc(1, SIDE * SIDE + 100);
     int head;
 
-    (void)state;
     assert_non_null(bytes);
     head = sprintf(bytes, "P5 %d %d 255\n", SIDE, SIDE);
     field_keep(bytes, (size_t)head + SIDE * SIDE);
@@ -217,11 +210,10 @@ static void test_large_file(void **state)
 }
 
 /* Without an adapter PGM is read, and nothing else. */
-static void test_no_adapter(void **state)
+TEST(no_adapter)
 {
     struct diagnostics reports = { 0 };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(known_files); i++) {
         const struct known_file *file = &known_files[i];
         bool own = *file->word == 'p' && file->word[1] != 'n';
@@ -239,20 +231,4 @@ static void test_no_adapter(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_kinds),
-        cmocka_unit_test(test_tables),
-        cmocka_unit_test(test_broken),
-        cmocka_unit_test(test_faulty_files),
-        cmocka_unit_test(test_large_file),
-        cmocka_unit_test(test_no_adapter),
-    };
-    int result;
-
-    field_begin();
-    result = cmocka_run_group_tests(tests, NULL, NULL);
-    field_end();
-    return result;
-}
+GROUP(field_begin, field_end);

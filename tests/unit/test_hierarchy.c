@@ -1,16 +1,9 @@
 /* The hierarchy over regions: whatever their bounds are, every region stands in
  * it once, under nodes whose spheres reach around it, no deeper than the
  * machine's stack. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-
-#include <cmocka.h>
-
 #include "rt/layout/hierarchy.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 enum { MOST = 3000 };
 
@@ -185,11 +178,10 @@ static size_t check(const struct bound *bounds, size_t count)
     return nodes;
 }
 
-static void test_random(void **state)
+TEST(random)
 {
     struct bound *bounds = malloc(MOST * sizeof *bounds);
 
-    (void)state;
     for (int turn = 0; turn < 300; turn++) {
         size_t count = turn % 10 ? below(40) : below(MOST);
         size_t kind = below(KINDS), other = below(KINDS);
@@ -202,11 +194,10 @@ static void test_random(void **state)
 }
 
 /* What lies apart is told apart; what does not is left together. */
-static void test_nodes(void **state)
+TEST(nodes)
 {
     struct bound bounds[64];
 
-    (void)state;
     for (size_t i = 0; i < 64; i++)
         bounds[i] = ball(10. * (double)i, 0, 0, 1);
     assert_int_equal(check(bounds, 64), 63); /* leaves of two */
@@ -219,39 +210,25 @@ static void test_nodes(void **state)
 
 /* Each so much nearer to 0 that bins tell it from no other but the largest: one
  * after another would make a node of each but the last two. */
-static void test_depth(void **state)
+TEST(depth)
 {
     /* So deep rows are cut in halves: above stand two nodes a level. */
     enum { COUNT = 120, HALVED_FROM = 64 };
     struct bound bounds[COUNT];
     double size = 1e11;
 
-    (void)state;
     for (size_t i = 0; i < COUNT; i++, size /= 20)
         bounds[i] = ball(size, 0, 0, size / 100);
     assert_in_range(check(bounds, COUNT), 2 * HALVED_FROM, 2 * COUNT - 5);
 }
 
-static void test_none(void **state)
+TEST(none)
 {
     struct hierarchy hierarchy;
 
-    (void)state;
     assert_true(hierarchy_none(5, &hierarchy));
     assert_int_equal(hierarchy.loose, 5);
     assert_int_equal(hierarchy.node_count, 0);
     check_order(&hierarchy, 5);
     hierarchy_free(&hierarchy);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_depth),
-        cmocka_unit_test(test_none),
-    };
-
-    return cmocka_run_group_tests_name("hierarchy", tests, NULL, NULL);
 }

@@ -169,10 +169,9 @@ static void jump(const struct story *story, c205_history *history,
                  (unsigned long long)step);
 }
 
-static void test_jumps(void **state)
+TEST(jumps)
 {
     struct story story;
-    (void)state;
     for (size_t number = 0; number < PROGRAMS; number++) {
         c205_error error;
         c205_history *history;
@@ -193,7 +192,7 @@ static void test_jumps(void **state)
 /* ---- The end -------------------------------------------------------------- */
 
 /* A program that has ended does not go on, and goes back all the same. */
-static void test_end(void **state)
+TEST(end)
 {
     c205_error error;
     c205_model *model = c205_model_find(C205_DEFAULT_MODEL, &error);
@@ -201,7 +200,6 @@ static void test_end(void **state)
     c205_history *history = c205_history_new(machine, 1 << 20, &error);
     c205_stop stop, again;
     uint64_t end, clock;
-    (void)state;
     while (c205_history_forward(history, &stop))
         continue;
     assert_int_equal(stop.trap, C205_TRAP_NONE);
@@ -338,7 +336,7 @@ static uint64_t check_times(c205 *machine)
     return heard.vectors;
 }
 
-static void test_times(void **state)
+TEST(times)
 {
     static const char *const paths[] = {
         "asm/examples/dot.s",          "asm/examples/horner.s",
@@ -349,7 +347,6 @@ static void test_times(void **state)
     uint64_t vectors = 0;
     c205_error error;
     c205_model *model = c205_model_find(C205_DEFAULT_MODEL, &error);
-    (void)state;
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
         vectors += check_times(machine_from(paths[i], model));
     c205_model_free(model);
@@ -365,7 +362,7 @@ static void test_times(void **state)
 
 /* ---- Pages ---------------------------------------------------------------- */
 
-static void test_pages(void **state)
+TEST(pages)
 {
     struct story story = { .program = random_program(RANDOM_SEED) };
     c205_error error;
@@ -373,7 +370,6 @@ static void test_pages(void **state)
     uint64_t from = 0;
     c205 *machine;
     size_t count = 0;
-    (void)state;
     story.model = c205_model_find(C205_DEFAULT_MODEL, &error);
     machine = begin(&story);
     while (c205_next_page(machine, from, &page)) {
@@ -391,16 +387,11 @@ static void test_pages(void **state)
     c205_model_free(story.model);
 }
 
-int main(void)
+ARGUMENTS(count, words)
 {
     const char *wanted = getenv("HISTORY_JUMPS");
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_jumps),
-        cmocka_unit_test(test_end),
-        cmocka_unit_test(test_times),
-        cmocka_unit_test(test_pages),
-    };
+
+    (void)count, (void)words;
     if (wanted)
         jumps = (size_t)strtoul(wanted, NULL, 10);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,13 +1,6 @@
 /* test_hits.c - which rays strike cylinders: beside plain C for rays and cylinders by chance,
  * in both forms, and beside what all first crossings tell. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "rt/heat/hits.h"
 #include "rt/layout/program.h"
@@ -149,13 +142,12 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     object_free(program);
 }
 
-static void test_rays(void **state)
+TEST(rays)
 {
     static const size_t queues[] = { 1, 63, 64, 65, 300, 65535 };
     static struct bundle bundle;
     static c205_word scalar[RAYS_MOST], vector[RAYS_MOST];
 
-    (void)state;
     for (int i = 0; i < 60; i++) {
         draw(&bundle);
         run(&bundle, "heat/hits_scalar.s", 1, scalar);
@@ -196,7 +188,7 @@ static void find(const struct scene *scene, const char *from,
 }
 
 /* As many as the first crossings tell of the same rays. */
-static void test_scene(void **state)
+TEST(scene)
 {
     struct scene *scene = read_scene(tubes);
     const struct factors_options options = { .mode = TRACE_VECTOR,
@@ -211,7 +203,6 @@ static void test_scene(void **state)
     struct factor_row row;
     struct hits vector, scalar;
 
-    (void)state;
     assert_non_null(factors);
     assert_true(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     find(scene, "Burner", TRACE_VECTOR, 77, &vector);
@@ -252,9 +243,8 @@ static void refuses(const char *text, const char *from, const char *message)
     scene_free(scene);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
-    (void)state;
     refuses(tubes, "Burners", "no part and no material is called 'Burners'");
     refuses("#declare A = sphere { 0, 1 } object { A } sphere { 3*x, 1 }",
             "A", "the sphere of line 1 is no solid cylinder by itself");
@@ -268,13 +258,4 @@ static void test_refused(void **state)
             "A", "a plane has no end");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rays),
-        cmocka_unit_test(test_scene),
-        cmocka_unit_test(test_refused),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

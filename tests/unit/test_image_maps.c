@@ -3,7 +3,6 @@
 #include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
 #include <unistd.h>
 
 #define SEEN 6e-5 /* four places of POV-Ray's pictures */
@@ -228,9 +227,8 @@ static void expect_light(const char *before, const char *words,
     scene_free(scene);
 }
 
-static void test_kinds(void **state)
+TEST(kinds)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(known_files); i++) {
         const struct known_file *file = &known_files[i];
         char words[20];
@@ -242,12 +240,11 @@ static void test_kinds(void **state)
 }
 
 /* What is said takes the place of what the file says, or its kind. */
-static void test_gammas(void **state)
+TEST(gammas)
 {
     static const double working[SHADES] = { 0,     .0717, .0750, .2592,
                                             .4981, .7792, .9797, 1 };
 
-    (void)state;
     keep(FILE_OF("P5\n8 1\n255\n" GREYS));
     expect_light("", "\"%s\" gamma srgb", as_srgb);
     expect_light("", "\"%s\" gamma 2.2", to_the_2_2);
@@ -279,9 +276,8 @@ static void expect_map(const char *words, enum image_mapping mapping,
     scene_free(scene);
 }
 
-static void test_words(void **state)
+TEST(words)
 {
-    (void)state;
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     expect_map("\"%s\"", IMAGE_PLANAR, IMAGE_NEAREST, false, false);
     expect_map("ppm \"%s\" map_type 0 once", IMAGE_PLANAR, IMAGE_NEAREST,
@@ -297,12 +293,11 @@ static void test_words(void **state)
 }
 
 /* One table of a file and a gamma. */
-static void test_tables(void **state)
+TEST(tables)
 {
     char text[600];
     struct scene *scene;
 
-    (void)state;
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     snprintf(text, sizeof text,
              "#declare P = pigment { image_map { \"%s\" } }\n"
@@ -326,9 +321,8 @@ static void expect_report(const char *words, const char *message)
     scene_free(expect_reports("", words, 1, message));
 }
 
-static void test_reports(void **state)
+TEST(reports)
 {
-    (void)state;
     keep(FILE_OF(CLEAR_PNG));
     expect_report("png \"%s\"", "lets light pass");
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
@@ -341,14 +335,13 @@ static void test_reports(void **state)
 }
 
 /* Drawn black. */
-static void test_kinds_left_out(void **state)
+TEST(kinds_left_out)
 {
     static const char *const words[] = { "hdr \"a.hdr\" once",
                                          "exr \"a.exr\" gamma 2",
                                          "function 9, 9 { x }",
                                          "pigment 9, 9 { rgb 1 }" };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(words); i++) {
         char text[200];
         struct scene *scene;
@@ -363,12 +356,11 @@ static void test_kinds_left_out(void **state)
 }
 
 /* A sky goes on for ever. */
-static void test_sky(void **state)
+TEST(sky)
 {
     char text[200];
     struct scene *scene;
 
-    (void)state;
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     snprintf(
         text, sizeof text,
@@ -385,7 +377,7 @@ static void test_sky(void **state)
     scene_free(scene);
 }
 
-static void test_faults(void **state)
+TEST(faults)
 {
     static const struct line_error errors[] = {
         { "sphere { 0, 1 pigment { image_map { \"no.png\" } } }", 37,
@@ -398,7 +390,6 @@ static void test_faults(void **state)
           "the name of an image" },
     };
 
-    (void)state;
     assert_errors(errors, COUNT(errors));
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     expect_fault("png \"%s\"", 5, "the file is not 'png'");
@@ -416,14 +407,13 @@ static void test_faults(void **state)
 }
 
 /* Each of two images is within it. */
-static void test_limit(void **state)
+TEST(limit)
 {
     enum { SIDE = 2100, PIXELS = SIDE * SIDE };
     char *bytes = calloc(1, 100 + PIXELS), text[400];
     struct diagnostics reports = { 0 };
     int head = sprintf(bytes, "P5\n%d %d\n255\n", SIDE, SIDE);
 
-    (void)state;
     keep(bytes, (size_t)head + PIXELS);
     free(bytes);
     scene_free(expect_reports("", "\"%s\"", 0, ""));
@@ -441,11 +431,10 @@ static void test_limit(void **state)
 }
 
 /* A loop reads another one with each turn. */
-static void test_many(void **state)
+TEST(many)
 {
     char text[300];
 
-    (void)state;
     keep(FILE_OF("P5\n8 1\n255\n" GREYS));
     snprintf(text, sizeof text,
              "#for (I, 1, 1000) sphere { 0, 1 pigment { image_map { \"%s\" "
@@ -459,19 +448,16 @@ static void test_many(void **state)
                  "more than 1000 images");
 }
 
-int main(void)
+FIXTURE(name_path)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_kinds),   cmocka_unit_test(test_gammas),
-        cmocka_unit_test(test_words),   cmocka_unit_test(test_tables),
-        cmocka_unit_test(test_reports), cmocka_unit_test(test_kinds_left_out),
-        cmocka_unit_test(test_sky),     cmocka_unit_test(test_faults),
-        cmocka_unit_test(test_limit),   cmocka_unit_test(test_many),
-    };
-    int result;
-
     snprintf(path, sizeof path, "/tmp/rt205-images-%ld", (long)getpid());
-    result = cmocka_run_group_tests(tests, NULL, NULL);
-    remove(path);
-    return result;
+    return 0;
 }
+
+FIXTURE(remove_path)
+{
+    remove(path);
+    return 0;
+}
+
+GROUP(name_path, remove_path);

@@ -155,11 +155,10 @@ static void check_words(const struct drawn_table *table, const char *wishes,
     object_free(object);
 }
 
-static void test_tables(void **unused)
+TEST(tables)
 {
     static struct drawn_table table;
 
-    (void)unused;
     for (int i = 0; i < TRIES; i++) {
         bool headed = one_in(&state, 2);
         char wishes[60];
@@ -181,7 +180,7 @@ static void test_tables(void **unused)
     remove(path);
 }
 
-static void test_faults(void **unused)
+TEST(faults)
 {
     static const struct {
         const char *text, *wishes;
@@ -206,7 +205,6 @@ static void test_faults(void **unused)
         { "1.5 a\n", "", 1, 5, "not a number" },
     };
 
-    (void)unused;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct diagnostics errors = { 0 };
 
@@ -222,14 +220,4 @@ static void test_faults(void **unused)
         diagnostics_free(&errors);
     }
     remove(path);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tables),
-        cmocka_unit_test(test_faults),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

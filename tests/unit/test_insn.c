@@ -1,12 +1,8 @@
 /* test_insn.c - the instruction table and its bit moving. */
+#include "tests/unit/unit.h"
 #include "vm/c205.h"
 
 #include <ctype.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 /* A different value in every field, and the sign set in the immediate. */
 static c205_fields distinct_fields(const c205_insn *insn)
@@ -24,9 +20,8 @@ static c205_fields distinct_fields(const c205_insn *insn)
     return fields;
 }
 
-static void test_round_trip(void **state)
+TEST(round_trip)
 {
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
         c205_fields fields = distinct_fields(insn);
@@ -51,9 +46,8 @@ static c205_fields decoded(const char *name, c205_word word)
     return c205_decode(c205_insn_named(name, strlen(name)), word);
 }
 
-static void test_layout(void **state)
+TEST(layout)
 {
-    (void)state;
     c205_fields f;
     memset(&f, 0, sizeof f);
     f.r = 1, f.s = 2, f.t = 3, f.immediate = -5;
@@ -71,9 +65,8 @@ static void test_layout(void **state)
     assert_true(encoded("LINKV", f) == UINT64_C(0x5600000000000000));
 }
 
-static void test_immediates(void **state)
+TEST(immediates)
 {
-    (void)state;
     c205_word word = UINT64_C(0xBE01800000000000);
     assert_true(decoded("EX", word).immediate == -(INT64_C(1) << 47));
     assert_true(decoded("BIM", word).immediate == INT64_C(1) << 47);
@@ -84,9 +77,8 @@ static void test_immediates(void **state)
 }
 
 /* A branch with a distance carries it in Y and B. */
-static void test_relative(void **state)
+TEST(relative)
 {
-    (void)state;
     c205_fields f;
     memset(&f, 0, sizeof f);
     f.g = C205_G_RELATIVE;
@@ -104,9 +96,8 @@ static void test_relative(void **state)
     assert_int_equal(decoded("IBXLT", word).immediate, 0);
 }
 
-static void test_names(void **state)
+TEST(names)
 {
-    (void)state;
     assert_string_equal(c205_insn_named("AdDnVx", 5)->mnemonic, "ADDNV");
     assert_null(c205_insn_named("ADDNVX", 6));
     assert_null(c205_insn_named("ADD", 3));
@@ -117,9 +108,8 @@ static void test_names(void **state)
     }
 }
 
-static void test_no_overlap(void **state)
+TEST(no_overlap)
 {
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *a = &c205_insns[i];
         assert_int_equal(a->subop & ~a->subop_mask, 0);
@@ -165,9 +155,8 @@ static const char *allowed_letters(const char **syntax, bool *bracket)
     return "n";
 }
 
-static void test_operand_letters(void **state)
+TEST(operand_letters)
 {
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
         const char *syntax = c205_format_syntax(insn->format);
@@ -183,9 +172,8 @@ static void test_operand_letters(void **state)
     }
 }
 
-static void test_columns(void **state)
+TEST(columns)
 {
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
         assert_non_null(strchr("PSDR", insn->provenance));
@@ -201,11 +189,10 @@ static void test_columns(void **state)
 
 /* Numbers come into what has an operation, and into nothing else; its rule of
  * special values is told. */
-static void test_operations(void **state)
+TEST(operations)
 {
     const char *of_bits = c205_operation_specials(C205_OPERATION_none);
 
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++) {
         const c205_insn *insn = &c205_insns[i];
         const char *rule = c205_operation_specials(insn->operation);
@@ -216,20 +203,4 @@ static void test_operations(void **state)
             && insn->operation != C205_OPERATION_copy)
             fail_msg("%s: bits, but %s", insn->mnemonic, rule);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trip),
-        cmocka_unit_test(test_layout),
-        cmocka_unit_test(test_immediates),
-        cmocka_unit_test(test_relative),
-        cmocka_unit_test(test_names),
-        cmocka_unit_test(test_no_overlap),
-        cmocka_unit_test(test_operand_letters),
-        cmocka_unit_test(test_columns),
-        cmocka_unit_test(test_operations)
-    };
-    return cmocka_run_group_tests_name("insn", tests, NULL, NULL);
 }

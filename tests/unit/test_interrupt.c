@@ -95,15 +95,14 @@ static void compare_row(const c205_insn *insn)
         fail_msg("%s was never interrupted between elements", insn->mnemonic);
 }
 
-static void test_rows(void **state)
+TEST(rows)
 {
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++)
         if (c205_unit_is_vector(c205_insns[i].unit))
             compare_row(c205_insns + i);
 }
 
-static void test_examples(void **state)
+TEST(examples)
 {
     static const char *const paths[] = {
         "asm/examples/dot.s",          "asm/examples/horner.s",
@@ -111,7 +110,6 @@ static void test_examples(void **state)
         "asm/examples/saxpy_linked.s", "asm/examples/saxpy_vector.s",
         "asm/examples/sieve.s"
     };
-    (void)state;
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
         compare_file(paths[i]);
 }
@@ -221,9 +219,8 @@ static void compare_text(const char *text, const c205_model *on,
     object_free(object);
 }
 
-static void test_long_vectors(void **state)
+TEST(long_vectors)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof long_programs / sizeof *long_programs;
          i++) {
         compare_text(long_programs[i], model, 61);
@@ -232,7 +229,7 @@ static void test_long_vectors(void **state)
 }
 
 /* The instruction lies in its own result, which makes two EXITs of it. */
-static void test_overwritten_instruction(void **state)
+TEST(overwritten_instruction)
 {
     static const char program[] =
         "        .data\n"
@@ -249,7 +246,6 @@ static void test_overwritten_instruction(void **state)
     struct object *object = good(program);
     c205 *whole = machine_with(&object->program, slow);
     c205 *broken = machine_with(&object->program, slow);
-    (void)state;
     c205_stop one = c205_run(whole, C205_NO_LIMIT);
     c205_stop other = run_broken(&broken, 1, true);
     assert_int_equal(c205_register(whole, 8), 0);
@@ -290,10 +286,9 @@ static uint64_t charged(const struct little *little, c205_cause cause)
     return c205_account_at(little->machine, 0)->clocks[cause];
 }
 
-static void test_in_the_middle(void **state)
+TEST(in_the_middle)
 {
     struct little little = make_little();
-    (void)state;
     load_sum(&little);
     c205_stop stop = c205_run(little.machine, 51 + 20);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
@@ -319,11 +314,10 @@ static void test_in_the_middle(void **state)
 }
 
 /* A sum that is not complete is in no register. */
-static void test_result_at_the_end(void **state)
+TEST(result_at_the_end)
 {
     struct little little = make_little();
     c205_stop stop;
-    (void)state;
     load_sum(&little);
     assert_true(c205_step(little.machine, &stop));
     uint64_t limit = c205_clock(little.machine) + 1;
@@ -339,11 +333,10 @@ static void test_result_at_the_end(void **state)
 
 /* Quotients of one by two, and one, as a linked pair: by the clock 113 + k that
  * many elements at 1.625. */
-static void test_in_the_middle_of_a_pair(void **state)
+TEST(in_the_middle_of_a_pair)
 {
     struct little little = make_little();
     c205_word one_and_half = c205_from_double(1.5);
-    (void)state;
     begin(&little);
     add(&little, "LINKV", F(.f = 0));
     add(&little, "DIVSV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
@@ -367,12 +360,11 @@ static void test_in_the_middle_of_a_pair(void **state)
 }
 
 /* What waits for one before does not count until it is done. */
-static void test_in_the_middle_of_a_recurrence(void **state)
+TEST(in_the_middle_of_a_recurrence)
 {
     struct little little = make_little();
     uint64_t fault = 1030;
     c205_stop stop;
-    (void)state;
     begin(&little);
     add(&little, "ADDNV", F(.g = C205_G_BROADCAST_B, .a = 1, .b = 3, .c = 2));
     add(&little, "EXIT", F(.r = 0));
@@ -400,11 +392,10 @@ static uint64_t whole_time(struct little *little)
 }
 
 /* Setting the program counter gives the instruction up, but not its time. */
-static void test_given_up(void **state)
+TEST(given_up)
 {
     struct little little = make_little();
     uint64_t whole = whole_time(&little);
-    (void)state;
     load_sum(&little);
     c205_run(little.machine, 71);
     c205_set_pc(little.machine, CODE);
@@ -416,11 +407,10 @@ static void test_given_up(void **state)
 }
 
 /* Resetting the clock does not. */
-static void test_reset_clock(void **state)
+TEST(reset_clock)
 {
     struct little little = make_little();
     uint64_t whole = whole_time(&little);
-    (void)state;
     load_sum(&little);
     c205_run(little.machine, 71);
     c205_reset_clock(little.machine);
@@ -433,10 +423,9 @@ static void test_reset_clock(void **state)
 
 /* What is left on the job interval timer stays then, as it is shown in the
  * middle; also on a machine that was restored there. */
-static void test_reset_timer(void **state)
+TEST(reset_timer)
 {
     struct little little = make_little();
-    (void)state;
     begin(&little);
     add(&little, "WJTIME", F(.r = 3));
     add(&little, "ADDNV", F(.a = 1, .b = 1, .c = 2));
@@ -456,10 +445,9 @@ static void test_reset_timer(void **state)
 }
 
 /* The limit comes before what is no instruction, too. */
-static void test_limit_before_undefined(void **state)
+TEST(limit_before_undefined)
 {
     struct little little = make_little();
-    (void)state;
     load(&little, 1);
     c205_stop stop = c205_run(little.machine, 0);
     assert_int_equal(stop.trap, C205_TRAP_CLOCK_LIMIT);
@@ -501,10 +489,9 @@ static void load_crossing(struct little *little)
 }
 
 /* The page is missing, comes, and the end is as if it had been there. */
-static void test_missing_page(void **state)
+TEST(missing_page)
 {
     struct little with = make_little(), without = make_little();
-    (void)state;
     load_crossing(&with);
     load_crossing(&without);
     map_next_page(with.machine);
@@ -523,10 +510,9 @@ static void test_missing_page(void **state)
     free_little(&without);
 }
 
-static void test_missing_page_of_a_scalar(void **state)
+TEST(missing_page_of_a_scalar)
 {
     struct little with = make_little(), without = make_little();
-    (void)state;
     load_crossing(&with);
     load_crossing(&without);
     map_next_page(with.machine);
@@ -548,10 +534,9 @@ static void set_access(struct little *little, c205_access access)
 }
 
 /* What traps when it is to go on stays where it was. */
-static void test_trap_in_the_middle(void **state)
+TEST(trap_in_the_middle)
 {
     struct little broken = make_little(), whole = make_little();
-    (void)state;
     load_sum(&broken);
     load_sum(&whole);
     c205_run(broken.machine, 71);
@@ -570,10 +555,9 @@ static void test_trap_in_the_middle(void **state)
 }
 
 /* A table whose indices are overwritten traps before anything is done. */
-static void test_bad_index_behind_the_limit(void **state)
+TEST(bad_index_behind_the_limit)
 {
     struct little little = make_little();
-    (void)state;
     add(&little, "VXTOV", F(.a = 1, .b = 2, .c = 3));
     load(&little, 300);
     set(&little, 1, descriptor(DATA, 40));
@@ -590,10 +574,9 @@ static void test_bad_index_behind_the_limit(void **state)
 
 /* ---- The models ---------------------------------------------------------- */
 
-static int find_models(void **state)
+FIXTURE(find_models)
 {
     c205_error error;
-    (void)state;
     model = c205_model_find("cyber205-2pipe-prior", &error);
     slow = c205_model_parse("slow",
                             "title one element a clock\n"
@@ -605,35 +588,12 @@ static int find_models(void **state)
     return model && slow && divided ? 0 : -1;
 }
 
-static int drop_models(void **state)
+FIXTURE(drop_models)
 {
-    (void)state;
     c205_model_free(model);
     c205_model_free(slow);
     free(divided);
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_examples),
-        cmocka_unit_test(test_long_vectors),
-        cmocka_unit_test(test_overwritten_instruction),
-        cmocka_unit_test(test_in_the_middle),
-        cmocka_unit_test(test_in_the_middle_of_a_pair),
-        cmocka_unit_test(test_in_the_middle_of_a_recurrence),
-        cmocka_unit_test(test_result_at_the_end),
-        cmocka_unit_test(test_given_up),
-        cmocka_unit_test(test_reset_clock),
-        cmocka_unit_test(test_reset_timer),
-        cmocka_unit_test(test_limit_before_undefined),
-        cmocka_unit_test(test_missing_page),
-        cmocka_unit_test(test_missing_page_of_a_scalar),
-        cmocka_unit_test(test_trap_in_the_middle),
-        cmocka_unit_test(test_bad_index_behind_the_limit),
-    };
-    return cmocka_run_group_tests_name("interrupt", tests, find_models,
-                                       drop_models);
-}
+GROUP(find_models, drop_models);

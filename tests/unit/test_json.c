@@ -1,19 +1,13 @@
 /* test_json.c - values by chance, written and read again: the same come back; of what is
  * written, cut off or with a byte changed, a tree or an error. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "base/json.h"
 #include "base/json_read.h"
 #include "base/sink.h"
 #include "base/utf8.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 enum { ROUNDS = 3000, DEEPEST = 6 };
 
@@ -131,9 +125,8 @@ static void write_document(struct text_buffer *text)
     assert_null(strchr(text->text, '\n'));
 }
 
-static void test_written_and_read(void **state)
+TEST(written_and_read)
 {
-    (void)state;
     for (size_t i = 0; i < ROUNDS; i++) {
         uint64_t seed = random_state;
         struct text_buffer text = { 0 };
@@ -171,9 +164,8 @@ static bool is_read(const char *text, size_t length)
     return tree;
 }
 
-static void test_damaged(void **state)
+TEST(damaged)
 {
-    (void)state;
     for (size_t i = 0; i < ROUNDS; i++) {
         struct text_buffer text = { 0 };
 
@@ -188,7 +180,7 @@ static void test_damaged(void **state)
 
 /* ---- Examples ------------------------------------------------------------------ */
 
-static void test_right_and_wrong(void **state)
+TEST(right_and_wrong)
 {
     static const char *const right[] = {
         "0",           "-0",           " [ ] ", "{}",
@@ -226,7 +218,6 @@ static void test_right_and_wrong(void **state)
     struct arena arena = { 0 };
     c205_error error;
 
-    (void)state;
     for (size_t i = 0; i < sizeof right / sizeof *right; i++)
         if (!read_in(&arena, right[i], &error))
             fail_msg("%s: %s", right[i], error.message);
@@ -242,12 +233,11 @@ static void test_right_and_wrong(void **state)
     arena_free(&arena);
 }
 
-static void test_depth(void **state)
+TEST(depth)
 {
     char text[2 * JSON_DEEPEST + 3] = "";
     size_t depth = JSON_DEEPEST;
 
-    (void)state;
     memset(text, '[', depth);
     memset(text + depth, ']', depth);
     assert_true(is_read(text, 2 * depth));
@@ -256,7 +246,7 @@ static void test_depth(void **state)
     assert_false(is_read(text, 2 * (depth + 1)));
 }
 
-static void test_members(void **state)
+TEST(members)
 {
     struct arena arena = { 0 };
     c205_error error;
@@ -267,7 +257,6 @@ static void test_members(void **state)
                 &error);
     int64_t value = 7;
 
-    (void)state;
     assert_true(json_member_whole(tree, "a", &value) && value == 1);
     assert_true(json_member_whole(tree, "none", &value) && value == 1);
     assert_true(json_member_whole(tree, "b", &value) && value == 1);
@@ -287,9 +276,8 @@ static void test_members(void **state)
 }
 
 /* Whatever bytes there are, what is written is UTF-8 and can be read. */
-static void test_bytes(void **state)
+TEST(bytes)
 {
-    (void)state;
     for (size_t i = 0; i < ROUNDS; i++) {
         struct text_buffer line = { 0 };
         c205_error error;
@@ -308,11 +296,10 @@ static void test_bytes(void **state)
 }
 
 /* Every code that there is, and what lies beside it. */
-static void test_utf8(void **state)
+TEST(utf8)
 {
     char text[UTF8_MOST];
 
-    (void)state;
     for (unsigned long code = 0; code < 0x110000; code++) {
         size_t length = utf8_put(text, code);
         bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
@@ -325,19 +312,4 @@ static void test_utf8(void **state)
     assert_int_equal(utf8_length("\xe0\x9f\xbf", 3), 0);
     assert_int_equal(utf8_length("\xf0\x8f\xbf\xbf", 4), 0);
     assert_int_equal(utf8_length("\x80", 1), 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_written_and_read),
-        cmocka_unit_test(test_damaged),
-        cmocka_unit_test(test_right_and_wrong),
-        cmocka_unit_test(test_depth),
-        cmocka_unit_test(test_members),
-        cmocka_unit_test(test_bytes),
-        cmocka_unit_test(test_utf8),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -149,18 +149,16 @@ static void check_stops(const char *text, bool rows)
     scene_free(scene);
 }
 
-static void test_stopped(void **state)
+TEST(stopped)
 {
-    (void)state;
     for (order = ORDER_ROWS; order <= ORDER_TILES; order++)
         check_stops(plain, true);
     order = ORDER_DEFAULT;
 }
 
 /* What is reflected waits in queues for others. */
-static void test_stopped_with_mirrors(void **state)
+TEST(stopped_with_mirrors)
 {
-    (void)state;
     check_stops(mirrors, false);
 }
 
@@ -213,12 +211,11 @@ static void check_planted(const struct scene *scene,
     trace_free(trace);
 }
 
-static void test_planted(void **state)
+TEST(planted)
 {
     struct scene *scene = read_text(AHEAD "sphere { 0, 1 }");
     struct trace *whole = run(scene, TRACE_VECTOR);
 
-    (void)state;
     check_planted(scene, whole, 1, ROWS, true);
     check_planted(scene, whole, 1, ROWS - 1, false);
     check_planted(scene, whole, 1, ROWS + 1, false);
@@ -260,7 +257,7 @@ static bool are_kept_for(const char *one, const char *other,
 }
 
 /* Each scene differs from the first in one number or word. */
-static void test_other_scene(void **state)
+TEST(other_scene)
 {
 #define BALL(sky, place, light, color, radius, more) \
     "background { rgb " sky " } camera { location <0, 0, " place "> }\n" \
@@ -278,7 +275,6 @@ static void test_other_scene(void **state)
              "#default { finish { reflection .1 } } sphere { 9*z, 1 }"),
     };
 
-    (void)state;
     for (int mode = 0; mode < TRACE_MODES; mode++)
         for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
             assert_int_equal(are_kept_for(scenes[0], scenes[i],
@@ -287,22 +283,12 @@ static void test_other_scene(void **state)
 }
 
 /* A name for which there is no file yet. */
-static int new_name(void **state)
+FIXTURE(new_name)
 {
     int file = mkstemp(path);
 
-    return set_up_frames(state) || file < 0 || close(file) != 0
+    return set_up_frames(test_state) || file < 0 || close(file) != 0
            || remove(path) != 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stopped),
-        cmocka_unit_test(test_stopped_with_mirrors),
-        cmocka_unit_test(test_planted),
-        cmocka_unit_test(test_other_scene),
-    };
-
-    return cmocka_run_group_tests(tests, new_name, tear_down_model);
-}
+GROUP(new_name, tear_down_model);

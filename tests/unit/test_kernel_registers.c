@@ -52,7 +52,7 @@ static void check_assembled(const char *kernel,
 }
 
 /* All programs among the kernels, with whatever they can be told. */
-static void test_assembled(void **state)
+TEST(assembled)
 {
     static const struct asm_define switches[] = {
         { NULL, 0 },
@@ -71,7 +71,6 @@ static void test_assembled(void **state)
     };
     size_t programs = 0;
 
-    (void)state;
     for (const struct text *kernel = kernel_texts; kernel->name; kernel++) {
         if (!is_program(kernel))
             continue;
@@ -89,9 +88,8 @@ static void test_assembled(void **state)
 }
 
 /* The cylinder as it is studied. */
-static void test_formulations(void **state)
+TEST(formulations)
 {
-    (void)state;
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         const struct speedup_subject *subject = &speedup_formulations[i];
         const struct asm_define defines[] = {
@@ -107,7 +105,7 @@ static void test_formulations(void **state)
 }
 
 /* The measured programs of the fit, which call as the kernels do. */
-static void test_fit_programs(void **state)
+TEST(fit_programs)
 {
     static const char folder[] = "rt/study/fit/programs";
     const char *const search[] = { "rt/kernels", NULL };
@@ -116,7 +114,6 @@ static void test_fit_programs(void **state)
     struct dirent *entry;
     size_t count = 0;
 
-    (void)state;
     assert_non_null(programs);
     while ((entry = readdir(programs)) != NULL) {
         size_t length = strlen(entry->d_name);
@@ -225,7 +222,7 @@ static void trace_modes(const struct scene *scene, size_t queue,
     follow_lines(scene, queue, what);
 }
 
-static void test_cylinders(void **state)
+TEST(cylinders)
 {
     static const char text[] = HEAD
         "camera { location <0, 1, -6> look_at 0 }\n"
@@ -233,7 +230,6 @@ static void test_cylinders(void **state)
         "cylinder { <-1, 1, -1>, <1, 1, 1>, .4 open rotate 30*x }";
     struct scene *scene = read_text(text);
 
-    (void)state;
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         traced.historical = speedup_formulations[i].historical;
         traced.variant = speedup_formulations[i].variant;
@@ -245,7 +241,7 @@ static void test_cylinders(void **state)
 }
 
 /* Two passes of almost all that is assembled for some scenes alone. */
-static void test_adaptive(void **state)
+TEST(adaptive)
 {
     static const char path[] = "tests/scenes/together.pov";
     const struct scene_options reading = {
@@ -260,7 +256,6 @@ static void test_adaptive(void **state)
     struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(path, &reading, &reports);
 
-    (void)state;
     assert_non_null(scene);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = (enum trace_mode)mode;
@@ -270,7 +265,7 @@ static void test_adaptive(void **state)
     diagnostics_free(&reports);
 }
 
-static void test_scenes(void **state)
+TEST(scenes)
 {
     const struct scene_options options = {
         .width = COLUMNS, .height = ROWS, .read_raster = picture_read_raster
@@ -279,7 +274,6 @@ static void test_scenes(void **state)
     struct dirent *entry;
     size_t count = 0;
 
-    (void)state;
     assert_non_null(folder);
     while ((entry = readdir(folder)) != NULL) {
         struct diagnostics reports = { 0 };
@@ -373,7 +367,7 @@ static void listen_to_saves(void *context, const c205 *machine,
 
 /* What a call costs is the largest part of a short kernel: the scalar form
  * would be handicapped by each register that is saved and not used. */
-static void test_nothing_is_saved_in_vain(void **state)
+TEST(nothing_is_saved_in_vain)
 {
     static const char text[] = HEAD
         "camera { location <0, 1, -6> look_at 0 }\n"
@@ -390,7 +384,6 @@ static void test_nothing_is_saved_in_vain(void **state)
                                      .model = prior_model };
     struct scene *scene = read_text(text);
 
-    (void)state;
     for (int historical = 0; historical < 2; historical++) {
         c205_error error = { "" };
         struct trace *trace;
@@ -437,12 +430,11 @@ static void write_scene(char *text, size_t size)
         add_solid(text, size, below(3));
 }
 
-static void test_random_solids(void **state)
+TEST(random_solids)
 {
     static char text[100000];
     static const size_t queues[] = { 1, COLUMNS - 1, 2000 };
 
-    (void)state;
     solids.clear = solids.patches = traced.reported = true;
     for (size_t i = 0; i < scene_count; i++) {
         struct scene *scene;
@@ -460,12 +452,11 @@ static void test_random_solids(void **state)
 
 /* ---- The root solver ---------------------------------------------------- */
 
-static void test_roots(void **state)
+TEST(roots)
 {
     enum { POLYNOMIALS = 60 };
     struct polynomial polynomials[POLYNOMIALS];
 
-    (void)state;
     for (int i = 0; i < POLYNOMIALS; i++) {
         for (int j = 0; j < 5; j++)
             polynomials[i].c[j] = c205_from_double(below(6) ? between(-2, 2)
@@ -503,11 +494,10 @@ static void test_roots(void **state)
 
 /* ---- Points -------------------------------------------------------------- */
 
-static void test_points(void **state)
+TEST(points)
 {
     static const struct point_choice choice = { .seed = 3, .m = 10 };
 
-    (void)state;
     for (int i = 0; i < 2 * POINT_FORMS; i++) {
         const struct point_kind kind = {
             .form = (enum point_form)(i % POINT_FORMS),
@@ -557,38 +547,24 @@ static void emit_watched(const struct primitive *primitive)
 }
 
 /* A shape of each kernel. */
-static void test_emission(void **state)
+TEST(emission)
 {
     struct scene *scene = read_text(
         HEAD
         "sphere { 0, 1 } torus { 1, .3 } cone { 0, 1, y, .5 } box { 0, 1 }"
         "object { steiner_patch { x, y, z, x + y, y + z, z + x } }");
 
-    (void)state;
     for (size_t i = 0; i < scene->primitive_count; i++)
         emit_watched(&scene->primitives[i]);
     scene_free(scene);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_assembled),
-        cmocka_unit_test(test_formulations),
-        cmocka_unit_test(test_fit_programs),
-        cmocka_unit_test(test_cylinders),
-        cmocka_unit_test(test_nothing_is_saved_in_vain),
-        cmocka_unit_test(test_adaptive),
-        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_random_solids),
-        cmocka_unit_test(test_roots),
-        cmocka_unit_test(test_points),
-        cmocka_unit_test(test_emission),
-    };
-
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random = strtoul(argv[2], NULL, 10);
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

@@ -3,15 +3,8 @@
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"
 #include "tests/unit/lane_operands.h"
+#include "tests/unit/unit.h"
 #include "vm/number/lanes.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 enum {
     LENGTH_MAX = 257,
@@ -326,11 +319,10 @@ static void check_upon(const operations *size, size_t n, size_t below,
         check_unary_upon(&size->unaries[i], &upon);
 }
 
-static void test_upon_an_operand(void **state)
+TEST(upon_an_operand)
 {
     static const size_t lengths[] = { 1, 7, 8, 9, 64, 255, 256, 261, 600 };
     uint64_t seed = RANDOM_SEED;
-    (void)state;
 
     for (size_t i = 0; i < SIZE(sizes); i++)
         for (size_t k = 0; k < SIZE(lengths); k++)
@@ -340,9 +332,8 @@ static void test_upon_an_operand(void **state)
 
 /* ---- All lengths --------------------------------------------------------- */
 
-static void test_every_length_and_place(void **state)
+TEST(every_length_and_place)
 {
-    (void)state;
     for (size_t i = 0; i < SIZE(sizes); i++)
         for (size_t place = 0; place < PLACES; place++)
             check_lengths(&sizes[i], place, RANDOM_SEED + place);
@@ -361,9 +352,8 @@ static void check_specials(const operations *size)
     }
 }
 
-static void test_every_pair_of_specials(void **state)
+TEST(every_pair_of_specials)
 {
-    (void)state;
     for (size_t i = 0; i < SIZE(sizes); i++)
         check_specials(&sizes[i]);
 }
@@ -383,9 +373,8 @@ static void check_supplies(const operations *size, uint64_t seed)
     }
 }
 
-static void test_every_pair_of_supplies(void **state)
+TEST(every_pair_of_supplies)
 {
-    (void)state;
     for (size_t i = 0; i < SIZE(sizes); i++)
         check_supplies(&sizes[i], RANDOM_SEED + 1);
 }
@@ -413,9 +402,8 @@ static void check_close_operands(const operations *size, uint64_t seed)
     }
 }
 
-static void test_close_operands(void **state)
+TEST(close_operands)
 {
-    (void)state;
     for (size_t i = 0; i < SIZE(sizes); i++)
         check_close_operands(&sizes[i], RANDOM_SEED + 2);
 }
@@ -434,9 +422,8 @@ static void check_by_integers(const operations *size, uint64_t seed)
     }
 }
 
-static void test_by_integers(void **state)
+TEST(by_integers)
 {
-    (void)state;
     for (size_t i = 0; i < SIZE(sizes); i++)
         check_by_integers(&sizes[i], RANDOM_SEED + 5);
 }
@@ -453,21 +440,19 @@ static void check_unary_operands(const operations *size, uint64_t seed)
     }
 }
 
-static void test_unary_operands(void **state)
+TEST(unary_operands)
 {
-    (void)state;
     for (size_t i = 0; i < SIZE(sizes); i++)
         check_unary_operands(&sizes[i], RANDOM_SEED + 3);
 }
 
 /* The roots come from doubles, which err: every coefficient is tried, with
  * both parities of the exponent. */
-static void test_every_root_of_a_half_word(void **state)
+TEST(every_root_of_a_half_word)
 {
     static c205_word a[LONG_LENGTH];
     unary square_root = HALVES(square_root, square_root);
 
-    (void)state;
     for (int64_t c = INT64_C(1) << 22; c < INT64_C(1) << 23;
          c += LONG_LENGTH / 2) {
         for (int i = 0; i < LONG_LENGTH; i++)
@@ -478,11 +463,10 @@ static void test_every_root_of_a_half_word(void **state)
 
 /* ---- The rest ----------------------------------------------------------- */
 
-static void test_store_masked(void **state)
+TEST(store_masked)
 {
     uint64_t seed = RANDOM_SEED + 4;
 
-    (void)state;
     for (size_t n = 0; n <= LENGTH_MAX; n++) {
         c205_word a[SPAN], c[SPAN], expected[SPAN];
         uint64_t bits[BITS];
@@ -513,30 +497,11 @@ static void check_reduction(const reduction *op, supply *next, word_format f,
     }
 }
 
-static void test_reductions(void **state)
+TEST(reductions)
 {
-    (void)state;
     for (size_t i = 0; i < SIZE(sizes); i++)
         for (size_t s = 0; s < LANE_SUPPLIES; s++)
             for (size_t r = 0; r < REDUCTIONS; r++)
                 check_reduction(&sizes[i].reductions[r], lane_supplies[s],
                                 sizes[i].format, RANDOM_SEED);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_length_and_place),
-        cmocka_unit_test(test_upon_an_operand),
-        cmocka_unit_test(test_every_pair_of_specials),
-        cmocka_unit_test(test_every_pair_of_supplies),
-        cmocka_unit_test(test_close_operands),
-        cmocka_unit_test(test_by_integers),
-        cmocka_unit_test(test_unary_operands),
-        cmocka_unit_test(test_every_root_of_a_half_word),
-        cmocka_unit_test(test_store_masked),
-        cmocka_unit_test(test_reductions),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -89,9 +89,8 @@ static void add_tangled_lathe(char *text, size_t size)
     add_turn(text, size, 1.4);
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     check_random_scenes(add_tangled_lathe, scene_count);
 }
 
@@ -102,9 +101,8 @@ static void add_plain_lathe(char *text, size_t size)
     add_any_lathe(text, size, false);
 }
 
-static void test_solids(void **state)
+TEST(solids)
 {
-    (void)state;
     for (size_t i = 0; i < 2 * scene_count; i++) {
         solids.clear = i % 2;
         check_solids_with(add_plain_lathe);
@@ -118,9 +116,8 @@ static void test_solids(void **state)
 #define RING "5, <1, -1>, <2, -1>, <2, 1>, <1, 1>, <1, -1>"
 #define CONE "3, <0, 1>, <1, 0>, <0, -1>"
 
-static void test_middle(void **state)
+TEST(middle)
 {
-    (void)state;
     check_middle(AHEAD "lathe { " TUBE " }", 1, 4);
     check_middle(AHEAD "lathe { linear_spline " DRUM " }", 1, 4);
     check_middle(AHEAD "lathe { " DRUM " translate -5*z }", 1, 1);
@@ -146,9 +143,8 @@ static void test_middle(void **state)
     check_middle(AHEAD "lathe { 2, <3, -1>, <3, 1> translate -5*z }", 1, 3);
 }
 
-static void test_middle_of_solids(void **state)
+TEST(middle_of_solids)
 {
-    (void)state;
     check_middle(AHEAD "intersection { lathe { " DRUM " } plane { -z, 0 } }",
                  2, 5);
     /* a tube has no inside, but is seen in that of others */
@@ -180,7 +176,7 @@ static void test_middle_of_solids(void **state)
 
 /* Rays in the side of a cone, along the axis of a tube, in rings: whatever they
  * meet, all forms agree. */
-static void test_along(void **state)
+TEST(along)
 {
     static const char *const lathes[] = {
         "lathe { 2, <0, 0>, <1, 1> rotate 45*x }",
@@ -193,7 +189,6 @@ static void test_along(void **state)
         "lathe { 4, <0, 0>, <1, 1e-9>, <1, 1>, <0, 1 + 1e-9> translate -y }",
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof lathes / sizeof *lathes; i++) {
         char text[1000];
 
@@ -221,11 +216,10 @@ static size_t segments_of(const char *path)
     return words.segments;
 }
 
-static void test_segments(void **state)
+TEST(segments)
 {
     char ball[2000] = "25";
 
-    (void)state;
     assert_int_equal(segments_of(DRUM), 1);
     assert_int_equal(segments_of(CONE), 1);
     assert_int_equal(segments_of(RING), 2);
@@ -305,11 +299,10 @@ static void check_normals(const struct primitive *lathe)
     free(table);
 }
 
-static void test_paths(void **state)
+TEST(paths)
 {
     char text[4000];
 
-    (void)state;
     for (int try = 0; try < 400; try++) {
         struct scene *scene;
 
@@ -323,22 +316,12 @@ static void test_paths(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_segments),
-        cmocka_unit_test(test_paths),
-        cmocka_unit_test(test_middle),
-        cmocka_unit_test(test_middle_of_solids),
-        cmocka_unit_test(test_along),
-        cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_solids),
-    };
-
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("lathes", tests, set_up_frames,
-                                       tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

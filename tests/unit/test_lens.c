@@ -58,9 +58,8 @@ static void check_orders(const char *text)
     scene_free(scene);
 }
 
-static void test_random(void **state)
+TEST(random)
 {
-    (void)state;
     for (int i = 0; i < 10; i++) {
         char text[2000] = LIGHTS THINGS;
         struct words *words;
@@ -122,9 +121,8 @@ static double difference(const char *a, const char *b, double distance,
 
 /* What is in focus looks as through a pinhole, how far off the axis it may be and
  * wherever the focal point is; what is not, does not. */
-static void test_focus(void **state)
+TEST(focus)
 {
-    (void)state;
     for (size_t samples = 2; samples <= 6; samples++)
         for (int orthographic = 0; orthographic < 2; orthographic++) {
             char pinhole[64], lens[300];
@@ -149,7 +147,7 @@ static void test_focus(void **state)
 #define FOCUS "aperture -4 focal_point 7*z blur_samples 10 "
 
 /* POV-Ray's, measured by its pictures of a small, distant sphere. */
-static void test_words(void **state)
+TEST(words)
 {
     static const struct {
         const char *camera;
@@ -168,7 +166,6 @@ static void test_words(void **state)
         { "camera { aperture 0 blur_samples 7 }", 0, 0, 7 },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct scene *scene = read_text(rows[i].camera);
 
@@ -199,9 +196,8 @@ static size_t across(const char *camera, size_t samples)
     return found;
 }
 
-static void test_samples(void **state)
+TEST(samples)
 {
-    (void)state;
     assert_int_equal(across("camera { " FOCUS "}", 1), 4);
     assert_int_equal(across("camera { " FOCUS "}", 3), 4);
     assert_int_equal(across("camera { " FOCUS "}", 5), 5);
@@ -210,14 +206,4 @@ static void test_samples(void **state)
     assert_int_equal(across("camera { " FOCUS "blur_samples 1 }", 1), 1);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_focus),
-        cmocka_unit_test(test_words),
-        cmocka_unit_test(test_samples),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

@@ -439,11 +439,10 @@ static void check_drawn(struct drawn_lesson *drawn)
         plain_free(&plain[i]);
 }
 
-static void test_drawn(void **state)
+TEST(drawn)
 {
     size_t seen[DRAWN_FAULTS] = { 0 };
 
-    (void)state;
     for (size_t i = 0; i < tries; i++) {
         struct drawn_lesson drawn = { 0 };
 
@@ -456,9 +455,8 @@ static void test_drawn(void **state)
 }
 
 /* Answers that do the work in other ways, against goals. */
-static void test_ways(void **state)
+TEST(ways)
 {
-    (void)state;
     for (size_t i = 0; i < tries; i++) {
         struct drawn_lesson drawn = { 0 };
 
@@ -520,12 +518,11 @@ static void draw_right_words(struct drawn_lesson *drawn)
         drawn->tests[i].has_goals = false;
 }
 
-static void test_said_of_all(void **state)
+TEST(said_of_all)
 {
     struct drawn_lesson drawn = { 0 };
     char wanted[200];
 
-    (void)state;
     for (size_t i = 0; i < 10; i++) {
         draw_right_words(&drawn);
         check_said(&drawn, "y, n\n", "z, n\ny = 5\n", true,
@@ -560,15 +557,8 @@ static void test_said_of_all(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_drawn),
-        cmocka_unit_test(test_ways),
-        cmocka_unit_test(test_said_of_all),
-    };
-
     if (argc > 1)
         tries = strtoul(argv[1], NULL, 10);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

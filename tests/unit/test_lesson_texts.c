@@ -42,7 +42,7 @@ static void check_run(const char *test, const char *answer,
     lesson_free(&lesson);
 }
 
-static void test_runs(void **state)
+TEST(runs)
 {
     static const char reg[] = "; test: a\n; expect: r10 = 5\n";
     static const char print[] = "; test: a\n; expect-print: 5\n";
@@ -56,7 +56,6 @@ static void test_runs(void **state)
                                   "        EXIT    r10, r0, 2\n"
                                   "        BIM     here\n";
 
-    (void)state;
     check_run(reg, five, NULL);
     check_run(reg, "        EXIT\n",
               "Expected r10 = X'0000 0000 0000 0005' (5), found X'0000 0000 "
@@ -89,13 +88,12 @@ static void check_notes(const char *notes, const char *wanted)
     lesson_free(&lesson);
 }
 
-static void test_notes(void **state)
+TEST(notes)
 {
     static const char goals[] = "12-it/test-a.s:2: expected 'goals: gold "
                                 "CLOCKS, silver CLOCKS, bronze CLOCKS', "
                                 "rising, once";
 
-    (void)state;
     check_notes("; test: a\n", "");
     check_notes("x: .word 1\n", "12-it/test-a.s:1: it has no '; test: a "
                                 "sentence'");
@@ -139,9 +137,8 @@ static void check_refused(const char *test, const char *wanted)
     lesson_free(&lesson);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
-    (void)state;
     check_refused("; test: a\n", "test-a.s wants nothing");
     check_refused("; test: a\n.word\n",
                   "test-a.s:2:6: expected a number, a name or '(', found the "
@@ -165,13 +162,12 @@ static void test_refused(void **state)
                   "times");
 }
 
-static void test_names(void **state)
+TEST(names)
 {
     struct lesson items[2] = { { 0 } };
     struct lessons lessons = { 2, items };
     c205_error error;
 
-    (void)state;
     assert_true(lesson_begin(&items[0], "03-first-vector", &error));
     assert_true(lesson_begin(&items[1], "11-sieve", &error));
     assert_ptr_equal(lessons_find(&lessons, "3", &error), &items[0]);
@@ -218,7 +214,7 @@ static void grade_any(const char *test, const char *answer)
     lesson_free(&lesson);
 }
 
-static void test_any(void **state)
+TEST(any)
 {
     static const char test[] = "; test: a\n; goals: gold 7000, silver 8000, "
                                "bronze 9000\n; tolerance: y 1e-9\n"
@@ -241,7 +237,6 @@ static void test_any(void **state)
                                  "        EXIT    r5, r0, 2\n        EXIT\n";
     uint64_t random_state = RANDOM_SEED;
 
-    (void)state;
     check_run(test, answer, NULL);
     for (size_t i = 0; i < tries; i++) {
         char other_test[sizeof test], other_answer[sizeof answer];
@@ -279,7 +274,7 @@ static size_t take_elements(const char *text, enum asm_contents contents,
     return count;
 }
 
-static void test_likeness(void **state)
+TEST(likeness)
 {
     static const struct {
         enum asm_contents contents;
@@ -319,7 +314,6 @@ static void test_likeness(void **state)
         { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 8.0", NULL },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
         struct arena arena = { 0 };
@@ -343,15 +337,8 @@ static void test_likeness(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_runs),     cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_refused),  cmocka_unit_test(test_names),
-        cmocka_unit_test(test_likeness), cmocka_unit_test(test_any),
-    };
-
     if (argc > 1)
         tries = strtoul(argv[1], NULL, 10);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -63,14 +63,13 @@ static void check_run(const char *path, uint64_t limit, uint64_t slice)
 }
 
 /* To the end, or a trap; and stopped on the way, perhaps within an instruction. */
-static void test_programs(void **state)
+TEST(programs)
 {
     static const char *const patterns[] = { "asm/examples/*.s",
                                             "tests/programs/*.s",
                                             "tests/programs/traps/*.s" };
     size_t count = 0;
 
-    (void)state;
     for (size_t i = 0; i < 3; i++) {
         glob_t found;
 
@@ -132,7 +131,7 @@ static void check_columns(const struct line_profile *profile)
 
 /* A macro is summed where it is called, a repetition where it stands; a vector instruction
  * has the clocks that others wait for it, warm pages cost nothing. */
-static void test_lines(void **state)
+TEST(lines)
 {
     struct object *object = good("        .include \"vectors.s\"\n"
                                  "        .macro twice r\n"
@@ -156,7 +155,6 @@ static void test_lines(void **state)
     struct table *table;
     c205_stop stop;
 
-    (void)state;
     assert_true(c205_load(machine, &object->program, &error)
                 && c205_listen(machine, line_profile_listen, profile));
     c205_warm(machine);
@@ -188,10 +186,4 @@ static void test_lines(void **state)
     object_free(object);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_programs),
-                                        cmocka_unit_test(test_lines) };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

@@ -79,9 +79,8 @@ static void check_solids(double z, double behind)
     scene_free(scene);
 }
 
-static void test_random_solids(void **state)
+TEST(random_solids)
 {
-    (void)state;
     for (size_t i = 0; i < scene_count; i++) {
         check_solids(-6, 0);
         check_solids(7, 0);
@@ -152,7 +151,7 @@ static void check_nearest(const struct scene *scene,
                  text);
 }
 
-static void test_nearest(void **state)
+TEST(nearest)
 {
     static char text[1 << 18];
     static struct scene_line list[SIDE * SIDE];
@@ -160,7 +159,6 @@ static void test_nearest(void **state)
         .queue = 300, .normals = true, .bodies = true, .model = prior_model
     };
 
-    (void)state;
     traced.width = traced.height = SIDE;
     traced.pixels = SIDE * SIDE;
     put_pixels(list);
@@ -265,9 +263,8 @@ static void check_line(const char *objects, double behind, size_t count,
 
 /* Two that touch; of a union that stands by itself each part is a body; of a merge
  * what lies within is not seen. */
-static void test_faces(void **state)
+TEST(faces)
 {
-    (void)state;
     check_line("box { -1, 1 } box { <-1, -1, 1>, <1, 1, 2> }", 0,
                COUNTED({ 3, 0, 0, 1, 1, 1 }, { 5, 0, 0, -1, 0, 0 },
                        { 5, 1, 1, 1, 1, 1 }, { 6, 1, 1, -1, 0, 0 }));
@@ -287,13 +284,12 @@ static void test_faces(void **state)
 }
 
 /* As many as there are, in whatever order they are found. */
-static void test_many(void **state)
+TEST(many)
 {
     enum { SPHERES = 300 };
     static struct expected expected[2 * SPHERES];
     static char text[1 << 16];
 
-    (void)state;
     strcpy(text, HEAD "union {\n");
     for (size_t i = 0; i < SPHERES; i++) {
         size_t at = i * 7 % SPHERES;
@@ -311,9 +307,8 @@ static void test_many(void **state)
 }
 
 /* What is open is seen, but of no body. */
-static void test_open(void **state)
+TEST(open)
 {
-    (void)state;
     check_line("cylinder { -y, y, 1 open } disc { 0, z, 1 }", 0,
                COUNTED({ 3, 0, 0, 0, 0, 0 }, { 4, 1, 1, 0, 0, 0 },
                        { 5, 0, 0, 0, 0, 0 }));
@@ -322,9 +317,8 @@ static void test_open(void **state)
 }
 
 /* Distances are told from the origin, also of what lies behind it. */
-static void test_behind(void **state)
+TEST(behind)
 {
-    (void)state;
     check_line("box { <-1, -1, -7>, <1, 1, -6> } box { -1, 1 inverse }", 8,
                COUNTED({ -3, 0, 0, 1, 1, 1 }, { -2, 0, 0, -1, 0, 0 },
                        { 3, 1, 1, -1, -1, -1 }, { 5, 1, 1, 1, 0, 0 }));
@@ -348,7 +342,7 @@ static void check_refused(const struct lines_options *options,
     scene_free(scene);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     const struct lines_options bad[] = {
         { .mode = TRACE_MODES, .queue = 10 },
@@ -358,7 +352,6 @@ static void test_refused(void **state)
         { .mode = TRACE_SCALAR, .behind = INFINITY },
     };
 
-    (void)state;
     check_refused(&bad[0],
                   "lines have a scalar form, a vector form and the one of "
                   "1984");
@@ -368,7 +361,7 @@ static void test_refused(void **state)
     check_refused(&bad[4], "lines begin at their origins or behind them");
 }
 
-static void test_no_lines(void **state)
+TEST(no_lines)
 {
     static const struct scene_line bad[][2] = {
         { { { 0 }, { 0, 0, 1 } }, { { 0 }, { 0, 0, 0 } } },
@@ -382,7 +375,6 @@ static void test_no_lines(void **state)
     struct lines *lines = lines_new(scene, &options, &error);
     struct seen_crossings found;
 
-    (void)state;
     assert_non_null(lines);
     for (size_t i = 0; i < 3; i++) {
         assert_false(lines_find(lines, bad[i], 2, &found, &error));
@@ -398,20 +390,14 @@ static void test_no_lines(void **state)
     scene_free(scene);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_solids), cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_faces),         cmocka_unit_test(test_many),
-        cmocka_unit_test(test_open),          cmocka_unit_test(test_behind),
-        cmocka_unit_test(test_refused),       cmocka_unit_test(test_no_lines),
-    };
-
     traced.reported = true; /* patches in intersections */
     solids.patches = solids.meshes = true;
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

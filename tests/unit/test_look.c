@@ -116,12 +116,11 @@ static void check_looks(const struct scene *scene, enum trace_mode mode)
     frame_free(&shown.frame);
 }
 
-static void test_bands(void **state)
+TEST(bands)
 {
     static const char *const gammas[] = { "1", "2.2" };
     char text[4000];
 
-    (void)state;
     for (int i = 0; i < 12; i++) {
         struct scene *scene;
 
@@ -141,7 +140,7 @@ static void test_bands(void **state)
 
 /* A frame in one band, long enough to be asked about: part of it is there before
  * all is. */
-static void test_under_way(void **state)
+TEST(under_way)
 {
     struct shown shown = { .done = 0 };
     struct trace_options options = { .mode = TRACE_SCALAR,
@@ -156,7 +155,6 @@ static void test_under_way(void **state)
     char text[9000] = "";
     struct scene *scene;
 
-    (void)state;
     add_text(text, sizeof text, SCENE, "1");
     for (int k = 0; k < 100; k++)
         add_text(text, sizeof text,
@@ -171,12 +169,4 @@ static void test_under_way(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bands),
-        cmocka_unit_test(test_under_way),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

@@ -20,9 +20,8 @@ static void expect_end(c205_stop stop)
 
 /* ---- Registers ---------------------------------------------------------- */
 
-static void test_enter(void **state)
+TEST(enter)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "ES", F(.r = 1, .immediate = -2));
     add(&little, "EX", F(.r = 2, .immediate = 0x123456789ABC));
@@ -51,9 +50,8 @@ static void test_enter(void **state)
     free_little(&little);
 }
 
-static void test_register_zero(void **state)
+TEST(register_zero)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "ES", F(.r = 1, .immediate = 7));
     add(&little, "ES", F(.r = 0, .immediate = 7));
@@ -77,9 +75,8 @@ static void test_register_zero(void **state)
     free_little(&little);
 }
 
-static void test_arithmetic(void **state)
+TEST(arithmetic)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "ADDN", F(.r = 1, .s = 2, .t = 3));
     add(&little, "DIVS", F(.r = 1, .s = 2, .t = 4));
@@ -105,9 +102,8 @@ static void test_arithmetic(void **state)
     free_little(&little);
 }
 
-static void test_load_store(void **state)
+TEST(load_store)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "STO", F(.r = 1, .s = 2, .t = 3));
     add(&little, "LOD", F(.r = 1, .s = 2, .t = 4));
@@ -122,9 +118,8 @@ static void test_load_store(void **state)
     free_little(&little);
 }
 
-static void test_swap(void **state)
+TEST(swap)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "SWAP", F(.r = 1, .s = 10, .t = 2));
     add(&little, "SWAP", F(.r = 1, .s = 0, .t = 0));
@@ -151,9 +146,8 @@ static void test_swap(void **state)
 
 /* ---- Branches ----------------------------------------------------------- */
 
-static void test_loop(void **state)
+TEST(loop)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "ES", F(.r = 1, .immediate = 10));
     add(&little, "EX", F(.r = 3, .immediate = (int64_t)CODE + 96));
@@ -166,9 +160,8 @@ static void test_loop(void **state)
     free_little(&little);
 }
 
-static void test_near_branches(void **state)
+TEST(near_branches)
 {
-    (void)state;
     struct little little = make_little();
     uint64_t top = add(&little, "IS", F(.r = 9, .immediate = 1));
     add(&little, "IBXLT",
@@ -190,9 +183,8 @@ static void test_near_branches(void **state)
     free_little(&little);
 }
 
-static void test_call(void **state)
+TEST(call)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "BSAVE", F(.r = 1, .s = 2, .t = 3));
     add(&little, "EXIT", F(.r = 5));
@@ -209,9 +201,8 @@ static void test_call(void **state)
 }
 
 /* The loop's body is changed by the loop. */
-static void test_self_modifying_code(void **state)
+TEST(self_modifying_code)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "IS", F(.r = 9, .immediate = 1));
     add(&little, "RTOR", F(.r = 0, .t = 0));
@@ -257,9 +248,8 @@ static void expect_trap(struct little *little, const char *name,
     assert_int_equal(c205_pc(little->machine), CODE + HALF_WORD);
 }
 
-static void test_undefined(void **state)
+TEST(undefined)
 {
-    (void)state;
     static const struct {
         const char *mnemonic;
         c205_fields fields;
@@ -303,13 +293,12 @@ static void test_undefined(void **state)
 
 /* As programs that ran had it: ADDNV with G = 05 adds magnitudes.  -2 and 2, to
  * each -3. */
-static void test_sign_bits(void **state)
+TEST(sign_bits)
 {
     static const double sums[][2] = { { -5, -1 }, { 1, 5 },   { -1, -5 },
                                       { 5, 1 },   { -1, -1 }, { 5, 5 },
                                       { -5, -5 }, { 1, 1 } };
     struct little little = make_little();
-    (void)state;
     for (uint32_t g = 0; g < 8; g++) {
         begin(&little);
         add_half(&little, 0x82000001 | (c205_word)g << 16);
@@ -331,9 +320,8 @@ static void test_sign_bits(void **state)
     free_little(&little);
 }
 
-static void test_fields_that_are_not_there(void **state)
+TEST(fields_that_are_not_there)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "VTOV", F(.a = 1, .c = 1));
     little.code[0] |= 1 << 16; /* field B */
@@ -342,9 +330,8 @@ static void test_fields_that_are_not_there(void **state)
     free_little(&little);
 }
 
-static void test_operand_traps(void **state)
+TEST(operand_traps)
 {
-    (void)state;
     uint64_t odd = DATA + 1, out = 0x800000;
     struct little l = make_little();
     const char *bad = "bad-descriptor", *misaligned = "misaligned-operand";
@@ -373,9 +360,8 @@ static void test_operand_traps(void **state)
 }
 
 /* Address 0 is told like any other. */
-static void test_address_0_is_told(void **state)
+TEST(address_0_is_told)
 {
-    (void)state;
     struct little little = make_little();
     c205_error text;
     add(&little, "LOD", F(.r = 0, .t = 5));
@@ -388,9 +374,8 @@ static void test_address_0_is_told(void **state)
     free_little(&little);
 }
 
-static void test_protected(void **state)
+TEST(protected)
 {
-    (void)state;
     struct little little = make_little();
     c205_error error;
     add(&little, "STO", F(.r = 1, .t = 1));
@@ -408,9 +393,8 @@ static void test_protected(void **state)
     free_little(&little);
 }
 
-static void test_fetch(void **state)
+TEST(fetch)
 {
-    (void)state;
     struct little little = make_little();
     load(&little, 1);
     c205_set_pc(little.machine, CODE + 16);
@@ -428,9 +412,8 @@ static void test_fetch(void **state)
     free_little(&little);
 }
 
-static void test_clock_limit(void **state)
+TEST(clock_limit)
 {
-    (void)state;
     struct little little = make_little();
     add(&little, "BIM", F(.r = 0, .immediate = (int64_t)CODE));
     load(&little, 1);
@@ -443,9 +426,8 @@ static void test_clock_limit(void **state)
 }
 
 /* A run that was stopped at clock limits goes on as if it had not been. */
-static void test_going_on_after_the_limit(void **state)
+TEST(going_on_after_the_limit)
 {
-    (void)state;
     struct little little = make_little();
     uint64_t clocks[2];
     for (uint64_t limit = 0; limit < 30; limit++) {
@@ -471,9 +453,8 @@ static void test_going_on_after_the_limit(void **state)
 
 /* Room for all that might be kept is asked for first; that there was none is
  * no fault of a later instruction. */
-static void test_compress_leaves_no_fault(void **state)
+TEST(compress_leaves_no_fault)
 {
-    (void)state;
     struct little little = make_little();
     uint64_t end = DATA + C205_PAGE_WORDS * UINT64_C(64);
     add(&little, "CPSV", F(.a = 1, .z = 2, .c = 3));
@@ -490,9 +471,8 @@ static void test_compress_leaves_no_fault(void **state)
 
 /* ---- Regions, events ---------------------------------------------------- */
 
-static void test_regions(void **state)
+TEST(regions)
 {
-    (void)state;
     struct little little = make_little();
     c205_region regions[] = { { "late", CODE + 64, CODE + 96 },
                               { "early", CODE, CODE + 32 },
@@ -548,9 +528,8 @@ static void listen(void *context, const c205 *machine,
     }
 }
 
-static void test_events(void **state)
+TEST(events)
 {
-    (void)state;
     struct little little = make_little();
     struct heard heard = { { 0 }, 0, 0, 0, false };
     add(&little, "ES", F(.r = 1, .immediate = 7));
@@ -576,9 +555,8 @@ static void test_events(void **state)
     free_little(&little);
 }
 
-static void test_step(void **state)
+TEST(step)
 {
-    (void)state;
     struct little little = make_little();
     c205_stop stop;
     add(&little, "ES", F(.r = 1, .immediate = 7));
@@ -591,9 +569,8 @@ static void test_step(void **state)
     free_little(&little);
 }
 
-static void test_host_copies(void **state)
+TEST(host_copies)
 {
-    (void)state;
     struct little little = make_little();
     c205_word words[2] = { 1, 2 };
     load(&little, 2);
@@ -602,34 +579,4 @@ static void test_host_copies(void **state)
     assert_false(c205_read(little.machine, 0x800000 - 64, words, 2));
     assert_int_equal(words[0], 1);
     free_little(&little);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_enter),
-        cmocka_unit_test(test_register_zero),
-        cmocka_unit_test(test_arithmetic),
-        cmocka_unit_test(test_load_store),
-        cmocka_unit_test(test_swap),
-        cmocka_unit_test(test_loop),
-        cmocka_unit_test(test_near_branches),
-        cmocka_unit_test(test_call),
-        cmocka_unit_test(test_self_modifying_code),
-        cmocka_unit_test(test_undefined),
-        cmocka_unit_test(test_sign_bits),
-        cmocka_unit_test(test_fields_that_are_not_there),
-        cmocka_unit_test(test_operand_traps),
-        cmocka_unit_test(test_address_0_is_told),
-        cmocka_unit_test(test_protected),
-        cmocka_unit_test(test_fetch),
-        cmocka_unit_test(test_clock_limit),
-        cmocka_unit_test(test_going_on_after_the_limit),
-        cmocka_unit_test(test_compress_leaves_no_fault),
-        cmocka_unit_test(test_regions),
-        cmocka_unit_test(test_events),
-        cmocka_unit_test(test_step),
-        cmocka_unit_test(test_host_copies)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

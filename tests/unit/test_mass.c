@@ -10,8 +10,6 @@
 #include "tests/unit/csv_reading.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 #define STUDENT 2.1314 /* with 15 degrees of freedom */
 
@@ -110,14 +108,13 @@ static void check_row(const struct csv_table *table, size_t row,
                      named(table, row, moments[i]), most, share);
 }
 
-static void test_formulas(void **state)
+TEST(formulas)
 {
     const char *asked = getenv("MASS_RAYS");
     double rays = asked ? strtod(asked, NULL) : 1 << 15;
     size_t rays_log = (size_t)lround(log2(rays / 16));
     struct csv_table *table = read_reference();
 
-    (void)state;
     assert_true(table->rows > 5);
     for (size_t row = 1; row < table->rows; row++)
         check_row(table, row, rays_log, rays >= 1 << 18 ? 1e-4 : 1e-3);
@@ -134,7 +131,7 @@ static const char crowd[] =
     "cylinder { <-1, 0, .3>, <1, 1, .3>, .5 }\n"
     "sphere { <.5, .2, 0>, .8 }\n";
 
-static void test_same_bits(void **state)
+TEST(same_bits)
 {
     for (int points = 0; points < POINTS_KINDS; points++) {
         struct columns_options options = usual();
@@ -154,17 +151,15 @@ static void test_same_bits(void **state)
         options.seed = 2;
         assert_false(checksum_of(crowd, options) == expected);
     }
-    (void)state;
 }
 
 /* More rays than go into a packet, more crossings than there are lanes. */
-static void test_same_packets(void **state)
+TEST(same_packets)
 {
     struct columns_options options = usual();
     struct measured ball;
     uint64_t expected;
 
-    (void)state;
     options.rays_log = 13;
     options.repeats = 2;
     expected = checksum_of(crowd, options);
@@ -215,12 +210,11 @@ static struct tried try_seeds(enum columns_points points, size_t seeds)
 }
 
 /* No bias; intervals hold what they say; a lattice is better than chance. */
-static void test_points(void **state)
+TEST(points)
 {
     enum { SEEDS = 16 };
     double square[POINTS_KINDS];
 
-    (void)state;
     for (int points = 0; points < POINTS_KINDS; points++) {
         struct tried tried = try_seeds((enum columns_points)points, SEEDS);
         double bias = tried.sum / sqrt(tried.square);
@@ -238,13 +232,12 @@ static void test_points(void **state)
 /* ---- Parts --------------------------------------------------------------- */
 
 /* Two balls of radius 1, one unit apart, have a lens in common. */
-static void test_overlap(void **state)
+TEST(overlap)
 {
     struct columns_options options = usual();
     double lens = 5 * acos(-1) / 12;
     struct measured two;
 
-    (void)state;
     options.rays_log = 11;
     measure_well("sphere { -.5*x, 1 }\nsphere { .5*x, 1 }", options, &two);
     assert_int_equal(two.parts, 2);
@@ -257,13 +250,12 @@ static void test_overlap(void **state)
 }
 
 /* What is far away has the centroid there, and the inertia of the parallel axes. */
-static void test_about(void **state)
+TEST(about)
 {
     struct columns_options options = usual();
     struct measured box;
     const double *value = box.part[0].value;
 
-    (void)state;
     options.rays_log = 11;
     measure_well("box { <99,199,299>, <101,201,301> }", options, &box);
     assert_true(fabs(value[FIGURE_VOLUME] - 8) < 1e-3);
@@ -276,13 +268,12 @@ static void test_about(void **state)
 }
 
 /* .. where the centroid is not the middle of the box. */
-static void test_parallel_axes(void **state)
+TEST(parallel_axes)
 {
     struct measured bored;
     const double *value = bored.part[0].value;
     double x, y, z, volume;
 
-    (void)state;
     measure_well("difference { box { <-1,-.5,-.25>, <1,.5,.25> }\n"
                  "cylinder { <.4,0,-1>, <.4,0,1>, .3 } translate <3,2,1> }",
                  usual(), &bored);
@@ -300,13 +291,12 @@ static void test_parallel_axes(void **state)
 }
 
 /* The axes of a box that is turned, its moments rising. */
-static void test_axes(void **state)
+TEST(axes)
 {
     struct columns_options options = usual();
     struct measured box;
     const struct mass_figures *figures = &box.part[0];
 
-    (void)state;
     options.rays_log = 11;
     measure_well("box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z }", options,
                  &box);
@@ -331,11 +321,10 @@ static void refuses(const char *text, const char *why)
     assert_string_equal(measured.error.message, why);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     struct measured empty;
 
-    (void)state;
     refuses("sphere { 0, 1 }\ndisc { <0,0,3>, z, 2 }",
             "the disc of line 2 is an open surface: it has no volume");
     refuses("sphere { 0, 1 }\nplane { y, 0 }",
@@ -349,7 +338,7 @@ static void test_refused(void **state)
     assert_true(isnan(empty.part[0].value[FIGURE_CENTROID]));
 }
 
-static void test_too_many_parts(void **state)
+TEST(too_many_parts)
 {
     const struct overlaps many = { .count = COLUMNS_PAIRS_MOST + 1 };
     struct columns_options options = usual();
@@ -358,7 +347,6 @@ static void test_too_many_parts(void **state)
     struct columns_sums sums;
     c205_error error;
 
-    (void)state;
     options.model = usual_model();
     options.part_of = part_of;
     options.rays_log = 0;
@@ -375,22 +363,4 @@ static void test_too_many_parts(void **state)
                         "most it is found how much");
     c205_model_free((c205_model *)options.model);
     scene_free(scene);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_formulas),
-        cmocka_unit_test(test_same_bits),
-        cmocka_unit_test(test_same_packets),
-        cmocka_unit_test(test_points),
-        cmocka_unit_test(test_overlap),
-        cmocka_unit_test(test_about),
-        cmocka_unit_test(test_parallel_axes),
-        cmocka_unit_test(test_axes),
-        cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_too_many_parts),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,13 +1,6 @@
 /* test_memory.c - pages, access, spans, bit strings, marks of code. */
+#include "tests/unit/unit.h"
 #include "vm/memory.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #define PAGE_BITS (UINT64_C(1) << PAGE_SHIFT)
 #define SPACE (ADDRESS_MASK + 1)
@@ -28,9 +21,8 @@ static void let_go(struct memory *memory)
     free(memory);
 }
 
-static void test_check(void **state)
+TEST(check)
 {
-    (void)state;
     struct memory *memory = memory_of(PAGE_BITS, 2 * C205_PAGE_WORDS);
     c205_error error;
     uint64_t fault = 1;
@@ -56,9 +48,8 @@ static void test_check(void **state)
 }
 
 /* A page takes room when it is touched, not before. */
-static void test_untouched(void **state)
+TEST(untouched)
 {
-    (void)state;
     size_t pages = 200000; /* 105 GB */
     struct memory *memory = memory_of(0, 1);
     uint64_t last = (pages - 1) * PAGE_BITS, fault;
@@ -95,9 +86,8 @@ static void test_untouched(void **state)
 }
 
 /* Pages that were unmapped come back without words, code or protection. */
-static void test_clear(void **state)
+TEST(clear)
 {
-    (void)state;
     struct memory *memory = memory_of(PAGE_BITS, 1);
     c205_word word = 5;
     c205_error error;
@@ -116,9 +106,8 @@ static void test_clear(void **state)
     let_go(memory);
 }
 
-static void test_end_of_space(void **state)
+TEST(end_of_space)
 {
-    (void)state;
     struct memory *memory = memory_of(SPACE - 64, 1);
     c205_error error = { "" };
     uint64_t fault;
@@ -133,9 +122,8 @@ static void test_end_of_space(void **state)
     let_go(memory);
 }
 
-static void test_words_across_pages(void **state)
+TEST(words_across_pages)
 {
-    (void)state;
     struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
     c205_word words[100], back[100];
     uint64_t address = PAGE_BITS - 50 * 64;
@@ -151,9 +139,8 @@ static void test_words_across_pages(void **state)
 }
 
 /* Against one bit at a time, at every alignment. */
-static void test_bits(void **state)
+TEST(bits)
 {
-    (void)state;
     struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
     uint64_t bits[4] = { 0xF0F1F2F3F4F5F6F7, 0x0123456789ABCDEF,
                          0xAAAA5555CCCC3333, UINT64_MAX };
@@ -177,9 +164,8 @@ static void test_bits(void **state)
     let_go(memory);
 }
 
-static void test_code_marks(void **state)
+TEST(code_marks)
 {
-    (void)state;
     struct memory *memory = memory_of(0, C205_PAGE_WORDS);
     uint64_t changes = memory->code_changes;
     c205_word words[200] = { 0 };
@@ -200,9 +186,8 @@ static void test_code_marks(void **state)
 }
 
 /* What was found lately is what would be found now. */
-static void test_near_pages(void **state)
+TEST(near_pages)
 {
-    (void)state;
     uint64_t alike = NEAR_PAGES
                      * PAGE_BITS; /* found in the place of page 0 */
     struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
@@ -228,18 +213,4 @@ static void test_near_pages(void **state)
     memory_clear(memory);
     assert_null(memory_near(memory, 0));
     let_go(memory);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_check),
-                                        cmocka_unit_test(test_untouched),
-                                        cmocka_unit_test(test_clear),
-                                        cmocka_unit_test(test_end_of_space),
-                                        cmocka_unit_test(
-                                            test_words_across_pages),
-                                        cmocka_unit_test(test_bits),
-                                        cmocka_unit_test(test_code_marks),
-                                        cmocka_unit_test(test_near_pages) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

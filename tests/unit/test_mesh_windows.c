@@ -217,11 +217,10 @@ static void check_net(size_t *seeing, size_t *within)
 }
 
 /* Many eyes beside a mesh have windows. */
-static void test_ways(void **state)
+TEST(ways)
 {
     size_t seeing = 0, within = 0, nets = 40 * scene_count;
 
-    (void)state;
     for (size_t i = 0; i < nets; i++)
         check_net(&seeing, &within);
     assert_true(within > nets / 40);
@@ -229,13 +228,12 @@ static void test_ways(void **state)
 }
 
 /* Of a ball of many triangles a ray is asked at few windows. */
-static void test_few_are_asked(void **state)
+TEST(few_are_asked)
 {
     struct eyes eyes = { 1, { { 1, 2, -9 } } };
     struct primitive mesh;
     double *table;
 
-    (void)state;
     net_take(&net, OCTAHEDRON);
     for (int i = 0; i < 3; i++)
         net_divide(&net);
@@ -341,11 +339,10 @@ static size_t check_frame(void)
     return seen;
 }
 
-static void test_frames(void **state)
+TEST(frames)
 {
     size_t seen = 0;
 
-    (void)state;
     traced.reported = true;
     for (size_t i = 0; i < scene_count; i++) {
         write_scene(below(8) ? "" : "orthographic");
@@ -355,14 +352,13 @@ static void test_frames(void **state)
 }
 
 /* Rays of the camera do not go through its place, but those to a light there do. */
-static void test_other_cameras(void **state)
+TEST(other_cameras)
 {
     static const char *const cameras[] = {
         "orthographic", "aperture .4 focal_point 0 blur_samples 4",
         "orthographic aperture .4 focal_point 0 blur_samples 4"
     };
 
-    (void)state;
     traced.reported = true;
     for (size_t i = 0; i < sizeof cameras / sizeof *cameras; i++)
         for (size_t k = 0; k < scene_count / 3; k++) {
@@ -436,9 +432,8 @@ static void write_edge_on(void)
         "plane { y, -9000 pigment { rgb 1 } }\n");
 }
 
-static void test_edge_on(void **state)
+TEST(edge_on)
 {
-    (void)state;
     for (size_t i = 0; i < scene_count; i++) {
         write_edge_on();
         check_stages();
@@ -447,9 +442,8 @@ static void test_edge_on(void **state)
 
 /* One that was wrong: the point in the middle of the area is where the other light is;
  * rays from the lower plane come from far away. */
-static void test_known(void **state)
+TEST(known)
 {
-    (void)state;
     strcpy(
         text,
         "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -492,12 +486,11 @@ static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
 }
 
 /* From the camera, from a light. */
-static void test_clocks(void **state)
+TEST(clocks)
 {
     static const char *const lights[] = { " shadowless", "" };
     uint64_t windows[2], boxes[2];
 
-    (void)state;
     net_take(&net, OCTAHEDRON);
     for (int i = 0; i < 3; i++)
         net_divide(&net);
@@ -526,14 +519,13 @@ static void test_clocks(void **state)
 }
 
 /* Slender blades that stand askew fill little of their windows. */
-static void test_where_they_do_not_pay(void **state)
+TEST(where_they_do_not_pay)
 {
     struct eyes eyes = { 1, { { -6, 8, -6 } } };
     struct triangle blades[100] = { { .smooth = false } };
     struct primitive mesh = { .kind = PRIMITIVE_MESH };
     double *table;
 
-    (void)state;
     take_primitive(&mesh);
     free(mesh.shape.mesh.triangles.list);
     for (int i = 0; i < 100; i++) {
@@ -553,9 +545,8 @@ static void test_where_they_do_not_pay(void **state)
 
 /* Of two lights in one place the rays of one are parallel; a third one is within, before
  * what is behind it. */
-static void test_lights(void **state)
+TEST(lights)
 {
-    (void)state;
     for (int i = 0; i < 3; i++) {
         net_random_body(&net, 1, &traced.random);
         strcpy(text,
@@ -573,24 +564,12 @@ static void test_lights(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ways),
-        cmocka_unit_test(test_few_are_asked),
-        cmocka_unit_test(test_frames),
-        cmocka_unit_test(test_other_cameras),
-        cmocka_unit_test(test_known),
-        cmocka_unit_test(test_edge_on),
-        cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_clocks),
-        cmocka_unit_test(test_where_they_do_not_pay),
-    };
-
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("mesh windows", tests, set_up_frames,
-                                       tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

@@ -41,9 +41,8 @@ static void add_mesh(char *to, size_t size)
     add_text(to, size, " ");
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     check_random_scenes(add_mesh, 2 * scene_count);
 }
 
@@ -127,9 +126,8 @@ static void check_world(void)
     free(words);
 }
 
-static void test_worlds(void **state)
+TEST(worlds)
 {
-    (void)state;
     for (size_t i = 0; i < 2 * scene_count; i++) {
         solids.clear = i % 2;
         write_world();
@@ -182,12 +180,11 @@ static void write_pixels(double depths[PIXELS])
     add_text(text, sizeof text, "}\n");
 }
 
-static void test_every_triangle(void **state)
+TEST(every_triangle)
 {
     double depths[PIXELS];
     struct words *words;
 
-    (void)state;
     write_pixels(depths);
     words = same_frame(text);
     assert_int_equal(hits(words), PIXELS);
@@ -199,9 +196,8 @@ static void test_every_triangle(void **state)
 }
 
 /* Hundreds. */
-static void test_big(void **state)
+TEST(big)
 {
-    (void)state;
     for (size_t i = 0; i < scene_count; i++) {
         strcpy(text, HEAD "camera { location <0, 1, -4> look_at 0 }\n");
         if (i % 2)
@@ -236,9 +232,8 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
 
 /* A triangle as far away as a shadow ends stops no light; the one before it
  * does. */
-static void test_shadow_limit(void **state)
+TEST(shadow_limit)
 {
-    (void)state;
     free(plain_frame(
         "camera { location 4*y right x up y look_at 0 sky z angle 60 }\n"
         "light_source { 8*y rgb 1 }\n"
@@ -250,14 +245,13 @@ static void test_shadow_limit(void **state)
 }
 
 /* As many rays in a queue as a vector has elements, nearly. */
-static void test_long_queues(void **state)
+TEST(long_queues)
 {
     static const size_t queues[] = { 40000, TRACE_QUEUE_MOST - 4,
                                      TRACE_QUEUE_MOST };
     struct scene *scene;
     uint64_t scalar;
 
-    (void)state;
     strcpy(text, HEAD "camera { location <0, 1, -2> look_at 0 }\n");
     net_random_body(&net, 1, &traced.random);
     net_mesh_text(&net, text, sizeof text);
@@ -293,9 +287,8 @@ static void check_depths(const struct words *a, const struct words *b)
     }
 }
 
-static void test_other_words(void **state)
+TEST(other_words)
 {
-    (void)state;
     for (size_t i = 0; i < scene_count; i++) {
         struct words *words, *others;
 
@@ -321,11 +314,10 @@ static void test_other_words(void **state)
 #define FLAT "triangle { " CORNERS " }"
 
 /* By themselves, without a mesh. */
-static void test_triangles_alone(void **state)
+TEST(triangles_alone)
 {
     static const char *const triangles[] = { FLAT, LEANING };
 
-    (void)state;
     for (size_t i = 0; i < 2; i++) {
         struct words *words, *others;
 
@@ -355,9 +347,8 @@ static void check_normal(const char *scene, double x, double y, double z)
     free(words);
 }
 
-static void test_ties(void **state)
+TEST(ties)
 {
-    (void)state;
     check_normal(STRAIGHT "mesh { " FLAT LEANING FLAT " }", 0, 0, -1);
     check_normal(STRAIGHT "mesh { " LEANING FLAT LEANING " }", .6, 0, -2.8);
     check_middle(STRAIGHT "mesh { " FLAT " } mesh { " LEANING " }", 1, 5);
@@ -386,11 +377,10 @@ static void add_doubles(void)
 }
 
 /* .. and the whole mesh once more. */
-static void test_doubles(void **state)
+TEST(doubles)
 {
     struct words *words, *others;
 
-    (void)state;
     net_take(&net, ICOSAHEDRON);
     net_divide(&net);
     net_smooth(&net, 0, &traced.random);
@@ -424,9 +414,8 @@ static size_t triangles_of(const char *scene)
     "triangle { <0, 0, -1>, <0, 0, -1>, <1, 0, -1> } " \
     "smooth_triangle { <0, 0, -1>, z, <0, 0, -1>, z, <0, 0, -1>, z } "
 
-static void test_no_area(void **state)
+TEST(no_area)
 {
-    (void)state;
     assert_int_equal(triangles_of("mesh { " FLAT " }"), 1);
     assert_int_equal(triangles_of("mesh { " NO_AREA FLAT NO_AREA " }"), 1);
     assert_int_equal(triangles_of("mesh { " FLAT NO_AREA FLAT " }"), 2);
@@ -439,9 +428,8 @@ static void test_no_area(void **state)
 #define TINY "triangle { 0, 1e-10*x, 1e-10*y } "
 #define SPHERE " sphere { <3, 3, 0>, .1 }"
 
-static void test_lost_area(void **state)
+TEST(lost_area)
 {
-    (void)state;
     check_middle(
         STRAIGHT
         "mesh { " TINY "triangle { <-10000001, -1, 0>, "
@@ -452,9 +440,8 @@ static void test_lost_area(void **state)
                  2, 4);
 }
 
-static void test_middle(void **state)
+TEST(middle)
 {
-    (void)state;
     check_middle(STRAIGHT "mesh { " FLAT " }", 1, 5);
     check_middle(STRAIGHT "mesh { " FLAT FLAT " }", 1, 5);
     check_middle(STRAIGHT "mesh { " LEANING " }", 1, 5);
@@ -482,9 +469,8 @@ static void test_middle(void **state)
 
 /* From far away, small: what is lost there would show here.  Not along the
  * axes, on which rays meet edges, and either side of one is right. */
-static void test_distant(void **state)
+TEST(distant)
 {
-    (void)state;
     for (int i = 0; i < 3; i++) {
         strcpy(text, HEAD
                "camera { location <13, 21, -1000> look_at 0 angle .2 }\n");
@@ -495,29 +481,12 @@ static void test_distant(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_area),
-        cmocka_unit_test(test_lost_area),
-        cmocka_unit_test(test_middle),
-        cmocka_unit_test(test_ties),
-        cmocka_unit_test(test_doubles),
-        cmocka_unit_test(test_triangles_alone),
-        cmocka_unit_test(test_other_words),
-        cmocka_unit_test(test_every_triangle),
-        cmocka_unit_test(test_big),
-        cmocka_unit_test(test_long_queues),
-        cmocka_unit_test(test_shadow_limit),
-        cmocka_unit_test(test_distant),
-        cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_worlds),
-    };
-
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("meshes", tests, set_up_frames,
-                                       tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

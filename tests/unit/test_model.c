@@ -1,13 +1,8 @@
 /* test_model.c - machine models: the built-in ones, and errors in others. */
+#include "tests/unit/unit.h"
 #include "vm/time/model.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 static c205_model *parsed(const char *text)
 {
@@ -25,9 +20,8 @@ static void assert_fails(const char *text, const char *message)
     assert_string_equal(error.message, message);
 }
 
-static void test_built_in(void **state)
+TEST(built_in)
 {
-    (void)state;
     static const double pipes[] = { 1, 2, 4 };
     static const char *const expected_names[] = { "cdc6600",
                                                   "cyber205-1pipe-32bit",
@@ -64,9 +58,8 @@ static void test_built_in(void **state)
 }
 
 /* What each is like, and the one constant in which it differs. */
-static void test_variants(void **state)
+TEST(variants)
 {
-    (void)state;
     static const struct {
         const char *name, *like, *constant;
         double value;
@@ -95,9 +88,8 @@ static void test_variants(void **state)
 }
 
 /* Every constant has all its columns, and is found under its name. */
-static void test_constants(void **state)
+TEST(constants)
 {
-    (void)state;
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
     assert_int_equal(c205_model_size(model), CONSTANTS);
@@ -113,9 +105,8 @@ static void test_constants(void **state)
     c205_model_free(model);
 }
 
-static void test_exact_values(void **state)
+TEST(exact_values)
 {
-    (void)state;
     c205_model *model = parsed("title test\nlike cyber205-4pipe-prior\n"
                                "clock.period 12.5 ns R\n"
                                "stream.vadd 0.000001 clk*pipe/element R\n"
@@ -137,9 +128,8 @@ static void test_exact_values(void **state)
 }
 
 /* A model says what it takes over and what it changes. */
-static void test_like(void **state)
+TEST(like)
 {
-    (void)state;
     c205_model *model = parsed(
         "# a remark\n\n  title  A slower one  # remark\n"
         "like cyber205-2pipe-prior\r\n"
@@ -163,9 +153,8 @@ static void assert_constant(const c205_model *model, const char *name,
     assert_int_equal(constant->source, source);
 }
 
-static void test_change(void **state)
+TEST(change)
 {
-    (void)state;
     static const c205_setting settings[] = { { "machine.pipes", 4 },
                                              { "page.words", 2048 },
                                              { "stream.vadd", 1.25 } };
@@ -195,9 +184,8 @@ static void test_change(void **state)
 }
 
 /* A changed model may be changed; of nothing it is a copy; a projection too. */
-static void test_change_again(void **state)
+TEST(change_again)
 {
-    (void)state;
     static const c205_setting first = { "machine.pipes", 4 };
     static const c205_setting second = { "machine.pipes", 1 };
     static const c205_setting third = { "time.add", 10 };
@@ -222,9 +210,8 @@ static void test_change_again(void **state)
     c205_model_free(model);
 }
 
-static void test_errors_in_changes(void **state)
+TEST(errors_in_changes)
 {
-    (void)state;
     static const struct {
         c205_setting setting;
         const char *message;
@@ -260,9 +247,8 @@ static void test_errors_in_changes(void **state)
 
 /* ---- Errors in models ---------------------------------------------------- */
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     assert_fails("", "test:1: a model begins with 'title TEXT'");
     assert_fails("machine.pipes 2 pipes P",
                  "test:1: a model begins with 'title TEXT'");
@@ -290,9 +276,8 @@ static void test_errors(void **state)
                  "vector.half_rate");
 }
 
-static void test_errors_in_beliefs(void **state)
+TEST(errors_in_beliefs)
 {
-    (void)state;
     static const char *const beliefs[] = {
         "",
         "0 figures, at most 5 % off: x",
@@ -316,9 +301,8 @@ static void test_errors_in_beliefs(void **state)
                  "test:3: 'compared' stands here for the second time");
 }
 
-static void test_errors_in_constants(void **state)
+TEST(errors_in_constants)
 {
-    (void)state;
     static const struct {
         const char *line, *message;
     } cases[] = {
@@ -367,9 +351,8 @@ static void test_errors_in_constants(void **state)
     }
 }
 
-static void test_files(void **state)
+TEST(files)
 {
-    (void)state;
     static const char path[] = "test_model.tmp.model";
     c205_error error;
     FILE *file = fopen(path, "w");
@@ -415,9 +398,8 @@ static void assert_place(const char *text, unsigned line, unsigned column,
 }
 
 /* A column is that of the word at fault. */
-static void test_places(void **state)
+TEST(places)
 {
-    (void)state;
     assert_place("title t\n  speed 3 clk R\n", 2, 3,
                  "there is no constant 'speed'");
     assert_place("title t\nclock.period x ns P\n", 2, 14,
@@ -431,24 +413,4 @@ static void test_places(void **state)
                  "'7' is not expected here");
     assert_place("title t\nlike no\n", 2, 6,
                  "there is no machine model 'no'");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_built_in),
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_variants),
-        cmocka_unit_test(test_constants),
-        cmocka_unit_test(test_exact_values),
-        cmocka_unit_test(test_like),
-        cmocka_unit_test(test_change),
-        cmocka_unit_test(test_change_again),
-        cmocka_unit_test(test_errors_in_changes),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_errors_in_beliefs),
-        cmocka_unit_test(test_errors_in_constants),
-        cmocka_unit_test(test_files)
-    };
-    return cmocka_run_group_tests_name("model", tests, NULL, NULL);
 }

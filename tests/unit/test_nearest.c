@@ -1,14 +1,8 @@
 /* test_nearest.c - the distance of two words against its definition, and the
  * nearest of many. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdint.h>
-#include <string.h>
-
-#include <cmocka.h>
-
 #include "base/nearest.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 static size_t least(size_t a, size_t b)
 {
@@ -40,13 +34,12 @@ static void some_word(uint64_t *seed, char word[7])
     word[length] = '\0';
 }
 
-static void test_distance(void **state)
+TEST(distance)
 {
     uint64_t seed = RANDOM_SEED;
     char a[7], b[7];
     int i;
 
-    (void)state;
     for (i = 0; i < 3000; i++) {
         some_word(&seed, a);
         some_word(&seed, b);
@@ -69,9 +62,8 @@ static const char *of_these(const char *written)
     return nearest.name;
 }
 
-static void test_nearest(void **state)
+TEST(nearest)
 {
-    (void)state;
     assert_string_equal(of_these("ADDVN"), "ADDNV");
     assert_string_equal(of_these("addnv"), "ADDNV");
     assert_string_equal(of_these("ADN"), "ADDN");
@@ -79,12 +71,4 @@ static void test_nearest(void **state)
     assert_string_equal(of_these("EY"), "ES");
     assert_null(of_these("SUBX"));
     assert_null(of_these(""));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_distance),
-                                        cmocka_unit_test(test_nearest) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -173,13 +173,12 @@ static void check_values(const struct scene *scene,
     }
 }
 
-static void test_random_trees(void **state)
+TEST(random_trees)
 {
     enum { FORESTS = 400 };
     static struct forest forest;
     size_t nested_more = 0;
 
-    (void)state;
     for (int i = 0; i < FORESTS; i++) {
         struct nested_scene nested;
 
@@ -226,7 +225,7 @@ static struct scene *row_of(size_t count, const char *sphere)
 }
 
 /* Rows, one point, each farther from the others than these from each other. */
-static void test_depth(void **state)
+TEST(depth)
 {
     static const struct {
         const char *sphere;
@@ -239,7 +238,6 @@ static void test_depth(void **state)
         { "<mod(I, 40), int(I/40), 0>, .4", 4000, 8, 40 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene = row_of(rows[i].count, rows[i].sphere);
         struct nested_scene nested;
@@ -254,7 +252,7 @@ static void test_depth(void **state)
 }
 
 /* Few parts, and unions that are several regions, stay as they are. */
-static void test_few_parts(void **state)
+TEST(few_parts)
 {
     static const char *const texts[] = {
         "sphere { 0, 1 }",
@@ -265,7 +263,6 @@ static void test_few_parts(void **state)
         "merge { #for (I, 1, 50) plane { y, I } #end }",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct scene *scene = read_scene(texts[i]);
         struct nested_scene nested;
@@ -281,15 +278,4 @@ static void test_few_parts(void **state)
         nesting_free(&nested);
         scene_free(scene);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_trees),
-        cmocka_unit_test(test_depth),
-        cmocka_unit_test(test_few_parts),
-    };
-
-    return cmocka_run_group_tests_name("nesting", tests, NULL, NULL);
 }

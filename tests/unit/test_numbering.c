@@ -1,21 +1,14 @@
 /* test_numbering.c - numbers that are counted anew: each once, in their order. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-
-#include <cmocka.h>
-
 #include "base/numbering.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 enum { MOST = 40, TRIES = 300 };
 
-static void test_few(void **state)
+TEST(few)
 {
     struct numbering numbering;
 
-    (void)state;
     assert_true(numbering_begin(&numbering, 3));
     numbering_add(&numbering, 70);
     numbering_add(&numbering, 20);
@@ -47,11 +40,10 @@ static size_t place_of(const size_t *numbers, size_t count, size_t number)
     return found > 0 ? place : 0;
 }
 
-static void test_random(void **state)
+TEST(random)
 {
     uint64_t random = RANDOM_SEED;
 
-    (void)state;
     for (int try = 0; try < TRIES; try++) {
         size_t numbers[MOST], count = xorshift(&random) % (MOST + 1);
         struct numbering numbering;
@@ -70,14 +62,4 @@ static void test_random(void **state)
                              place_of(numbers, count, i));
         numbering_free(&numbering);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_few),
-        cmocka_unit_test(test_random),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,11 +45,10 @@ static void check_same(const struct scene *scene,
     trace_free(trace);
 }
 
-static void test_same_frame(void **state)
+TEST(same_frame)
 {
     struct scene *scene = read_text(things);
 
-    (void)state;
     for (int i = 0; i < 14; i++) {
         size_t width = among(1, 50), height = among(1, 40);
         struct trace_options scalar = { .mode = TRACE_SCALAR,
@@ -73,7 +72,7 @@ static void test_same_frame(void **state)
 }
 
 /* Planes longer than a vector. */
-static void test_one_large_band(void **state)
+TEST(one_large_band)
 {
     struct scene *scene = read_text(AHEAD "background { rgb <.5, .25, 1> }\n"
                                           "sphere { 0, 1 }\n");
@@ -87,7 +86,6 @@ static void test_one_large_band(void **state)
     struct trace *trace = run_trace(scene, &options);
     uint64_t expected = trace_checksum(trace);
 
-    (void)state;
     trace_free(trace);
     options.order = ORDER_TILES;
     check_same(scene, &options, expected);
@@ -114,7 +112,7 @@ static uint64_t work_of(const struct scene *scene, enum trace_mode mode,
     return clocks;
 }
 
-static void test_tiles_meet_less(void **state)
+TEST(tiles_meet_less)
 {
     struct scene *scene = read_text(
         STRAIGHT "#for (I, 0, 5) #for (K, 0, 5)\n"
@@ -122,7 +120,6 @@ static void test_tiles_meet_less(void **state)
     uint64_t rows = work_of(scene, TRACE_VECTOR, ORDER_ROWS);
     uint64_t tiles = work_of(scene, TRACE_VECTOR, ORDER_TILES);
 
-    (void)state;
     assert_true(tiles < rows - rows / 8);
     assert_int_equal(work_of(scene, TRACE_VECTOR, ORDER_DEFAULT), tiles);
     assert_int_equal(work_of(scene, TRACE_KERNELS, ORDER_DEFAULT),
@@ -134,13 +131,4 @@ static void test_tiles_meet_less(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_frame),
-        cmocka_unit_test(test_one_large_band),
-        cmocka_unit_test(test_tiles_meet_less),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

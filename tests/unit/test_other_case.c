@@ -1,17 +1,10 @@
 /* Files that are found by a name of other case. */
 #include "base/other_case.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -37,14 +30,13 @@ static void make_file(const char *path)
 
 /* Files of two folders that differ in case are found under any spelling, each of
  * them. */
-static void test_other_case(void **state)
+TEST(other_case)
 {
     static const char *const files[] = { "maps/part.inc", "maps/Part.inc",
                                          "Maps/part.inc", "Maps/only.INC" };
     char place[] = "/tmp/test_text_file.XXXXXX", path[100];
     struct folder found;
 
-    (void)state;
     assert_non_null(mkdtemp(place));
     assert_int_equal(chdir(place), 0);
     mkdir("maps", 0777);
@@ -76,13 +68,4 @@ static void test_other_case(void **state)
     remove("Maps");
     assert_int_equal(chdir("/"), 0);
     remove(place);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_other_case),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

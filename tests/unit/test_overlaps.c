@@ -1,19 +1,12 @@
 /* test_overlaps.c - the volumes that parts claim both: of boxes by chance, with faces on
  * whole numbers, beside those of the cells between them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "rt/mass/figures.h"
 #include "rt/scene/parts.h"
 #include "tests/oracle/many_scenes.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 #define STUDENT 2.3646 /* with 7 degrees of freedom */
 enum { SIDE = 9, PARTS_MOST = 50, BOXES_MOST = 160, SCENES = 8 };
@@ -185,11 +178,10 @@ static void check(const struct crowd *crowd, const struct found *found)
 
 /* ---- The tests ----------------------------------------------------------- */
 
-static void test_boxes(void **state)
+TEST(boxes)
 {
     uint64_t random = RANDOM_SEED + 11;
 
-    (void)state;
     for (int i = 0; i < SCENES; i++) {
         struct crowd crowd;
         struct found vector, scalar;
@@ -207,7 +199,7 @@ static void test_boxes(void **state)
 }
 
 /* Bodies that meet at a face claim nothing both; those that are apart are not asked. */
-static void test_touching(void **state)
+TEST(touching)
 {
     struct crowd crowd = {
         .part_count = 3,
@@ -219,7 +211,6 @@ static void test_touching(void **state)
     };
     struct found found;
 
-    (void)state;
     write_text(&crowd);
     find(&crowd, TRACE_VECTOR, 77, &found);
     check(&crowd, &found);
@@ -227,14 +218,4 @@ static void test_touching(void **state)
         assert_int_not_equal(found.overlaps.pairs[i].parts[1], 2);
     forget(&found);
     free(crowd.text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_touching),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -59,9 +59,8 @@ static void gather(struct clock *clock, const c205_word *indices,
 
 /* ---- Large pages --------------------------------------------------------- */
 
-static void test_depths(void **state)
+TEST(depths)
 {
-    (void)state;
     static const struct {
         uint64_t page;
         unsigned misses, faults;
@@ -83,9 +82,8 @@ static void test_depths(void **state)
 }
 
 /* A vector across a page boundary; a gather from three pages. */
-static void test_vectors(void **state)
+TEST(vectors)
 {
-    (void)state;
     static const c205_word indices[] = { 3 * 65536, 4 * 65536, 3 * 65536 + 1,
                                          5 * 65536 };
     struct clock *clock = two_pipes();
@@ -105,9 +103,8 @@ static void test_vectors(void **state)
 /* ---- Small pages --------------------------------------------------------- */
 
 /* 1,000 words from the last word of a page on. */
-static void test_borders(void **state)
+TEST(borders)
 {
-    (void)state;
     static const struct {
         unsigned page_words;
         uint64_t pages;
@@ -126,9 +123,8 @@ static void test_borders(void **state)
 }
 
 /* One word, then one more, over the border: a page, then two. */
-static void test_one_word_over(void **state)
+TEST(one_word_over)
 {
-    (void)state;
     struct clock *clock = pages_of(512, 1 << 20, 16);
     uint64_t operands[3] = { 1023, 1023, 1023 };
     add_vectors(clock, operands, 1);
@@ -144,9 +140,8 @@ static void test_one_word_over(void **state)
 
 /* More pages in memory than registers: a long vector misses in every page,
  * each time, and never faults again. */
-static void test_misses_without_faults(void **state)
+TEST(misses_without_faults)
 {
-    (void)state;
     struct clock *clock = pages_of(512, 1 << 20, 16);
     uint64_t operands[3] = { 0, 512 * 1000, 512 * 1200 };
     add_vectors(clock, operands, 512 * 100);
@@ -168,9 +163,8 @@ static void test_misses_without_faults(void **state)
 }
 
 /* 1 Mword holds 2,048 pages of 512 words and not one more. */
-static void test_full_memory(void **state)
+TEST(full_memory)
 {
-    (void)state;
     struct clock *clock = pages_of(512, 1 << 20, 16);
     for (uint64_t page = 0; page < 2048; page++)
         at_address(clock, "LOD", page * 512 * WORD);
@@ -191,9 +185,8 @@ static void test_full_memory(void **state)
 
 /* Fewer pages than one instruction needs: each operand drives out what the
  * next run of it wants first. */
-static void test_thrashing(void **state)
+TEST(thrashing)
 {
-    (void)state;
     struct clock *clock = pages_of(512, 1100, 16);
     uint64_t operands[3] = { 0, 0, 0 };
     for (int i = 0; i < 3; i++) {
@@ -207,9 +200,8 @@ static void test_thrashing(void **state)
     clock_free(clock);
 }
 
-static void test_less_than_a_page(void **state)
+TEST(less_than_a_page)
 {
-    (void)state;
     struct clock *clock = pages_of(65536, 1, 16);
     uint64_t operands[3] = { 0, 65536, 100 };
     add_vectors(clock, operands, 100);
@@ -221,9 +213,8 @@ static void test_less_than_a_page(void **state)
 }
 
 /* Without registers each look-up is a search. */
-static void test_no_registers(void **state)
+TEST(no_registers)
 {
-    (void)state;
     struct clock *clock = pages_of(512, 1024, 0);
     for (int i = 0; i < 5; i++)
         at_address(clock, "LOD", 64);
@@ -233,9 +224,8 @@ static void test_no_registers(void **state)
 
 /* ---- Gathers ------------------------------------------------------------- */
 
-static void test_gathers(void **state)
+TEST(gathers)
 {
-    (void)state;
     enum { RUN = 300 };
     c205_word indices[2 * RUN];
     struct clock *clock = pages_of(512, 1 << 20, 1);
@@ -255,9 +245,8 @@ static void test_gathers(void **state)
 }
 
 /* From the end of the address space a gather goes on at its beginning. */
-static void test_wrapped_gather(void **state)
+TEST(wrapped_gather)
 {
-    (void)state;
     static const c205_word indices[] = { 0, (ADDRESS_MASK + 1) / WORD,
                                          (ADDRESS_MASK + 1) / WORD - 1 };
     struct clock *clock = pages_of(512, 1 << 20, 1);
@@ -359,9 +348,8 @@ static void compare_lists(size_t capacity, size_t registers)
     pages_free(&pages);
 }
 
-static void test_plain_list(void **state)
+TEST(plain_list)
 {
-    (void)state;
     static const size_t sizes[] = { 1, 2, 3, 16, 100, 2048 };
     enum { SIZES = sizeof sizes / sizeof sizes[0] };
     for (size_t i = 0; i < SIZES; i++) {
@@ -414,9 +402,8 @@ static void use_pages(struct clock *clock, int count, uint64_t seed)
 }
 
 /* A clock put in another one's place meets with the same. */
-static void test_saved(void **state)
+TEST(saved)
 {
-    (void)state;
     static struct bytes bytes, again;
     c205_error error;
     struct clock *clock = pages_of(512, 20000, 7);
@@ -446,9 +433,8 @@ static void assert_refused(struct clock *clock, const struct bytes *bytes)
 }
 
 /* The list ends a clock: its last pages are the last words. */
-static void test_damaged(void **state)
+TEST(damaged)
 {
-    (void)state;
     static struct bytes bytes;
     struct clock *clock = pages_of(512, 20000, 7);
     c205_error error;
@@ -468,25 +454,4 @@ static void test_damaged(void **state)
     memcpy(last, kept, sizeof kept);
     assert_true(read_clock(clock, &bytes, &error));
     clock_free(clock);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_depths),
-        cmocka_unit_test(test_vectors),
-        cmocka_unit_test(test_borders),
-        cmocka_unit_test(test_one_word_over),
-        cmocka_unit_test(test_misses_without_faults),
-        cmocka_unit_test(test_full_memory),
-        cmocka_unit_test(test_thrashing),
-        cmocka_unit_test(test_less_than_a_page),
-        cmocka_unit_test(test_no_registers),
-        cmocka_unit_test(test_gathers),
-        cmocka_unit_test(test_wrapped_gather),
-        cmocka_unit_test(test_plain_list),
-        cmocka_unit_test(test_saved),
-        cmocka_unit_test(test_damaged)
-    };
-    return cmocka_run_group_tests_name("pages", tests, NULL, NULL);
 }

@@ -1,15 +1,9 @@
 /* test_pairs.c - two operations in one pass against one after the other, by the
  * rule for one word: the same bits, the same flags. */
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 #include "vm/number/floored.h"
 #include "vm/number/pairs.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 enum { TURNS = 40000, BELOW = 9, SLACK = 3 };
 
@@ -192,14 +186,13 @@ static bool find_rounding(host_rounding *now)
     return can;
 }
 
-static void test_pairs_by_chance(void **state)
+TEST(pairs_by_chance)
 {
     static struct pair pair;
     uint64_t seed = RANDOM_SEED;
     host_rounding now;
     bool can = find_rounding(&now);
     size_t done = 0;
-    (void)state;
 
     for (int turn = 0; turn < TURNS; turn++) {
         make_pair(&pair, &seed);
@@ -212,13 +205,12 @@ static void test_pairs_by_chance(void **state)
 
 /* Also where whoever calls lets doubles trap: behind the first ones, which alone
  * are looked at before, are words of all exponents. */
-static void test_traps(void **state)
+TEST(traps)
 {
     static struct pair pair;
     uint64_t seed = RANDOM_SEED;
     host_rounding now, untrapped = 0x3FU << 7, inexact = 0x20U << 7;
     size_t done = 0;
-    (void)state;
 
     if (!find_rounding(&now))
         return;
@@ -235,28 +227,16 @@ static void test_traps(void **state)
 }
 
 /* What is rounded down is put back. */
-static void test_rounding_comes_back(void **state)
+TEST(rounding_comes_back)
 {
     static struct pair pair;
     uint64_t seed = RANDOM_SEED;
     size_t done = 0;
     volatile double one = 1, little = 0x1p-60;
-    (void)state;
 
     for (int turn = 0; turn < 200; turn++) {
         make_pair(&pair, &seed);
         check_pair(&pair, &seed, &done);
         assert_true(one - little == one);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pairs_by_chance),
-        cmocka_unit_test(test_traps),
-        cmocka_unit_test(test_rounding_comes_back),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -36,7 +36,7 @@ static void assert_text(const char *text, const char *expected)
         assert_null(text);
 }
 
-static void test_names(void **state)
+TEST(names)
 {
     static const struct world_object expected[] = {
         { "Plate", "Steel", false, 6 }, { "Pin", "Copper", false, 7 },
@@ -46,7 +46,6 @@ static void test_names(void **state)
     };
     struct scene *scene = read_scene(assembly);
 
-    (void)state;
     assert_int_equal(scene->object_count, COUNT(expected));
     for (size_t i = 0; i < COUNT(expected); i++) {
         assert_text(scene->objects[i].name, expected[i].name);
@@ -62,13 +61,12 @@ static void test_names(void **state)
 
 /* ---- Parts and densities ------------------------------------------------- */
 
-static void test_parts(void **state)
+TEST(parts)
 {
     static const size_t part_of[] = { 0, 1, 1, 2, 3, 4, 5, 2 };
     struct scene *scene = read_scene(assembly);
     struct named_parts parts;
 
-    (void)state;
     assert_true(named_parts_find(scene, &parts));
     assert_int_equal(parts.count, 6);
     assert_memory_equal(parts.part_of, part_of, sizeof part_of);
@@ -79,7 +77,7 @@ static void test_parts(void **state)
 }
 
 /* Names of parts or materials; without any all that have an end. */
-static void test_choice(void **state)
+TEST(choice)
 {
     static const char *const names[] = { "Plate", "Copper", "Brass" };
     struct scene *scene = read_scene("plane { y, -9 }\n");
@@ -88,7 +86,6 @@ static void test_choice(void **state)
     struct scene bodies;
     c205_error error;
 
-    (void)state;
     assert_true(named_parts_find(scene, &parts));
     assert_true(bodies_find_endless(scene, &parts));
     assert_true(named_parts_choose(&parts, NULL, 0, &error));
@@ -123,7 +120,7 @@ static void test_choice(void **state)
 }
 
 /* In the order of what counts first: options, the scene; names, materials, others. */
-static void test_densities(void **state)
+TEST(densities)
 {
     struct scene *scene = read_scene(assembly);
     struct given_values densities = { .kind = &density_kind, .others = NAN };
@@ -131,7 +128,6 @@ static void test_densities(void **state)
     c205_error error;
     double found[5];
 
-    (void)state;
     assert_true(named_parts_find(scene, &parts));
     assert_true(given_add(&densities, "Steel=7.8", &error));
     assert_true(given_add(&densities, "Plate=2", &error));
@@ -161,7 +157,7 @@ static void test_densities(void **state)
     scene_free(scene);
 }
 
-static void test_wrong_densities(void **state)
+TEST(wrong_densities)
 {
     static const char *const wrong[] = {
         "", "=1", "a", "a=", "a=0", "a=-1", "a=inf", "a=1x", "a=x", "a=nan"
@@ -170,7 +166,6 @@ static void test_wrong_densities(void **state)
     struct scene *scene = read_scene("#declare Lead_Density = 0;\n");
     c205_error error;
 
-    (void)state;
     for (size_t i = 0; i < COUNT(wrong); i++)
         assert_false(given_add(&densities, wrong[i], &error));
     assert_false(given_add_scene(&densities, scene, &error));
@@ -192,12 +187,11 @@ static bool read_file(const char *text, struct given_values *densities,
     return good;
 }
 
-static void test_file(void **state)
+TEST(file)
 {
     struct given_values densities = { .kind = &density_kind, .others = NAN };
     struct diagnostics reports = { 0 };
 
-    (void)state;
     assert_true(read_file("# a table\n\n1 7.85 Carbon Steel\r\n"
                           "2\t8.96\t\"Copper\" # soft\n3 .5 Pine",
                           &densities, &reports));
@@ -220,14 +214,13 @@ static void test_file(void **state)
 
 /* ---- Units --------------------------------------------------------------- */
 
-static void test_units(void **state)
+TEST(units)
 {
     static const char *const wrong[] = { "",     "mm",   "mm,",   ",g",
                                          "mm,x", "g,mm", "mm,g,", "m m,g" };
     struct mass_units units = { 0 };
     char text[MASS_UNIT];
 
-    (void)state;
     assert_close(mass_units_density(&units, 8.96), 8.96, 0);
     mass_units_text(&units, 1, 2, text);
     assert_string_equal(text, "");
@@ -247,19 +240,4 @@ static void test_units(void **state)
     assert_close(mass_units_density(&units, 1), 1000, 1e-9);
     assert_true(mass_units_take("in,lb", &units));
     assert_close(mass_units_density(&units, 7.85), .283598, 1e-5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_names),
-        cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_choice),
-        cmocka_unit_test(test_densities),
-        cmocka_unit_test(test_wrong_densities),
-        cmocka_unit_test(test_file),
-        cmocka_unit_test(test_units),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -38,9 +38,8 @@ static void check_stages(const char *text)
     free(words);
 }
 
-static void test_holes_in_solids(void **state)
+TEST(holes_in_solids)
 {
-    (void)state;
     check_stages(CUT "intersection { " BENT ABOUT "} " AWAY " }");
     check_stages(CUT "intersection { " BENT WEIGHTS ABOUT "} " AWAY " }");
     check_stages(CUT "intersection { " AWAY " merge { box { -9, -8 } " BENT
@@ -49,9 +48,8 @@ static void test_holes_in_solids(void **state)
                      " }");
 }
 
-static void test_shadows_and_glass(void **state)
+TEST(shadows_and_glass)
 {
-    (void)state;
     check_stages(SHEETS BENT GLASS ABOUT "}");
     check_stages(SHEETS BENT WEIGHTS GLASS ABOUT "}");
     check_stages(SHEETS "merge { " BENT GLASS "} sphere { .5*y, .3 " GLASS
@@ -65,12 +63,11 @@ static void test_shadows_and_glass(void **state)
 }
 
 /* Rays in planes of curves s = const, which they meet twice. */
-static void test_pairs_of_lines(void **state)
+TEST(pairs_of_lines)
 {
     static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
                                          "rotate <30, 0, 90>" };
 
-    (void)state;
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         char text[1024] = "";
 
@@ -99,9 +96,8 @@ static void add_patch(char *text, size_t size)
 }
 
 /* Each cut by a plane; the second is clear. */
-static void test_random_patches(void **state)
+TEST(random_patches)
 {
-    (void)state;
     for (int i = 0; i < 6; i++) {
         char text[4096] = HEAD
             "light_source { <3, 9, -6>, .5 }\n"
@@ -176,9 +172,8 @@ static void add_flat(char *text, size_t size)
 }
 
 /* Trees of which no ray sees anything, so that none is done, and meshes after them. */
-static void test_memory(void **state)
+TEST(memory)
 {
-    (void)state;
     for (int i = 0; i < 12; i++) {
         char text[4096] = HEAD
             "camera { location <0, 1, -7> look_at 0 angle 50 }\n";
@@ -201,26 +196,20 @@ static void test_memory(void **state)
     }
 }
 
-static void test_the_way_of_1984(void **state)
+TEST(the_way_of_1984)
 {
     traced.historical = true;
-    test_holes_in_solids(state);
-    test_shadows_and_glass(state);
-    test_random_patches(state);
+    test_holes_in_solids(test_state);
+    test_shadows_and_glass(test_state);
+    test_random_patches(test_state);
     traced.historical = false;
 }
 
-int main(void)
+/* A patch has no inside, which is reported. */
+FIXTURE(set_up_reported)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_holes_in_solids),
-        cmocka_unit_test(test_shadows_and_glass),
-        cmocka_unit_test(test_pairs_of_lines),
-        cmocka_unit_test(test_random_patches),
-        cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_the_way_of_1984),
-    };
-
-    traced.reported = true; /* that a patch has no inside */
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
+    traced.reported = true;
+    return set_up_frames(test_state);
 }
+
+GROUP(set_up_reported, tear_down_model);

@@ -1,19 +1,10 @@
 /* test_picture.c - pictures out and back, and what must not be touched. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "rt/picture/picture.h"
+#include "tests/unit/unit.h"
 
 #include <dirent.h>
 #include <math.h>
 #include <signal.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -29,9 +20,8 @@ static const struct picture_note notes[] = {
     { NULL, NULL },
 };
 
-static int make_folder(void **state)
+FIXTURE(make_folder)
 {
-    (void)state;
     return mkdtemp(folder) ? 0 : -1;
 }
 
@@ -51,9 +41,8 @@ static size_t empty_folder(void)
     return count;
 }
 
-static int remove_folder(void **state)
+FIXTURE(remove_folder)
 {
-    (void)state;
     empty_folder();
     return rmdir(folder);
 }
@@ -125,9 +114,8 @@ static void compare(const struct round_trip *trip, const struct frame *frame,
     }
 }
 
-static void test_round_trips(void **state)
+TEST(round_trips)
 {
-    (void)state;
     struct frame frame = sample_frame(), back;
     struct picture_error error = { "" };
     for (size_t i = 0; i < sizeof round_trips / sizeof *round_trips; i++) {
@@ -147,9 +135,8 @@ static void test_round_trips(void **state)
                      sizeof round_trips / sizeof *round_trips);
 }
 
-static void test_half_is_smaller(void **state)
+TEST(half_is_smaller)
 {
-    (void)state;
     struct frame frame = sample_frame();
     struct picture_error error;
     struct stat half, whole;
@@ -165,9 +152,8 @@ static void test_half_is_smaller(void **state)
 
 /* Mid grey in linear light is 188 of 255 in sRGB; the brightest is 255; a
  * thousandth, on the straight part, is 3. */
-static void test_bytes_are_srgb(void **state)
+TEST(bytes_are_srgb)
 {
-    (void)state;
     struct frame frame, back;
     struct picture_error error;
     assert_true(frame_allocate(&frame, 5, 1));
@@ -186,9 +172,8 @@ static void test_bytes_are_srgb(void **state)
     frame_free(&frame);
 }
 
-static void test_bytes_without_gamma(void **state)
+TEST(bytes_without_gamma)
 {
-    (void)state;
     struct frame frame, back;
     struct picture_error error;
     assert_true(frame_allocate(&frame, 1, 1));
@@ -220,9 +205,8 @@ static const struct note_place note_places[] = {
     { "n.tif", "c205:nothing", "" },
 };
 
-static void test_notes(void **state)
+TEST(notes)
 {
-    (void)state;
     struct frame frame = sample_frame();
     struct picture_error error = { "" };
     for (size_t i = 0; i < sizeof note_places / sizeof *note_places; i++) {
@@ -239,9 +223,8 @@ static void test_notes(void **state)
 }
 
 /* A date only if it is asked for; one that is none is as if it were not. */
-static void test_date(void **state)
+TEST(date)
 {
-    (void)state;
     static const struct {
         const char *epoch, *date;
     } cases[] = { { NULL, "" },
@@ -279,9 +262,8 @@ static size_t contents(const char *path, char *bytes, size_t size)
     return length;
 }
 
-static void test_same_bytes_later(void **state)
+TEST(same_bytes_later)
 {
-    (void)state;
     static const char *const names[] = { "t.png", "t.jpg", "t.exr", "t.tif" };
     static char bytes[4][2][1 << 17];
     size_t length[4][2];
@@ -318,9 +300,8 @@ static const struct bad_path bad_paths[] = {
     { "folder.png", "not a regular file" },
 };
 
-static void test_bad_paths(void **state)
+TEST(bad_paths)
 {
-    (void)state;
     struct frame frame = sample_frame();
     fclose(fopen(in_folder("plain"), "w"));
     assert_int_equal(mkdir(in_folder("folder.png"), 0700), 0);
@@ -338,9 +319,8 @@ static void test_bad_paths(void **state)
 }
 
 /* Root may write anywhere, so this asks nothing of root. */
-static void test_unwritable_folder(void **state)
+TEST(unwritable_folder)
 {
-    (void)state;
     struct picture_error error;
     if (geteuid() == 0)
         skip();
@@ -359,9 +339,8 @@ static void limit_file_size(rlim_t bytes)
 }
 
 /* A disk that is full after some bytes: the old file stays, nothing else. */
-static void test_failure_keeps_the_old_file(void **state)
+TEST(failure_keeps_the_old_file)
 {
-    (void)state;
     static const char *const names[] = { "o.png", "o.jpg", "o.exr", "o.tif" };
     struct frame frame = sample_frame();
     empty_folder();
@@ -387,9 +366,8 @@ static void test_failure_keeps_the_old_file(void **state)
 }
 
 /* One more plane, of pictures that have more than colours. */
-static void test_layer(void **state)
+TEST(layer)
 {
-    (void)state;
     static const char *const paths[] = { "l.exr", "l.tif", "l.png" };
     for (size_t i = 0; i < 3; i++) {
         struct frame frame = sample_frame(), back;
@@ -416,9 +394,8 @@ static void test_layer(void **state)
 }
 
 /* A picture of which rows are missing, or that is given up. */
-static void test_rows_missing(void **state)
+TEST(rows_missing)
 {
-    (void)state;
     struct frame frame = sample_frame();
     for (int given_up = 0; given_up < 2; given_up++) {
         struct picture_error error = { "" };
@@ -436,9 +413,8 @@ static void test_rows_missing(void **state)
     frame_free(&frame);
 }
 
-static void test_unreadable(void **state)
+TEST(unreadable)
 {
-    (void)state;
     struct frame frame;
     struct picture_error error = { "" };
     FILE *file = fopen(in_folder("bad.exr"), "w");
@@ -449,9 +425,8 @@ static void test_unreadable(void **state)
     assert_false(picture_read(in_folder("none.png"), &frame, &error));
 }
 
-static void test_frame_sizes(void **state)
+TEST(frame_sizes)
 {
-    (void)state;
     struct frame frame;
     assert_false(frame_allocate(&frame, 0, 3));
     assert_false(frame_allocate(&frame, 3, 0));
@@ -459,23 +434,4 @@ static void test_frame_sizes(void **state)
     frame_free(&frame);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_trips),
-        cmocka_unit_test(test_half_is_smaller),
-        cmocka_unit_test(test_bytes_are_srgb),
-        cmocka_unit_test(test_bytes_without_gamma),
-        cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_date),
-        cmocka_unit_test(test_same_bytes_later),
-        cmocka_unit_test(test_bad_paths),
-        cmocka_unit_test(test_unwritable_folder),
-        cmocka_unit_test(test_failure_keeps_the_old_file),
-        cmocka_unit_test(test_layer),
-        cmocka_unit_test(test_rows_missing),
-        cmocka_unit_test(test_unreadable),
-        cmocka_unit_test(test_frame_sizes),
-    };
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
-}
+GROUP(make_folder, remove_folder);

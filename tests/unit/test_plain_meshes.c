@@ -16,7 +16,7 @@ static struct surface mesh_of(const struct triangle *triangles, size_t count)
 
 /* --- one triangle --------------------------------------------------------- */
 
-static void test_known(void **state)
+TEST(known)
 {
     static const struct triangle flat = {
         .corners = { { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 0 } }
@@ -37,12 +37,11 @@ static void test_known(void **state)
         { { 0, 1, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } },
     };
     struct surface surface = mesh_of(&flat, 1);
-    (void)state;
     ASSERT_HITS(&surface, rows);
 }
 
 /* Normals of any length lean out by 45 degrees at two corners. */
-static void test_known_smooth(void **state)
+TEST(known_smooth)
 {
     static const struct triangle smooth = {
         .corners = { { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 0 } },
@@ -62,7 +61,6 @@ static void test_known_smooth(void **state)
           { 1 / sqrt(6), 1 / sqrt(6), 2 / sqrt(6) } },
     };
     struct surface surface = mesh_of(&smooth, 1);
-    (void)state;
     ASSERT_HITS(&surface, rows);
 }
 
@@ -143,10 +141,9 @@ static void assert_there_and_back(uint64_t *random,
     }
 }
 
-static void test_there_and_back(void **state)
+TEST(there_and_back)
 {
     uint64_t random = RANDOM_SEED;
-    (void)state;
     for (int i = 0; i < 20000; i++) {
         struct triangle triangle;
         random_triangle(&random, &triangle);
@@ -199,10 +196,9 @@ static void random_body(uint64_t *random, size_t i)
     net_stretch(&net, .9, 1.1, i % 3 == 0 ? 1. / 64 : 0, random);
 }
 
-static void test_closed(void **state)
+TEST(closed)
 {
     uint64_t random = RANDOM_SEED;
-    (void)state;
     for (size_t i = 0; i < 24; i++) {
         static const double origin[3];
         double by[3], scale = pow(10, number_between(&random, -3, 3));
@@ -229,18 +225,16 @@ static double volume_of(enum net_body body, size_t times)
     return found;
 }
 
-static void test_volumes(void **state)
+TEST(volumes)
 {
-    (void)state;
     assert_near(volume_of(OCTAHEDRON, 0), 4. / 3, 2e-3);
     assert_near(volume_of(OCTAHEDRON, 1), 4. / 3, 2e-3);
     assert_near(volume_of(ICOSAHEDRON, 0), 10. / 3 * (3 + sqrt(5)), 2e-2);
 }
 
-static void test_box(void **state)
+TEST(box)
 {
     struct surface box = one(PRIMITIVE_BOX), mesh = one(PRIMITIVE_MESH);
-    (void)state;
     for (int i = 0; i < 3; i++) {
         box.parts[0].shape.box.corner[0][i] = -1;
         box.parts[0].shape.box.corner[1][i] = 1;
@@ -255,7 +249,7 @@ static void test_box(void **state)
 
 /* At z = 1, 2, .. in some order; a ray from between them has more than there is
  * room for on both sides. */
-static void test_no_room(void **state)
+TEST(no_room)
 {
     enum { COUNT = 151, FROM = 70 };
     static struct triangle triangles[COUNT];
@@ -263,7 +257,6 @@ static void test_no_room(void **state)
     struct crossing crossings[MOST_CROSSINGS];
     const struct ray ray = { { .1, .1, FROM + .5 }, { 0, 0, 1 } };
     const struct ray back = { { .1, .1, 19.5 }, { 0, 0, -1 } };
-    (void)state;
     for (int i = 0; i < COUNT; i++) {
         double z = 1 + i * 32 % COUNT;
         triangles[i] = (struct triangle){
@@ -281,14 +274,13 @@ static void test_no_room(void **state)
 }
 
 /* Of two in one place the first. */
-static void test_ties(void **state)
+TEST(ties)
 {
     struct triangle triangles[2] = {
         { .corners = { { -1, -1, 0 }, { 2, -1, 0 }, { -1, 2, 0 } } },
     };
     struct surface surface = mesh_of(triangles, 2);
     const struct ray ray = { { 0, 0, -1 }, { 0, 0, 1 } };
-    (void)state;
     triangles[1] = triangles[0];
     triangles[1].smooth = true;
     for (int k = 0; k < 3; k++)
@@ -297,19 +289,4 @@ static void test_ties(void **state)
     triangles[0] = triangles[1];
     triangles[1].smooth = false;
     assert_near(shoot(&surface, &ray).normal[0], -sqrt(.5), 1e-15);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known),
-        cmocka_unit_test(test_known_smooth),
-        cmocka_unit_test(test_there_and_back),
-        cmocka_unit_test(test_closed),
-        cmocka_unit_test(test_volumes),
-        cmocka_unit_test(test_box),
-        cmocka_unit_test(test_no_room),
-        cmocka_unit_test(test_ties),
-    };
-    return cmocka_run_group_tests_name("plain meshes", tests, NULL, NULL);
 }

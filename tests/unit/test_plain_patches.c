@@ -29,11 +29,10 @@ static struct surface cross_cap_quartic(void)
 }
 
 /* From the triple point: t = lmn / (l^2 m^2 + m^2 n^2 + n^2 l^2). */
-static void test_roman_from_the_triple_point(void **state)
+TEST(roman_from_the_triple_point)
 {
     struct surface roman = roman_quartic();
     uint64_t random = RANDOM_SEED;
-    (void)state;
     for (int i = 0; i < 2000; i++) {
         struct ray ray = { { 0 }, { 0 } };
         random_direction(&random, ray.direction);
@@ -51,10 +50,9 @@ static void test_roman_from_the_triple_point(void **state)
     }
 }
 
-static void test_roman_volume(void **state)
+TEST(roman_volume)
 {
     struct surface roman = roman_quartic();
-    (void)state;
     assert_near(volume(&roman, .6), 1. / 6, 1e-3);
 }
 
@@ -142,14 +140,13 @@ static struct surface whole(const four_forms forms)
     return surface;
 }
 
-static void test_two_ways(void **state)
+TEST(two_ways)
 {
     struct surface roman = roman_quartic(), cap = cross_cap_quartic();
     struct surface roman_patches = whole(roman_forms);
     struct surface cap_patches = whole(cross_cap_forms);
     struct surface ball_patches = whole(sphere_forms);
     struct surface ball = one(PRIMITIVE_SPHERE);
-    (void)state;
     ball.parts[0].shape.sphere.radius = 1;
     assert_same_surface(&roman, &roman_patches, .5);
     assert_same_surface(&cap, &cap_patches, .8);
@@ -209,10 +206,9 @@ static void assert_round_trip(uint64_t *random, const struct primitive *patch)
         fail_msg("no crossing at %.17g, %.17g of %zu", s, t, count);
 }
 
-static void test_round_trips(void **state)
+TEST(round_trips)
 {
     uint64_t random = RANDOM_SEED;
-    (void)state;
     for (int i = 0; i < 200; i++) {
         struct primitive patch;
         random_patch(&random, &patch);
@@ -222,7 +218,7 @@ static void test_round_trips(void **state)
 }
 
 /* A triangle whose control points are the middles of its edges. */
-static void test_flat_patch(void **state)
+TEST(flat_patch)
 {
     static const double points[STEINER_POINTS][3] = {
         { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 0 },
@@ -236,22 +232,9 @@ static void test_flat_patch(void **state)
         { { 0, 0, 5 }, { .2, .2, -1 }, 5, { 0, 0, 1 } },
     };
     struct surface surface = one(PRIMITIVE_STEINER_PATCH);
-    (void)state;
     memcpy(surface.parts[0].shape.steiner_patch.points, points,
            sizeof points);
     for (int k = 0; k < STEINER_POINTS; k++)
         surface.parts[0].shape.steiner_patch.weights[k] = 1;
     ASSERT_HITS(&surface, rows);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_roman_from_the_triple_point),
-        cmocka_unit_test(test_roman_volume),
-        cmocka_unit_test(test_two_ways),
-        cmocka_unit_test(test_round_trips),
-        cmocka_unit_test(test_flat_patch),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,8 +5,6 @@
 #include "tests/oracle/plain_tracer.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 /* One ray through the middle of one pixel. */
 #define HEAD \
     "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 10 } " \
@@ -51,10 +49,9 @@ static void check(const struct look *look, const char *text, double red,
 
 /* A floor shows the lamp at <4, 3, 0> from <-4, 3, 0> at the origin, tinted by
  * the mirror and by nothing else. */
-static void test_mirror_image(void **state)
+TEST(mirror_image)
 {
     const struct look look = { { -4, 3, 0 }, { 4, -3, 0 } };
-    (void)state;
     check(&look,
           "plane { y, 0 pigment { rgb 1 } "
           "finish { reflection rgb <.9, .5, .2> } } "
@@ -72,10 +69,9 @@ static void test_mirror_image(void **state)
 
 /* The point of a ball where eye and lamp are mirror images of each other:
  * there the normal is between them. */
-static void test_mirror_ball(void **state)
+TEST(mirror_ball)
 {
     const struct look look = { { -3, 4, 0 }, { 3, -3, 0 } };
-    (void)state;
     check(&look,
           "sphere { 0, 1 finish { reflection 1 } } "
           "sphere { <3, 4, 0>, 1e-6 pigment { rgb .7 } " LAMP "}",
@@ -99,9 +95,8 @@ static void check_series(int level, double bailout, int terms)
     check(&look, text, sum, sum, sum);
 }
 
-static void test_levels(void **state)
+TEST(levels)
 {
-    (void)state;
     check_series(1, 0, 1);
     check_series(2, 0, 2);
     check_series(7, 0, 7);
@@ -143,9 +138,8 @@ static void check_slab(double n, double depth)
     check_behind(text, aside(n, depth), depth);
 }
 
-static void test_snell(void **state)
+TEST(snell)
 {
-    (void)state;
     check_slab(1.5, .7);
     check_slab(1.33, 2);
     check_slab(2.4, .1);
@@ -155,10 +149,9 @@ static void test_snell(void **state)
 
 /* A ball of index n brings rays close to its axis together at
  * n / (2 (n - 1)) radii from its centre. */
-static void test_ball_lens(void **state)
+TEST(ball_lens)
 {
     const struct look look = { { 0, 1e-4, -5 }, { 0, 0, 1 } };
-    (void)state;
     check(&look,
           "sphere { 0, 1 pigment { rgbt 1 } interior { ior 1.5 } } "
           "sphere { 1.5*z, 1e-6 pigment { rgb .6 } " LAMP "}",
@@ -179,9 +172,8 @@ static void check_from_below(double degrees, double red, double blue)
           red, 0, blue);
 }
 
-static void test_total_reflection(void **state)
+TEST(total_reflection)
 {
-    (void)state;
     check_from_below(0, .5, .25);
     check_from_below(41.8, .5, .25);
     check_from_below(41.82, 1, 0);
@@ -190,10 +182,9 @@ static void test_total_reflection(void **state)
 
 /* What passes, and what is left of the surface's own colour and its
  * highlights. */
-static void test_what_passes(void **state)
+TEST(what_passes)
 {
     struct look look = ZAHEAD;
-    (void)state;
     check(&look,
           "background { rgb 1 } plane { -z, 0 "
           "pigment { rgbft <.8, .5, .2, .5, .25> } }",
@@ -219,7 +210,7 @@ static void test_what_passes(void **state)
 
 /* Where less passes than counts, nothing is followed: by weight or by
  * brightness. */
-static void test_too_dark(void **state)
+TEST(too_dark)
 {
     struct look look = ZAHEAD;
     const char
@@ -234,7 +225,6 @@ static void test_too_dark(void **state)
         { "rgbt <0, 0, 0, .5> } }", 0, 0 },
     };
     char whole[512];
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         snprintf(whole, sizeof whole, "%s%s", text, rows[i].pigment);
         check(&look, whole, rows[i].red, rows[i].green, 0);
@@ -250,14 +240,13 @@ static void test_too_dark(void **state)
 /* Of balls about one centre n times the ray's distance from it is the same in
  * all media, and with it the sine of the angle at each surface.  The ray is
  * turned four times, and has passed the centre as far as it did before. */
-static void test_ball_in_water(void **state)
+TEST(ball_in_water)
 {
     double b = .3;
     const struct look look = { { 0, b, -5 }, { 0, 0, 1 } };
     double turned = asin(b / 2) - asin(b / 1.33 / 2) + asin(b / 1.33)
                     - asin(b / 1.5);
     char text[512];
-    (void)state;
     snprintf(text, sizeof text,
              "sphere { 0, 2 " WATER "} sphere { 0, 1 " GLASS "} "
              "sphere { %.17g*z, 1e-6 pigment { rgb .6 } " LAMP "}",
@@ -267,10 +256,9 @@ static void test_ball_in_water(void **state)
 
 /* What is gone into last is what counts until it is left; to come out of the
  * other one before that changes nothing. */
-static void test_overlapping(void **state)
+TEST(overlapping)
 {
     double glass = aside(1.5, .5), water = aside(1.33, .5);
-    (void)state;
     check_behind(SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER "} ",
                  glass + 2 * water, 1.5);
     check_behind(SLAB(0, 1.5) WATER "} " SLAB(.5, 1) GLASS "} ",
@@ -288,10 +276,9 @@ static void test_overlapping(void **state)
 }
 
 /* Of what is one body each second surface leads out of it. */
-static void test_shared_interior(void **state)
+TEST(shared_interior)
 {
     double glass = aside(1.5, .5);
-    (void)state;
     check_behind("union { " SLAB(0, 1) "} " SLAB(.5, 1.5) "} " GLASS "} ",
                  glass + .5 + glass, 1.5);
     check_behind("merge { " SLAB(0, 1) "} " SLAB(.5, 1.5) "} " GLASS "} ",
@@ -313,9 +300,8 @@ static void check_from_within(double along, const char *things)
     check(&look, text, .6, .6, .6);
 }
 
-static void test_eye_within(void **state)
+TEST(eye_within)
 {
-    (void)state;
     check_from_within(1, "");
     check_from_within(-1, SLAB(-.6, -.5) "scale <.1, .1, 1> "
                                          "finish { reflection 1 } } ");
@@ -323,11 +309,10 @@ static void test_eye_within(void **state)
 
 /* In at the front of a block, wholly reflected at a side, where it falls at 62
  * degrees, out at the back. */
-static void test_total_keeps(void **state)
+TEST(total_keeps)
 {
     const struct look look = { { -1.5, 0, -3 }, { 1, 0, 1 } };
     char text[512];
-    (void)state;
     snprintf(text, sizeof text,
              "box { -1, 1 " GLASS "} "
              "sphere { <%.17g, 0, 2>, 1e-6 pigment { rgb .7 } " LAMP "}",
@@ -348,7 +333,7 @@ static void check_level(int level, const char *things, double seen)
     check(&look, text, seen, seen, seen);
 }
 
-static void test_straight_levels(void **state)
+TEST(straight_levels)
 {
     static const char panes[] = "#for (I, 1, 8) box { <-1, -1, I>, <1, 1, "
                                 "I + .5> pigment { rgbt 1 } } #end ";
@@ -356,7 +341,6 @@ static void test_straight_levels(void **state)
     static const char other[] = SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER
         "} ";
     char mirrored[512];
-    (void)state;
     check_level(1, panes, 0);
     check_level(2, panes, .6);
     snprintf(mirrored, sizeof mirrored,
@@ -386,7 +370,7 @@ static double slanted_share(double index)
 /* In water glass mirrors less.  Without anything clear each surface is mirror
  * by the side that the ray comes from: the second one here wholly, as from
  * within glass. */
-static void test_fresnel(void **state)
+TEST(fresnel)
 {
 #define FRESNEL "finish { reflection { 0, 1 fresnel } } interior { ior 1.5 } "
     struct look look = ZAHEAD;
@@ -394,7 +378,6 @@ static void test_fresnel(void **state)
     double in_air = straight_share(1.5),
            in_water = straight_share(1.5 / 1.33);
     double once = slanted_share(1.5);
-    (void)state;
     check(&look, "background { rgb 1 } " SLAB(1, 2) FRESNEL "} ", in_air,
           in_air, in_air);
     check(&look,
@@ -424,9 +407,8 @@ static void check_shadow(const char *between, double red, double green)
 
 #define CLEAR "pigment { rgbf <.8, .5, .2, 1> } "
 
-static void test_shadows(void **state)
+TEST(shadows)
 {
-    (void)state;
     check_shadow("", 1, 1);
     check_shadow("sphere { 5*y, 1 }", 0, 0);
     check_shadow("sphere { 5*y, 1 no_shadow }", 1, 1);
@@ -444,9 +426,8 @@ static void test_shadows(void **state)
 }
 
 /* One skin where two surfaces are one. */
-static void test_shadows_of_solids(void **state)
+TEST(shadows_of_solids)
 {
-    (void)state;
     check_shadow("union { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}",
                  .4096, .0625);
     check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}",
@@ -462,28 +443,4 @@ static void test_shadows_of_solids(void **state)
     check_shadow("difference { sphere { 5*y, 1 " CLEAR "} "
                  "box { <-1, 2, -1>, <1, 5, 1> } }",
                  0, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mirror_image),
-        cmocka_unit_test(test_mirror_ball),
-        cmocka_unit_test(test_levels),
-        cmocka_unit_test(test_snell),
-        cmocka_unit_test(test_ball_lens),
-        cmocka_unit_test(test_total_reflection),
-        cmocka_unit_test(test_what_passes),
-        cmocka_unit_test(test_too_dark),
-        cmocka_unit_test(test_ball_in_water),
-        cmocka_unit_test(test_overlapping),
-        cmocka_unit_test(test_shared_interior),
-        cmocka_unit_test(test_eye_within),
-        cmocka_unit_test(test_total_keeps),
-        cmocka_unit_test(test_straight_levels),
-        cmocka_unit_test(test_fresnel),
-        cmocka_unit_test(test_shadows),
-        cmocka_unit_test(test_shadows_of_solids),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

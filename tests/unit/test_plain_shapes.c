@@ -6,7 +6,7 @@
 /* --- cones --------------------------------------------------------------- */
 
 /* From radius 3 at y = 0 to radius 1 at y = 4: 1 in 2. */
-static void test_frustum(void **state)
+TEST(frustum)
 {
     double c = 2 / sqrt(5), s = 1 / sqrt(5);
     const struct expectation both[] = {
@@ -26,7 +26,6 @@ static void test_frustum(void **state)
         { { 2.5, -3, 0 }, { 0, 1, 0 }, 4, { -c, -s, 0 } },
     };
     struct surface cone = one(PRIMITIVE_CONE);
-    (void)state;
     cone.parts[0].shape.cone.base_radius = 3;
     cone.parts[0].shape.cone.cap[1] = 4;
     cone.parts[0].shape.cone.cap_radius = 1;
@@ -39,7 +38,7 @@ static void test_frustum(void **state)
 
 /* The point at the origin, the base of radius 1 at x = 1: its mirror image
  * behind the point is no part of it. */
-static void test_pointed_cone(void **state)
+TEST(pointed_cone)
 {
     double h = sqrt(.5);
     const struct expectation rows[] = {
@@ -49,7 +48,6 @@ static void test_pointed_cone(void **state)
         { { 5, .25, 0 }, { -1, 0, 0 }, 4, { 1, 0, 0 } },
     };
     struct surface cone = one(PRIMITIVE_CONE);
-    (void)state;
     cone.parts[0].shape.cone.cap[0] = 1;
     cone.parts[0].shape.cone.cap_radius = 1;
     ASSERT_HITS(&cone, rows);
@@ -65,7 +63,7 @@ static struct surface quadric(const double coefficients[QUADRIC_TERMS])
     return surface;
 }
 
-static void test_quadrics(void **state)
+TEST(quadrics)
 {
     static const double paraboloid[] = { 1, 0, 1, 0, 0, 0, 0, -1, 0, 0 };
     static const double saddle[] = { 0, 0, 0, 1, 0, 0, 0, 0, -1, 2 };
@@ -85,7 +83,6 @@ static void test_quadrics(void **state)
         { { 1, 9, 0 }, { 1, 0, 0 }, 0, { 0 } },
     };
     struct surface surface = quadric(paraboloid);
-    (void)state;
     ASSERT_HITS(&surface, bowl);
     surface = quadric(saddle);
     ASSERT_HITS(&surface, z_is_xy_and_2);
@@ -113,7 +110,7 @@ static struct surface elliptical_torus(double major, double radial,
     return surface;
 }
 
-static void test_torus(void **state)
+TEST(torus)
 {
     const struct expectation ring[] = {
         { { 9, 0, 0 }, { -1, 0, 0 }, 6.5, { 1, 0, 0 } },
@@ -129,14 +126,13 @@ static void test_torus(void **state)
         { { .1, 0, 0 }, { 0, 1, 0 }, .8, { -.6, -.8, 0 } },
     };
     struct surface surface = torus(2, .5);
-    (void)state;
     ASSERT_HITS(&surface, ring);
     surface = torus(.5, 1);
     ASSERT_HITS(&surface, lemon);
 }
 
 /* The normal of the ellipse at the angle a is (cos a / p, sin a / n). */
-static void test_elliptical_torus(void **state)
+TEST(elliptical_torus)
 {
     double x = .8 / .5, y = .6 / .25, l = sqrt(x * x + y * y);
     const struct expectation rows[] = {
@@ -146,26 +142,23 @@ static void test_elliptical_torus(void **state)
         { { 9, .251, 0 }, { -1, 0, 0 }, 0, { 0 } },
     };
     struct surface surface = elliptical_torus(2, .5, .25);
-    (void)state;
     ASSERT_HITS(&surface, rows);
 }
 
-static void test_volumes(void **state)
+TEST(volumes)
 {
     struct surface round = torus(1, .25);
     struct surface flat = elliptical_torus(1, .4, .2);
-    (void)state;
     assert_near(volume(&round, 1.25), 2 * PI * PI * .0625, 1e-3);
     assert_near(volume(&flat, 1.4), 2 * PI * PI * .08, 1e-3);
 }
 
 /* (x^2 + y^2 + z^2 + 3/4)^2 = 4 (x^2 + z^2), R = 1, r = 1/2, written out. */
-static void test_torus_in_other_ways(void **state)
+TEST(torus_in_other_ways)
 {
     struct surface quartic = one(PRIMITIVE_QUARTIC);
     struct surface round = torus(1, .5);
     struct surface elliptical = elliptical_torus(1, .5, .5);
-    (void)state;
     for (int i = 0; i < 3; i++) {
         double inner = i == 1 ? 1.5 : 1.5 - 4;
         set_coefficient(&quartic, 4 * (i == 0), 4 * (i == 1), 4 * (i == 2),
@@ -182,7 +175,7 @@ static void test_torus_in_other_ways(void **state)
 
 /* --- roots --------------------------------------------------------------- */
 
-static void test_roots(void **state)
+TEST(roots)
 {
     static const struct {
         long double c[5];
@@ -198,7 +191,6 @@ static void test_roots(void **state)
         { { 5, 0, 0, 0, 0 }, 0, { 0 } },
         { { 0, 0, 0, 0, 0 }, 0, { 0 } },
     };
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         long double roots[HIGHEST_DEGREE];
         size_t count = plain_roots(rows[i].c, 4, roots);
@@ -211,19 +203,4 @@ static void test_roots(void **state)
             assert_true(found);
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_frustum),
-        cmocka_unit_test(test_pointed_cone),
-        cmocka_unit_test(test_quadrics),
-        cmocka_unit_test(test_torus),
-        cmocka_unit_test(test_elliptical_torus),
-        cmocka_unit_test(test_volumes),
-        cmocka_unit_test(test_torus_in_other_ways),
-        cmocka_unit_test(test_roots),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

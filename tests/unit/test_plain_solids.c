@@ -99,9 +99,8 @@ static double lens(double r, double s, double d)
            * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s)) / (12 * d);
 }
 
-static void test_round_solids(void **state)
+TEST(round_solids)
 {
-    (void)state;
     check_volume("intersection { cylinder { -2*x, 2*x, 1 } "
                  "cylinder { -2*y, 2*y, 1 } }",
                  1.8, 16. / 3);
@@ -126,9 +125,8 @@ static void test_round_solids(void **state)
 }
 
 /* A ring of height 1, whatever the ball. */
-static void test_napkin_rings(void **state)
+TEST(napkin_rings)
 {
-    (void)state;
     check_volume("difference { sphere { 0, 1 } "
                  "cylinder { -2*y, 2*y, sqrt(.75) } }",
                  1.1, PI / 6);
@@ -137,9 +135,8 @@ static void test_napkin_rings(void **state)
                  2.1, PI / 6);
 }
 
-static void test_other_solids(void **state)
+TEST(other_solids)
 {
-    (void)state;
     check_volume(
         "difference { box { 0, 3 } box { <1, 1, -1>, <2, 2, 4> } "
         "box { <1, -1, 1>, <2, 4, 2> } box { <-1, 1, 1>, <4, 2, 2> } "
@@ -166,10 +163,9 @@ static void test_other_solids(void **state)
 }
 
 /* De Morgan: what is in neither is out of both. */
-static void test_nested_solids(void **state)
+TEST(nested_solids)
 {
     double both = lens(1, .8, .9);
-    (void)state;
     check_volume("difference { box { -3, 3 } "
                  "union { sphere { 0, 1 } sphere { .9*x, .8 } } }",
                  5.2, 216 - 4 * PI / 3 * 1.512 + both);
@@ -197,7 +193,7 @@ static struct passage along(const char *text, double x, double y)
 /* A scene of two close planes has the size of its camera's distance. */
 #define EYE "camera { location -z } "
 
-static void test_coincident_faces(void **state)
+TEST(coincident_faces)
 {
     static const struct {
         const char *text;
@@ -232,7 +228,6 @@ static void test_coincident_faces(void **state)
           0, 0 },
         { "merge { sphere { -.5*z, .5 } sphere { .5*z, .5 } }", 0, 0, 2, 2 },
     };
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct passage is = along(rows[i].text, rows[i].x, rows[i].y);
         if (is.events != rows[i].events
@@ -243,7 +238,7 @@ static void test_coincident_faces(void **state)
 }
 
 /* Two boxes side by side, of which every ray sees the outside only. */
-static void test_joined_boxes(void **state)
+TEST(joined_boxes)
 {
     struct solid pair = solid_of("merge { box { -1, 1 } "
                                  "box { <1, -1, -1>, <2, 1, 1> } "
@@ -251,7 +246,6 @@ static void test_joined_boxes(void **state)
     struct solid whole = solid_of(
         "box { -1, <2, 1, 1> rotate <10, 20, 30> }");
     uint64_t random = RANDOM_SEED;
-    (void)state;
     for (int i = 0; i < 2000; i++) {
         struct ray ray;
         for (int k = 0; k < 3; k++) {
@@ -292,7 +286,7 @@ static int seen_along(const char *text, double x, size_t reports)
 #define TUBE "cylinder { -z, z, .5 open }"
 #define BALL " sphere { 0, .5 }"
 
-static void test_open_surfaces(void **state)
+TEST(open_surfaces)
 {
     static const struct {
         const char *text;
@@ -311,23 +305,8 @@ static void test_open_surfaces(void **state)
         { "difference { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
         { "intersection { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
     };
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
         if (seen_along(rows[i].text, rows[i].x, rows[i].reports)
             != rows[i].count)
             fail_msg("%s: not %d crossings", rows[i].text, rows[i].count);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_round_solids),
-        cmocka_unit_test(test_napkin_rings),
-        cmocka_unit_test(test_other_solids),
-        cmocka_unit_test(test_nested_solids),
-        cmocka_unit_test(test_coincident_faces),
-        cmocka_unit_test(test_joined_boxes),
-        cmocka_unit_test(test_open_surfaces),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

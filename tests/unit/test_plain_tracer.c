@@ -1,17 +1,10 @@
 /* test_plain_tracer.c - the plain tracer on scenes of one ray, whose answers
  * are worked out by hand, and the comparison of frames. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "tests/oracle/compare_pictures.h"
 #include "tests/oracle/plain_tracer.h"
+#include "tests/unit/unit.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #define CLOSE 1e-12
 
@@ -132,9 +125,8 @@ static void assert_miss(struct sample sample)
 
 /* --- shapes ------------------------------------------------------------- */
 
-static void test_sphere(void **state)
+TEST(sphere)
 {
-    (void)state;
     struct primitive sphere = unit_sphere();
     struct scene scene = { .primitive_count = 1, .primitives = &sphere };
     assert_hit(look(&scene, 0, 0, -5, 0, 0, 1), 1, 4, 0, 0, -1);
@@ -144,9 +136,8 @@ static void test_sphere(void **state)
     assert_miss(look(&scene, 1.001, 0, -5, 0, 0, 1));
 }
 
-static void test_box(void **state)
+TEST(box)
 {
-    (void)state;
     struct primitive box = cube_to(2);
     struct scene scene = { .primitive_count = 1, .primitives = &box };
     assert_hit(look(&scene, 0, 1, -5, 0, 0, 1), 1, 3, 0, 0, -1);
@@ -156,9 +147,8 @@ static void test_box(void **state)
     assert_miss(look(&scene, 0, 5, -5, 0, 1, 1));
 }
 
-static void test_cylinder(void **state)
+TEST(cylinder)
 {
-    (void)state;
     struct primitive closed = tube(false), open = tube(true);
     struct scene scene = { .primitive_count = 1, .primitives = &closed };
     assert_hit(look(&scene, .5, 0, -5, 0, 0, 1), 1, 4, 0, 0, -1);
@@ -172,9 +162,8 @@ static void test_cylinder(void **state)
     assert_hit(look(&scene, 0, -.5, -2, 0, 3, 4), 1, 2.5, 0, -1, 0);
 }
 
-static void test_plane(void **state)
+TEST(plane)
 {
-    (void)state;
     struct primitive plane = floor_at(-1);
     struct scene scene = { .primitive_count = 1, .primitives = &plane };
     assert_hit(look(&scene, 0, 2, 0, 4, -3, 0), 1, 5, 0, 1, 0);
@@ -185,9 +174,8 @@ static void test_plane(void **state)
 
 /* x / 2 + z in place of z: a slanted, flattened sphere at height 3.  Its top
  * is at y = 3 + 1 / 2; there the slant does not show. */
-static void test_transform(void **state)
+TEST(transform)
 {
-    (void)state;
     struct primitive sphere = unit_sphere();
     struct scene scene = { .primitive_count = 1, .primitives = &sphere };
     sphere.to_local = (struct transform){
@@ -199,9 +187,8 @@ static void test_transform(void **state)
                -1 / length);
 }
 
-static void test_nearest(void **state)
+TEST(nearest)
 {
-    (void)state;
     struct primitive both[] = { cube_to(1), unit_sphere(), floor_at(5) };
     struct scene scene = { .primitive_count = 3, .primitives = both };
     both[1].shape.sphere.center[2] = -1;
@@ -212,9 +199,8 @@ static void test_nearest(void **state)
 
 /* --- the camera --------------------------------------------------------- */
 
-static void test_pixel_centres(void **state)
+TEST(pixel_centres)
 {
-    (void)state;
     struct region regions[MOST_PRIMITIVES];
     struct primitive plane = floor_at(0);
     struct frame frame;
@@ -268,9 +254,8 @@ static double seen(struct stage *stage)
     return red(look(&stage->scene, -3, 4, 0, 3, -4, 0));
 }
 
-static void test_ambient_and_diffuse(void **state)
+TEST(ambient_and_diffuse)
 {
-    (void)state;
     struct stage stage;
     set_stage(&stage);
     assert_close(seen(&stage), .5 * .8 * .8);
@@ -281,9 +266,8 @@ static void test_ambient_and_diffuse(void **state)
     assert_close(red(look(&stage.scene, 0, 1, 0, 0, 1, 0)), .25);
 }
 
-static void test_highlights(void **state)
+TEST(highlights)
 {
-    (void)state;
     struct stage stage;
     set_stage(&stage);
     struct finish *finish = &stage.primitives[0].finish;
@@ -299,9 +283,8 @@ static void test_highlights(void **state)
     assert_close(seen(&stage), 0);
 }
 
-static void test_shadows(void **state)
+TEST(shadows)
 {
-    (void)state;
     struct stage stage;
     set_stage(&stage);
     double lit = .5 * .8 * .8;
@@ -322,9 +305,8 @@ static void test_shadows(void **state)
     assert_close(seen(&stage), lit);
 }
 
-static void test_checker(void **state)
+TEST(checker)
 {
-    (void)state;
     struct primitive plane = floor_at(0);
     struct light light = { .position = { 0, 1e9, 0 }, .color = { 1, 1, 1 } };
     struct scene scene = { .light_count = 1,
@@ -344,9 +326,8 @@ static void test_checker(void **state)
 
 /* --- frames compared ---------------------------------------------------- */
 
-static void test_compare(void **state)
+TEST(compare)
 {
-    (void)state;
     struct frame a, b;
     const struct comparison all = { "colour", CHANNEL_RED, 3,  1,
                                     false,    .1,          .05 };
@@ -373,23 +354,4 @@ static void test_compare(void **state)
     free(inner);
     frame_free(&a);
     frame_free(&b);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_box),
-        cmocka_unit_test(test_cylinder),
-        cmocka_unit_test(test_plane),
-        cmocka_unit_test(test_transform),
-        cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_pixel_centres),
-        cmocka_unit_test(test_ambient_and_diffuse),
-        cmocka_unit_test(test_highlights),
-        cmocka_unit_test(test_shadows),
-        cmocka_unit_test(test_checker),
-        cmocka_unit_test(test_compare),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

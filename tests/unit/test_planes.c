@@ -1,16 +1,8 @@
 /* test_planes.c - the words of a frame: all zero at first, kept while they are
  * left, and without cost of memory then. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-
 #include "rt/host/planes.h"
+#include "tests/unit/unit.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 enum { PART = 100003 }; /* words; no page ends with one */
@@ -61,35 +53,21 @@ static void check_words(size_t words, bool in_file)
     planes_give_back(&planes);
 }
 
-static void test_few(void **state)
+TEST(few)
 {
-    (void)state;
     check_words(1, false);
     check_words(3 * PART, false);
 }
 
-static void test_many(void **state)
+TEST(many)
 {
-    (void)state;
     check_words(PLANES_IN_MEMORY / sizeof(c205_word) + PART, true);
 }
 
 /* No room for a file. */
-static void test_no_folder(void **state)
+TEST(no_folder)
 {
-    (void)state;
     assert_int_equal(setenv("TMPDIR", "/nowhere/at/all", 1), 0);
     check_words(PLANES_IN_MEMORY / sizeof(c205_word) + 1, false);
     assert_int_equal(unsetenv("TMPDIR"), 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_few),
-        cmocka_unit_test(test_many),
-        cmocka_unit_test(test_no_folder),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,20 +1,13 @@
 /* test_plot.c - plots: their data, their scripts, and gnuplot. */
 #include "rt/study/plot/plot.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "base/file.h"
 #include "rt/study/plot/axis.h"
+#include "tests/unit/unit.h"
 
 enum { QUEUE, STREAM, STARTUP, REMARK, COLUMNS };
 
@@ -71,11 +64,11 @@ static void add_row(struct table *table, uint64_t queue, double stream,
     table_text(table, "some");
 }
 
-static int set_up(void **state)
+FIXTURE(set_up)
 {
     struct folder *folder = calloc(1, sizeof *folder);
 
-    *state = folder;
+    *test_state = folder;
     strcpy(folder->above, "/tmp/test_plot.XXXXXX");
     if (!mkdtemp(folder->above))
         return -1;
@@ -111,9 +104,9 @@ static void remove_plot(const struct folder *folder)
 }
 
 /* A test removes what it made; nothing temporary may be left. */
-static int tear_down(void **state)
+FIXTURE(tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     int result = rmdir(folder->name) || rmdir(folder->above);
 
     table_free(folder->table);
@@ -163,9 +156,9 @@ static void expect_error(const struct plot *plot, const struct folder *folder,
 
 /* --- plots ------------------------------------------------------------- */
 
-static void data_is_told(void **state)
+TEST_WITH(data_is_told, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     char *text;
 
     draw(&lines, folder);
@@ -200,9 +193,9 @@ static void expect_picture(const char *text)
 }
 
 /* As a user does: gnuplot NAME.gp in its folder. */
-static void script_draws_again(void **state)
+TEST_WITH(script_draws_again, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     char command[256], *first, *second;
     const enum plot_form forms[] = { PLOT_LINES, PLOT_AREAS };
 
@@ -225,11 +218,11 @@ static void script_draws_again(void **state)
 }
 
 /* Names that gnuplot would take for commands, options or data of its own. */
-static void names_are_names(void **state)
+TEST_WITH(names_are_names, set_up, tear_down)
 {
     static const char *const names[] = { "<ls", "|cat", "-x", "~", "+", "`" };
     static const char *const ends[] = { "svg", "dat", "gp" };
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     c205_error error = { "" };
     char name[16];
 
@@ -244,9 +237,9 @@ static void names_are_names(void **state)
     }
 }
 
-static void bad_paths(void **state)
+TEST_WITH(bad_paths, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     c205_error error = { "" };
     char path[256];
 
@@ -262,10 +255,10 @@ static void bad_paths(void **state)
 }
 
 /* Where one file cannot be written, none is. */
-static void name_is_taken(void **state)
+TEST_WITH(name_is_taken, set_up, tear_down)
 {
     static const char *const names[] = { "plot.dat", "plot.gp", "plot.svg" };
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     char path[256];
 
     for (size_t i = 0; i < 3; i++) {
@@ -276,9 +269,9 @@ static void name_is_taken(void **state)
     }
 }
 
-static void bad_values(void **state)
+TEST_WITH(bad_values, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     const struct plot_curve remarks = { REMARK, "a text" };
     const struct plot_mark zero = { 0, "zero" };
     struct plot plot = lines;
@@ -337,14 +330,14 @@ static void expect_failure(const struct folder *folder, const char *part)
     expect_kept(folder);
 }
 
-static void gnuplot_is_missing(void **state)
+TEST_WITH(gnuplot_is_missing, set_up, tear_down)
 {
-    expect_failure(*state, "gnuplot-nox");
+    expect_failure(*test_state, "gnuplot-nox");
 }
 
-static void gnuplot_fails(void **state)
+TEST_WITH(gnuplot_fails, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
 
     write_file(folder, "gnuplot",
                "#!/bin/sh\necho half; echo 'line 7: wrong' >&2; exit 3\n");
@@ -369,12 +362,12 @@ static double height_of(const char *script, const char *label)
     return strtod(at + strlen("screen "), NULL);
 }
 
-static void marks_have_rows(void **state)
+TEST_WITH(marks_have_rows, set_up, tear_down)
 {
     const struct plot_mark many[] = { { 8, "far from the others" },
                                       { 1.1, "near" },
                                       { 1, "at one" } };
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     struct plot plot = lines;
     char *script;
 
@@ -401,9 +394,8 @@ static void expect_labels(struct axis axis, const char *expected)
     assert_string_equal(text, expected);
 }
 
-static void axes_are_labelled(void **state)
+TEST(axes_are_labelled)
 {
-    (void)state;
     expect_labels((struct axis){ PLOT_LOG2, 1, 65536 },
                   "1 4 16 64 256 1,024 4,096 16,384 65,536 ");
     expect_labels((struct axis){ PLOT_LOG2, 0.25, 3 }, "0.25 0.5 1 2 ");
@@ -424,9 +416,9 @@ static void axes_are_labelled(void **state)
 }
 
 /* Where y is cut off, its levels are still in, and the small print tells. */
-static void curves_are_cut(void **state)
+TEST_WITH(curves_are_cut, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     struct plot plot = lines;
     char *script;
 
@@ -458,35 +450,12 @@ static void expect_rounded(enum plot_scale scale, double value, double more,
     assert_true(fabs(axis.high - high) <= 1e-12 * fabs(high));
 }
 
-static void axes_are_round(void **state)
+TEST(axes_are_round)
 {
-    (void)state;
     expect_rounded(PLOT_LINEAR, 410, 9012, 0, 10000);
     expect_rounded(PLOT_LINEAR, -3, 4, -3, 4);
     expect_rounded(PLOT_LINEAR, 0, 0, -1, 1);
     expect_rounded(PLOT_LOG10, 410, 9012, 200, 10000);
     expect_rounded(PLOT_LOG10, 1000, 1000, 100, 10000);
     expect_rounded(PLOT_LOG2, 3, 1024, 2, 1024);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(data_is_told, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(script_draws_again, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(names_are_names, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(bad_paths, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(name_is_taken, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(bad_values, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(gnuplot_is_missing, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(gnuplot_fails, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(marks_have_rows, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(curves_are_cut, set_up, tear_down),
-        cmocka_unit_test(axes_are_labelled),
-        cmocka_unit_test(axes_are_round),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

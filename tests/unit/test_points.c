@@ -4,16 +4,10 @@
  *     test_points [TRIES [SEED]]
  */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "tests/oracle/points.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 enum { POINTS_MOST = 65535, WORDS_MOST = POINTS_MOST * LATTICE_COORDINATES };
 
@@ -51,11 +45,10 @@ static void make(const struct point_kind *kind,
 /* ---- Against the definition --------------------------------------------- */
 
 /* Positions one by one, of a generator that is stepped. */
-static void test_positions(void **unused)
+TEST(positions)
 {
     uint64_t x = 1;
 
-    (void)unused;
     for (uint64_t p = 0; p < 10000; p++) {
         assert_int_equal(stream_state_at(p), x);
         x = (x * UINT64_C(44485709377909)) % (UINT64_C(1) << 47);
@@ -72,14 +65,13 @@ static int by_size(const void *a, const void *b)
 }
 
 /* Of seeds in a row the nearest two are far apart. */
-static void test_seeds(void **unused)
+TEST(seeds)
 {
     enum { SEEDS = 100000 };
     static const uint64_t period = UINT64_C(1) << 45;
     static uint64_t begin[SEEDS + 1];
     uint64_t first = some_integer(40);
 
-    (void)unused;
     for (size_t i = 0; i < SEEDS; i++)
         begin[i] = stream_position(first + i, 0, 0) % period;
     qsort(begin, SEEDS, sizeof *begin, by_size);
@@ -158,15 +150,13 @@ static void compare_forms(bool lattice)
     }
 }
 
-static void test_stream_words(void **unused)
+TEST(stream_words)
 {
-    (void)unused;
     compare_forms(false);
 }
 
-static void test_lattice_words(void **unused)
+TEST(lattice_words)
 {
-    (void)unused;
     compare_forms(true);
 }
 
@@ -198,15 +188,13 @@ static void compare_numbers(bool lattice)
     }
 }
 
-static void test_stream_numbers(void **unused)
+TEST(stream_numbers)
 {
-    (void)unused;
     compare_numbers(false);
 }
 
-static void test_lattice_numbers(void **unused)
+TEST(lattice_numbers)
 {
-    (void)unused;
     compare_numbers(true);
 }
 
@@ -239,9 +227,8 @@ static void compare_cut(bool lattice)
     }
 }
 
-static void test_cuts(void **unused)
+TEST(cuts)
 {
-    (void)unused;
     for (size_t i = 0; i < tries; i++)
         compare_cut(i % 2);
 }
@@ -249,7 +236,7 @@ static void test_cuts(void **unused)
 /* ---- What points are for -------------------------------------------------- */
 
 /* Each coordinate of all points meets each of as many cells once. */
-static void test_cells(void **unused)
+TEST(cells)
 {
     enum { LOG = 12, CELLS = 1 << LOG };
     static const struct point_kind kind = {
@@ -261,7 +248,6 @@ static void test_cells(void **unused)
     };
     struct point_choice choice = { .seed = 7, .m = LOG };
 
-    (void)unused;
     make(&kind, &choice, words[0]);
     for (size_t j = 0; j < LATTICE_COORDINATES; j++) {
         static bool met[CELLS];
@@ -363,14 +349,13 @@ static void print_quality(const char *points, struct quality quality)
                   100 * quality.covered, quality.bias);
 }
 
-static void test_quality(void **unused)
+TEST(quality)
 {
     enum { SEEDS = 400 };
     struct quality lattice = try_seeds(true, SEEDS);
     struct quality random = try_seeds(false, SEEDS);
     double spread = sqrt(.95 * .05 / SEEDS);
 
-    (void)unused;
     print_message("points   error     covered %%  bias\n");
     print_quality("lattice", lattice);
     print_quality("random", random);
@@ -380,23 +365,10 @@ static void test_quality(void **unused)
     assert_true(fabs(lattice.bias) < 3 && fabs(random.bias) < 3);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_positions),
-        cmocka_unit_test(test_seeds),
-        cmocka_unit_test(test_stream_words),
-        cmocka_unit_test(test_lattice_words),
-        cmocka_unit_test(test_stream_numbers),
-        cmocka_unit_test(test_lattice_numbers),
-        cmocka_unit_test(test_cuts),
-        cmocka_unit_test(test_cells),
-        cmocka_unit_test(test_quality),
-    };
-
     if (argc > 1)
         tries = (size_t)strtoul(argv[1], NULL, 10);
     if (argc > 2)
         state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

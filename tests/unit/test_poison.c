@@ -330,11 +330,10 @@ static void try_row(struct little *little, const c205_insn *row,
     check_images(&one, before, after);
 }
 
-static void test_rows(void **state)
+TEST(rows)
 {
     struct little little = make_little();
     uint64_t random = 1205;
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++)
         if (c205_unit_is_vector(c205_insns[i].unit)
             && c205_insns[i].format != C205_FORMAT_NONE)
@@ -423,21 +422,17 @@ static void try_pair(struct little *little, uint64_t *random)
     check_images(&one, before, after);
 }
 
-static void test_pairs(void **state)
+TEST(pairs)
 {
     struct little little = make_little();
     uint64_t random = 2205;
-    (void)state;
     for (size_t k = 0; k < 4 * cases; k++)
         try_pair(&little, &random);
     free_little(&little);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_rows),
-                                        cmocka_unit_test(test_pairs) };
     if (argc > 1)
         cases = strtoul(argv[1], NULL, 0);
-    return cmocka_run_group_tests_name("poison", tests, NULL, NULL);
 }

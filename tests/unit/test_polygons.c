@@ -8,8 +8,6 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 enum { POINTS_MOST = 64, SAMPLES = 200, LINES = 4000 };
 
 static size_t polygon_count = 400;
@@ -321,11 +319,10 @@ static void check_outline(const struct flat_outline *outline)
     scene_free(scene);
 }
 
-static void test_random_polygons(void **state)
+TEST(random_polygons)
 {
     size_t checked = 0;
 
-    (void)state;
     while (checked < polygon_count) {
         struct flat_outline outline = random_outline();
         if (area_by_lines(&outline) < .1)
@@ -364,11 +361,10 @@ static void check_area(const char *text, size_t reports, double area,
     scene_free(scene);
 }
 
-static void test_areas(void **state)
+TEST(areas)
 {
     double fifth = 2 * acos(-1) / 5;
 
-    (void)state;
     check_area("polygon { 4, 0, x, y, 0 }", 0, .5, 1);
     check_area("polygon { 4.9 <0, 0> <2, 0> <0, 3> <0, 0> }", 0, 3, 1);
     check_area("polygon { 5, <0, 0>, <2, 0>, <2, 3>, <0, 3>, <0, 0> }", 0, 6,
@@ -395,7 +391,7 @@ static void test_areas(void **state)
     check_area("polygon { 4, 0, x, y, <0, 5e-11> }", 0, .5, 1);
 }
 
-static void test_corners_are_given_points(void **state)
+TEST(corners_are_given_points)
 {
     struct scene *scene = read_scene(
         "polygon { 5, <.1, .2, .7>, <.7, .3, 0>, <.6, .9, -.5>,"
@@ -405,7 +401,6 @@ static void test_corners_are_given_points(void **state)
         { .1, .2, .7 }, { .7, .3, 0 }, { .6, .9, -.5 }, { .3, .5, .2 }
     };
 
-    (void)state;
     for (int i = 0; i < 4; i++) {
         bool found = false;
         for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++)
@@ -419,7 +414,7 @@ static void test_corners_are_given_points(void **state)
 }
 
 /* As in POV-Ray, which closes it and shows nothing of the others. */
-static void test_reports(void **state)
+TEST(reports)
 {
     static const char *const left_out[] = {
         "polygon { 3, 0, x, 2*x }",
@@ -430,7 +425,6 @@ static void test_reports(void **state)
         "polygon { 8, 0, x, y, 0, 0, x, y, 0 }",
     };
 
-    (void)state;
     check_area("polygon { 3, 0, x, y }", 1, .5, 1);
     check_area("polygon { 4, 0, 1e-9*x, 1e-9*y, 0 scale 1e9 }", 0, 5e-19, 1);
     check_area("polygon { 7, 0, x, y, 0, 2*x, 3*x, <2, 1> }", 1, 1, 2);
@@ -446,7 +440,7 @@ static void test_reports(void **state)
                  "the polygon is not closed");
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error rows[] = {
         { "polygon { 2, 0, x }", 11, "needs three points" },
@@ -460,7 +454,6 @@ static void test_errors(void **state)
           "a mesh has no inside, by which to cut" },
     };
 
-    (void)state;
     assert_errors(rows, COUNT(rows));
     /* all of its lines cross all others */
     assert_refused("polygon { 3000, #for (I, 0, 2999) "
@@ -468,19 +461,10 @@ static void test_errors(void **state)
                    2, "takes too long");
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),
-        cmocka_unit_test(test_corners_are_given_points),
-        cmocka_unit_test(test_reports),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_random_polygons),
-    };
-
     if (argc > 1)
         polygon_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         random_state ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("polygons", tests, NULL, NULL);
 }

@@ -91,9 +91,8 @@ static void add_tangled_prism(char *text, size_t size)
     add_turn(text, size, 1.6);
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     check_random_scenes(add_tangled_prism, scene_count);
 }
 
@@ -104,9 +103,8 @@ static void add_plain_prism(char *text, size_t size)
     add_any_prism(text, size, false);
 }
 
-static void test_solids(void **state)
+TEST(solids)
 {
-    (void)state;
     for (size_t i = 0; i < 2 * scene_count; i++) {
         solids.clear = i % 2;
         check_solids_with(add_plain_prism);
@@ -120,9 +118,8 @@ static void test_solids(void **state)
     "10, <-2, -2>, <2, -2>, <2, 2>, <-2, 2>, <-2, -2>," \
     " <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>"
 
-static void test_middle(void **state)
+TEST(middle)
 {
-    (void)state;
     check_middle(AHEAD "prism { -1, 1, " SQUARE " }", 1, 4);
     check_middle(AHEAD "prism { 1, -1, " SQUARE " }", 1, 4);
     check_middle(AHEAD "prism { 1, 2, " SQUARE " }", 0, 0);
@@ -166,11 +163,10 @@ static size_t segments_of(const char *path)
     return words.segments;
 }
 
-static void test_segments(void **state)
+TEST(segments)
 {
     char circle[2000] = "48";
 
-    (void)state;
     assert_int_equal(segments_of("3, <0, 0>, <1, 0>, <0, 1>"), 1);
     assert_int_equal(segments_of(SQUARE), 1);
     assert_int_equal(segments_of(HOLED), 2);
@@ -215,11 +211,10 @@ static void check_normals(const struct primitive *prism)
     free(table);
 }
 
-static void test_normals(void **state)
+TEST(normals)
 {
     char text[8000];
 
-    (void)state;
     for (int try = 0; try < 300; try++) {
         struct scene *scene;
 
@@ -232,18 +227,12 @@ static void test_normals(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_segments), cmocka_unit_test(test_normals),
-        cmocka_unit_test(test_middle),   cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_solids),
-    };
-
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("prisms", tests, set_up_frames,
-                                       tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

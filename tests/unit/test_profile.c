@@ -34,9 +34,8 @@ static double clocks_of_frame(int i)
     return (double)trace_accounts(profile.traces[i])->clocks;
 }
 
-static void test_stages(void **state)
+TEST(stages)
 {
-    (void)state;
     for (int i = 0; i < TRACE_MODES; i++) {
         const struct accounts *accounts = trace_accounts(profile.traces[i]);
         enum profile_part part;
@@ -111,7 +110,7 @@ static void assert_same_clocks(const struct clocks *a, const struct clocks *b)
 }
 
 /* All parts are the frame, all kernels the part that they belong to. */
-static void test_sums(void **state)
+TEST(sums)
 {
     static const char row[] = "\"part\": \"";
     struct clocks parts = { { 0 } }, kernels = parts, intersect = parts;
@@ -119,7 +118,6 @@ static void test_sums(void **state)
     char *text = table_text_of(PROFILE_CLOCKS);
     size_t rows = 0;
 
-    (void)state;
     for (const char *at = text; (at = strstr(at, row)) != NULL; rows++) {
         bool is_part = strncmp(strstr(at, "\"kernel\": "), "\"kernel\": \"\"",
                                12)
@@ -165,13 +163,12 @@ static double sum_of_rows(const struct table *table, const char *text,
 }
 
 /* Groups, and members of groups, are all of the frame, as are their shares. */
-static void test_groups(void **state)
+TEST(groups)
 {
     static char text[8192];
     struct table *table = profile_table(PROFILE_GROUPS, &profile);
     FILE *file = fmemopen(text, sizeof text, "w");
 
-    (void)state;
     assert_non_null(table);
     assert_true(table_print(table, file));
     fclose(file);
@@ -195,13 +192,12 @@ static void test_groups(void **state)
 }
 
 /* With all parts in vector form Amdahl's law says what is measured. */
-static void test_amdahl(void **state)
+TEST(amdahl)
 {
     char *text = table_text_of(PROFILE_SPEEDUP);
     const char *last = text;
     double speedup = clocks_of_frame(0) / clocks_of_frame(2);
 
-    (void)state;
     for (const char *at = text; (at = strstr(at, "\"stage\"")) != NULL; at++)
         last = at;
     assert_float_equal(number_of(last, "\"share_percent\""), 100, 1e-9);
@@ -213,30 +209,20 @@ static void test_amdahl(void **state)
 
 /* ---- All of them --------------------------------------------------------- */
 
-static int trace_stages(void **state)
+FIXTURE(trace_stages)
 {
-    if (set_up_frames(state) != 0)
+    if (set_up_frames(test_state) != 0)
         return 1;
     scene = read_text(SCENE);
     run();
     return 0;
 }
 
-static int free_stages(void **state)
+FIXTURE(free_stages)
 {
     profile_free(&profile);
     scene_free(scene);
-    return tear_down_model(state);
+    return tear_down_model(test_state);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stages),
-        cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_groups),
-        cmocka_unit_test(test_amdahl),
-    };
-
-    return cmocka_run_group_tests(tests, trace_stages, free_stages);
-}
+GROUP(trace_stages, free_stages);

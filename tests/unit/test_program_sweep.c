@@ -128,7 +128,7 @@ static void check_points(const struct program_sweep *sweep)
             check_point(sweep, (int)k, &sweep->points[i]);
 }
 
-static void test_examples(void **state)
+TEST(examples)
 {
     static const struct {
         const char *path, *constant;
@@ -147,7 +147,6 @@ static void test_examples(void **state)
                                            "asm/examples/profiling", NULL };
     static const struct asm_options options = { .search = folders };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(examples); i++) {
         struct program_sweep sweep = sweep_of(examples[i].constant,
                                               examples[i].from,
@@ -167,12 +166,11 @@ static void test_examples(void **state)
 }
 
 /* A constant that changes nothing; those that trap, as some are to, are left out. */
-static void test_programs(void **state)
+TEST(programs)
 {
     size_t ended = 0;
     glob_t found;
 
-    (void)state;
     assert_int_equal(glob("tests/programs/*.s", 0, NULL, &found), 0);
     for (size_t i = 0; i < found.gl_pathc; i++) {
         struct program_sweep sweep = sweep_of("no_change", 1, 2);
@@ -198,9 +196,8 @@ static void test_programs(void **state)
 
 /* ---- Programs by chance ---------------------------------------------------- */
 
-static void test_random_programs(void **state)
+TEST(random_programs)
 {
-    (void)state;
     for (int i = 0; i < 60; i++) {
         struct program_sweep sweep = sweep_of("n", 1 + below(20),
                                               30 + below(2000));
@@ -252,11 +249,10 @@ static void draw_line(char text[DRAWN_TEXT])
              (int)below(120), (int)below(5));
 }
 
-static void test_crossings(void **state)
+TEST(crossings)
 {
     size_t crossed = 0;
 
-    (void)state;
     for (int i = 0; i < 50; i++) {
         struct program_sweep sweep = sweep_of("n", 1 + below(10),
                                               30 + below(60));
@@ -276,7 +272,7 @@ static void test_crossings(void **state)
 }
 
 /* With a step there are no values in between. */
-static void test_steps(void **state)
+TEST(steps)
 {
     static const char first[] = "        .rept 100\n        ES r10, 1\n"
                                 "        .endr\n        EXIT\n";
@@ -284,7 +280,6 @@ static void test_steps(void **state)
                                  "        .endr\n        EXIT\n";
     struct program_sweep sweep = sweep_of("n", 8, 1000);
 
-    (void)state;
     sweep.range.factor = 2;
     add_text(&sweep, "first.s", first);
     add_text(&sweep, "second.s", second);
@@ -368,11 +363,10 @@ static void check_line(const struct program_sweep *sweep, double noise)
         assert_true(line.good || !line.grows);
 }
 
-static void test_lines(void **state)
+TEST(lines)
 {
     static const double noises[] = { 0, .001, .02, .3 };
 
-    (void)state;
     for (size_t i = 0; i < 400; i++) {
         uint64_t from = 1 + below(100);
         struct program_sweep sweep = sweep_of("n", from,
@@ -388,12 +382,11 @@ static void test_lines(void **state)
     }
 }
 
-static void test_no_line(void **state)
+TEST(no_line)
 {
     struct program_sweep sweep = sweep_of("n", 10, 1000);
     struct swept_line line;
 
-    (void)state;
     make_points(&sweep, 500, 0, 0);
     line = swept_line_of(&sweep, SWEPT_FIRST);
     assert_true(!line.grows && !line.good);
@@ -410,7 +403,7 @@ static void test_no_line(void **state)
 
 /* ---- Ranges ---------------------------------------------------------------- */
 
-static void test_ranges(void **state)
+TEST(ranges)
 {
     static const char *const bad[] = {
         "",
@@ -440,7 +433,6 @@ static void test_ranges(void **state)
     };
     struct swept_range range;
 
-    (void)state;
     for (size_t i = 0; i < COUNT(bad); i++)
         if (swept_take_range(bad[i], &range))
             fail_msg("'%s' is a range", bad[i]);
@@ -476,13 +468,12 @@ static size_t usual_points(const struct swept_range *range)
 }
 
 /* Either each is as far from the one before as was asked, or both ends are there. */
-static void test_values(void **state)
+TEST(values)
 {
     static uint64_t values[SWEPT_POINTS_MOST];
     struct swept_range far = { UINT64_C(1) << 40, UINT64_C(1) << 46, 0,
                                UINT64_C(1) << 40 };
 
-    (void)state;
     assert_int_equal(swept_values(&far, 0, values), 1);
     for (int i = 0; i < 2000; i++) {
         struct swept_range range = {
@@ -538,13 +529,12 @@ static bool never(void *context, size_t done, size_t all)
     return done < 7;
 }
 
-static void test_faults(void **state)
+TEST(faults)
 {
     static const char good_text[] = "        ES r1, n\n        EXIT\n";
     struct program_sweep sweep = sweep_of("n", 1, 64);
     c205_error error;
 
-    (void)state;
     check_fault("        EX r10, 64 * (n & 8)\n        .if n == 8\n"
                 "        LOD [r10], r11\n        .endif\n        EXIT\n",
                 "fault.s with n = 8: trap unmapped-address");
@@ -618,9 +608,8 @@ static void check_picture(const struct program_sweep *sweep)
     text_buffer_free(&svg);
 }
 
-static void test_pictures(void **state)
+TEST(pictures)
 {
-    (void)state;
     for (int i = 0; i < 60; i++) {
         struct program_sweep sweep = sweep_of("n", 1 + below(100),
                                               102
@@ -640,21 +629,4 @@ static void test_pictures(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_examples),
-        cmocka_unit_test(test_programs),
-        cmocka_unit_test(test_random_programs),
-        cmocka_unit_test(test_crossings),
-        cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_no_line),
-        cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_faults),
-        cmocka_unit_test(test_pictures),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

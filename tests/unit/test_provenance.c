@@ -1,17 +1,9 @@
 /* test_provenance.c - what is told of the model with every table: where its
  * constants are from, and how near it came to published figures. */
 #include "base/provenance.h"
+#include "tests/unit/unit.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "base/file.h"
 
@@ -95,9 +87,8 @@ static void holds(const char *text, const char *expected)
 
 /* ---- How far to believe it ---- */
 
-static void test_belief(void **state)
+TEST(belief)
 {
-    (void)state;
     c205_model *model = parsed(compared_model);
     char *text = printed(model, "# ");
     begins(text, "# Cycle-accounted, not cycle-accurate, on the model test,\n"
@@ -121,9 +112,8 @@ static void test_belief(void **state)
     c205_model_free(model);
 }
 
-static void test_no_figure(void **state)
+TEST(no_figure)
 {
-    (void)state;
     c205_model *model = parsed("title T\nlike cyber205-2pipe-prior\n");
     char *text = printed(model, "");
     begins(text, "Cycle-accounted, not cycle-accurate, on the model test,\n"
@@ -138,9 +128,8 @@ static void test_no_figure(void **state)
 }
 
 /* What is known of the other model is told as the other's. */
-static void test_changed(void **state)
+TEST(changed)
 {
-    (void)state;
     c205_model *model = parsed("title T\nlike cyber205-2pipe\n" MOVED);
     const c205_model *other = c205_model_like(model);
     c205_belief belief = c205_model_fitted(other);
@@ -165,9 +154,8 @@ static void test_changed(void **state)
     c205_model_free(model);
 }
 
-static void test_projection(void **state)
+TEST(projection)
 {
-    (void)state;
     c205_model *model = parsed("title T\nlike cyber720-prior\n");
     char *text = printed(model, "");
     begins(text, "Projected, not emulated, on the model test,\n");
@@ -180,7 +168,7 @@ static void test_projection(void **state)
 }
 
 /* Where nobody asked for the whole, its first line stands for it. */
-static void test_short(void **state)
+TEST(short)
 {
     static const struct {
         const char *text, *line;
@@ -194,7 +182,6 @@ static void test_short(void **state)
           "# Projected, not emulated, on the model test; more by "
           "--provenance\n" },
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         c205_model *model = parsed(cases[i].text);
         char *text = printed_as(model, false, "# ");
@@ -219,7 +206,7 @@ static size_t count_from(const c205_model *model, char source)
     return count;
 }
 
-static void test_sources(void **state)
+TEST(sources)
 {
     static const struct {
         char letter;
@@ -229,7 +216,6 @@ static void test_sources(void **state)
                     { 'D', "derived" },
                     { 'R', "reconstructed" },
                     { 'F', "fitted" } };
-    (void)state;
     c205_model *model = parsed(compared_model);
     char *text = printed(model, ""), *json = as_json(model);
     char expected[100];
@@ -255,9 +241,8 @@ static void test_sources(void **state)
 }
 
 /* A projection whose constants are all of one source, and not the first. */
-static void test_one_source(void **state)
+TEST(one_source)
 {
-    (void)state;
     c205_model *model = parsed(
         "title T\nlike cyber720-prior\n"
         "clock.period 50 ns R\nmachine.overlap 0 truth R\n"
@@ -283,9 +268,8 @@ static void assert_line(const char *text, const char *expected)
 }
 
 /* What is told where there is room for one line. */
-static void test_line(void **state)
+TEST(line)
 {
-    (void)state;
     assert_line("title T\nfitted 3 figures, at most -7.5 % off: a b\n"
                 "compared 1 figures, at most 2 % off: c\n"
                 "like cyber205-2pipe-prior\n",
@@ -297,15 +281,4 @@ static void test_line(void **state)
                 "+2.0 % (c)");
     assert_line("title T\nlike cyber205-2pipe\n",
                 "compared with no published figure");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_belief),  cmocka_unit_test(test_no_figure),
-        cmocka_unit_test(test_changed), cmocka_unit_test(test_projection),
-        cmocka_unit_test(test_sources), cmocka_unit_test(test_one_source),
-        cmocka_unit_test(test_line),    cmocka_unit_test(test_short),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

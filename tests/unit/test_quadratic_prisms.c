@@ -92,9 +92,8 @@ static void add_tangled_prism(char *text, size_t size)
     add_turn(text, size, 1.6);
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     check_random_scenes(add_tangled_prism, scene_count);
 }
 
@@ -105,9 +104,8 @@ static void add_plain_prism(char *text, size_t size)
     add_any_prism(text, size, false);
 }
 
-static void test_solids(void **state)
+TEST(solids)
 {
-    (void)state;
     for (size_t i = 0; i < 2 * scene_count; i++) {
         check_solids_with(add_plain_prism);
     }
@@ -120,11 +118,10 @@ static void test_solids(void **state)
 #define SQUARE "6, <-1, 1>, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>"
 #define PRISM "prism { quadratic_spline "
 
-static void test_middle(void **state)
+TEST(middle)
 {
     double w = (1 + sqrt(.6)) / 2; /* w^2 - w = -.1 */
 
-    (void)state;
     check_middle(AHEAD PRISM "-1, 1, " SQUARE " }", 1, 6 - sqrt(5));
     check_middle(AHEAD PRISM "1, -1, " SQUARE " open }", 1, 6 - sqrt(5));
     check_middle(AHEAD PRISM "-1, 1, " SQUARE " translate -5*z }", 1,
@@ -169,9 +166,8 @@ static size_t segments_of(const char *path)
     return words.segments;
 }
 
-static void test_segments(void **state)
+TEST(segments)
 {
-    (void)state;
     assert_int_equal(segments_of(SQUARE), 1);
     assert_int_equal(segments_of("12, <-2, 2>, <-2, -2>, <2, -2>, <2, 2>,"
                                  " <-2, 2>, <-2, -2>, <-1, 1>, <-1, -1>,"
@@ -258,11 +254,10 @@ static void check_table(const struct primitive *prism, bool tangled)
     free(table);
 }
 
-static void test_paths(void **state)
+TEST(paths)
 {
     char text[8000];
 
-    (void)state;
     for (int try = 0; try < 300; try++) {
         struct scene *scene;
 
@@ -278,7 +273,7 @@ static void test_paths(void **state)
 
 /* The normals of what does not cross itself lead from inside to outside; at the
  * end, what does: straight edges that go on beyond their ends. */
-static void test_normals(void **state)
+TEST(normals)
 {
     static const char *const paths[] = {
         SQUARE,
@@ -290,7 +285,6 @@ static void test_normals(void **state)
     };
     size_t count = sizeof paths / sizeof *paths;
 
-    (void)state;
     for (size_t i = 0; i < count; i++) {
         char text[1000];
         struct scene *scene;
@@ -302,18 +296,12 @@ static void test_normals(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_segments),      cmocka_unit_test(test_paths),
-        cmocka_unit_test(test_normals),       cmocka_unit_test(test_middle),
-        cmocka_unit_test(test_random_scenes), cmocka_unit_test(test_solids),
-    };
-
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests_name("quadratic prisms", tests,
-                                       set_up_frames, tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

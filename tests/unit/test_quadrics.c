@@ -27,18 +27,16 @@ static void add_shape(char *text, size_t size)
              xorshift(&traced.random) % 2 ? "open " : "");
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     check_random_scenes(add_shape, 12);
 }
 
 /* 45 degrees, the apex at the origin, opening upwards. */
 #define FUNNEL "cone { 0, 0, 2*y, 2 "
 
-static void test_cones(void **state)
+TEST(cones)
 {
-    (void)state;
     check_middle(AHEAD "cone { -y, 1.5, y, .5 }", 1, 4);
     check_middle(AHEAD "cone { -y, 1.5, y, .5 open }", 1, 4);
     check_middle(AHEAD "cone { -y, 0, y, 2 scale <1, 1, 2> }", 1, 3);
@@ -47,9 +45,8 @@ static void test_cones(void **state)
     check_middle(AHEAD "cone { <0, -3, 0>, 1, <0, -1, 0>, 2 }", 0, 0);
 }
 
-static void test_rays_along_a_cone(void **state)
+TEST(rays_along_a_cone)
 {
-    (void)state;
     check_middle(AHEAD "cone { -z, 1, z, 2 }", 1, 4);
     check_middle(AHEAD "cone { -z, 1, z, 2 open }", 0, 0);
     check_middle(AHEAD "cone { -z, 0, z, 2 }", 1, 4);
@@ -60,9 +57,8 @@ static void test_rays_along_a_cone(void **state)
 }
 
 /* Along a line of the surface turned by 45 degrees: a = 0. */
-static void test_rays_parallel_to_a_side(void **state)
+TEST(rays_parallel_to_a_side)
 {
-    (void)state;
     check_middle_within(AHEAD FUNNEL "translate -y rotate -45*x }", 1,
                         5 - sqrt(2), 1e-6);
     check_middle_within(AHEAD FUNNEL "open translate -y rotate -45*x }", 1,
@@ -73,9 +69,8 @@ static void test_rays_parallel_to_a_side(void **state)
     check_middle(STRAIGHT "quadric { <0, 0, 1>, 0, 0, -1 }", 1, 4);
 }
 
-static void test_quadrics(void **state)
+TEST(quadrics)
 {
-    (void)state;
     check_middle(AHEAD "quadric { 1, 0, 0, -1 }", 1, 4);
     check_middle(AHEAD "quadric { 1, 0, 0, -1 translate -5*z }", 1, 1);
     check_middle(AHEAD "quadric { 1, 0, -2*z, 0 }", 1, 5);
@@ -86,33 +81,18 @@ static void test_quadrics(void **state)
 }
 
 /* The eye inside, at the apex, within tmin of the surface. */
-static void test_starts(void **state)
+TEST(starts)
 {
-    (void)state;
     check_middle(AHEAD "cone { <0, -1, -5>, 2, <0, 1, -5>, 2.5 }", 1, 2.25);
     check_middle(AHEAD "cone { -5*z, 0, 5*z, 1 }", 1, 10);
     check_middle(AHEAD "quadric { 1, 0, 0, -25 }", 1, 10);
     check_middle(AHEAD "quadric { <1, 1, -1>, 0, -10*z, -24 }", 1, 1);
 }
 
-static void test_apex_normals(void **state)
+TEST(apex_normals)
 {
-    (void)state;
     free(same_frame(STRAIGHT "cone { 0, 0, z, 1 pigment { rgb 1 } }"));
     free(same_frame(STRAIGHT "quadric { <1, 1, -1>, 0, 0, 0 }"));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_cones),
-        cmocka_unit_test(test_rays_along_a_cone),
-        cmocka_unit_test(test_rays_parallel_to_a_side),
-        cmocka_unit_test(test_quadrics),
-        cmocka_unit_test(test_starts),
-        cmocka_unit_test(test_apex_normals),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

@@ -43,15 +43,13 @@ static void add_shape(char *text, size_t size)
     add_text(text, size, " ");
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     check_random_scenes(add_shape, 8);
 }
 
-static void test_tori(void **state)
+TEST(tori)
 {
-    (void)state;
     check_middle(AHEAD "torus { 1, .5 }", 1, 3.5);
     check_middle(AHEAD "torus { 1, .5 rotate 90*x }", 0, 0);
     check_middle(AHEAD "torus { 1, .5 translate -4*z }", 1, .5);
@@ -66,9 +64,8 @@ static void test_tori(void **state)
 }
 
 /* From the middle of the tube, from its surface, from the hole. */
-static void test_starts(void **state)
+TEST(starts)
 {
-    (void)state;
     check_middle(AHEAD "torus { 1, .5 translate <0, 0, -4> }", 1, .5);
     check_middle(AHEAD "torus { 1, .5 translate <0, 0, -3.5> }", 1, 1);
     check_middle(AHEAD "torus { 1, .5 translate <0, 0, -5> }", 1, .5);
@@ -83,9 +80,8 @@ static void test_starts(void **state)
 
 /* The nearest crossing beyond 1e-6 of the world, whatever the scale: just
  * before the eye at that distance or behind it at half of it. */
-static void test_least_distance(void **state)
+TEST(least_distance)
 {
-    (void)state;
     check_middle(ORDINARY "torus { 1, .5 scale 1000"
                           " translate (1500 - 5 + 2e-6)*z }" FAR,
                  1, 2e-6);
@@ -105,9 +101,8 @@ static void test_least_distance(void **state)
     "<0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, 0,0,0,0,0, " \
     "0,0,0,0,0, 1,"
 
-static void test_quartic_surfaces(void **state)
+TEST(quartic_surfaces)
 {
-    (void)state;
     check_middle(AHEAD "quartic { " Z4 "0,0,0,-1> }", 1, 4);
     check_middle(AHEAD "quartic { " Z4 "0,-5,0,4> }", 1, 3);
     check_middle(AHEAD "quartic { " Z4 "0,-5,0,4> translate -5*z }", 1, 1);
@@ -120,15 +115,4 @@ static void test_quartic_surfaces(void **state)
                  1, 7);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_tori),
-        cmocka_unit_test(test_starts),
-        cmocka_unit_test(test_least_distance),
-        cmocka_unit_test(test_quartic_surfaces),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

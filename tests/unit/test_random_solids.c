@@ -112,43 +112,33 @@ static void check_scenes(bool gridded, bool clear)
 
 /* --- tests --------------------------------------------------------------- */
 
-static void test_opaque(void **state)
+TEST(opaque)
 {
-    (void)state;
     check_scenes(false, false);
 }
 
-static void test_clear(void **state)
+TEST(clear)
 {
-    (void)state;
     check_scenes(false, true);
 }
 
-static void test_coincident(void **state)
+TEST(coincident)
 {
-    (void)state;
     check_scenes(true, false);
 }
 
-static void test_coincident_clear(void **state)
+TEST(coincident_clear)
 {
-    (void)state;
     check_scenes(true, true);
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_opaque),
-        cmocka_unit_test(test_clear),
-        cmocka_unit_test(test_coincident),
-        cmocka_unit_test(test_coincident_clear),
-    };
-
     traced.reported = true; /* patches in intersections */
     if (argc > 1)
         scene_count = strtoul(argv[1], NULL, 10);
     if (argc > 2)
         traced.random ^= strtoull(argv[2], NULL, 10) << 13;
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

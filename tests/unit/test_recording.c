@@ -96,9 +96,8 @@ static void compare(const char *path, const char *other,
     finish(&ran);
 }
 
-static void test_same_clocks(void **state)
+TEST(same_clocks)
 {
-    (void)state;
     static const char *const paths[] = {
         "asm/examples/sieve.s",           "asm/examples/lookup.s",
         "asm/examples/saxpy_linked.s",    "rt/study/fit/programs/linpack.s",
@@ -111,9 +110,8 @@ static void test_same_clocks(void **state)
     }
 }
 
-static void test_settings(void **state)
+TEST(settings)
 {
-    (void)state;
     static const c205_setting pipes[] = { { "machine.pipes", 4 } };
     compare("rt/study/fit/programs/photons.s", "cyber205-4pipe-prior", pipes,
             1);
@@ -139,9 +137,8 @@ static void compare_pages(const char *path, const c205_setting *settings,
     finish(&recorded);
 }
 
-static void test_pages(void **state)
+TEST(pages)
 {
-    (void)state;
     static const c205_setting small[] = { { "page.words", 512 } };
     static const c205_setting little[] = { { "page.words", 2048 },
                                            { "memory.real_words", 9000 },
@@ -157,9 +154,8 @@ static void test_pages(void **state)
 
 /* In a thousand ticks a clock, whole constants give the same clocks, but for
  * what rounding up to whole clocks adds; and fractions lie between. */
-static void test_ticks(void **state)
+TEST(ticks)
 {
-    (void)state;
     struct run run;
     c205_error error;
     double whole[REGIONS], fine[REGIONS], low[REGIONS], between[REGIONS];
@@ -183,9 +179,8 @@ static void test_ticks(void **state)
     finish(&run);
 }
 
-static void test_gather_in_ticks(void **state)
+TEST(gather_in_ticks)
 {
-    (void)state;
     struct run run;
     c205_error error;
     double whole[REGIONS], fine[REGIONS];
@@ -201,9 +196,8 @@ static void test_gather_in_ticks(void **state)
     finish(&run);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
-    (void)state;
     static const c205_setting unknown = { "latency.none", 1 };
     static const c205_setting too_small = { "latency.load", -1 };
     struct run run;
@@ -286,9 +280,8 @@ static double projected(const char *model_text)
 }
 
 /* 4 x 2, 2 x 100, 2 x 1000, 30, 2 x 20 and 20 + 7, monitor 1. */
-static void test_serial(void **state)
+TEST(serial)
 {
-    (void)state;
     assert_true(projected("title t\nlike cyber720\n"
                           "time.single 2 clk R\ntime.load 100 clk R\n"
                           "time.store 1000 clk R\ntime.multiply 30 clk R\n"
@@ -303,16 +296,14 @@ static void test_serial(void **state)
  * 34 .. 44; ADDN waits in its unit for r22, 44 .. 52; the other one for the
  * adder, 52 .. 60, issue ends at 53.  The branch waits for r24: 60 + 8 + 8 =
  * 76; EXIT issues in one more. */
-static void test_scoreboard(void **state)
+TEST(scoreboard)
 {
-    (void)state;
     assert_true(projected("title t\nlike cdc6600\nunits.single 1 units R\n")
                 == 77);
 }
 
-static void test_projection_models(void **state)
+TEST(projection_models)
 {
-    (void)state;
     c205_error error;
     assert_null(c205_model_parse("t",
                                  "title t\nprojection\n"
@@ -328,20 +319,4 @@ static void test_projection_models(void **state)
                                  &error));
     assert_string_equal(error.message, "t:3: 'projection' must stand before "
                                        "the constants");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_clocks),
-        cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_pages),
-        cmocka_unit_test(test_ticks),
-        cmocka_unit_test(test_gather_in_ticks),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_serial),
-        cmocka_unit_test(test_scoreboard),
-        cmocka_unit_test(test_projection_models),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

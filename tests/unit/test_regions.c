@@ -120,9 +120,8 @@ static void check_shape(const struct shape_row *row, const char *how)
     drop_curtain(&stage);
 }
 
-static void test_primitives(void **state)
+TEST(primitives)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(shape_rows); i++) {
         check_shape(&shape_rows[i], "");
         check_shape(&shape_rows[i], "scale <1, 2, 3> rotate 40*x");
@@ -130,7 +129,7 @@ static void test_primitives(void **state)
 }
 
 /* Open shapes need room for both, patches for their parameters. */
-static void test_crossings(void **state)
+TEST(crossings)
 {
     static const struct {
         const char *text;
@@ -147,7 +146,6 @@ static void test_crossings(void **state)
           8, 0, 4 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct stage stage;
         uint64_t room = 64 * 2 * rows[i].crossings, first;
@@ -164,13 +162,12 @@ static void test_crossings(void **state)
 }
 
 /* n leaves have n values and their steps n - 1. */
-static void test_room(void **state)
+TEST(room)
 {
     enum { LEAVES = 5 };
     struct stage stage;
     uint64_t values, leaves, branches;
 
-    (void)state;
     raise_curtain(&stage,
                   "sphere { 0, 1 } merge { sphere { 0, 1 } sphere { x, 1 }"
                   " box { 0, 1 } box { 0, 1 } sphere { y, 1 } }",
@@ -187,7 +184,7 @@ static void test_room(void **state)
 
 /* --- regions and nodes --------------------------------------------------- */
 
-static void test_regions(void **state)
+TEST(regions)
 {
     /* Simple: 1; with a box that is much less than the sphere: 2. */
     static const struct {
@@ -198,7 +195,6 @@ static void test_regions(void **state)
     };
     struct stage stage;
 
-    (void)state;
     raise_curtain(
         &stage,
         "sphere { 0, 1 } box { 0, 1 no_shadow }\n"
@@ -223,7 +219,7 @@ static void test_regions(void **state)
 }
 
 /* In preorder, without complements: &(|(0,1), !(&(2, !(3))), 4). */
-static void test_nodes(void **state)
+TEST(nodes)
 {
     static const struct {
         int leaf, first;
@@ -242,7 +238,6 @@ static void test_nodes(void **state)
     struct stage stage;
     uint64_t nodes, size;
 
-    (void)state;
     raise_curtain(&stage, text, BOUNDING_FLAT);
     nodes = region(&stage, 0, "R_NODES");
     size = 64 * symbol(&stage, "N_SIZE");
@@ -276,12 +271,11 @@ static void check_bound(const struct stage *stage, uint64_t address,
 }
 
 /* No bounds, where there are none and where nobody wants them. */
-static void test_no_bounds(void **state)
+TEST(no_bounds)
 {
     static const char *const texts[] = { "plane { y, 0 }",
                                          "sphere { 0, 1 }" };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct stage stage;
 
@@ -293,12 +287,11 @@ static void test_no_bounds(void **state)
     }
 }
 
-static void test_bounds(void **state)
+TEST(bounds)
 {
     struct stage stage;
     uint64_t bound;
 
-    (void)state;
     raise_curtain(&stage,
                   "difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
                   " inverse }",
@@ -502,11 +495,10 @@ static void check_region(const struct stage *stage, size_t i,
 
 /* Steps tell the tree's value or, always, its complement; where nothing of a node
  * is met they need none that is below it. */
-static void test_steps(void **state)
+TEST(steps)
 {
     enum { SCENES = 300, MOST = 40 };
 
-    (void)state;
     for (int scene = 0; scene < SCENES; scene++) {
         char text[8000];
         struct stage stage;
@@ -521,7 +513,7 @@ static void test_steps(void **state)
 }
 
 /* Of many parts few nodes are visited for one that is met. */
-static void test_many_parts(void **state)
+TEST(many_parts)
 {
     static const char *const ways[] = {
         "merge", "difference { box { -1, 1 }",
@@ -529,7 +521,6 @@ static void test_many_parts(void **state)
     };
     enum { PARTS = 150 };
 
-    (void)state;
     for (size_t way = 0; way < COUNT(ways); way++) {
         char text[8000], *end = text + sprintf(text, "%s", ways[way]);
         struct stage stage;
@@ -553,7 +544,7 @@ static void test_many_parts(void **state)
 
 /* Each step has a value to itself, and each value but the last is a part of
  * one step: so from any primitive there is one way up. */
-static void test_values(void **state)
+TEST(values)
 {
     static const char *const texts[] = {
         "sphere { 0, 1 inverse }",
@@ -563,7 +554,6 @@ static void test_values(void **state)
         " intersection { box { 0, 1 } box { 0, 1 } } }",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct scene *scene = read_scene(texts[i]);
         struct tree_step steps[8];
@@ -588,7 +578,7 @@ static void test_values(void **state)
 
 /* What stands inside of a region: its value, what is not its value, nothing where a
  * part is open or is not seen. */
-static void test_bodies(void **state)
+TEST(bodies)
 {
     static const struct {
         const char *text;
@@ -611,7 +601,6 @@ static void test_bodies(void **state)
         { "steiner_patch { 0, x, y, x + z, y + z, x + y }", 0 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(cases); i++) {
         struct stage stage;
 
@@ -621,17 +610,4 @@ static void test_bodies(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_primitives), cmocka_unit_test(test_crossings),
-        cmocka_unit_test(test_regions),    cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_no_bounds),  cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_steps),      cmocka_unit_test(test_values),
-        cmocka_unit_test(test_bodies),     cmocka_unit_test(test_many_parts),
-        cmocka_unit_test(test_room),
-    };
-
-    return cmocka_run_group_tests_name("regions", tests, set_up_model,
-                                       tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

@@ -50,7 +50,7 @@ struct lost {
     unsigned written;
 };
 
-static void test_lost(void **state)
+TEST(lost)
 {
     static const struct lost cases[] = {
         /* As a source, what is changed, an index, an address, a link. */
@@ -107,7 +107,6 @@ static void test_lost(void **state)
           8, "r21 is read as 'v'", "'q'", 7 },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct lost *lost = &cases[i];
         char text[1000], expected[200];
@@ -121,7 +120,7 @@ static void test_lost(void **state)
     }
 }
 
-static void test_left_alone(void **state)
+TEST(left_alone)
 {
     static const char *const texts[] = {
         " ES a, 1\n ADDX a, r8, r8\n ES b, 2\n ADDX b, r8, r8\n",
@@ -147,7 +146,6 @@ static void test_left_alone(void **state)
         " ADDX q, r8, r8\n SWAP [r9], u, [r0]\n ADDX v, r8, r8\n",
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         char text[1000];
 
@@ -156,26 +154,18 @@ static void test_left_alone(void **state)
     }
 }
 
-static int set_up(void **state)
+FIXTURE(set_up)
 {
     c205_error error;
 
-    (void)state;
     model = c205_model_find("cyber205-2pipe", &error);
     return !model;
 }
 
-static int tear_down(void **state)
+FIXTURE(tear_down)
 {
-    (void)state;
     c205_model_free(model);
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_lost),
-                                        cmocka_unit_test(test_left_alone) };
-
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+GROUP(set_up, tear_down);

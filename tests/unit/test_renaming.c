@@ -284,10 +284,9 @@ static void try_program(const struct random_program *program)
     check_memory(machine, other);
 }
 
-static void test_renaming(void **state)
+TEST(renaming)
 {
     unsigned long tried = 0;
-    (void)state;
     for (uint64_t seed = 1; tried < program_count; seed++) {
         struct random_program program = random_program(seed);
         if (can_be_renamed(&program)) {
@@ -297,10 +296,9 @@ static void test_renaming(void **state)
     }
 }
 
-static int make_machines(void **state)
+FIXTURE(make_machines)
 {
     c205_error error;
-    (void)state;
     assert_true(random_model_count <= sizeof models / sizeof models[0]);
     for (size_t i = 0; i < random_model_count; i++) {
         models[i] = c205_model_parse("random", random_models[i], &error);
@@ -311,9 +309,8 @@ static int make_machines(void **state)
     return 0;
 }
 
-static int free_machines(void **state)
+FIXTURE(free_machines)
 {
-    (void)state;
     for (size_t i = 0; i < random_model_count; i++) {
         for (int k = 0; k < TWO; k++)
             c205_free(machines[k][i]);
@@ -322,11 +319,10 @@ static int free_machines(void **state)
     return 0;
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_renaming) };
     if (argc > 1)
         program_count = strtoul(argv[1], NULL, 0);
-    return cmocka_run_group_tests_name("renaming", tests, make_machines,
-                                       free_machines);
 }
+
+GROUP(make_machines, free_machines);

@@ -142,17 +142,15 @@ static size_t check_files(const char *pattern)
     return count;
 }
 
-static void test_programs(void **state)
+TEST(programs)
 {
-    (void)state;
     assert_true(check_files("tests/programs/*.s") > 200);
     assert_true(check_files("asm/examples/*.s") > 0);
 }
 
 /* Each operand stands in a page of its own, which nobody has touched yet. */
-static void test_all_touches(void **state)
+TEST(all_touches)
 {
-    (void)state;
     check_text("touches", "        .data\n"
                           "a:      .space 65536\n"
                           "b:      .space 65536\n"
@@ -173,9 +171,8 @@ static void test_all_touches(void **state)
 }
 
 /* Code that is written over while it runs: additions become divisions. */
-static void test_changed_code(void **state)
+TEST(changed_code)
 {
-    (void)state;
     check_text("changed", "        EX   r10, here\n"
                           "        EX   r11, other\n"
                           "        ES   r13, 1\n"
@@ -227,7 +224,7 @@ static const char powers[] =
     "branch.stack_halves 8 halves R\n";
 
 /* Each takes a time of its own: which of them were charged shows in the sum. */
-static void test_operations(void **state)
+TEST(operations)
 {
     struct diagnostics errors = { 0 };
     struct object *object = assemble_text("operations", operations, NULL,
@@ -240,7 +237,6 @@ static void test_operations(void **state)
     diagnostics_free(&errors);
     c205 *machine = loaded(object, model);
     c205_projection *projection = c205_projection_new(times, &error);
-    (void)state;
     assert_true(c205_listen(machine, c205_project, projection));
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
     assert_int_equal(c205_projected_clocks(projection, 0),
@@ -250,15 +246,4 @@ static void test_operations(void **state)
     c205_model_free(times);
     c205_model_free(model);
     object_free(object);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_programs),
-        cmocka_unit_test(test_all_touches),
-        cmocka_unit_test(test_changed_code),
-        cmocka_unit_test(test_operations),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,20 +1,10 @@
 /* Roots that are known, through the programs of rt205 quartic. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "rt/layout/program.h"
 #include "rt/roots/roots.h"
+#include "tests/unit/prior_model.h"
 #include "vm/text.h"
-
-static c205_model *model;
 
 /* ---- Known roots -------------------------------------------------------- */
 
@@ -117,12 +107,11 @@ static void read_known(struct polynomial polynomials[KNOWN])
     }
 }
 
-static void test_known(void **state)
+TEST(known)
 {
-    struct roots_options options = { .queue = 10, .model = model };
+    struct roots_options options = { .queue = 10, .model = prior_model };
     struct polynomial polynomials[KNOWN];
 
-    (void)state;
     read_known(polynomials);
     for (int way = 0; way < 2 * 2 * FALSI_RULES; way++) {
         struct polynomial_roots *roots;
@@ -148,16 +137,15 @@ static bool note_progress(void *context, size_t done, size_t all)
     return true;
 }
 
-static void test_progress(void **state)
+TEST(progress)
 {
     size_t last = 0;
     struct roots_options options = { .queue = 1,
-                                     .model = model,
+                                     .model = prior_model,
                                      .progress = note_progress,
                                      .context = &last };
     struct polynomial polynomials[KNOWN];
 
-    (void)state;
     read_known(polynomials);
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         last = 0;
@@ -168,7 +156,7 @@ static void test_progress(void **state)
 }
 
 /* The numbers of falsi.h are those of the kernels. */
-static void test_falsi(void **state)
+TEST(falsi)
 {
     static const struct {
         const char *name;
@@ -182,7 +170,6 @@ static void test_falsi(void **state)
     struct object *program = program_assemble("roots/roots_vector.s", defines,
                                               &error);
 
-    (void)state;
     if (!program)
         fail_msg("%s", error.message);
     for (int i = 0; i < FALSI_RULES; i++)
@@ -192,15 +179,14 @@ static void test_falsi(void **state)
 }
 
 /* What no exponent of the machine can hold is refused, not guessed. */
-static void test_refused(void **state)
+TEST(refused)
 {
-    struct roots_options options = { .queue = 1, .model = model };
+    struct roots_options options = { .queue = 1, .model = prior_model };
     struct polynomial polynomials[2] = {
         { { C205_ONE, 0, C205_ONE, 0, C205_ONE }, C205_MACHINE_ZERO },
         { { 0, 0, 0, 0, 0 }, C205_MACHINE_ZERO }
     };
 
-    (void)state;
     for (int i = 0; i < 5; i++)
         polynomials[1].c[i] = C205_MACHINE_ZERO;
     polynomials[0].c[1] = number("1e4000");
@@ -222,7 +208,7 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
 {
     const struct roots_options options = { .mode = mode,
                                            .queue = queue,
-                                           .model = model };
+                                           .model = prior_model };
     struct polynomial polynomials[KNOWN];
     struct iterations iterations;
     c205_error error = { "" };
@@ -239,12 +225,11 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
 
 /* Whatever the form and the queue, the same brackets are refined in as many
  * steps; lanes in the loop may be done. */
-static void test_iterations(void **state)
+TEST(iterations)
 {
     static const size_t queues[] = { 1, 7, 2000 };
     struct iterations scalar = watched(TRACE_SCALAR, 1);
 
-    (void)state;
     for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
         struct iterations vector = watched(TRACE_VECTOR, queues[i]);
 
@@ -264,20 +249,4 @@ static void test_iterations(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known),   cmocka_unit_test(test_progress),
-        cmocka_unit_test(test_falsi),   cmocka_unit_test(test_iterations),
-        cmocka_unit_test(test_refused),
-    };
-    c205_error error;
-    int failed;
-
-    model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (!model)
-        return 2;
-    failed = cmocka_run_group_tests(tests, NULL, NULL);
-    c205_model_free(model);
-    return failed;
-}
+GROUP(set_up_model, tear_down_model);

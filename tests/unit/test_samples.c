@@ -128,21 +128,19 @@ static void check_scene(const char *text, int times)
     scene_free(scene);
 }
 
-static void test_linear(void **state)
+TEST(linear)
 {
-    (void)state;
     check_scene(linear, 6);
 }
 
 /* Where the scene's colours are not linear, their powers are averaged. */
-static void test_gamma(void **state)
+TEST(gamma)
 {
-    (void)state;
     check_scene(curved, 4);
 }
 
 /* One is none. */
-static void test_one(void **state)
+TEST(one)
 {
     struct scene *scene = read_text(curved);
     struct trace_options options = { .mode = TRACE_VECTOR,
@@ -152,7 +150,6 @@ static void test_one(void **state)
                                      .model = prior_model };
     struct trace *none = run_trace(scene, &options), *one;
 
-    (void)state;
     options.samples = 1;
     one = run_trace(scene, &options);
     assert_int_equal(trace_checksum(one), trace_checksum(none));
@@ -173,7 +170,7 @@ static bool stop_in_the_middle(void *context, size_t done, size_t all)
 }
 
 /* A band that is stopped has no pixels yet. */
-static void test_stopped(void **state)
+TEST(stopped)
 {
     struct scene *scene = read_text(linear);
     size_t asked = 0;
@@ -188,7 +185,6 @@ static void test_stopped(void **state)
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
 
-    (void)state;
     assert_non_null(trace);
     assert_int_equal(trace_bands(trace), 3);
     assert_false(trace_run(trace, &error));
@@ -197,14 +193,4 @@ static void test_stopped(void **state)
     scene_free(scene);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_linear),
-        cmocka_unit_test(test_gamma),
-        cmocka_unit_test(test_one),
-        cmocka_unit_test(test_stopped),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

@@ -45,7 +45,7 @@ static void compare_program(const char *path, uint64_t clocks)
     c205_free(machine);
 }
 
-static void test_programs(void **state)
+TEST(programs)
 {
     static const char *const paths[] = {
         "asm/examples/horner.s",       "asm/examples/interval_sum.s",
@@ -53,7 +53,6 @@ static void test_programs(void **state)
         "asm/examples/saxpy_scalar.s", "asm/examples/saxpy_vector.s",
         "asm/examples/sieve.s",        "tests/programs/swap.s"
     };
-    (void)state;
     compare_program("asm/examples/dot.s", 1);
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
         compare_program(paths[i], 41);
@@ -76,7 +75,7 @@ static void compare_frame(const struct scene *scene, enum trace_mode mode)
     trace_free(trace);
 }
 
-static void test_kernels(void **state)
+TEST(kernels)
 {
     struct scene_options options = { .strict = false };
     struct diagnostics reports = { 0 };
@@ -87,7 +86,6 @@ static void test_kernels(void **state)
         "plane { y, -1 pigment { rgb .5 } finish { reflection .3 } }"
         "sphere { 0, 1 pigment { rgb <1, .5, .2> } }",
         &options, &reports);
-    (void)state;
     assert_non_null(scene);
     compare_frame(scene, TRACE_SCALAR);
     compare_frame(scene, TRACE_VECTOR);
@@ -95,14 +93,13 @@ static void test_kernels(void **state)
     diagnostics_free(&reports);
 }
 
-static void test_access(void **state)
+TEST(access)
 {
     uint64_t address = UINT64_C(0xFFFFFFFFFFC0);
     c205 *machine = machine_from("asm/examples/dot.s", model);
     c205_word word = 205;
     c205_error error;
     uint64_t fault;
-    (void)state;
     assert_true(c205_map(machine, address, 1, C205_READ_ONLY, &error));
     assert_true(c205_write(machine, address, &word, 1));
     machine = replace(machine);
@@ -117,11 +114,10 @@ static void test_access(void **state)
 
 /* A page that was not touched is saved as one of zeros is, and not touched by
  * that. */
-static void test_untouched(void **state)
+TEST(untouched)
 {
     const c205_access access[] = { C205_READ_WRITE, C205_WHEN_TOUCHED };
     struct bytes saved[2];
-    (void)state;
     for (size_t i = 0; i < 2; i++) {
         c205_error error;
         c205 *machine = c205_new(model, &error);
@@ -141,25 +137,23 @@ static void test_untouched(void **state)
 }
 
 /* A machine without a program, too. */
-static void test_empty_machine(void **state)
+TEST(empty_machine)
 {
     c205_error error;
     c205 *machine = c205_new(model, &error);
-    (void)state;
     assert_non_null(machine);
     machine = replace(machine);
     assert_int_equal(c205_loaded_program(machine), 0);
     c205_free(machine);
 }
 
-static void test_program_hash(void **state)
+TEST(program_hash)
 {
     c205_word words[] = { 1, 2 };
     c205_segment segment = { 0x400000, 2, words };
     c205_region region = { "loop", 0x400000, 0x400040 };
     c205_program program = { 0x400000, 1, &segment, 1, &region, false };
     uint64_t hash = c205_program_hash(&program);
-    (void)state;
     assert_int_equal(hash, c205_program_hash(&program));
     words[1] = 3;
     assert_int_not_equal(hash, c205_program_hash(&program));
@@ -216,10 +210,9 @@ static void assert_refused(const void *bytes, size_t count,
 }
 
 /* Each in a place of its own, so that reading beyond it is seen. */
-static void test_truncated(void **state)
+TEST(truncated)
 {
     struct bytes bytes = in_the_middle(1300);
-    (void)state;
     for (size_t count = 0; count < bytes.count; count++) {
         unsigned char *part = malloc(count ? count : 1);
         assert_non_null(part);
@@ -232,10 +225,9 @@ static void test_truncated(void **state)
     free(bytes.byte);
 }
 
-static void test_flipped(void **state)
+TEST(flipped)
 {
     struct bytes bytes = in_the_middle(1300);
-    (void)state;
     for (size_t i = 0; i < bytes.count; i++) {
         unsigned char bit = (unsigned char)(1 << xorshift(&random_state) % 8);
         bytes.byte[i] ^= bit;
@@ -266,10 +258,9 @@ static void try_word(struct bytes *bytes, size_t i, uint64_t word)
     c205_free(machine);
 }
 
-static void test_forged(void **state)
+TEST(forged)
 {
     struct bytes bytes = in_the_middle(1300);
-    (void)state;
     bytes.byte = realloc(bytes.byte, bytes.count); /* nothing behind */
     assert_non_null(bytes.byte);
     size_t words = bytes.count / WORD_BYTES;
@@ -284,13 +275,12 @@ static void test_forged(void **state)
     free(bytes.byte);
 }
 
-static void test_foreign(void **state)
+TEST(foreign)
 {
     static const char text[] = "c205-object 1\nentry 400000\nend\n";
     struct bytes bytes = in_the_middle(1300);
     c205_error error;
     c205_model *other = c205_model_find("cyber205-4pipe-prior", &error);
-    (void)state;
     assert_non_null(other);
     assert_refused(bytes.byte, bytes.count, other, "cyber205-2pipe-prior");
     assert_refused(text, sizeof text, model, "not a saved machine");
@@ -302,7 +292,7 @@ static void test_foreign(void **state)
 }
 
 /* The name and the sources of a model don't matter, its constants do. */
-static void test_same_constants(void **state)
+TEST(same_constants)
 {
     c205_error error = { "" };
     c205_model *same =
@@ -311,7 +301,6 @@ static void test_same_constants(void **state)
                          "latency.load 15.0 clk P\n",
                          &error);
     struct bytes bytes = in_the_middle(1300);
-    (void)state;
     assert_non_null(same);
     c205 *machine = c205_restore(bytes.byte, bytes.count, same, &error);
     assert_non_null(machine);
@@ -320,11 +309,10 @@ static void test_same_constants(void **state)
     free(bytes.byte);
 }
 
-static void test_no_room(void **state)
+TEST(no_room)
 {
     c205 *machine = machine_from("asm/examples/dot.s", model);
     c205_error error;
-    (void)state;
     for (size_t room = 1; room < 4000; room += 97) {
         struct bytes bytes = { 0, room, NULL, 0 };
         error.message[0] = '\0';
@@ -335,36 +323,17 @@ static void test_no_room(void **state)
     c205_free(machine);
 }
 
-static int find_model(void **state)
+FIXTURE(find_model)
 {
     c205_error error;
-    (void)state;
     model = c205_model_find("cyber205-2pipe-prior", &error);
     return model ? 0 : -1;
 }
 
-static int drop_model(void **state)
+FIXTURE(drop_model)
 {
-    (void)state;
     c205_model_free(model);
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_programs),
-        cmocka_unit_test(test_kernels),
-        cmocka_unit_test(test_access),
-        cmocka_unit_test(test_untouched),
-        cmocka_unit_test(test_empty_machine),
-        cmocka_unit_test(test_program_hash),
-        cmocka_unit_test(test_truncated),
-        cmocka_unit_test(test_flipped),
-        cmocka_unit_test(test_forged),
-        cmocka_unit_test(test_foreign),
-        cmocka_unit_test(test_same_constants),
-        cmocka_unit_test(test_no_room),
-    };
-    return cmocka_run_group_tests_name("save", tests, find_model, drop_model);
-}
+GROUP(find_model, drop_model);

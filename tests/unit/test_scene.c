@@ -14,12 +14,11 @@ static void map(const struct transform *transform, const double from[3],
     }
 }
 
-static void test_defaults(void **state)
+TEST(defaults)
 {
     struct scene *scene = read_scene("sphere { 0, 1 }");
     const struct primitive *sphere = scene->primitives;
 
-    (void)state;
     assert_vector(scene->camera.location, 0, 0, 0);
     assert_vector(scene->camera.direction, 0, 0, 1);
     assert_vector(scene->camera.right, 1.33, 0, 0); /* POV-Ray's, measured */
@@ -44,7 +43,7 @@ static void test_defaults(void **state)
     scene_free(scene);
 }
 
-static void test_expressions(void **state)
+TEST(expressions)
 {
     static const struct {
         const char *text;
@@ -103,7 +102,6 @@ static void test_expressions(void **state)
         { "vlength(G)", 0 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
         snprintf(text, sizeof text,
@@ -118,7 +116,7 @@ static void test_expressions(void **state)
 }
 
 /* POV-Ray's figures: the signs of rotations are left-handed. */
-static void test_rotations(void **state)
+TEST(rotations)
 {
     static const struct {
         const char *text;
@@ -135,7 +133,6 @@ static void test_rotations(void **state)
         { "V + 1", { 2, 3, 4 } },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
         snprintf(text, sizeof text, "#declare V = <1, 2 3>; sphere { %s 1 }",
@@ -149,7 +146,7 @@ static void test_rotations(void **state)
 }
 
 /* POV-Ray's figures. */
-static void test_colors(void **state)
+TEST(colors)
 {
     static const struct {
         const char *text;
@@ -170,7 +167,6 @@ static void test_colors(void **state)
         { "Gray35", { .35, .35, .35 } },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
         snprintf(text, sizeof text,
@@ -184,12 +180,11 @@ static void test_colors(void **state)
     }
 }
 
-static void test_camera(void **state)
+TEST(camera)
 {
     struct scene *scene = read_scene("camera { look_at 0 angle 90 right x*4/3"
                                      " location <0, 0, -5> }");
 
-    (void)state;
     assert_vector(scene->camera.location, 0, 0, -5);
     assert_vector(scene->camera.direction, 0, 0, 2. / 3);
     assert_vector(scene->camera.right, 4. / 3, 0, 0);
@@ -217,7 +212,7 @@ static void test_camera(void **state)
     scene_free(read_with("camera { aperture 1 blur_samples 4 }", 1));
 }
 
-static void test_fogs(void **state)
+TEST(fogs)
 {
     struct scene *scene = read_scene(
         "fog { distance 20 color rgbft <.5, .6, .7, .1, .2> fog_type 1 }"
@@ -225,7 +220,6 @@ static void test_fogs(void **state)
         "#declare B = rgb <.5, 1, 2>; fog { B*.5 + B distance 5 }"
         "#declare F = fog { distance 7 rgb x }; fog { F } fog { F distance 8 }");
 
-    (void)state;
     assert_int_equal(scene->fog_count, 5);
     assert_close(scene->fogs[0].distance, 20, CLOSE);
     assert_vector(scene->fogs[0].color, .5, .6, .7);
@@ -242,7 +236,7 @@ static void test_fogs(void **state)
 }
 
 /* What an orthographic camera shows: POV-Ray 3.7's, measured by its pictures. */
-static void test_orthographic(void **state)
+TEST(orthographic)
 {
     static const struct {
         const char *words;
@@ -265,7 +259,6 @@ static void test_orthographic(void **state)
         "#declare D = camera { C } camera { D translate x }",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         for (size_t form = 0; form < COUNT(forms); form++) {
             char text[200];
@@ -279,7 +272,7 @@ static void test_orthographic(void **state)
     }
 }
 
-static void test_primitives(void **state)
+TEST(primitives)
 {
     struct scene *scene = read_scene("sphere { <1, 2, 3>, -2 }\n"
                                      "box { <1, -1, 1>, <-1, 1, -2> }\n"
@@ -288,7 +281,6 @@ static void test_primitives(void **state)
                                      "plane { <0, 3, 4>, 2 }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 5);
     assert_close(p[0].shape.sphere.radius, 2, 0);
     assert_vector(p[1].shape.box.corner[0], -1, -1, -2);
@@ -315,7 +307,7 @@ static void assert_inverse(const struct primitive *primitive)
     assert_vector(back, point[0], point[1], point[2]);
 }
 
-static void test_transforms(void **state)
+TEST(transforms)
 {
     static const struct {
         const char *text;
@@ -336,7 +328,6 @@ static void test_transforms(void **state)
         { "transform { translate x scale 2 }", { 4, 4, 6 } },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         const double point[3] = { 1, 2, 3 };
         char text[200];
@@ -356,13 +347,12 @@ static void test_transforms(void **state)
     }
 }
 
-static void test_no_transform(void **state)
+TEST(no_transform)
 {
     struct scene *scene = read_with(
         "sphere { 0, 1 translate x translate -x } sphere { 0, 1 scale 0 }",
         3);
 
-    (void)state;
     assert_false(scene->primitives[0].transformed);
     assert_false(scene->primitives[1].transformed); /* 0 became 1 */
     scene_free(scene);
@@ -379,7 +369,7 @@ static void assert_pattern_at(const struct pigment *pigment, double world_x,
     assert_close(local[0], pattern_x, CLOSE);
 }
 
-static void test_textures_move(void **state)
+TEST(textures_move)
 {
     struct scene *scene = read_scene(
         "#declare P = pigment { checker rgb 1 rgb 0 scale 2 }\n"
@@ -389,7 +379,6 @@ static void test_textures_move(void **state)
         "sphere { 0, 1 scale 3 pigment { checker } }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_pattern_at(&p[0].pigment, 4 + 3 * (1 + 2), 1);
     assert_pattern_at(&p[1].pigment, 1 + 2, 1);
     assert_pattern_at(&p[2].pigment, 3 * (1 + 2), 1);
@@ -401,7 +390,7 @@ static void test_textures_move(void **state)
     scene_free(scene);
 }
 
-static void test_unions(void **state)
+TEST(unions)
 {
     struct scene *scene = read_scene(
         "#default { finish { ambient 0 } }\n"
@@ -418,7 +407,6 @@ static void test_unions(void **state)
     const double origin[3] = { 0, 0, 0 };
     double image[3];
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 6);
     assert_int_equal(scene->light_count, 2);
     assert_vector(scene->lights[0].position, 0, 1, 0);
@@ -441,7 +429,7 @@ static void test_unions(void **state)
 }
 
 /* A light's kind is the last that is named; what it points at moves with it. */
-static void test_beams(void **state)
+TEST(beams)
 {
     struct scene *scene = read_scene(
         "#declare L = light_source { <0, 4, 0>, 1 spotlight point_at x\n"
@@ -455,7 +443,6 @@ static void test_beams(void **state)
         "light_source { 2*y, 1 cylinder tightness 4 spotlight }\n");
     const struct light *lights = scene->lights;
 
-    (void)state;
     assert_int_equal(scene->light_count, 7);
     assert_int_equal(lights[0].beam, BEAM_CONE);
     assert_vector(lights[0].position, -8, 0, 1);
@@ -486,7 +473,7 @@ static void test_beams(void **state)
     scene_free(scene);
 }
 
-static void test_areas(void **state)
+TEST(areas)
 {
     struct scene *scene = read_scene(
         "#declare L = light_source { 0, 1 area_light x, 2*y 3, 2.9 }\n"
@@ -495,7 +482,6 @@ static void test_areas(void **state)
         "light_source { y, 1 spotlight }\n");
     const struct light *lights = scene->lights;
 
-    (void)state;
     assert_vector(lights[0].position, 0, 0, 1);
     assert_vector(lights[0].area_axes[0], 0, 2, 0);
     assert_vector(lights[0].area_axes[1], -4, 0, 0);
@@ -508,7 +494,7 @@ static void test_areas(void **state)
     scene_free(scene);
 }
 
-static void test_declarations(void **state)
+TEST(declarations)
 {
     struct scene *scene = read_scene(
         "#version 3.7;\n"
@@ -525,7 +511,6 @@ static void test_declarations(void **state)
         "light_source { <1, 2, 3>, 2 shadowless translate x }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_close(p[0].shape.sphere.radius, 2, 0);
     assert_vector(p[0].pigment.color[0], 0, 1, 0);
     assert_close(p[0].finish.phong_size, 10, 0);
@@ -537,13 +522,12 @@ static void test_declarations(void **state)
     scene_free(scene);
 }
 
-static void test_settings(void **state)
+TEST(settings)
 {
     struct scene *scene = read_scene(
         "global_settings { assumed_gamma 1 ambient_light rgb <.5, 1, 2>"
         " max_trace_level 7 }");
 
-    (void)state;
     assert_close(scene->assumed_gamma, 1, 0);
     assert_vector(scene->ambient_light, .5, 1, 2);
     assert_int_equal(scene->max_trace_level, 7);
@@ -551,11 +535,10 @@ static void test_settings(void **state)
 }
 
 /* The least and the greatest level, and what is beyond them. */
-static void test_trace_levels(void **state)
+TEST(trace_levels)
 {
     static const int levels[] = { 1, 256 };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(levels); i++) {
         char text[80];
         struct scene *scene;
@@ -572,18 +555,17 @@ static void test_trace_levels(void **state)
                    "between 1 and 256");
 }
 
-static void test_gamma_of_srgb(void **state)
+TEST(gamma_of_srgb)
 {
     struct scene *scene = read_with("global_settings { assumed_gamma srgb }",
                                     1);
 
-    (void)state;
     assert_close(scene->assumed_gamma, 2.2, 0);
     scene_free(scene);
 }
 
 /* As POV-Ray 3.7 does: the version at the end of the text counts. */
-static void test_gamma_of_versions(void **state)
+TEST(gamma_of_versions)
 {
     static const struct {
         const char *text;
@@ -600,7 +582,6 @@ static void test_gamma_of_versions(void **state)
         { "#version 3.6; #version 3.7;", false },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct diagnostics reports = { 0 };
         struct scene *scene = scene_read_text("test.pov", rows[i].text,
@@ -618,7 +599,7 @@ static void test_gamma_of_versions(void **state)
     }
 }
 
-static void test_our_scenes(void **state)
+TEST(our_scenes)
 {
     static const char *const paths[] = {
         "scenes/first.pov",   "scenes/bearing.pov", "scenes/pipe_flange.pov",
@@ -626,7 +607,6 @@ static void test_our_scenes(void **state)
         "scenes/steiner.pov", "scenes/car.pov",     "scenes/flake.pov"
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(paths); i++) {
         struct diagnostics reports = { 0 };
         struct scene *scene = scene_read(paths[i], &strict_options, &reports);
@@ -650,14 +630,13 @@ static char *file_text(const char *path)
 }
 
 /* Each example of the manual is a scene; only of shadows something is said. */
-static void test_manual(void **state)
+TEST(manual)
 {
     static const char open[] = "\n```pov\n", close[] = "\n```\n";
     char *text = file_text("docs/scenes.md"), *end = text;
     char *start = strstr(text, open);
     size_t count = 0;
 
-    (void)state;
     for (; start; start = strstr(end, open), count++) {
         start += strlen(open);
         end = strstr(start, close);
@@ -667,33 +646,4 @@ static void test_manual(void **state)
     }
     assert_true(count > 5);
     free(text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults),
-        cmocka_unit_test(test_expressions),
-        cmocka_unit_test(test_rotations),
-        cmocka_unit_test(test_colors),
-        cmocka_unit_test(test_camera),
-        cmocka_unit_test(test_orthographic),
-        cmocka_unit_test(test_fogs),
-        cmocka_unit_test(test_primitives),
-        cmocka_unit_test(test_transforms),
-        cmocka_unit_test(test_no_transform),
-        cmocka_unit_test(test_textures_move),
-        cmocka_unit_test(test_unions),
-        cmocka_unit_test(test_beams),
-        cmocka_unit_test(test_areas),
-        cmocka_unit_test(test_declarations),
-        cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_trace_levels),
-        cmocka_unit_test(test_gamma_of_srgb),
-        cmocka_unit_test(test_gamma_of_versions),
-        cmocka_unit_test(test_our_scenes),
-        cmocka_unit_test(test_manual),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

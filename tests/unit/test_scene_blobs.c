@@ -22,7 +22,7 @@ static void assert_part(const struct blob_part *part, bool cylinder,
     assert_close(part->strength, strength, 0);
 }
 
-static void test_components(void **state)
+TEST(components)
 {
     struct scene *scene = read_scene(
         "blob { threshold .7 sphere { <1, 2, 3>, -2, strength 4 }"
@@ -31,7 +31,6 @@ static void test_components(void **state)
         " hierarchy off }");
     const struct blob_part *parts = parts_of(scene, 4);
 
-    (void)state;
     assert_close(scene->primitives->shape.blob.threshold, .6, 0);
     assert_part(&parts[0], false, 2, 4);
     assert_vector(parts[0].base, 1, 2, 3);
@@ -48,7 +47,7 @@ static void test_components(void **state)
 }
 
 /* A component moves within the blob, and the blob with it. */
-static void test_motions(void **state)
+TEST(motions)
 {
     struct scene *scene = read_scene(
         "blob { sphere { x, 1, 2 scale 2 rotate 90*z translate <1, 0, 5> }"
@@ -56,7 +55,6 @@ static void test_motions(void **state)
     const struct blob_part *part = parts_of(scene, 1);
     double center[3] = { 1, 0, 0 }, back[3] = { 1, 2, 5 };
 
-    (void)state;
     for (int i = 0; i < 3; i++) {
         center[i] = dot3(part->to_blob.rows[i], part->base)
                     + part->to_blob.rows[i][3];
@@ -70,7 +68,7 @@ static void test_motions(void **state)
 }
 
 /* Looks of components are one report; those of the blob are its own. */
-static void test_looks(void **state)
+TEST(looks)
 {
     static const char text[] =
         "blob { sphere { 0, 1, 2 pigment { rgb x } finish { ambient 1 } }"
@@ -79,7 +77,6 @@ static void test_looks(void **state)
                                        "" };
     static const char *const by[] = { "by that of the blob", "by the first" };
 
-    (void)state;
     for (int i = 0; i < 2; i++) {
         char blob[400];
         struct scene *scene;
@@ -97,20 +94,19 @@ static void test_looks(void **state)
 }
 
 /* One has the look of its component, which moves with that and with the blob. */
-static void test_one_look(void **state)
+TEST(one_look)
 {
     struct scene *scene = read_scene(
         "blob { sphere { 0, 1, 2 pigment { rgb z } translate x } scale 2 }");
     const struct pigment *pigment = &scene->primitives->pigment;
 
-    (void)state;
     assert_vector(pigment->color[0], 0, 0, 1);
     assert_close(pigment->to_local.rows[0][0], .5, 0);
     assert_close(pigment->to_local.rows[0][3], -1, 0);
     scene_free(scene);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error errors[] = {
         { "blob { cylinder { x, x, 1, 1 } }", 19,
@@ -128,7 +124,6 @@ static void test_errors(void **state)
           "the blob is too large or too small" },
     };
 
-    (void)state;
     assert_errors(errors, COUNT(errors));
 }
 
@@ -143,9 +138,8 @@ static size_t pieces_of(const char *text)
     return pieces;
 }
 
-static void test_pieces(void **state)
+TEST(pieces)
 {
-    (void)state;
     assert_int_equal(pieces_of("sphere { 0, 1 }"), 0);
     assert_int_equal(pieces_of("blob { sphere { 0, 1, 1 } }"), 1);
     assert_int_equal(pieces_of("blob { sphere { 0, 1, 1 }"
@@ -156,7 +150,7 @@ static void test_pieces(void **state)
 
 /* The rows of its table: an own space in which the radius is one, the base the
  * origin, the axis along z. */
-static void test_rows(void **state)
+TEST(rows)
 {
     enum { ROW = 20, LENGTH = 7, MATRIX = 8 };
     struct scene *scene = read_scene(
@@ -168,7 +162,6 @@ static void test_rows(void **state)
     double *table = shape_table(primitive, NULL, 3 * ROW);
     static const double ends[2][3] = { { 1, 4, 3 }, { 1, 10, 7 } };
 
-    (void)state;
     assert_int_equal(shape_table_count(primitive, NULL), 3 * ROW);
     shape_words(primitive, &words);
     assert_close(words.words[4], 1, 0);
@@ -191,16 +184,4 @@ static void test_rows(void **state)
     assert_close(table[2 * ROW], 1, 0);
     free(table);
     scene_free(scene);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_components), cmocka_unit_test(test_motions),
-        cmocka_unit_test(test_looks),      cmocka_unit_test(test_one_look),
-        cmocka_unit_test(test_errors),     cmocka_unit_test(test_pieces),
-        cmocka_unit_test(test_rows),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

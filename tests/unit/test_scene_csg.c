@@ -55,7 +55,7 @@ static void check_regions(const char *text, size_t reports,
 #define C "plane { y, 0 }"
 #define D "torus { 1, .2 }"
 
-static void test_trees(void **state)
+TEST(trees)
 {
     static const struct {
         const char *text, *regions;
@@ -140,14 +140,13 @@ static void test_trees(void **state)
         { "union { " A B " bounded_by { clipped_by } }", "0 1 ++", 0 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
         check_regions(rows[i].text, rows[i].reports, rows[i].regions);
 }
 
 /* What clips is not seen, casts no shadow and takes no look; a transform moves it
  * if it comes later. */
-static void test_clips(void **state)
+TEST(clips)
 {
     struct scene *scene = read_scene(
         "#default { pigment { rgbf 1 } }\n"
@@ -155,7 +154,6 @@ static void test_clips(void **state)
         "pigment { rgbf <1, 0, 0, .5> } interior { ior 1.5 } }");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_true(!p[0].unseen && !p[0].no_shadow);
     assert_true(p[1].unseen && p[1].no_shadow);
     assert_close(p[0].to_world.rows[1][3], 3, CLOSE);
@@ -167,14 +165,13 @@ static void test_clips(void **state)
 }
 
 /* A transform of the whole moves all parts. */
-static void test_transforms(void **state)
+TEST(transforms)
 {
     struct scene *scene = read_scene(
         "#declare H = difference { " A " box { 0, 1 translate x } scale 2 }\n"
         "object { H translate <0, 3, 0> no_shadow }");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_close(p[0].to_world.rows[0][0], 2, CLOSE);
     assert_close(p[0].to_world.rows[1][3], 3, CLOSE);
     assert_close(p[1].to_world.rows[0][3], 2, CLOSE);
@@ -184,7 +181,7 @@ static void test_transforms(void **state)
 }
 
 /* Of a solid the whole says it, of a union each part. */
-static void test_no_shadow(void **state)
+TEST(no_shadow)
 {
     static const struct {
         const char *text;
@@ -205,7 +202,6 @@ static void test_no_shadow(void **state)
         { "union { merge { " A B " } " C " no_shadow }", { true, true } },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene = read_scene(rows[i].text);
 
@@ -218,7 +214,7 @@ static void test_no_shadow(void **state)
 
 /* --- inheritance --------------------------------------------------------- */
 
-static void test_textures(void **state)
+TEST(textures)
 {
     struct scene *scene = read_scene(
         "difference {\n"
@@ -229,7 +225,6 @@ static void test_textures(void **state)
         "}");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_vector(p[0].pigment.color[0], 1, 0, 0);
     assert_vector(p[1].pigment.color[0], 0, 1, 0);
     assert_vector(p[2].pigment.color[0], 0, 1, 0);
@@ -239,7 +234,7 @@ static void test_textures(void **state)
     scene_free(scene);
 }
 
-static void test_interiors(void **state)
+TEST(interiors)
 {
     struct scene *scene = read_scene(
         "#declare L = intersection {\n"
@@ -251,7 +246,6 @@ static void test_interiors(void **state)
         "    material { texture { pigment { rgbf 1 } } interior { ior 3 } } }" A);
     static const double expected[] = { 1.2, 1.5, 1.2, 2, 3, 1, 1 };
 
-    (void)state;
     assert_int_equal(scene->primitive_count, COUNT(expected));
     for (size_t i = 0; i < COUNT(expected); i++)
         assert_close(scene->primitives[i].ior, expected[i], 0);
@@ -286,7 +280,7 @@ static void check_bodies(const char *text, const char *expected)
 
 /* Each object of the scene is a body, and each interior is one of its own
  * wherever it is given: by name, and in copies. */
-static void test_bodies(void **state)
+TEST(bodies)
 {
     static const char *const rows[][2] = {
         { A B, "ab" },
@@ -324,20 +318,18 @@ static void test_bodies(void **state)
         { "#for (I, 1, 2) union { " A FILLED "} #end", "abcd" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
         check_bodies(rows[i][0], rows[i][1]);
 }
 
 /* What one statement puts into the world is one object, whatever it is made of. */
-static void test_objects(void **state)
+TEST(objects)
 {
     static const size_t expected[] = { 0, 1, 1, 1, 2, 2, 3, 4 };
     struct scene *scene = read_scene(
         A "union { " B " union { " C D " } } difference { " A B " }"
           "#declare S = " A " object { S } object { S translate x }");
 
-    (void)state;
     assert_int_equal(scene->primitive_count, COUNT(expected));
     assert_int_equal(scene->object_count, 5);
     for (size_t i = 0; i < COUNT(expected); i++)
@@ -346,7 +338,7 @@ static void test_objects(void **state)
 }
 
 /* By name, with more behind the name. */
-static void test_materials(void **state)
+TEST(materials)
 {
     struct scene *scene = read_scene(
         "#declare I = interior { ior 1.25 }\n"
@@ -363,7 +355,6 @@ static void test_materials(void **state)
     static const double iors[] = { 1.25, 1.25, 1.5, 1.75, 1.5, 1 };
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     for (size_t i = 0; i < COUNT(iors); i++)
         assert_close(p[i].ior, iors[i], 0);
     assert_vector(p[0].pigment.color[0], 0, 0, 0);
@@ -377,7 +368,7 @@ static void test_materials(void **state)
 
 /* --- surfaces ------------------------------------------------------------ */
 
-static void test_clear_pigments(void **state)
+TEST(clear_pigments)
 {
     static const struct {
         const char *text;
@@ -395,7 +386,6 @@ static void test_clear_pigments(void **state)
         { "rgbf 1 checker", { 0, 0 }, { 0, 0 } },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[300];
         snprintf(text, sizeof text,
@@ -414,7 +404,7 @@ static void test_clear_pigments(void **state)
 }
 
 /* What a second one leaves out is as the first one says: measured. */
-static void test_reflections(void **state)
+TEST(reflections)
 {
     static const struct {
         const char *text;
@@ -484,7 +474,6 @@ static void test_reflections(void **state)
           true },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
         snprintf(text, sizeof text, "sphere { 0, 1 finish { %s } }",
@@ -501,13 +490,12 @@ static void test_reflections(void **state)
     }
 }
 
-static void test_settings(void **state)
+TEST(settings)
 {
     struct scene *plain = read_scene(A);
     struct scene *scene = read_scene("global_settings { adc_bailout 1/100 "
                                      "max_trace_level 12 } " A);
 
-    (void)state;
     assert_close(plain->adc_bailout, 1. / 255, 0);
     assert_int_equal(plain->max_trace_level, 5);
     assert_close(scene->adc_bailout, .01, CLOSE);
@@ -530,14 +518,13 @@ static void check_error(const char *text, const char *message)
     diagnostics_free(&reports);
 }
 
-static void test_deep_text(void **state)
+TEST(deep_text)
 {
     enum { DEEP = 10000 };
     static const char level[] = "difference { " A " ";
     char *text = malloc(DEEP * sizeof level + DEEP * 2);
     char *end = text;
 
-    (void)state;
     for (int i = 0; i < DEEP; i++)
         end += sprintf(end, "%s", level);
     end += sprintf(end, "%s", B);
@@ -548,12 +535,11 @@ static void test_deep_text(void **state)
 }
 
 /* A union may be as large as a scene, one solid may not. */
-static void test_large_solids(void **state)
+TEST(large_solids)
 {
     char text[2000] = "#declare U = union { " A " " A " }";
     char *end;
 
-    (void)state;
     for (int i = 1; i < 14; i++)
         strcat(text, "#declare U = union { object { U } object { U } }\n");
     scene_free(read_scene(text));
@@ -565,13 +551,12 @@ static void test_large_solids(void **state)
 }
 
 /* Level upon level by name: copies are counted. */
-static void test_deep_names(void **state)
+TEST(deep_names)
 {
     enum { DEEP = 10000, LONGEST = 80 };
     char *text = malloc(DEEP * LONGEST);
     char *end = text + sprintf(text, "#declare H = " A " ");
 
-    (void)state;
     for (int i = 0; i < DEEP; i++)
         end += sprintf(end,
                        "#declare H = difference { object { H } " A " } ");
@@ -582,28 +567,4 @@ static void test_deep_names(void **state)
     sprintf(end, "object { H }");
     check_regions(text, 0, "!(0) -");
     free(text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_trees),
-        cmocka_unit_test(test_clips),
-        cmocka_unit_test(test_transforms),
-        cmocka_unit_test(test_no_shadow),
-        cmocka_unit_test(test_textures),
-        cmocka_unit_test(test_interiors),
-        cmocka_unit_test(test_bodies),
-        cmocka_unit_test(test_objects),
-        cmocka_unit_test(test_materials),
-        cmocka_unit_test(test_clear_pigments),
-        cmocka_unit_test(test_reflections),
-        cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_deep_text),
-        cmocka_unit_test(test_large_solids),
-        cmocka_unit_test(test_deep_names),
-    };
-
-    return cmocka_run_group_tests_name("constructive solids", tests, NULL,
-                                       NULL);
 }

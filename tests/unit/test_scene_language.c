@@ -2,8 +2,6 @@
  * conditions and loops, most of them against what POV-Ray prints. */
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 static const char *said(const struct diagnostics *reports)
 {
     for (size_t i = 0; i < reports->count; i++)
@@ -47,9 +45,8 @@ static void check_list(const char *name)
 }
 
 /* NAME.txt is what POV-Ray's #debug prints of NAME.pov. */
-static void test_lists(void **state)
+TEST(lists)
 {
-    (void)state;
     check_list("values");
     check_list("strings");
     check_list("flow");
@@ -62,7 +59,7 @@ static void test_lists(void **state)
 /* ---- Errors ------------------------------------------------------------- */
 
 /* Each text has this one error. */
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error rows[] = {
         { "#if (1 sphere { #end", 8, "expected ')'" },
@@ -184,7 +181,6 @@ static void test_errors(void **state)
         { "#error concat(\"a\", \"b\")", 1, "ab" },
     };
 
-    (void)state;
     assert_errors(rows, COUNT(rows));
     assert_refused("#declare F = function(x) { x } #for (I, 1, 1000000)"
                    " #declare F = function(x) { F(x) + 1 } #end",
@@ -195,7 +191,7 @@ static void test_errors(void **state)
 
 /* ---- What is said ------------------------------------------------------- */
 
-static void test_debug(void **state)
+TEST(debug)
 {
     static const char text[] =
         "#debug \"one, \"\n#declare A = 2; #debug str(A, 0, 1)\n"
@@ -204,7 +200,6 @@ static void test_debug(void **state)
     struct scene *scene = read_versioned("test.pov", text, &strict_options,
                                          &reports);
 
-    (void)state;
     assert_non_null(scene);
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.errors, 0);
@@ -214,7 +209,7 @@ static void test_debug(void **state)
 }
 
 /* A report of one place and text is told once, however often it is met. */
-static void test_warnings(void **state)
+TEST(warnings)
 {
     static const char text[] =
         "#for (I, 1, 9)\n"
@@ -225,7 +220,6 @@ static void test_warnings(void **state)
     struct scene *scene = read_versioned("test.pov", text, &reading_options,
                                          &reports);
 
-    (void)state;
     assert_non_null(scene);
     assert_int_equal(reports.count, 3);
     assert_string_equal(reports.items[2].message, "other 1");
@@ -233,7 +227,7 @@ static void test_warnings(void **state)
     diagnostics_free(&reports);
 }
 
-static void test_too_much_said(void **state)
+TEST(too_much_said)
 {
     struct diagnostics reports = { 0 };
     struct scene *scene =
@@ -241,21 +235,9 @@ static void test_too_much_said(void **state)
                        "#for (I, 1, 9999) #debug \"0123456789\" #end",
                        &reading_options, &reports);
 
-    (void)state;
     assert_non_null(scene);
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[1].message, "are said"));
     scene_free(scene);
     diagnostics_free(&reports);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),         cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_debug),         cmocka_unit_test(test_warnings),
-        cmocka_unit_test(test_too_much_said),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

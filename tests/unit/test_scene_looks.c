@@ -3,12 +3,10 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 /* ---- What is told, and where -------------------------------------------- */
 
 /* Each text has this one report, or none. */
-static void test_told_when_used(void **state)
+TEST(told_when_used)
 {
     static const struct {
         const char *text;
@@ -82,7 +80,6 @@ static void test_told_when_used(void **state)
           10, "is left out" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct diagnostics reports = { 0 };
         struct scene *scene = read_versioned("test.pov", rows[i].text,
@@ -187,12 +184,11 @@ static unsigned told_of(const char *text)
     return told;
 }
 
-static void test_told_by_chance(void **state)
+TEST(told_by_chance)
 {
     enum { SCENES = 300 };
     struct drawing drawing = { .random = RANDOM_SEED };
 
-    (void)state;
     for (int i = 0; i < SCENES; i++) {
         char *text = NULL;
         size_t length;
@@ -210,7 +206,7 @@ static void test_told_by_chance(void **state)
 
 /* ---- What is used ------------------------------------------------------- */
 
-static void test_maps_and_layers(void **state)
+TEST(maps_and_layers)
 {
     static const char *const texts[] = {
         "#declare M = color_map { [0 C] [1 rgb 0] }"
@@ -232,7 +228,6 @@ static void test_maps_and_layers(void **state)
         " sphere { 0, 1 texture { T } }",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct diagnostics reports = { 0 };
         char text[400];
@@ -247,15 +242,4 @@ static void test_maps_and_layers(void **state)
         scene_free(scene);
         diagnostics_free(&reports);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_told_when_used),
-        cmocka_unit_test(test_told_by_chance),
-        cmocka_unit_test(test_maps_and_layers),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -80,12 +80,11 @@ static void compare(const struct text_buffer *written,
     scene_free(should_be);
 }
 
-static void test_nests(void **state)
+TEST(nests)
 {
     uint64_t seed = RANDOM_SEED;
     size_t read = 0;
 
-    (void)state;
     for (size_t i = 0; i < CASES; i++) {
         struct text_buffer written, carried_out;
 
@@ -97,13 +96,4 @@ static void test_nests(void **state)
         text_buffer_free(&carried_out);
     }
     assert_true(read > CASES / 4);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nests),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@
 /* ---- What they make ----------------------------------------------------- */
 
 /* Texts and the radii of their spheres. */
-static void test_spheres(void **state)
+TEST(spheres)
 {
     static const struct {
         const char *text;
@@ -77,7 +77,6 @@ static void test_spheres(void **state)
         { "sphere { 0, #include concat(\"col\", \"ors.inc\") 1 }", 1, { 1 } },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene = read_scene(rows[i].text);
         if (scene->primitive_count != rows[i].count)
@@ -91,14 +90,13 @@ static void test_spheres(void **state)
 }
 
 /* A primitive's line is that of the call in the main file. */
-static void test_lines(void **state)
+TEST(lines)
 {
     struct scene *scene = read_scene("#macro S(R)\n  sphere { 0, R }\n#end\n"
                                      "#macro T()\n  S(1)\n  S(2)\n#end\n\n"
                                      "S(3)\nT()\n");
     static const size_t lines[] = { 9, 10, 10 };
 
-    (void)state;
     assert_int_equal(scene->primitive_count, COUNT(lines));
     for (size_t i = 0; i < COUNT(lines); i++)
         assert_int_equal(scene->primitives[i].line, lines[i]);
@@ -107,7 +105,7 @@ static void test_lines(void **state)
 
 /* ---- Errors ------------------------------------------------------------- */
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct {
         const char *text;
@@ -141,7 +139,6 @@ static void test_errors(void **state)
         { "#macro R(A) R(R(A)) #end\nR(1)", 1, 15, "200" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
         assert_error(rows[i].text, &reading_options, rows[i].line,
                      rows[i].column, rows[i].message);
@@ -150,7 +147,7 @@ static void test_errors(void **state)
 /* ---- Bounds ------------------------------------------------------------- */
 
 /* Each ends, soon, and says why. */
-static void test_bounds(void **state)
+TEST(bounds)
 {
     static const struct {
         const char *text, *message;
@@ -187,7 +184,6 @@ static void test_bounds(void **state)
           "files are read" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         clock_t start = clock();
 
@@ -204,29 +200,17 @@ static bool end_at_once(void *context)
     return false;
 }
 
-static void test_stopped(void **state)
+TEST(stopped)
 {
     size_t asked = 0;
     const struct scene_options stopping = { .go_on = end_at_once,
                                             .context = &asked };
     struct diagnostics reports = { 0 };
 
-    (void)state;
     assert_null(scene_read_text("test.pov", "#while (1) #while (1) #end #end",
                                 &stopping, &reports));
     assert_int_equal(asked, 1);
     assert_int_equal(reports.count, 1);
     assert_non_null(strstr(reports.items[0].message, "stopped"));
     diagnostics_free(&reports);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spheres), cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_errors),  cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_stopped),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,8 +4,6 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 static void check_map(const struct color_map *map, const char *expected)
 {
     char found[1024], *to = found;
@@ -42,9 +40,8 @@ static void check_pigment(const char *words, enum pigment_kind kind,
 
 #define TWO "0:1,0,0 0.5:0,0,1 "
 
-static void test_maps(void **state)
+TEST(maps)
 {
-    (void)state;
     check_pigment("gradient x", PIGMENT_GRADIENT, "0:0,0,0 1:1,1,1 ");
     check_pigment("gradient x color_map { [0 rgb x] [.5 rgb z] }",
                   PIGMENT_GRADIENT, TWO);
@@ -77,7 +74,7 @@ static struct pattern pattern_of(const char *words)
     return pattern;
 }
 
-static void test_patterns(void **state)
+TEST(patterns)
 {
     static const struct {
         const char *words, *map;
@@ -92,7 +89,6 @@ static void test_patterns(void **state)
     };
     struct pattern pattern;
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
         check_pigment(rows[i].words, PIGMENT_PATTERN, rows[i].map);
     check_pigment("gradient x frequency 1 ramp_wave", PIGMENT_GRADIENT,
@@ -130,9 +126,8 @@ static void check_list(const char *words, const char *expected)
     scene_free(scene);
 }
 
-static void test_lists(void **state)
+TEST(lists)
 {
-    (void)state;
     check_list("onion", "");
     check_list("brick", "0.5,0.5,0.5 0.6,0.15,0.15 ");
     check_list("brick rgb x, rgb z", "1,0,0 0,0,1 ");
@@ -157,12 +152,11 @@ static void test_lists(void **state)
 
 /* What takes a pattern's place has its waves, and values as they are after a
  * list. */
-static void test_waves_stay(void **state)
+TEST(waves_stay)
 {
     struct pattern pattern;
     struct scene *scene;
 
-    (void)state;
     pattern = pattern_of("leopard poly_wave 2 frequency 3 phase .5 boxed");
     assert_int_equal(pattern.function, PATTERN_BOXED);
     assert_int_equal(pattern.wave, WAVE_POLY);
@@ -197,7 +191,7 @@ static void test_waves_stay(void **state)
     scene_free(scene);
 }
 
-static void test_named_maps(void **state)
+TEST(named_maps)
 {
     struct scene *scene = read_scene(
         "#declare M = color_map { [0 rgb x] [.5 rgb z] }\n"
@@ -208,7 +202,6 @@ static void test_named_maps(void **state)
         "sphere { 0, 1 pigment { G rgb y } }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     check_map(&p[0].pigment.map, TWO);
     assert_vector(p[0].pigment.axis, 0, 1, 0);
     assert_close(p[0].pigment.to_local.rows[1][1], .5, CLOSE);
@@ -222,7 +215,7 @@ static void test_named_maps(void **state)
 }
 
 /* As in POV-Ray, whose checker is a map from 0 to 1. */
-static void test_gradients_after_checkers(void **state)
+TEST(gradients_after_checkers)
 {
     static const struct {
         const char *words, *expected;
@@ -241,7 +234,6 @@ static void test_gradients_after_checkers(void **state)
           "0:0,0,1 1:0,1,0 " },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[1024];
         snprintf(text, sizeof text, "sphere { 0, 1 %s }", rows[i].words);
@@ -252,7 +244,7 @@ static void test_gradients_after_checkers(void **state)
 }
 
 /* Of a pattern that is not drawn the first colour of its map counts. */
-static void test_other_patterns(void **state)
+TEST(other_patterns)
 {
     struct scene *scene = read_with(
         "sphere { 0, 1 pigment { bozo color_map { [.2 rgb x] [1 rgb y] } } }\n"
@@ -260,7 +252,6 @@ static void test_other_patterns(void **state)
         2);
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(p[0].pigment.kind, PIGMENT_COLOR);
     assert_vector(p[0].pigment.color[0], 1, 0, 0);
     assert_int_equal(p[1].pigment.kind, PIGMENT_COLOR);
@@ -268,7 +259,7 @@ static void test_other_patterns(void **state)
     scene_free(scene);
 }
 
-static void test_clear(void **state)
+TEST(clear)
 {
     struct scene *scene = read_with(
         "#declare G = pigment { gradient x color_map { [0 rgbt <1, 0, 0, .5>]"
@@ -278,19 +269,17 @@ static void test_clear(void **state)
         " [1 rgbf 1] } } }",
         1);
 
-    (void)state;
     assert_false(pigment_is_clear(&scene->primitives[0].pigment));
     assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
     scene_free(scene);
 }
 
-static void test_skies(void **state)
+TEST(skies)
 {
     struct scene *scene = read_scene(
         "background { rgb z } sky_sphere { pigment { rgb <1, .5, 0> } }");
     double up[3] = { 0, 1, 0 };
 
-    (void)state;
     assert_int_not_equal(scene->sky.kind, PIGMENT_GRADIENT);
     assert_vector(scene->background, 1, .5, 0);
     scene_free(scene);
@@ -331,7 +320,7 @@ static void test_skies(void **state)
 
 #define MAP "sphere { 0, 1 pigment { gradient x color_map { "
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error rows[] = {
         { "sphere { 0, 1 pigment { gradient 0 } }", 25, "has no length" },
@@ -350,24 +339,5 @@ static void test_errors(void **state)
         { "sky_sphere 3", 12, "expected '{'" },
     };
 
-    (void)state;
     assert_errors(rows, COUNT(rows));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_maps),
-        cmocka_unit_test(test_patterns),
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_waves_stay),
-        cmocka_unit_test(test_named_maps),
-        cmocka_unit_test(test_gradients_after_checkers),
-        cmocka_unit_test(test_other_patterns),
-        cmocka_unit_test(test_clear),
-        cmocka_unit_test(test_skies),
-        cmocka_unit_test(test_errors),
-    };
-
-    return cmocka_run_group_tests_name("scene maps", tests, NULL, NULL);
 }

@@ -4,13 +4,11 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 #define HALF 0.70710678118654752440
 
 /* --- what is read --------------------------------------------------------- */
 
-static void test_lone_triangles(void **state)
+TEST(lone_triangles)
 {
     struct scene *scene = read_scene(
         "triangle { 0, x, <1, 2, 3> scale 2 pigment { rgb y } no_shadow }\n"
@@ -21,7 +19,6 @@ static void test_lone_triangles(void **state)
     const struct triangle *first = triangles_of_part(scene, 0)->list;
     const struct triangle *smooth = triangles_of_part(scene, 1)->list;
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 6);
     assert_int_equal(scene->region_count, 6);
     for (size_t i = 0; i < 6; i++)
@@ -48,7 +45,7 @@ static void test_lone_triangles(void **state)
     scene_free(scene);
 }
 
-static void test_meshes(void **state)
+TEST(meshes)
 {
     struct scene *scene = read_scene(
         "#macro Two(A) triangle { A, x, y } triangle { A, y, z } #end\n"
@@ -64,7 +61,6 @@ static void test_meshes(void **state)
     const struct triangles *triangles = triangles_of_part(scene, 0);
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(triangles->count, 9); /* one has no area */
     assert_vector(triangles->list[3].corners[2], 0, 0, 3);
@@ -85,7 +81,7 @@ static void test_meshes(void **state)
 
 #define FOUR "mesh2 { vertex_vectors { 4, 0, x, y, z } "
 
-static void test_mesh2(void **state)
+TEST(mesh2)
 {
     struct scene *scene = read_scene(
         FOUR
@@ -101,7 +97,6 @@ static void test_mesh2(void **state)
         "  normal_indices { 1 <0, 2, 3> } inside_vector x inside_vector y }\n");
     const struct triangle *list = triangles_of_part(scene, 0)->list;
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 4);
     assert_int_equal(triangles_of_part(scene, 0)->count, 2);
     assert_false(list[0].smooth || list[1].smooth);
@@ -126,7 +121,7 @@ static void test_mesh2(void **state)
 
 /* As in POV-Ray: a normal that is 0 counts as x within a mesh, and alone it
  * takes its triangle away; so does an area of 0. */
-static void test_nothing(void **state)
+TEST(nothing)
 {
     struct scene *scene = read_with(
         "mesh { smooth_triangle { 0, 1e-11*z, x, y, y, <1e-200, 0, 0> } }\n"
@@ -136,7 +131,6 @@ static void test_nothing(void **state)
         1); /* of one cause */
     const struct triangle *list = triangles_of_part(scene, 0)->list;
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 3);
     assert_vector(list->normals[0], 1, 0, 0);
     assert_vector(list->normals[2], 1, 0, 0);
@@ -163,7 +157,7 @@ static void test_nothing(void **state)
     "texture_list { 2, texture { A }, texture { B translate x } }"
 
 /* In POV-Ray a triangle's texture goes before the mesh's. */
-static void test_textures(void **state)
+TEST(textures)
 {
     static const struct {
         const char *text;
@@ -215,7 +209,6 @@ static void test_textures(void **state)
           1, 1, 0 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[700];
         snprintf(text, sizeof text, LOOKS "%s", rows[i].text);
@@ -228,18 +221,17 @@ static void test_textures(void **state)
 }
 
 /* The texture of a triangle goes with the mesh. */
-static void test_moved_texture(void **state)
+TEST(moved_texture)
 {
     struct scene *scene = read_scene(
         "mesh { triangle { 0, x, y texture { pigment { checker } } }"
         " translate 3*x }");
 
-    (void)state;
     assert_close(scene->primitives->pigment.to_local.rows[0][3], -3, CLOSE);
     scene_free(scene);
 }
 
-static void test_messages(void **state)
+TEST(messages)
 {
     static const struct {
         const char *text;
@@ -265,14 +257,13 @@ static void test_messages(void **state)
           "counts as <1, 0, 0>" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
         assert_error(rows[i].text, &strict_options, rows[i].line,
                      rows[i].column, rows[i].message);
 }
 
 /* What light passes, it passes. */
-static void test_clear(void **state)
+TEST(clear)
 {
     struct scene *scene = read_scene(
         "#declare M = mesh { triangle { 0, x, y } }\n"
@@ -280,7 +271,6 @@ static void test_clear(void **state)
         "union { object { M } sphere { 0, 1 } pigment { rgbt .5 } }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 3);
     for (size_t i = 0; i < 3; i++)
         assert_true(pigment_is_clear(&p[i].pigment));
@@ -306,9 +296,8 @@ static void assert_nodes(const char *text, size_t reports,
                      / sizeof(enum tree_operation))
 
 /* Surfaces are not inverted, as in POV-Ray, also below what is. */
-static void test_inverted(void **state)
+TEST(inverted)
 {
-    (void)state;
     ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } } }",
                  1, TREE_AND, TREE_LEAF, TREE_LEAF);
     ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } "
@@ -323,13 +312,12 @@ static void test_inverted(void **state)
                  0, TREE_OR, TREE_LEAF, TREE_LEAF);
 }
 
-static void test_clipped(void **state)
+TEST(clipped)
 {
     struct scene *scene = read_scene(
         "mesh { triangle { 0, x, y } clipped_by { mesh { triangle { 0, x, y "
         "} inside_vector y } } }");
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 2);
     assert_false(scene->primitives[0].shape.mesh.solid);
     assert_true(scene->primitives[1].shape.mesh.solid);
@@ -343,7 +331,7 @@ static void test_clipped(void **state)
 #define FACE "face_indices { 1, <0, 1, 2> } "          /* 30 columns */
 #define MESH "mesh { triangle { 0, x, y } }"
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error rows[] = {
         { "triangle { 0, x }", 17, "expected a number or a vector" },
@@ -432,19 +420,17 @@ static void test_errors(void **state)
         { "#declare mesh2 = 1;", 10, "a word of the language" },
     };
 
-    (void)state;
     assert_errors(rows, COUNT(rows));
 }
 
 /* Of what is declared, too. */
-static void test_copies_count(void **state)
+TEST(copies_count)
 {
     static const char many[] =
         "#declare M = mesh { #for (I, 1, 40000) triangle { 0, x, y } #end }\n"
         "#for (I, 1, %s) object { M } #end";
     char text[sizeof many + 8];
 
-    (void)state;
     (void)snprintf(text, sizeof text, many, "99");
     scene_free(read_scene(text));
     (void)snprintf(text, sizeof text, many, "100");
@@ -453,9 +439,8 @@ static void test_copies_count(void **state)
 }
 
 /* One error does not make others: of a mesh2's sections, of triangles. */
-static void test_recovery(void **state)
+TEST(recovery)
 {
-    (void)state;
     assert_error("mesh2 { vertex_vectors { 3, 0, x }\n"
                  "normal_vectors { 3, x, y, z }\n"
                  "face_indices { 2, <0, 1, 2> <0, 1, 9> }\n"
@@ -585,13 +570,12 @@ static void assert_same(const struct scene *scene)
 }
 
 /* Those without a triangle are errors. */
-static void test_three_ways(void **state)
+TEST(three_ways)
 {
     static char text[TEXT_MOST];
     uint64_t random = RANDOM_SEED;
     size_t compared = 0;
 
-    (void)state;
     for (int i = 0; i < MESHES; i++) {
         struct random_mesh mesh = random_mesh(&random);
         struct diagnostics reports = { 0 };
@@ -615,7 +599,7 @@ static void test_three_ways(void **state)
 }
 
 /* An array that grows all the way. */
-static void test_many(void **state)
+TEST(many)
 {
     enum { MANY = 40000 };
     struct scene *scene = read_scene(
@@ -625,7 +609,6 @@ static void test_many(void **state)
         " face_indices { 40000, #for (I, 1, 40000) <I + 1, 0, 1> #end } }");
     const struct triangles *mesh = triangles_of_part(scene, 0);
 
-    (void)state;
     assert_int_equal(mesh->count, MANY);
     assert_int_equal(triangles_of_part(scene, 1)->count, MANY);
     for (size_t i = 0; i < MANY; i++)
@@ -636,7 +619,7 @@ static void test_many(void **state)
 }
 
 /* Nothing is seen of them, which is one report. */
-static void test_unseen(void **state)
+TEST(unseen)
 {
     static const char *const texts[] = {
         "mesh { }",
@@ -648,31 +631,6 @@ static void test_unseen(void **state)
         "polygon { 4, 0, 0, 0, 0 }",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++)
         scene_free(read_with(texts[i], 1));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_unseen),
-        cmocka_unit_test(test_lone_triangles),
-        cmocka_unit_test(test_meshes),
-        cmocka_unit_test(test_mesh2),
-        cmocka_unit_test(test_nothing),
-        cmocka_unit_test(test_textures),
-        cmocka_unit_test(test_moved_texture),
-        cmocka_unit_test(test_messages),
-        cmocka_unit_test(test_clear),
-        cmocka_unit_test(test_inverted),
-        cmocka_unit_test(test_clipped),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_copies_count),
-        cmocka_unit_test(test_recovery),
-        cmocka_unit_test(test_three_ways),
-        cmocka_unit_test(test_many),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

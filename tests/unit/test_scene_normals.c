@@ -3,8 +3,6 @@
 #include "rt/shapes/primitive.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-
 /* Of the first object. */
 static struct scene *scene_with(const char *words, size_t reports)
 {
@@ -48,9 +46,8 @@ static void check_bump(const char *words, enum pattern_function function,
     }
 }
 
-static void test_bumps(void **state)
+TEST(bumps)
 {
-    (void)state;
     check_bump("gradient x", PATTERN_SLANTED, .5, .02);
     check_bump("gradient x, 3", PATTERN_SLANTED, 3, .02);
     check_bump("gradient <1, 2, 3> 3 bump_size 2", PATTERN_SLANTED, 2, .02);
@@ -64,7 +61,7 @@ static void test_bumps(void **state)
 }
 
 /* What has no pattern changes nothing, nor what has an unknown one. */
-static void test_none(void **state)
+TEST(none)
 {
     static const struct {
         const char *text;
@@ -77,7 +74,6 @@ static void test_none(void **state)
         { "sphere { 0, 1 normal { bumps 2 normal_map { [0 onion] } } }", 1 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene = read_with(rows[i].text, rows[i].reports);
         assert_false(bumps_show(&scene->primitives[0].bumps));
@@ -87,7 +83,7 @@ static void test_none(void **state)
 
 /* A normal goes on where the one before it ended; it moves with the object, its
  * texture, its material. */
-static void test_motions(void **state)
+TEST(motions)
 {
     static const char *const texts[] = {
         "sphere { 0, 1 normal { onion scale 2 translate x } }",
@@ -108,7 +104,6 @@ static void test_motions(void **state)
         " scale 2 translate x }",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct scene *scene = read_scene(texts[i]);
         double point[3] = { 3, 2, 4 };
@@ -122,21 +117,20 @@ static void test_motions(void **state)
     }
 }
 
-static void test_unscaled(void **state)
+TEST(unscaled)
 {
     struct scene *scene = read_scene(
         "sphere { 0, 1 normal { onion no_bump_scale } }"
         "sphere { 0, 1 texture { normal { onion } no_bump_scale } }"
         "sphere { 0, 1 texture { normal { onion } } }");
 
-    (void)state;
     assert_true(scene->primitives[0].bumps.unscaled);
     assert_true(scene->primitives[1].bumps.unscaled);
     assert_false(scene->primitives[2].bumps.unscaled);
     scene_free(scene);
 }
 
-static void test_slope_maps(void **state)
+TEST(slope_maps)
 {
     static const char *const texts[] = {
         "gradient x slope_map { [.2 <0, 1>] [.1, <.5, -1>] [1 <2, 0>] }",
@@ -144,7 +138,6 @@ static void test_slope_maps(void **state)
         " slope_map { [.2 <0, 1>], [.2, <.5, -1>] [1 <2, 0>] }",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct scene *scene = scene_with(texts[i], 0);
         const struct bump *bump = &list_of(scene)->bump;
@@ -170,11 +163,10 @@ static void check_entries(const char *words, size_t count, const double *at)
     scene_free(scene);
 }
 
-static void test_normal_maps(void **state)
+TEST(normal_maps)
 {
     struct scene *scene;
 
-    (void)state;
     check_entries(
         "gradient x normal_map { [.3 onion] [.2 radial] [2 planar] }", 3,
         (double[]){ .3, .3, 2 });
@@ -210,7 +202,7 @@ static void test_normal_maps(void **state)
 }
 
 /* The normal of several within a map: its first one, where it stands there. */
-static void test_nested(void **state)
+TEST(nested)
 {
     struct scene *scene =
         scene_with("onion normal_map { [0 radial] [1 planar scale 2"
@@ -218,27 +210,25 @@ static void test_nested(void **state)
                    1);
     const struct bump *bump = &list_of(scene)->entries[1].bump;
 
-    (void)state;
     assert_int_equal(bump->pattern.pattern.function, PATTERN_BOXED);
     assert_close(bump->pattern.to_local.rows[0][0], .5, 0);
     assert_close(bump->pattern.to_local.rows[0][3], -1, 0);
     scene_free(scene);
 }
 
-static void test_quilted(void **state)
+TEST(quilted)
 {
     struct scene *scene =
         scene_with("onion slope_map { [0 <0, 1>] } quilted control1 .3", 0);
     const struct bump *bump = &list_of(scene)->bump;
 
-    (void)state;
     assert_close(bump->controls[0], 1, 0);
     assert_close(bump->controls[1], .3, 0);
     assert_int_equal(bump->stop_count, 0);
     scene_free(scene);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error errors[] = {
         { "sphere { 0, 1 normal { onion accuracy 0 } }", 30,
@@ -263,19 +253,5 @@ static void test_errors(void **state)
           "out of range" },
     };
 
-    (void)state;
     assert_errors(errors, COUNT(errors));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bumps),      cmocka_unit_test(test_none),
-        cmocka_unit_test(test_motions),    cmocka_unit_test(test_unscaled),
-        cmocka_unit_test(test_slope_maps), cmocka_unit_test(test_normal_maps),
-        cmocka_unit_test(test_nested),     cmocka_unit_test(test_quilted),
-        cmocka_unit_test(test_errors),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,7 +2,7 @@
 #include "tests/unit/scene_reading.h"
 
 /* Scenes of two primitives with that many reports. */
-static void test_reports(void **state)
+TEST(reports)
 {
     static const struct {
         const char *text;
@@ -29,7 +29,6 @@ static void test_reports(void **state)
           2 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene = read_with(rows[i].text, rows[i].reports);
 
@@ -47,9 +46,8 @@ static void assert_ior(const char *text, size_t reports, double ior)
 }
 
 /* As in POV-Ray the finish decides. */
-static void test_ior(void **state)
+TEST(ior)
 {
-    (void)state;
     assert_ior("sphere { 0, 1 finish { refraction 1 ior 1.4 } }", 2, 1.4);
     assert_ior("sphere { 0, 1 texture { finish { ior 1.4 } } }", 1, 1.4);
     assert_ior("#declare F = finish { ior 1.4 } sphere { 0, 1 finish { F } }",
@@ -58,14 +56,4 @@ static void test_ior(void **state)
                1.4);
     assert_ior("sphere { 0, 1 interior { ior 1.2 } finish { phong 1 } }", 0,
                1.2);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reports),
-        cmocka_unit_test(test_ior),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

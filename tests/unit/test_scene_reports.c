@@ -3,7 +3,7 @@
 #include "tests/unit/scene_reading.h"
 
 /* Each text has this one error. */
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct {
         const char *text;
@@ -109,14 +109,13 @@ static void test_errors(void **state)
         { "cylinder { 0, 1e-200*x, 1 }", 1, 1, "cylinder is too large" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++)
         assert_error(rows[i].text, &reading_options, rows[i].line,
                      rows[i].column, rows[i].message);
 }
 
 /* Each text has this one report; it is an error under strict. */
-static void test_reports(void **state)
+TEST(reports)
 {
     static const struct {
         const char *text;
@@ -188,7 +187,6 @@ static void test_reports(void **state)
         { "#undef A", 8, "'A' is not declared" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         scene_free(read_with(rows[i].text, 1));
         assert_error(rows[i].text, &strict_options, 1, rows[i].column,
@@ -196,7 +194,7 @@ static void test_reports(void **state)
     }
 }
 
-static void test_first_colors(void **state)
+TEST(first_colors)
 {
     static const char *const texts[] = {
         "bozo color_map { [0 rgb <1, 2, 3>] [1 rgb 0] }",
@@ -207,7 +205,6 @@ static void test_first_colors(void **state)
         "image_map { hdr \"a.hdr\" } color C",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct diagnostics reports = { 0 };
         char text[300];
@@ -227,7 +224,7 @@ static void test_first_colors(void **state)
 }
 
 /* One reading finds them all, and goes on behind each. */
-static void test_all_errors(void **state)
+TEST(all_errors)
 {
     static const char text[] =
         "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
@@ -237,7 +234,6 @@ static void test_all_errors(void **state)
     static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };
     struct diagnostics reports = { 0 };
 
-    (void)state;
     assert_null(read_versioned("test.pov", text, &reading_options, &reports));
     if (reports.count != COUNT(lines))
         diagnostics_print(&reports, stderr);
@@ -247,7 +243,7 @@ static void test_all_errors(void **state)
     diagnostics_free(&reports);
 }
 
-static void test_print(void **state)
+TEST(print)
 {
     static const char expected[] =
         "test.pov:2:10: error: 'ovus' is not supported\n"
@@ -258,7 +254,6 @@ static void test_print(void **state)
     size_t length = 0;
     FILE *out = open_memstream(&text, &length);
 
-    (void)state;
     read_versioned("test.pov", "/*\n\xc3\xa4\x01 */  \tovus { 1, 2 }\r\n",
                    &reading_options, &reports);
     diagnostics_print(&reports, out);
@@ -291,7 +286,7 @@ static void delete_files(const char *folder, const char *const *names)
     assert_int_equal(remove(folder), 0);
 }
 
-static void test_includes(void **state)
+TEST(includes)
 {
     static const char *const names[] = { "main.pov", "part.inc", "loop.inc",
                                          NULL };
@@ -299,7 +294,6 @@ static void test_includes(void **state)
     struct diagnostics reports = { 0 };
     struct scene *scene;
 
-    (void)state;
     assert_non_null(mkdtemp(folder));
     write_file(folder, "main.pov",
                "#version 3.7;\n#include \"part.inc\"\nsphere { 0, R }\n");
@@ -354,7 +348,7 @@ static char *repeated(const char *head, const char *part, size_t count)
 }
 
 /* Neither the stack, nor memory, nor the list of reports grows without end. */
-static void test_bounds(void **state)
+TEST(bounds)
 {
     static const struct {
         const char *head, *part;
@@ -368,7 +362,6 @@ static void test_bounds(void **state)
         { "", "foo{}\n", "too many errors" },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char *text = repeated(rows[i].head, rows[i].part, 10000);
         assert_refused(text, 201, rows[i].message);
@@ -377,7 +370,7 @@ static void test_bounds(void **state)
 }
 
 /* So many things left out are no reason to leave out the scene. */
-static void test_many_places(void **state)
+TEST(many_places)
 {
     enum { COUNT_OF_SPHERES = 1000 };
     char *text = repeated("", "sphere { 0, 1 finish { crand 2 } }\n",
@@ -386,7 +379,6 @@ static void test_many_places(void **state)
     struct scene *scene = read_versioned("test.pov", text, &reading_options,
                                          &reports);
 
-    (void)state;
     assert_non_null(scene);
     assert_int_equal(scene->primitive_count, COUNT_OF_SPHERES);
     assert_int_equal(reports.errors, 0);
@@ -398,7 +390,7 @@ static void test_many_places(void **state)
     free(text);
 }
 
-static void test_many_reports(void **state)
+TEST(many_reports)
 {
     enum { MOST_TOLD = 200 };
     struct diagnostics reports = { 0 };
@@ -407,7 +399,6 @@ static void test_many_reports(void **state)
         "#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
         &reading_options, &reports);
 
-    (void)state;
     assert_non_null(scene);
     assert_int_equal(reports.errors, 0);
     assert_int_equal(reports.count, MOST_TOLD + 1);
@@ -418,7 +409,7 @@ static void test_many_reports(void **state)
 }
 
 /* More places than are kept are no reason to pass over the rest in silence. */
-static void test_lost_notes(void **state)
+TEST(lost_notes)
 {
     enum { NOTES = 100001 };
     char *text = repeated("", "sphere{0,1 uv_mapping}\n", NOTES);
@@ -426,7 +417,6 @@ static void test_lost_notes(void **state)
     struct scene *scene = read_versioned("test.pov", text, &reading_options,
                                          &reports);
 
-    (void)state;
     assert_non_null(scene);
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[0].message, "(100000 places"));
@@ -438,13 +428,12 @@ static void test_lost_notes(void **state)
 }
 
 /* A file counts when it is read, not when it is opened again. */
-static void test_many_files(void **state)
+TEST(many_files)
 {
     enum { FILES = 1000 };
     char folder[] = "/tmp/scene-XXXXXX", path[60], text[300];
     struct diagnostics reports = { 0 };
 
-    (void)state;
     assert_non_null(mkdtemp(folder));
     for (int i = 1; i <= FILES + 1; i++) {
         snprintf(path, sizeof path, "%d", i);
@@ -473,7 +462,7 @@ static void test_many_files(void **state)
 }
 
 /* What a library does is told once for each of its files that is used. */
-static void test_libraries(void **state)
+TEST(libraries)
 {
     static const char *const names[] = { "one.inc", "two.inc", NULL };
     char folder[] = "/tmp/scene-XXXXXX";
@@ -483,7 +472,6 @@ static void test_libraries(void **state)
     struct diagnostics reports = { 0 };
     struct scene *scene;
 
-    (void)state;
     assert_non_null(mkdtemp(folder));
     write_file(folder, "one.inc",
                "#include \"two.inc\"\n"
@@ -509,24 +497,4 @@ static void test_libraries(void **state)
     scene_free(scene);
     diagnostics_free(&reports);
     delete_files(folder, names);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_reports),
-        cmocka_unit_test(test_first_colors),
-        cmocka_unit_test(test_all_errors),
-        cmocka_unit_test(test_print),
-        cmocka_unit_test(test_includes),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_many_places),
-        cmocka_unit_test(test_many_reports),
-        cmocka_unit_test(test_lost_notes),
-        cmocka_unit_test(test_many_files),
-        cmocka_unit_test(test_libraries),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,7 @@
 #include "tests/oracle/language_scene.h"
 
 /* Each text of one line has this one error. */
-static void test_places(void **state)
+TEST(places)
 {
     static const struct line_error rows[] = {
         { "#declare A = 3 sphere { 0, A }", 15, "';' is missing" },
@@ -44,12 +44,11 @@ static void test_places(void **state)
           "';' is missing" },
     };
 
-    (void)state;
     assert_errors(rows, COUNT(rows));
 }
 
 /* The value continues after directives and macros, or needs no ';'. */
-static void test_values_that_continue(void **state)
+TEST(values_that_continue)
 {
     static const char *const texts[] = {
         "#declare A = 2 #if (0) + 3 #else - 1 #end; sphere { A, 1 }",
@@ -68,7 +67,6 @@ static void test_values_that_continue(void **state)
         "#declare S = sphere { 0, 1 } #if (1) object { S } #end",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(texts); i++)
         scene_free(read_scene(texts[i]));
 }
@@ -115,12 +113,11 @@ static void leave_out(char *text, char *semicolon)
     scene_free(scene);
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
     enum { SCENES = 60 };
     size_t count = 0;
 
-    (void)state;
     write_bytes(LANGUAGE_IMAGE, language_image, strlen(language_image));
     for (uint64_t seed = 1; seed <= SCENES; seed++) {
         char *text = language_scene_text(seed);
@@ -130,15 +127,4 @@ static void test_random_scenes(void **state)
     }
     remove(LANGUAGE_IMAGE);
     assert_true(count > 5 * SCENES);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_values_that_continue),
-        cmocka_unit_test(test_random_scenes),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,7 +5,7 @@
 
 /* --- shapes -------------------------------------------------------------- */
 
-static void test_cones(void **state)
+TEST(cones)
 {
     struct scene *scene = read_scene(
         "cone { <1, 2, 3>, 2, 5*y, 0 }\n"
@@ -13,7 +13,6 @@ static void test_cones(void **state)
         "cone { -x, 1.5, x, 1.5 open }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(p[0].kind, PRIMITIVE_CONE);
     assert_vector(p[0].shape.cone.base, 1, 2, 3);
     assert_vector(p[0].shape.cone.cap, 0, 5, 0);
@@ -31,14 +30,13 @@ static void test_cones(void **state)
     scene_free(scene);
 }
 
-static void test_discs(void **state)
+TEST(discs)
 {
     struct scene *scene = read_scene("disc { <1, 2, 3>, -2*z, 2, .5 }\n"
                                      "disc { y x, -1 scale 2 }\n"
                                      "disc { 0, y, 1, -.5 inverse }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(p[0].kind, PRIMITIVE_DISC);
     assert_vector(p[0].shape.disc.center, 1, 2, 3);
     assert_vector(p[0].shape.disc.normal, 0, 0, -1);
@@ -53,7 +51,7 @@ static void test_discs(void **state)
     scene_free(scene);
 }
 
-static void test_tori(void **state)
+TEST(tori)
 {
     struct scene *scene = read_scene(
         "torus { 2, .5 sturm rotate 90*x }\n"
@@ -61,7 +59,6 @@ static void test_tori(void **state)
         "elliptical_torus { 3, .4, .2 }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(p[0].kind, PRIMITIVE_TORUS);
     assert_close(p[0].shape.torus.major, 2, 0);
     assert_close(p[0].shape.torus.minor, .5, 0);
@@ -75,7 +72,7 @@ static void test_tori(void **state)
     scene_free(scene);
 }
 
-static void test_polynomials(void **state)
+TEST(polynomials)
 {
     struct scene *scene = read_scene(
         "quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -1 translate x }\n"
@@ -84,7 +81,6 @@ static void test_polynomials(void **state)
         "  33, 34, -2*sqrt(4)> sturm }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(p[0].kind, PRIMITIVE_QUADRIC);
     for (int i = 0; i < 9; i++)
         assert_close(p[0].shape.quadric.coefficients[i], i + 1, 0);
@@ -96,7 +92,7 @@ static void test_polynomials(void **state)
     scene_free(scene);
 }
 
-static void test_patches(void **state)
+TEST(patches)
 {
     struct scene *scene = read_scene(
         "#declare A = <4, 0, 1>;\n"
@@ -105,7 +101,6 @@ static void test_patches(void **state)
         "    weights 1, 2, 3 .5, 1/4, 6 scale 2 }\n");
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     assert_int_equal(p[0].kind, PRIMITIVE_STEINER_PATCH);
     assert_vector(p[0].shape.steiner_patch.points[0], 4, 0, 1);
     assert_vector(p[0].shape.steiner_patch.points[3], 1, 2, 3);
@@ -120,7 +115,7 @@ static void test_patches(void **state)
 
 /* Heights in order; each loop closed, without points that repeat the one
  * before; loops that enclose nothing gone. */
-static void test_prisms(void **state)
+TEST(prisms)
 {
     struct scene *scene = read_scene(
         "prism { linear_spline linear_sweep 2, -1, 12,"
@@ -136,7 +131,6 @@ static void test_prisms(void **state)
         { 3, 2 }, { 3, 3 }, { 2, 3 }, { 2, 2 },
     };
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 4);
     assert_int_equal(p[0].kind, PRIMITIVE_PRISM);
     assert_close(p[0].shape.prism.low, -1, 0);
@@ -156,7 +150,7 @@ static void test_prisms(void **state)
 /* A loop's first point only gives a direction; between two others stands the
  * handle of the parabola from one to the next.  A last point that begins no loop
  * is left out, as in POV-Ray. */
-static void test_quadratic_prisms(void **state)
+TEST(quadratic_prisms)
 {
     struct scene *scene = read_scene(
         "prism { quadratic_spline linear_sweep 1, -1, 11,"
@@ -172,7 +166,6 @@ static void test_quadratic_prisms(void **state)
         { 9, 6 }, { 5, 9 },  { 4, 9 }, { 5, 5 },
     };
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(p[0].kind, PRIMITIVE_QUADRATIC_PRISM);
     assert_close(p[0].shape.quadratic_prism.low, -1, 0);
@@ -187,7 +180,7 @@ static void test_quadratic_prisms(void **state)
 }
 
 /* Without points that repeat the one before; an end at the beginning is there. */
-static void test_lathes(void **state)
+TEST(lathes)
 {
     struct scene *scene = read_scene(
         "lathe { linear_spline 6, <1, 0>, <1, 1e-11>, <2, 0>, <2, 1>,"
@@ -199,7 +192,6 @@ static void test_lathes(void **state)
         { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 0 }
     };
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(p[0].kind, PRIMITIVE_LATHE);
     assert_int_equal(path->count, COUNT(expected));
@@ -212,7 +204,7 @@ static void test_lathes(void **state)
 }
 
 /* Each text has this one error. */
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error rows[] = {
         { "cone { 0, -1, y, 0 }", 11, "below 0" },
@@ -283,14 +275,13 @@ static void test_errors(void **state)
         { "sphere { 0, #ifdef (A) 1 #end }", 31, "expected a number" },
     };
 
-    (void)state;
     assert_errors(rows, COUNT(rows));
 }
 
 /* --- conditions ---------------------------------------------------------- */
 
 /* What is not read may be anything that is made of the language's signs. */
-static void test_conditions(void **state)
+TEST(conditions)
 {
     static const struct {
         const char *text;
@@ -319,7 +310,6 @@ static void test_conditions(void **state)
         { "#undef A #ifdef (A) sphere { 0, 1 } #end sphere { 0, 2 }", 2 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[300];
         snprintf(text, sizeof text, "#declare A = 1;\n%s", rows[i].text);
@@ -331,32 +321,12 @@ static void test_conditions(void **state)
     }
 }
 
-static void test_many_conditions(void **state)
+TEST(many_conditions)
 {
     static const char open[] = "#ifndef (A) ";
     char text[600 * sizeof open] = "";
 
-    (void)state;
     for (size_t i = 0; i < 550; i++)
         strcat(text, open);
     assert_refused(text, 201, "more than 500");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cones),
-        cmocka_unit_test(test_discs),
-        cmocka_unit_test(test_tori),
-        cmocka_unit_test(test_polynomials),
-        cmocka_unit_test(test_patches),
-        cmocka_unit_test(test_prisms),
-        cmocka_unit_test(test_quadratic_prisms),
-        cmocka_unit_test(test_lathes),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_conditions),
-        cmocka_unit_test(test_many_conditions),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -113,9 +113,8 @@ static void compare_frames(const struct words *same, size_t shape,
     free(words);
 }
 
-static void test_pictures(void **state)
+TEST(pictures)
 {
-    (void)state;
     traced.reported = true;
     memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
@@ -180,11 +179,10 @@ static void assert_near(double value, double expected, double power,
     assert_true(fabs(value - expected) <= .02 * fabs(expected));
 }
 
-static void test_masses(void **state)
+TEST(masses)
 {
     struct mass_figures same = figures_of(0);
 
-    (void)state;
     for (int decade = -DECADES; decade <= DECADES; decade += STEP - 1) {
         struct mass_figures found = figures_of(decade);
 
@@ -232,11 +230,10 @@ static void heat_of(int decade, double found[3])
     scene_free(scene);
 }
 
-static void test_heat(void **state)
+TEST(heat)
 {
     double same[3], found[3];
 
-    (void)state;
     heat_of(0, same);
     for (int decade = -DECADES; decade <= DECADES; decade += STEP - 1) {
         heat_of(decade, found);
@@ -246,13 +243,4 @@ static void test_heat(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_masses),
-        cmocka_unit_test(test_heat),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

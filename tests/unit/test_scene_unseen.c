@@ -152,12 +152,11 @@ static void check(size_t shape, size_t place, const struct words *expected)
     scene_free(scene);
 }
 
-static void test_unseen(void **state)
+TEST(unseen)
 {
     struct words *without[2];
     bool drawn[PRIMITIVE_KINDS] = { [PRIMITIVE_PLANE] = true }; /* an error */
 
-    (void)state;
     memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
     for (int ball = 0; ball < 2; ball++)
         without[ball] = frame_without(ball);
@@ -173,14 +172,13 @@ static void test_unseen(void **state)
 }
 
 /* As in POV-Ray, what makes a shape flat counts as a scale by 1. */
-static void test_flat(void **state)
+TEST(flat)
 {
     static const char *const rows[] = {
         "sphere { 0, 1 scale <1, 0, 1> }",
         "sphere { 0, 1 matrix <1, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0> }",
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene = read_with(rows[i], 1);
 
@@ -189,12 +187,4 @@ static void test_flat(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_unseen),
-        cmocka_unit_test(test_flat),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

@@ -2,20 +2,13 @@
  * matrices, a quadric about its centre, what kind of surface a Steiner patch
  * lies on. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "rt/shapes/moving_planes.h"
 #include "rt/shapes/shape_words.h"
 #include "rt/shapes/singular.h"
 #include "rt/shapes/steiner.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 static uint64_t random_state = RANDOM_SEED;
 
@@ -41,9 +34,8 @@ static void fill(struct singular *singular, size_t rows, size_t columns)
 
 /* A V = U S: the columns of U S are square to each other and as long as the
  * values say. */
-static void test_singular_values(void **state)
+TEST(singular_values)
 {
-    (void)state;
     for (size_t rows = 1; rows <= SINGULAR_MOST; rows++) {
         struct singular before, after;
 
@@ -71,12 +63,11 @@ static void test_singular_values(void **state)
     }
 }
 
-static void test_least_squares(void **state)
+TEST(least_squares)
 {
     struct singular singular;
     double x[7], b[4] = { 1, -2, .5, 3 };
 
-    (void)state;
     fill(&singular, 4, 7);
     struct singular matrix = singular;
     singular_decompose(&singular);
@@ -121,7 +112,7 @@ static void set_quadric(struct primitive *primitive, const double terms[10])
 
 /* An ellipsoid about 1, 2, 3; a cylinder about the line x = 1, y = 2; a
  * paraboloid. */
-static void test_centers_of_quadrics(void **state)
+TEST(centers_of_quadrics)
 {
     static const double terms[3][10] = {
         { 1, 4, 9, 0, 0, 0, -2, -16, -54, 97 },
@@ -134,7 +125,6 @@ static void test_centers_of_quadrics(void **state)
         { 0, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0, -.5, 0 },
     };
 
-    (void)state;
     for (size_t k = 0; k < 3; k++) {
         struct primitive primitive;
         struct words words;
@@ -148,9 +138,8 @@ static void test_centers_of_quadrics(void **state)
 }
 
 /* The quadric's value at a point is that of its words. */
-static void test_quadrics_keep_their_values(void **state)
+TEST(quadrics_keep_their_values)
 {
-    (void)state;
     for (int try = 0; try < 100; try++) {
         double terms[10], x[3], y[3], value, again;
         struct primitive primitive;
@@ -231,7 +220,7 @@ static enum surface_type type_of(const double points[6][4])
     return planes.type;
 }
 
-static void test_types_of_surfaces(void **state)
+TEST(types_of_surfaces)
 {
     /* (tu, su, st, s^2 + t^2 + u^2); a sphere by stereographic projection; a
      * cone with two parameters to each point; a plane with curved edges */
@@ -249,7 +238,6 @@ static void test_types_of_surfaces(void **state)
                                         { -.2, .4, 0, 1 }, { .5, .1, 0, 1 } };
     double points[6][4];
 
-    (void)state;
     assert_int_equal(type_of(roman), SURFACE_STEINER);
     assert_int_equal(type_of(sphere), SURFACE_QUADRIC);
     assert_int_equal(type_of(cone), SURFACE_QUADRIC);
@@ -284,12 +272,11 @@ static const char *historical_kernel(const struct primitive *primitive)
     return shape_words_historical(primitive, &words) ? words.kernel : NULL;
 }
 
-static void test_kernels_of_patches(void **state)
+TEST(kernels_of_patches)
 {
     struct primitive patch;
     struct words words;
 
-    (void)state;
     set_patch(&patch);
     words = words_of(&patch);
     assert_string_equal(words.shape.kernel, "rational_steiner");
@@ -312,7 +299,7 @@ static void test_kernels_of_patches(void **state)
 
 /* A surface, a solid, what clips, what has a body: room for a crossing with each
  * triangle, and for where a ray begins. */
-static void test_sorts_of_meshes(void **state)
+TEST(sorts_of_meshes)
 {
     struct triangle list[3] = { { .corners = { { 0 }, { 1 }, { 0, 1 } } },
                                 { .corners = { { 0 }, { 1 }, { 0, 1 } } },
@@ -321,7 +308,6 @@ static void test_sorts_of_meshes(void **state)
                               .shape.mesh.triangles = { 3, list } };
     struct shape_words words;
 
-    (void)state;
     shape_words(&mesh, &words);
     assert_true(words.on_mesh && words.on_patch && !words.state);
     assert_int_equal(words.segments, 0);
@@ -349,7 +335,7 @@ static void test_sorts_of_meshes(void **state)
 
 /* Base, axis, radius and the planes of both ends, as the kernel of 1984 wants
  * them; a hit has the surfaces of entry and exit. */
-static void test_historical_cylinders(void **state)
+TEST(historical_cylinders)
 {
     static const double expected[] = { 1, 2,   3, .6, 0, .8, .5,  -.6,
                                        0, -.8, 3, .6, 0, .8, -13, 2 };
@@ -361,7 +347,6 @@ static void test_historical_cylinders(void **state)
     };
     struct shape_words words, today;
 
-    (void)state;
     assert_true(shape_words_historical(&cylinder, &words));
     assert_string_equal(words.kernel, "clipped_cylinder");
     assert_string_equal(words.normal, "normal_clipped_cylinder");
@@ -380,9 +365,8 @@ static void test_historical_cylinders(void **state)
 
 /* Whichever corner comes first, H(0, 0), H(1, 0) and H(0, 1) are corners, the
  * centre put back, and all of the patch lies in the bound. */
-static void test_polynomials_of_patches(void **state)
+TEST(polynomials_of_patches)
 {
-    (void)state;
     for (int try = 0; try < 50; try++) {
         struct primitive patch;
         struct words words;
@@ -410,7 +394,7 @@ static void test_polynomials_of_patches(void **state)
 
 /* Where the curves s = const all go one way, a plane through a ray that goes
  * that way as well still wants a vector of another way. */
-static void test_other_planes(void **state)
+TEST(other_planes)
 {
     static const double straight[][STEINER_POINTS][3] = {
         { { 0, 0, 1 },
@@ -439,7 +423,6 @@ static void test_other_planes(void **state)
           { 0, 1, 0 } },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof straight / sizeof *straight; i++) {
         struct primitive patch;
         struct words words;
@@ -463,7 +446,7 @@ static void test_other_planes(void **state)
 }
 
 /* s, t, u each times a factor: other weights of the same patch. */
-static void test_weights_of_one_patch(void **state)
+TEST(weights_of_one_patch)
 {
     static const double by[] = { 100, 1, .01 };
     static const int ends[STEINER_POINTS][2] = {
@@ -472,7 +455,6 @@ static void test_weights_of_one_patch(void **state)
     struct primitive patch;
     struct words words, other;
 
-    (void)state;
     set_patch(&patch);
     words = words_of(&patch);
     for (int i = 0; i < STEINER_POINTS; i++)
@@ -481,23 +463,4 @@ static void test_weights_of_one_patch(void **state)
     other = words_of(&patch);
     for (size_t i = 0; i < STEINER_TABLE; i++)
         assert_close(other.table[i], words.table[i], 1e-12);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_singular_values),
-        cmocka_unit_test(test_least_squares),
-        cmocka_unit_test(test_centers_of_quadrics),
-        cmocka_unit_test(test_quadrics_keep_their_values),
-        cmocka_unit_test(test_types_of_surfaces),
-        cmocka_unit_test(test_historical_cylinders),
-        cmocka_unit_test(test_kernels_of_patches),
-        cmocka_unit_test(test_sorts_of_meshes),
-        cmocka_unit_test(test_polynomials_of_patches),
-        cmocka_unit_test(test_other_planes),
-        cmocka_unit_test(test_weights_of_one_patch),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

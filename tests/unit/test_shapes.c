@@ -21,9 +21,8 @@ static double between(double low, double high)
 
 /* ---- Descriptors --------------------------------------------------------- */
 
-static void test_descriptors(void **state)
+TEST(descriptors)
 {
-    (void)state;
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         const struct shape *shape = shapes[i];
         const char *name = primitive_kind_name((enum primitive_kind)i);
@@ -93,9 +92,8 @@ static void check_program(const char *kernel, bool historical)
     object_free(program);
 }
 
-static void test_kernels(void **state)
+TEST(kernels)
 {
-    (void)state;
     for (int historical = 0; historical < 2; historical++) {
         check_program("frame/frame_scalar.s", historical);
         check_program("frame/frame_vector.s", historical);
@@ -153,11 +151,10 @@ static void look_at_scene(const char *path)
     diagnostics_free(&reports);
 }
 
-static void test_scenes(void **state)
+TEST(scenes)
 {
     glob_t scenes;
 
-    (void)state;
     assert_int_equal(glob("tests/scenes/*.pov", 0, NULL, &scenes), 0);
     for (size_t i = 0; i < scenes.gl_pathc; i++)
         look_at_scene(scenes.gl_pathv[i]);
@@ -172,15 +169,4 @@ static void test_scenes(void **state)
         if (shapes[i]->kernels.segments > 0 && found[i].inside == 0)
             fail_msg("the plain tracer finds nothing inside of a %s", name);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_descriptors),
-        cmocka_unit_test(test_kernels),
-        cmocka_unit_test(test_scenes),
-    };
-
-    return cmocka_run_group_tests_name("shapes", tests, NULL, NULL);
 }

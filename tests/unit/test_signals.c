@@ -8,7 +8,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -262,9 +261,8 @@ static void check_command(const char *const *words, int number)
     check_folder(words, number);
 }
 
-static void test_commands(void **state)
+TEST(commands)
 {
-    (void)state;
     for (size_t round = 0; round < rounds; round++)
         for (size_t i = 0; i < COMMANDS; i++)
             check_command(commands[i],
@@ -273,11 +271,10 @@ static void test_commands(void **state)
 }
 
 /* nohup has SIGHUP ignored, and so it stays. */
-static void test_nohup(void **state)
+TEST(nohup)
 {
     char command[400];
 
-    (void)state;
     snprintf(command, sizeof command,
              "trap '' HUP; \"${RT205_LIBDIR:-build}/c205\" run "
              "asm/examples/sieve.s --json %s/json >/dev/null & "
@@ -340,13 +337,12 @@ static int run_script(const char *const *words, const char *lines, int number,
 }
 
 /* SIGTERM and SIGHUP end the command, Ctrl-C one movement; neither ends with 0. */
-static void test_scripts(void **state)
+TEST(scripts)
 {
     static const char lines[] = "continue\nprint 6 * 7\n";
     static const int ends[] = { SIGTERM, SIGHUP };
     char said[TEXT];
 
-    (void)state;
     for (size_t i = 0; i < 2; i++) {
         assert_int_equal(run_script(script_words, lines, ends[i], said), 1);
         assert_null(strstr(said, "42  X'2A'"));
@@ -364,9 +360,8 @@ static void test_scripts(void **state)
     remove_files();
 }
 
-static int make_folder(void **state)
+FIXTURE(make_folder)
 {
-    (void)state;
     if (!mkdtemp(folder))
         return -1;
     for (size_t i = 0; i < INPUTS; i++)
@@ -374,11 +369,10 @@ static int make_folder(void **state)
     return 0;
 }
 
-static int remove_folder(void **state)
+FIXTURE(remove_folder)
 {
     char path[PATH];
 
-    (void)state;
     remove_files();
     for (size_t i = 0; i < INPUTS; i++) {
         path_of(path, inputs[i].name);
@@ -387,16 +381,13 @@ static int remove_folder(void **state)
     return rmdir(folder);
 }
 
-int main(void)
+ARGUMENTS(count, words)
 {
     const char *wanted = getenv("SIGNALS");
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_commands),
-        cmocka_unit_test(test_nohup),
-        cmocka_unit_test(test_scripts),
-    };
 
+    (void)count, (void)words;
     if (wanted)
         rounds = (size_t)strtoul(wanted, NULL, 10);
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
 }
+
+GROUP(make_folder, remove_folder);

@@ -1,17 +1,11 @@
 /* test_smooth.c - factors smoothed: enclosures by chance beside all equations of Lagrange,
  * solved in long doubles. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "rt/heat/smooth.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/unit.h"
 
 enum { MOST = 12, UNKNOWNS = MOST * (MOST + 1) / 2 + MOST + MOST };
 
@@ -198,11 +192,10 @@ static void check_rules(const struct found *found, const double *smooth)
     }
 }
 
-static void test_by_chance(void **state)
+TEST(by_chance)
 {
     uint64_t random = 19841115;
 
-    (void)state;
     for (int i = 0; i < 60; i++) {
         struct found found;
         double scalar[MOST * (MOST + 1)], vector[MOST * (MOST + 1)];
@@ -220,7 +213,7 @@ static void test_by_chance(void **state)
 }
 
 /* What is exact, or has closure, stays as it is. */
-static void test_left_alone(void **state)
+TEST(left_alone)
 {
     const struct found exact = { .count = 2,
                                  .areas = { 1, 4 },
@@ -232,7 +225,6 @@ static void test_left_alone(void **state)
     double smooth[6];
     c205_error error = { "" };
 
-    (void)state;
     assert_true(run(&exact, TRACE_VECTOR, smooth, &error));
     assert_memory_equal(smooth, exact.flows, sizeof smooth);
     assert_true(run(&closed, TRACE_SCALAR, smooth, &error));
@@ -259,7 +251,7 @@ static void refuses(const struct found *found, const char *message)
     }
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     const struct found pair = { .count = 2,
                                 .areas = { 1, 1.1 },
@@ -267,7 +259,6 @@ static void test_refused(void **state)
                                 .variances = { 0, .1, 0, .1, 0, 0 } };
     struct found other = pair;
 
-    (void)state;
     refuses(&pair, "surface 2 is of some that see none but each other");
     other.areas[1] = 0;
     refuses(&other, "surface 2 has no area");
@@ -281,13 +272,4 @@ static void test_refused(void **state)
     refuses(&other, "0 surfaces: 1 .. 1024 are smoothed");
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_chance),
-        cmocka_unit_test(test_left_alone),
-        cmocka_unit_test(test_refused),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

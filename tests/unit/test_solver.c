@@ -1,21 +1,11 @@
 /* The root solver alone, as kernels call it. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "rt/layout/program.h"
 #include "tests/random.h"
+#include "tests/unit/prior_model.h"
 #include "vm/number/arith.h"
 #include "vm/text.h"
-
-static c205_model *model;
 
 /* ---- Programs that call it ---------------------------------------------- */
 
@@ -118,7 +108,7 @@ static uint64_t address_of(const struct object *object, const char *name)
 static c205 *load(const struct object *object)
 {
     c205_error error;
-    c205 *machine = c205_new(model, &error);
+    c205 *machine = c205_new(prior_model, &error);
 
     assert_non_null(machine);
     assert_true(c205_load(machine, &object->program, &error));
@@ -239,12 +229,11 @@ static void check_signs(const struct lanes *lanes, int lane, int found)
     assert_int_equal(seen, found);
 }
 
-static void test_alone(void **state)
+TEST(alone)
 {
     static struct lanes scalar, vector, first;
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     fill(&scalar, &seed);
     vector = first = scalar;
     run_scalar(&scalar, "solve_quartic_all");
@@ -453,14 +442,13 @@ static void check_parity(const c205_word *in, const c205_word *out)
     check_order(in, out, found);
 }
 
-static void test_signs(void **state)
+TEST(signs)
 {
     static struct lanes scalar, vector;
     static struct factors factors[LANES];
     static const double resolutions[] = { 0, 1e-12, 1e-7, 1e-3 };
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     for (int round = 0; round < ROUNDS; round++) {
         fill_touching(&scalar, factors, resolutions[round % 4], &seed);
         vector = scalar;
@@ -480,7 +468,7 @@ static void test_signs(void **state)
 
 /* Two roots so near that, found to no more than 1e-3, each would be in the
  * other's place. */
-static void test_signs_ascend(void **state)
+TEST(signs_ascend)
 {
     static const double c[INPUTS] = { 1,
                                       3.3128990156249927,
@@ -492,7 +480,6 @@ static void test_signs_ascend(void **state)
                                       1e-3 };
     static struct lanes scalar, vector;
 
-    (void)state;
     for (int i = 0; i < LANES; i++)
         for (int j = 0; j < INPUTS; j++)
             scalar.in[i][j] = c205_from_double(c[j]);
@@ -505,12 +492,11 @@ static void test_signs_ascend(void **state)
 }
 
 /* Where nothing touches both entries give the same. */
-static void test_signs_of_sharp(void **state)
+TEST(signs_of_sharp)
 {
     static struct lanes all, signs;
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     fill(&all, &seed);
     signs = all;
     run_scalar(&all, "solve_quartic_all");
@@ -522,21 +508,4 @@ static void test_signs_of_sharp(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_alone),
-        cmocka_unit_test(test_signs),
-        cmocka_unit_test(test_signs_ascend),
-        cmocka_unit_test(test_signs_of_sharp),
-    };
-    c205_error error;
-    int failed;
-
-    model = c205_model_find("cyber205-2pipe-prior", &error);
-    if (!model)
-        return 2;
-    failed = cmocka_run_group_tests(tests, NULL, NULL);
-    c205_model_free(model);
-    return failed;
-}
+GROUP(set_up_model, tear_down_model);

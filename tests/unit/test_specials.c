@@ -255,9 +255,8 @@ static void check_operation(const struct operation *operation)
     }
 }
 
-static void test_operations(void **state)
+TEST(operations)
 {
-    (void)state;
     for (size_t i = 0; i < SIZE(operations); i++)
         check_operation(&operations[i]);
 }
@@ -294,22 +293,11 @@ static void check_relation(const struct ordering *relation, uint64_t *seed)
     assert_true(relation->equal(none, zero));
 }
 
-static void test_relations(void **state)
+TEST(relations)
 {
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     for (size_t i = 0; i < SIZE(relations); i++)
         for (int n = 0; n < ROUNDS; n++)
             check_relation(&relations[i], &seed);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_operations),
-        cmocka_unit_test(test_relations),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

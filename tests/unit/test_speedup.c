@@ -3,14 +3,6 @@
 #include "rt/study/speedup_report.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 #include "tests/unit/csv_reading.h"
 
@@ -49,9 +41,8 @@ static void check_sums(const struct speedup_measure *measure)
     assert_true(regions == measure->total);
 }
 
-static void test_subjects(void **state)
+TEST(subjects)
 {
-    (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
         struct speedup_measure measures[TRACE_FORMS];
 
@@ -95,9 +86,8 @@ static void check_solver(const struct speedup_subject *subject,
 }
 
 /* Whether a subject names the solver is whether it solves. */
-static void test_solvers(void **state)
+TEST(solvers)
 {
-    (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
         const struct speedup_subject *subject = &speedup_subjects[i];
         struct speedup_measure measures[TRACE_FORMS];
@@ -118,9 +108,8 @@ static void test_solvers(void **state)
 }
 
 /* The paper's way is not ours: it has a kernel and a falsi of its own. */
-static void test_historical(void **state)
+TEST(historical)
 {
-    (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
         struct speedup_subject subject = speedup_subjects[i];
         struct speedup_measure then[TRACE_FORMS], ours[TRACE_FORMS];
@@ -138,13 +127,12 @@ static void test_historical(void **state)
 }
 
 /* From farther away, and across less. */
-static void test_view(void **state)
+TEST(view)
 {
     static const struct speedup_view far = { .distance = 20, .angle = 37 };
     static const struct speedup_view narrow = { .distance = 5, .angle = 5 };
     struct speedup_measure measures[TRACE_FORMS];
 
-    (void)state;
     measure(&speedup_subjects[0], &far, measures);
     assert_in_range(measures[TRACE_VECTOR].hits, 50, 300);
     measure(&speedup_subjects[0], &narrow, measures);
@@ -165,11 +153,10 @@ static void check_error(const struct speedup_subject *subject,
     assert_non_null(strstr(error.message, message));
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     struct speedup_subject subject = speedup_subjects[0];
 
-    (void)state;
     subject.regions[1] = "nowhere";
     check_error(&subject, "no region nowhere");
     subject.shape = "sphere { 0 }";
@@ -221,9 +208,8 @@ static void print_passes(enum table_format format)
 }
 
 /* The passes are a table of their own, which comes if asked for. */
-static void test_detail(void **state)
+TEST(detail)
 {
-    (void)state;
     print_detail(TABLE_PLAIN);
     assert_non_null(strstr(text, "paper: %"));
     assert_null(strstr(text, "pass by pass"));
@@ -246,11 +232,10 @@ static void read_detail(const char *heading, struct csv_table *table)
 }
 
 /* The clocks of each form, by the rays that the table above tells. */
-static void test_times(void **state)
+TEST(times)
 {
     static struct csv_table rays, times;
 
-    (void)state;
     read_detail("# The rays\n", &rays);
     read_detail("# The kernels and their calls\n", &times);
     assert_int_equal(times.cells[0], 4);
@@ -324,11 +309,10 @@ static size_t line_of(const struct csv_table *table, const char *primitive,
     return 0;
 }
 
-static void test_paper_lines(void **state)
+TEST(paper_lines)
 {
     const struct csv_table *table = read_table1();
 
-    (void)state;
     for (size_t i = 0; i < sizeof printed / sizeof *printed; i++) {
         size_t ours = line_of(table, printed[i].primitive, "ours");
         size_t paper = line_of(table, printed[i].primitive, "paper");
@@ -346,13 +330,12 @@ static void test_paper_lines(void **state)
 }
 
 /* Each subject has its line; no other than the paper's has more. */
-static void test_our_lines(void **state)
+TEST(our_lines)
 {
     const struct csv_table *table = read_table1();
     size_t lines = 1 + speedup_subject_count
                    + 2 * sizeof printed / sizeof *printed;
 
-    (void)state;
     assert_int_equal(table->rows, lines);
     for (size_t i = 0; i < speedup_subject_count; i++) {
         size_t row = line_of(table, speedup_subjects[i].name, "ours");
@@ -366,12 +349,11 @@ static void test_our_lines(void **state)
 }
 
 /* Seconds are those of 100,000 rays, whatever was traced: 20 ns a clock. */
-static void test_scale(void **state)
+TEST(scale)
 {
     const struct csv_table *table = read_table1();
     struct speedup_measure measures[TRACE_FORMS];
 
-    (void)state;
     measure(&speedup_subjects[0], &view, measures);
     for (int mode = 0; mode < TRACE_FORMS; mode++)
         assert_near(figure(table, 1, mode),
@@ -381,9 +363,8 @@ static void test_scale(void **state)
 }
 
 /* Wide tables are read badly. */
-static void test_width(void **state)
+TEST(width)
 {
-    (void)state;
     print_table1(TABLE_PLAIN);
     for (const char *line = text; *line != '\0';) {
         size_t length = strcspn(line, "\n");
@@ -396,7 +377,7 @@ static void test_width(void **state)
 /* ---- Formulations ---------------------------------------------------------- */
 
 /* All see the same, each takes its own time, and the first is Table 1's. */
-static void test_formulations(void **state)
+TEST(formulations)
 {
     struct speedup_measure(
         *measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
@@ -406,7 +387,6 @@ static void test_formulations(void **state)
     struct table *table;
     FILE *stream;
 
-    (void)state;
     assert_non_null(measures);
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         measure(&speedup_formulations[i], &view, measures[i]);
@@ -448,12 +428,11 @@ static void test_formulations(void **state)
 /* ---- Formats ------------------------------------------------------------ */
 
 /* The shapes have commas. */
-static void test_csv(void **state)
+TEST(csv)
 {
     static struct csv_table table;
     const char *rays;
 
-    (void)state;
     print_detail(TABLE_CSV);
     rays = strstr(text, "\n# The rays\n");
     assert_non_null(rays);
@@ -466,11 +445,10 @@ static void test_csv(void **state)
     }
 }
 
-static void test_markdown(void **state)
+TEST(markdown)
 {
     const char *rule;
 
-    (void)state;
     print_table1(TABLE_MARKDOWN);
     rule = strstr(text, "\n|:-");
     assert_int_equal(strncmp(text, "\n## Table 1", 11), 0);
@@ -494,9 +472,8 @@ static void check_projection(const char *name, const char *other)
 }
 
 /* Beside priors those of the 720, beside fitted constants its fitted ones. */
-static void test_projection_models(void **state)
+TEST(projection_models)
 {
-    (void)state;
     check_projection("cyber205-2pipe", "cyber720");
     check_projection("cyber205-4pipe", "cyber720");
     check_projection("cyber205-2pipe-prior", "cyber720-prior");
@@ -505,13 +482,12 @@ static void test_projection_models(void **state)
 
 /* The scalar form does the same on both models of the 205, so what differs is
  * the 720's. */
-static void test_projected(void **state)
+TEST(projected)
 {
     c205_model *priors = model;
     c205_error error;
     struct speedup_measure prior[TRACE_FORMS], fitted[TRACE_FORMS];
 
-    (void)state;
     measure(&speedup_subjects[0], &view, prior);
     model = c205_model_find("cyber205-2pipe", &error);
     measure(&speedup_subjects[0], &view, fitted);
@@ -523,45 +499,21 @@ static void test_projected(void **state)
                 == fitted[TRACE_SCALAR].projected[SPEEDUP_6600]);
 }
 
-static int set_up(void **state)
+FIXTURE(set_up)
 {
     c205_error error;
 
-    (void)state;
     model = c205_model_find("cyber205-2pipe-prior", &error);
     if (model)
         report = report_all();
     return !report;
 }
 
-static int tear_down(void **state)
+FIXTURE(tear_down)
 {
-    (void)state;
     speedup_report_free(report);
     c205_model_free(model);
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_subjects),
-        cmocka_unit_test(test_solvers),
-        cmocka_unit_test(test_historical),
-        cmocka_unit_test(test_view),
-        cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_detail),
-        cmocka_unit_test(test_times),
-        cmocka_unit_test(test_paper_lines),
-        cmocka_unit_test(test_our_lines),
-        cmocka_unit_test(test_scale),
-        cmocka_unit_test(test_width),
-        cmocka_unit_test(test_formulations),
-        cmocka_unit_test(test_csv),
-        cmocka_unit_test(test_markdown),
-        cmocka_unit_test(test_projection_models),
-        cmocka_unit_test(test_projected),
-    };
-
-    return cmocka_run_group_tests(tests, set_up, tear_down);
-}
+GROUP(set_up, tear_down);

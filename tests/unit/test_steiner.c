@@ -23,16 +23,14 @@ static void add_shape(char *text, size_t size)
     add_text(text, size, " ");
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     check_random_scenes(add_shape, 10);
 }
 
 /* From far away, small: what is lost there would show here. */
-static void test_distant_patches(void **state)
+TEST(distant_patches)
 {
-    (void)state;
     for (int i = 0; i < 4; i++) {
         char text[4096] = HEAD "camera { location -1000*z look_at 0"
                                " angle .2 }\n";
@@ -44,9 +42,8 @@ static void test_distant_patches(void **state)
 }
 
 /* Looking along the second difference of every curve. */
-static void test_rays_along_the_differences(void **state)
+TEST(rays_along_the_differences)
 {
-    (void)state;
     check_middle(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
                           " <0, 2, 1>, <0, -1, 0>, <1, .5, 0>, <-1, .5, 0> }",
                  1, 5 + 1 / 3.);
@@ -58,12 +55,11 @@ static void test_rays_along_the_differences(void **state)
 
 /* Translation surfaces of two parabolas: whole planes of rays meet two curves
  * s = const at once, in lines of pixels across the picture. */
-static void test_curves_in_planes_of_rays(void **state)
+TEST(curves_in_planes_of_rays)
 {
     static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
                                          "rotate <30, 0, 90>" };
 
-    (void)state;
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         char text[1024] = "";
 
@@ -86,9 +82,8 @@ static void test_curves_in_planes_of_rays(void **state)
     " <0, 1, -1>, <1, 0, -1> weights 2, 2, 1, 1, 1, 1" \
     " rotate 40.6*y rotate -33*x "
 
-static void test_quadrics(void **state)
+TEST(quadrics)
 {
-    (void)state;
     check_middle(AHEAD PIECE "}", 1, 4);
     check_middle(AHEAD PIECE "rotate 180*y }", 1, 6);
     free(plain_frame(AHEAD PIECE "rotate 20 } " PIECE "scale 2 }"));
@@ -109,9 +104,8 @@ static void test_quadrics(void **state)
     "steiner_patch { <-1, -1, 0>, <1, -1, 0>, <0, 1, 0>, <0, -1.5, 0>," \
     " <1, .2, 0>, <-1, .2, 0> "
 
-static void test_planes(void **state)
+TEST(planes)
 {
-    (void)state;
     check_middle(STRAIGHT FLAT "}", 1, 5);
     check_middle(STRAIGHT FLAT "translate -y }", 1, 5);
     check_middle(STRAIGHT FLAT "rotate 180*y }", 1, 5);
@@ -125,9 +119,8 @@ static void test_planes(void **state)
 }
 
 /* Two patches share an edge: no ray of the seam gets through. */
-static void test_no_gap_at_an_edge(void **state)
+TEST(no_gap_at_an_edge)
 {
-    (void)state;
     struct words *words = same_frame(
         AHEAD "steiner_patch { <-9, -9, 0>, <9, -9, 0>, <0, 0, 1>,"
               " <0, -5, .3>, <4, -5, 2>, <-5, -4, 1> }"
@@ -142,9 +135,8 @@ static void test_no_gap_at_an_edge(void **state)
     free(words);
 }
 
-static void test_starts(void **state)
+TEST(starts)
 {
-    (void)state;
     check_middle(STRAIGHT FLAT "translate -5*z }", 0, 0);
     check_middle(STRAIGHT FLAT "translate -4*z }", 1, 1);
     check_middle(STRAIGHT FLAT "translate -6*z }", 0, 0);
@@ -167,9 +159,8 @@ static void test_starts(void **state)
 
 /* The middle ray goes through the surface's triple point, where the implicit
  * quartic is all 0: past it to the patch, and to it. */
-static void test_the_triple_point(void **state)
+TEST(the_triple_point)
 {
-    (void)state;
     check_middle(STRAIGHT ROMAN DIAGONAL "}", 1, 5 + 1 / sqrt(3));
     check_middle(STRAIGHT ROMAN DIAGONAL "rotate 180*y }", 1,
                  5 - 1 / sqrt(3));
@@ -179,31 +170,15 @@ static void test_the_triple_point(void **state)
     free(plain_frame(AHEAD ROMAN DIAGONAL "translate <.3, .1, 0> }"));
 }
 
-static void test_the_way_of_1984(void **state)
+TEST(the_way_of_1984)
 {
     traced.historical = true;
-    test_random_scenes(state);
-    test_quadrics(state);
-    test_planes(state);
-    test_starts(state);
-    test_the_triple_point(state);
+    test_random_scenes(test_state);
+    test_quadrics(test_state);
+    test_planes(test_state);
+    test_starts(test_state);
+    test_the_triple_point(test_state);
     traced.historical = false;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_the_way_of_1984),
-        cmocka_unit_test(test_distant_patches),
-        cmocka_unit_test(test_rays_along_the_differences),
-        cmocka_unit_test(test_curves_in_planes_of_rays),
-        cmocka_unit_test(test_quadrics),
-        cmocka_unit_test(test_planes),
-        cmocka_unit_test(test_no_gap_at_an_edge),
-        cmocka_unit_test(test_starts),
-        cmocka_unit_test(test_the_triple_point),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

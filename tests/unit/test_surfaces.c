@@ -6,7 +6,7 @@
 
 #include "rt/layout/pigment.h"
 
-static void test_surfaces(void **state)
+TEST(surfaces)
 {
     static const char text[] =
         "sphere { 0, 1 pigment { rgbft <.8, .4, .2, .5, .1> }\n"
@@ -21,7 +21,6 @@ static void test_surfaces(void **state)
     static const double index[2] = { 1.6, .625 };
     struct stage stage;
 
-    (void)state;
     raise_curtain(&stage, text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_PASSING", passing, 8);
     check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
@@ -37,7 +36,7 @@ static void test_surfaces(void **state)
 }
 
 /* Ambient times the ambient light; the reciprocal of the roughness. */
-static void test_finish(void **state)
+TEST(finish)
 {
     static const char text[] =
         "global_settings { ambient_light rgb <.5, 1, 2> }\n"
@@ -46,14 +45,13 @@ static void test_finish(void **state)
     static const double finish[8] = { .25, .5, 1, .25, .5, 10, .75, 8 };
     struct stage stage;
 
-    (void)state;
     raise_curtain(&stage, text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_FINISH", finish, 8);
     drop_curtain(&stage);
 }
 
 /* Finishes that depend on the angle.  The opacity of a metal is in its finish. */
-static void test_gloss(void **state)
+TEST(gloss)
 {
     static const char text[] =
         "sphere { 0, 1 pigment { rgbf <.8, .4, .2, .5> }\n"
@@ -75,7 +73,6 @@ static void test_gloss(void **state)
     static const double reflection[] = { .25, .25, .25, 1 };
     struct stage stage;
 
-    (void)state;
     raise_curtain(&stage, text, BOUNDING_FLAT);
     for (size_t i = 0; i < COUNT(gloss); i++) {
         check_numbers(&stage, i, "P_GLOSS", gloss[i], 7);
@@ -91,7 +88,7 @@ static void test_gloss(void **state)
 
 /* As POV-Ray: the opacity is not held between 0 and 1, a colour weighs what it
  * is by size, and what passes too dimly in all is not followed. */
-static void test_odd_surfaces(void **state)
+TEST(odd_surfaces)
 {
     static const char text[] =
         "sphere { 0, 1 pigment { rgbft <.5, 1, 0, .75, .75> } }\n"
@@ -106,7 +103,6 @@ static void test_odd_surfaces(void **state)
     };
     struct stage stage;
 
-    (void)state;
     raise_curtain(&stage, text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_COLOR", (const double[]){ -.25, -.5, 0 }, 3);
     check_numbers(&stage, 1, "P_COLOR", (const double[]){ .75, 1.5, 0 }, 3);
@@ -118,7 +114,7 @@ static void test_odd_surfaces(void **state)
 }
 
 /* The steps of a list are another one's if the waves are, too. */
-static void test_stops(void **state)
+TEST(stops)
 {
     static const char text[] =
         "#declare B = pigment { brick rgb x rgb y }\n"
@@ -132,7 +128,6 @@ static void test_stops(void **state)
     struct scene *scene = read_scene(text);
     const struct primitive *p = scene->primitives;
 
-    (void)state;
     for (size_t i = 0; i < COUNT(same); i++)
         assert_int_equal(has_stops_of(&p[i + 1].pigment, &p[i].pigment),
                          same[i]);
@@ -166,7 +161,7 @@ static void check_interiors(const char *text, size_t bodies, double base,
 
 /* Those that rays may be in, in order; so many as there is room for are
  * remembered. */
-static void test_interiors(void **state)
+TEST(interiors)
 {
     static const char few[] =
         "global_settings { max_trace_level 9 }\n"
@@ -184,7 +179,6 @@ static void test_interiors(void **state)
     char text[200];
     struct stage stage;
 
-    (void)state;
     raise_curtain(&stage, few, BOUNDING_FLAT);
     for (size_t i = 0; i < COUNT(numbers); i++)
         assert_number(primitive(&stage, i, "P_INTERIOR"), numbers[i]);
@@ -200,7 +194,7 @@ static void test_interiors(void **state)
     check_interiors(text, 31, 32, ldexp(1, 5 * 8));
 }
 
-static void test_levels(void **state)
+TEST(levels)
 {
     static const struct {
         const char *text;
@@ -212,7 +206,6 @@ static void test_levels(void **state)
           7 + 64 },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct stage stage;
         char text[200];
@@ -233,15 +226,4 @@ static void test_levels(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces), cmocka_unit_test(test_finish),
-        cmocka_unit_test(test_gloss),    cmocka_unit_test(test_odd_surfaces),
-        cmocka_unit_test(test_stops),    cmocka_unit_test(test_interiors),
-        cmocka_unit_test(test_levels),
-    };
-
-    return cmocka_run_group_tests_name("surfaces", tests, set_up_model,
-                                       tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

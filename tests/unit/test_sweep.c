@@ -1,16 +1,9 @@
 /* test_sweep.c - the sweeps of rt205 sweep, in small frames. */
 #include "rt/study/sweep/kinds.h"
 #include "rt/scene/language/scene_read.h"
+#include "tests/unit/unit.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 static c205_model *model;
 static const size_t few[] = { 1, 16, 64, 200, 256 };
@@ -70,14 +63,13 @@ static uint64_t group(const struct sweep_measure *measure,
 
 /* ---- Queues -------------------------------------------------------------- */
 
-static void test_usual_lengths(void **state)
+TEST(usual_lengths)
 {
     struct sweep sweep = { .count = 0 };
     size_t lengths[SWEEP_LENGTHS_MOST];
     size_t count = sweep_lengths(&sweep, TRACE_QUEUE_MOST, lengths);
     bool paper = false;
 
-    (void)state;
     assert_int_equal(count, 18);
     assert_int_equal(lengths[0], 1);
     assert_int_equal(lengths[count - 1], 65535);
@@ -91,12 +83,11 @@ static void test_usual_lengths(void **state)
 }
 
 /* The sweep measures what rt205 speedup measures. */
-static void test_queue(void **state)
+TEST(queue)
 {
     struct sweep sweep = sweep_of("cylinder", 16, 16);
     struct sweep_point point;
 
-    (void)state;
     sweep.lengths = few;
     sweep.length_count = 5;
     run(&sweep_queue, &sweep);
@@ -150,7 +141,7 @@ static struct scene *read_balls(void)
 
 /* Real memory of some thousand words: long queues cost page faults.  The rest of
  * what they cost is that more of the solid is near some ray. */
-static void test_small_memory(void **state)
+TEST(small_memory)
 {
     static const c205_setting settings[] = { { "page.words", 512 },
                                              { "memory.real_words",
@@ -164,7 +155,6 @@ static void test_small_memory(void **state)
     c205_model *small = c205_model_change(model, settings, 3, &error);
     uint64_t more;
 
-    (void)state;
     assert_non_null(small);
     sweep.subject = NULL;
     sweep.scene = scene;
@@ -188,7 +178,7 @@ static void test_small_memory(void **state)
 }
 
 /* What it says of two frames holds for a third; a tree's crossings count. */
-static void test_memory(void **state)
+TEST(memory)
 {
     struct scene *scene = read_balls();
     struct sweep sweep = sweep_of("sphere", 64, 64);
@@ -198,7 +188,6 @@ static void test_memory(void **state)
     uint64_t words;
     double expected;
 
-    (void)state;
     sweep.subject = NULL;
     sweep.scene = scene;
     assert_true(sweep_memory(&sweep, &memory, &error));
@@ -216,7 +205,7 @@ static void test_memory(void **state)
     scene_free(scene);
 }
 
-static void test_queue_report(void **state)
+TEST(queue_report)
 {
     struct sweep sweep = sweep_of("sphere", 64, 64);
     struct sweep_report report = { .part_count = 0 };
@@ -224,7 +213,6 @@ static void test_queue_report(void **state)
     c205_error error = { "" };
     double sum = 0;
 
-    (void)state;
     run(&sweep_queue, &sweep);
     assert_int_equal(sweep.count, 14);
     assert_true(sweep_queue.report(&sweep, &report, &error));
@@ -252,12 +240,11 @@ static void test_queue_report(void **state)
 
 /* Twice the results a clock is half the stream, but for what runs under it;
  * nothing else changes, and half words on n pipes are words on 2 n. */
-static void test_pipes(void **state)
+TEST(pipes)
 {
     struct sweep sweep = sweep_of("sphere", 64, 64);
     const struct sweep_measure *m;
 
-    (void)state;
     sweep.base.trace.queue = 1024;
     run(&sweep_pipes, &sweep);
     assert_int_equal(sweep.count, 6);
@@ -284,9 +271,8 @@ static void test_pipes(void **state)
 
 /* ---- Hits ---------------------------------------------------------------- */
 
-static void test_hits(void **state)
+TEST(hits)
 {
-    (void)state;
     for (size_t i = 0; i < speedup_subject_count; i++) {
         struct sweep sweep = sweep_of(speedup_subjects[i].name, 16, 16);
 
@@ -302,11 +288,10 @@ static void test_hits(void **state)
 }
 
 /* However the frame lies. */
-static void test_hits_of_frames(void **state)
+TEST(hits_of_frames)
 {
     static const size_t sizes[][2] = { { 40, 8 }, { 8, 40 } };
 
-    (void)state;
     for (size_t i = 0; i < 2; i++) {
         struct sweep sweep = sweep_of("cylinder", sizes[i][0], sizes[i][1]);
 
@@ -318,12 +303,11 @@ static void test_hits_of_frames(void **state)
 }
 
 /* From far away, and from so near that the frame has no place beside it. */
-static void test_hits_out_of_view(void **state)
+TEST(hits_out_of_view)
 {
     struct sweep sweep = sweep_of("sphere", 16, 16);
     c205_error error = { "" };
 
-    (void)state;
     sweep.base.view.distance = 500;
     assert_false(sweep_hits.measure(&sweep, &error));
     assert_non_null(strstr(error.message, "too small"));
@@ -360,13 +344,12 @@ static void check_crossover(const struct sweep *sweep,
     assert_true(found->checked >= 2 * found->crossover - 2);
 }
 
-static void test_length(void **state)
+TEST(length)
 {
     static const char *const names[] = { "sphere", "cylinder", "Steiner",
                                          "torus, ours" };
     static const size_t lengths[] = { 1, 2, 4, 8, 16, 64, 256, 1024 };
 
-    (void)state;
     for (size_t i = 0; i < 4; i++) {
         struct sweep sweep = sweep_of(names[i], 1, 1);
         struct sweep_lengths_found found;
@@ -392,13 +375,12 @@ static void test_length(void **state)
 }
 
 /* Where every length is one or the other there is no crossover between. */
-static void test_no_crossover(void **state)
+TEST(no_crossover)
 {
     static const size_t shortest[] = { 1 }, longer[] = { 64, 128 };
     struct sweep sweep = sweep_of("sphere", 1, 1);
     struct sweep_lengths_found found;
 
-    (void)state;
     sweep.lengths = shortest;
     sweep.length_count = 1;
     run(&sweep_length, &sweep);
@@ -428,7 +410,7 @@ static struct sweep_measure as_if(size_t length, uint64_t speedup)
 }
 
 /* Lengths side by side are no crossover when those before were left out. */
-static void test_left_out(void **state)
+TEST(left_out)
 {
     struct sweep_measure measures[] = { as_if(1, 1),    as_if(400, 7),
                                         as_if(401, 7),  as_if(900, 20),
@@ -437,7 +419,6 @@ static void test_left_out(void **state)
     struct sweep sweep = { .measures = measures, .count = 7 };
     struct sweep_lengths_found found = sweep_find_lengths(&sweep);
 
-    (void)state;
     assert_int_equal(found.crossover, 400);
     assert_int_equal(found.checked, 0);
     assert_int_equal(found.half, 901);
@@ -469,9 +450,8 @@ static bool watch(void *context, size_t done, size_t all)
 }
 
 /* One rising progress of all frames, and a stop wherever it is asked for. */
-static void test_progress(void **state)
+TEST(progress)
 {
-    (void)state;
     for (size_t stop_at = 0; stop_at < 4; stop_at++) {
         struct sweep sweep = sweep_of("sphere", 64, 64);
         struct watcher watcher = { .stop_at = stop_at };
@@ -490,30 +470,18 @@ static void test_progress(void **state)
     }
 }
 
-int main(void)
+FIXTURE(find_model)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usual_lengths),
-        cmocka_unit_test(test_queue),
-        cmocka_unit_test(test_small_memory),
-        cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_queue_report),
-        cmocka_unit_test(test_pipes),
-        cmocka_unit_test(test_hits),
-        cmocka_unit_test(test_hits_of_frames),
-        cmocka_unit_test(test_hits_out_of_view),
-        cmocka_unit_test(test_length),
-        cmocka_unit_test(test_no_crossover),
-        cmocka_unit_test(test_left_out),
-        cmocka_unit_test(test_progress),
-    };
     c205_error error;
-    int failed;
 
     model = c205_model_find("cyber205-2pipe", &error);
-    if (!model)
-        return 1;
-    failed = cmocka_run_group_tests(tests, NULL, NULL);
-    c205_model_free(model);
-    return failed;
+    return !model;
 }
+
+FIXTURE(free_model)
+{
+    c205_model_free(model);
+    return 0;
+}
+
+GROUP(find_model, free_model);

@@ -1,14 +1,8 @@
 /* test_table.c - tables in all formats, JSON, and files that are written
  * whole. */
 #include <float.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
-#include <cmocka.h>
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -33,7 +27,7 @@ struct folder {
     char path[64];
 };
 
-static int set_up(void **state)
+FIXTURE(set_up)
 {
     struct folder *folder = calloc(1, sizeof *folder);
     strcpy(folder->name, "/tmp/test_table.XXXXXX");
@@ -41,14 +35,14 @@ static int set_up(void **state)
         return -1;
     }
     snprintf(folder->path, sizeof folder->path, "%s/file", folder->name);
-    *state = folder;
+    *test_state = folder;
     return 0;
 }
 
 /* The folder must be empty but for the file: nothing temporary is left. */
-static int tear_down(void **state)
+FIXTURE(tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     unlink(folder->path);
     int result = rmdir(folder->name);
     free(folder);
@@ -80,9 +74,9 @@ static struct table *some_table(void)
     return table;
 }
 
-static void columns_line_up(void **state)
+TEST_WITH(columns_line_up, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     struct table *table = some_table();
     FILE *file = fopen(folder->path, "w");
     assert_true(table_print(table, file));
@@ -128,12 +122,11 @@ static void assert_folded(const char *printed, size_t begins,
 }
 
 /* What is too long for a line goes on below, and nowhere but in print. */
-static void long_text_is_folded(void **state)
+TEST(long_text_is_folded)
 {
     enum { FIRST = 76 };
     static char printed[1 << 14], csv[1 << 14];
     unsigned seed = 12;
-    (void)state;
     for (size_t words = 1; words < 200; words++) {
         char name[FIRST + 1] = "", text[13 * 200];
         FILE *file = fmemopen(printed, sizeof printed, "w");
@@ -154,9 +147,9 @@ static void long_text_is_folded(void **state)
     }
 }
 
-static void table_as_json(void **state)
+TEST_WITH(table_as_json, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     struct table *table = some_table();
     c205_error error;
     struct json *json = json_open(folder->path, &error);
@@ -214,21 +207,19 @@ static void expect_written(struct table *table, enum table_format format,
     table_free(table);
 }
 
-static void table_as_csv(void **state)
+TEST(table_as_csv)
 {
-    (void)state;
     expect_written(some_table(), TABLE_CSV,
                    "name,clocks,percent,remark\n"
                    "a,12345678,99.96,\"say \"\"so\"\"\"\n"
                    "longer,7,,\n");
 }
 
-static void csv_comes_back(void **state)
+TEST(csv_comes_back)
 {
     static struct csv_table back;
     struct table *table = odd_table();
     char *text = written(table, TABLE_CSV);
-    (void)state;
     table_free(table);
     assert_string_equal(csv_table(text, &back), "");
     free(text);
@@ -244,11 +235,10 @@ static void csv_comes_back(void **state)
 }
 
 /* A line of text that begins with # would be passed over by its reader. */
-static void csv_has_no_remarks(void **state)
+TEST(csv_has_no_remarks)
 {
     struct table *table = odd_table();
     char *text = written(table, TABLE_CSV);
-    (void)state;
     assert_null(strstr(text, "\n#"));
     free(text);
     table_free(table);
@@ -256,13 +246,12 @@ static void csv_has_no_remarks(void **state)
 
 /* Whatever a text begins with, no cell is a formula of a spreadsheet; numbers
  * stay as they are.  Other control characters are escaped in every cell. */
-static void csv_has_no_formulas(void **state)
+TEST(csv_has_no_formulas)
 {
     static const char marks[] = "=+-@\t\n";
     static const char *const ends[] = { "",    "1",  "1.5e3", "1+1", "x",
                                         "1,2", "\"", "-1",    "0x10" };
     static struct csv_table back;
-    (void)state;
     for (char first = 1; first < 127; first++) {
         bool escaped = first < ' ' && !strchr(marks, first);
         for (size_t i = 0; !escaped && i < sizeof ends / sizeof *ends; i++) {
@@ -286,9 +275,8 @@ static void csv_has_no_formulas(void **state)
     }
 }
 
-static void table_as_markdown(void **state)
+TEST(table_as_markdown)
 {
-    (void)state;
     expect_written(some_table(), TABLE_MARKDOWN,
                    "| name   |   clocks |     % | remark   |\n"
                    "|:-------|---------:|------:|:---------|\n"
@@ -309,12 +297,11 @@ static size_t markdown_cells(const char *line)
     return bars - 1;
 }
 
-static void markdown_has_all_cells(void **state)
+TEST(markdown_has_all_cells)
 {
     struct table *table = odd_table();
     char *text = written(table, TABLE_MARKDOWN);
     size_t lines = 0;
-    (void)state;
     for (const char *line = text; *line; line = strchr(line, '\n') + 1) {
         assert_int_equal(markdown_cells(line), 4);
         lines++;
@@ -327,11 +314,10 @@ static void markdown_has_all_cells(void **state)
     table_free(table);
 }
 
-static void signs_and_decimals(void **state)
+TEST(signs_and_decimals)
 {
     static const struct table_column column = { "e", "e", TABLE_NUMBER, 4 };
     static const double values[] = { 1.06, -12, NAN };
-    (void)state;
     struct table *table = table_new(&column, 1);
     for (size_t i = 0; i < 3; i++) {
         table_signed(table, values[i], 1);
@@ -343,10 +329,9 @@ static void signs_and_decimals(void **state)
 }
 
 /* No digit is cut off. */
-static void huge_numbers(void **state)
+TEST(huge_numbers)
 {
     static const struct table_column column = { "e", "e", TABLE_NUMBER, 1 };
-    (void)state;
     struct table *table = table_new(&column, 1);
     table_number(table, -1e300);
     table_signed(table, DBL_MAX, 1);
@@ -359,9 +344,9 @@ static void huge_numbers(void **state)
     table_free(table);
 }
 
-static void headings(void **state)
+TEST_WITH(headings, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     FILE *file = fopen(folder->path, "w");
     table_heading("Rows", TABLE_PLAIN, file);
     table_heading("Rows", TABLE_CSV, file);
@@ -374,9 +359,9 @@ static void headings(void **state)
 }
 
 /* On a stream and in a file: the same. */
-static void json_on_stream(void **state)
+TEST_WITH(json_on_stream, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
@@ -398,9 +383,9 @@ static void json_on_stream(void **state)
     free(text);
 }
 
-static void json_values(void **state)
+TEST_WITH(json_values, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     c205_error error;
     struct json *json = json_open(folder->path, &error);
     json_text(json, "text", "line\n\ttab \\ \x01");
@@ -420,9 +405,9 @@ static void json_values(void **state)
                 "  \"empty\": []\n}\n");
 }
 
-static void old_file_stays(void **state)
+TEST_WITH(old_file_stays, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     c205_error error;
     struct whole *whole = whole_open(folder->path, &error);
     fputs("old", whole->file);
@@ -437,9 +422,9 @@ static void old_file_stays(void **state)
 }
 
 /* Of a file that cannot take the place of what has its name now. */
-static void nothing_is_left(void **state)
+TEST_WITH(nothing_is_left, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     c205_error error;
     struct whole *whole = whole_open(folder->path, &error);
     fputs("lost", whole->file);
@@ -450,9 +435,9 @@ static void nothing_is_left(void **state)
 }
 
 /* A file of somebody else may have the temporary name. */
-static void other_file_stays(void **state)
+TEST_WITH(other_file_stays, set_up, tear_down)
 {
-    struct folder *folder = *state;
+    struct folder *folder = *test_state;
     char beside[80];
     c205_error error;
     snprintf(beside, sizeof beside, "%s.new0", folder->path);
@@ -468,10 +453,9 @@ static void other_file_stays(void **state)
     assert_int_equal(unlink(beside), 0);
 }
 
-static void no_folder(void **state)
+TEST(no_folder)
 {
     c205_error error;
-    (void)state;
     assert_null(whole_open("/nonexistent/file", &error));
     assert_string_equal(error.message,
                         "/nonexistent/file: No such file or directory");
@@ -483,41 +467,14 @@ static void no_folder(void **state)
 }
 
 /* A device must not be replaced by a file. */
-static void device_stays(void **state)
+TEST(device_stays)
 {
     c205_error error;
     struct stat status;
-    (void)state;
     struct whole *whole = whole_open("/dev/full", &error);
     assert_non_null(whole);
     fputs("lost", whole->file);
     assert_false(whole_commit(whole, &error));
     assert_int_equal(stat("/dev/full", &status), 0);
     assert_true(S_ISCHR(status.st_mode));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(columns_line_up, set_up, tear_down),
-        cmocka_unit_test(long_text_is_folded),
-        cmocka_unit_test_setup_teardown(table_as_json, set_up, tear_down),
-        cmocka_unit_test(table_as_csv),
-        cmocka_unit_test(csv_comes_back),
-        cmocka_unit_test(csv_has_no_remarks),
-        cmocka_unit_test(csv_has_no_formulas),
-        cmocka_unit_test(table_as_markdown),
-        cmocka_unit_test(markdown_has_all_cells),
-        cmocka_unit_test(signs_and_decimals),
-        cmocka_unit_test(huge_numbers),
-        cmocka_unit_test_setup_teardown(headings, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(json_on_stream, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(json_values, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(old_file_stays, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(nothing_is_left, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(other_file_stays, set_up, tear_down),
-        cmocka_unit_test(no_folder),
-        cmocka_unit_test(device_stays),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,18 +1,12 @@
 /* test_tasks.c - runs in threads: each once, in its place, with one progress
  * over all of them. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <stdio.h>
-#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "rt/study/tasks.h"
 #include "rt/trace/processors.h"
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 
 enum { MOST = 40, STEPS = 5 };
 
@@ -88,12 +82,11 @@ static size_t below(uint64_t *random, size_t most)
     return (size_t)xorshift_between(random, 0, (int64_t)most - 1);
 }
 
-static void test_each_once(void **state)
+TEST(each_once)
 {
     uint64_t random = RANDOM_SEED + 1;
     c205_error error;
 
-    (void)state;
     for (int i = 0; i < 200; i++) {
         struct bench bench = { .count = below(&random, MOST + 1),
                                .bad = MOST,
@@ -108,12 +101,11 @@ static void test_each_once(void **state)
     }
 }
 
-static void test_a_bad_one(void **state)
+TEST(a_bad_one)
 {
     uint64_t random = RANDOM_SEED + 2;
     c205_error error;
 
-    (void)state;
     for (int i = 0; i < 100; i++) {
         struct bench bench = { .count = 1 + below(&random, MOST),
                                .stop_at = SIZE_MAX };
@@ -131,12 +123,11 @@ static void test_a_bad_one(void **state)
 }
 
 /* Many fail, and the lowest of them last: it is the one that is told. */
-static void test_the_lowest_of_many(void **state)
+TEST(the_lowest_of_many)
 {
     uint64_t random = RANDOM_SEED + 3;
     c205_error error;
 
-    (void)state;
     for (int i = 0; i < 100; i++) {
         struct bench bench = { .count = 1 + below(&random, MOST),
                                .slow = true,
@@ -150,11 +141,10 @@ static void test_the_lowest_of_many(void **state)
     }
 }
 
-static void test_told_to_stop(void **state)
+TEST(told_to_stop)
 {
     c205_error error;
 
-    (void)state;
     for (size_t jobs = 0; jobs < 5; jobs++) {
         struct bench bench = { .count = MOST,
                                .bad = MOST,
@@ -170,26 +160,12 @@ static void test_told_to_stop(void **state)
     }
 }
 
-static void test_jobs_wanted(void **state)
+TEST(jobs_wanted)
 {
     size_t online = (size_t)sysconf(_SC_NPROCESSORS_ONLN);
 
-    (void)state;
     assert_int_equal(jobs_wanted(0, SIZE_MAX), online);
     assert_int_equal(jobs_wanted(0, 1), 1);
     assert_int_equal(jobs_wanted(3, 256), 3);
     assert_int_equal(jobs_wanted(300, 256), 256);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_once),
-        cmocka_unit_test(test_a_bad_one),
-        cmocka_unit_test(test_the_lowest_of_many),
-        cmocka_unit_test(test_told_to_stop),
-        cmocka_unit_test(test_jobs_wanted),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,7 +7,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -210,9 +209,8 @@ static void check_session(char *const *words, bool libedit)
     assert_int_equal(end(&terminal), 0);
 }
 
-static void test_ctrl_c(void **state)
+TEST(ctrl_c)
 {
-    (void)state;
     check_session(debug_words, true);
     check_session(debug_words, false);
     check_session(render_words, true);
@@ -220,12 +218,11 @@ static void test_ctrl_c(void **state)
 }
 
 /* At the prompt, in the middle of a line, and while the program runs. */
-static void test_ends(void **state)
+TEST(ends)
 {
     static const char *const typed[] = { "", "print", "continue\n" };
     static const int signals[] = { SIGTERM, SIGHUP };
 
-    (void)state;
     for (size_t i = 0; i < 12; i++) {
         struct terminal terminal;
 
@@ -251,11 +248,10 @@ static void write_file(const char *path, const char *text)
     fclose(file);
 }
 
-static int make_folder(void **state)
+FIXTURE(make_folder)
 {
     char path[80];
 
-    (void)state;
     if (!mkdtemp(folder))
         return -1;
     snprintf(path, sizeof path, "%s/libedit.so.2", folder);
@@ -265,23 +261,14 @@ static int make_folder(void **state)
     return 0;
 }
 
-static int remove_folder(void **state)
+FIXTURE(remove_folder)
 {
     char path[80];
 
-    (void)state;
     snprintf(path, sizeof path, "%s/libedit.so.2", folder);
     unlink(path);
     unlink(program);
     return rmdir(folder);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ctrl_c),
-        cmocka_unit_test(test_ends),
-    };
-
-    return cmocka_run_group_tests(tests, make_folder, remove_folder);
-}
+GROUP(make_folder, remove_folder);

@@ -8,10 +8,6 @@
 #include "tests/random.h"
 #include "tests/unit/scene_reading.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 /* A character's prism: how far its corners are apart, 2 with handles, and its ends. */
 struct character {
     const struct outline *path;
@@ -94,7 +90,7 @@ static void extent_of(const struct scene *scene, double low[3],
 
 /* POV-Ray's min_extent and max_extent of the same text: bearings, kerning,
  * offsets, blanks, characters that are no ASCII. */
-static void test_extents(void **state)
+TEST(extents)
 {
     static const struct {
         const char *font, *string, *offset;
@@ -123,7 +119,6 @@ static void test_extents(void **state)
         { "povlogo", "P", "0", { 0, .00194 }, { .66994, 1.00196 } },
     };
 
-    (void)state;
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene;
         double low[3], high[3];
@@ -153,7 +148,7 @@ static double area_of(const double from[2], const double handle[2],
 }
 
 /* The dot of this font is round: its parabolas enclose as much as an ellipse. */
-static void test_curves(void **state)
+TEST(curves)
 {
     struct scene *scene = read_scene(
         "text { ttf \"timrom.ttf\" \".\" 1, 0 }");
@@ -161,7 +156,6 @@ static void test_curves(void **state)
     const double(*points)[2] = (const double(*)[2])dot.path->points;
     double low[3], high[3], area = 0, ellipse;
 
-    (void)state;
     assert_int_equal(dot.apart, 2);
     extent_of(scene, low, high);
     ellipse = atan(1) * (high[0] - low[0]) * (high[1] - low[1]);
@@ -173,7 +167,7 @@ static void test_curves(void **state)
 
 /* This one has small curves at its feet, and else straight edges, some of them slanted:
  * nearly nothing lies between these and the chords of its corners. */
-static void test_slanted(void **state)
+TEST(slanted)
 {
     struct scene *scene = read_scene(
         "text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
@@ -181,7 +175,6 @@ static void test_slanted(void **state)
     struct path_walk walk = { .path = letter.path, .apart = letter.apart };
     double bows = 0, area = 0;
 
-    (void)state;
     assert_int_equal(letter.apart, 2);
     while (path_next(&walk)) {
         const double *from = walk.from;
@@ -195,12 +188,11 @@ static void test_slanted(void **state)
 }
 
 /* Characters without curves are prisms of straight edges. */
-static void test_straight(void **state)
+TEST(straight)
 {
     struct scene *scene = read_scene(
         "text { ttf \"cyrvetic.ttf\" \"TI\" 1, 0 }");
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 2);
     for (size_t i = 0; i < 2; i++)
         assert_int_equal(character_of(&scene->primitives[i]).apart, 1);
@@ -297,12 +289,11 @@ static void check_font(const char *name, bool points)
     arena_free(&arena);
 }
 
-static void test_outlines(void **state)
+TEST(outlines)
 {
     static const char *const names[] = { "timrom", "cyrvetic", "crystal",
                                          "povlogo" };
 
-    (void)state;
     for (size_t i = 0; i < 2 * COUNT(names); i++)
         check_font(names[i / 2], i % 2);
 }
@@ -335,24 +326,22 @@ static void check_touching_loop(size_t corners, size_t apart,
                             sizeof *after);
 }
 
-static void test_touching_loops(void **state)
+TEST(touching_loops)
 {
     uint64_t random = RANDOM_SEED;
 
-    (void)state;
     for (size_t i = 0; i < 2000; i++)
         check_touching_loop((size_t)xorshift_between(&random, 1, 12),
                             1 + i % 2, &random);
 }
 
-static void test_modifiers(void **state)
+TEST(modifiers)
 {
     struct scene *scene = read_scene(
         "text { ttf concat(\"cyrvetic\", \".ttf\"), \"I I\" -.5, 0"
         " scale 2 translate <1, 2, 3> pigment { rgb x } no_shadow }");
     double low[3], high[3];
 
-    (void)state;
     extent_of(scene, low, high);
     assert_int_equal(scene->primitive_count, 2);
     assert_true(scene->primitives[1].no_shadow);
@@ -364,17 +353,16 @@ static void test_modifiers(void **state)
     scene_free(scene);
 }
 
-static void test_blank(void **state)
+TEST(blank)
 {
     struct scene *scene = read_with("text { ttf \"timrom.ttf\" \" \" 1, 0 }",
                                     1);
 
-    (void)state;
     assert_int_equal(scene->primitive_count, 0);
     scene_free(scene);
 }
 
-static void test_errors(void **state)
+TEST(errors)
 {
     static const struct line_error rows[] = {
         { "text { \"a.ttf\" \"a\" 1, 0 }", 8, "expected ttf" },
@@ -385,23 +373,5 @@ static void test_errors(void **state)
         { "text { ttf \"timrom.ttf\" \"a\" x, 0 }", 29, "expected a number" },
     };
 
-    (void)state;
     assert_errors(rows, COUNT(rows));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_extents),
-        cmocka_unit_test(test_curves),
-        cmocka_unit_test(test_slanted),
-        cmocka_unit_test(test_straight),
-        cmocka_unit_test(test_outlines),
-        cmocka_unit_test(test_touching_loops),
-        cmocka_unit_test(test_modifiers),
-        cmocka_unit_test(test_blank),
-        cmocka_unit_test(test_errors),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

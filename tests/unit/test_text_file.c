@@ -4,15 +4,7 @@
 #include "base/text_file.h"
 #include "base/visible.h"
 #include "tests/random.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "tests/unit/unit.h"
 
 enum { TEXTS = 20000, LONGEST = 40 };
 
@@ -56,9 +48,8 @@ static void read_plainly(const char *text, char *plain)
     }
 }
 
-static void test_any_text(void **state)
+TEST(any_text)
 {
-    (void)state;
     for (size_t i = 0; i < TEXTS; i++) {
         char text[LONGEST + 4], plain[LONGEST + 4];
         size_t length = draw_text(text);
@@ -71,9 +62,8 @@ static void test_any_text(void **state)
 }
 
 /* The lines of a stream are those of the whole text. */
-static void test_any_stream(void **state)
+TEST(any_stream)
 {
-    (void)state;
     for (size_t i = 0; i < TEXTS / 20; i++) {
         char text[LONGEST + 4], plain[LONGEST + 4], *line = plain;
         size_t length = draw_text(text);
@@ -97,9 +87,8 @@ static void test_any_stream(void **state)
     }
 }
 
-static void test_utf16(void **state)
+TEST(utf16)
 {
-    (void)state;
     for (size_t i = 0; i < TEXTS; i++) {
         char text[4 * LONGEST];
         bool marked = i & 1, big = i & 2;
@@ -125,7 +114,7 @@ static void test_utf16(void **state)
 /* ---- Invisible characters ---- */
 
 /* An error at one of them names it. */
-static void test_invisible_in_program(void **state)
+TEST(invisible_in_program)
 {
     static const struct {
         const char *text, *name;
@@ -140,7 +129,6 @@ static void test_invisible_in_program(void **state)
         { " .word 1\xE3\x80\x80\n", "U+3000, a space", 9 },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct diagnostics reports = { 0 };
         assert_null(assemble_text("a.s", cases[i].text, NULL, &reports));
@@ -161,7 +149,7 @@ static bool is_safe(const char *text)
 
 /* Any bytes are printed without one that a terminal obeys, and names that differ
  * are printed differently if they have no backslash. */
-static void test_any_name(void **state)
+TEST(any_name)
 {
     static const char *const parts[] = {
         "\x1B[31m",
@@ -179,7 +167,6 @@ static void test_any_name(void **state)
         " ",
     };
 
-    (void)state;
     for (size_t i = 0; i < TEXTS; i++) {
         char name[200] = "";
         struct text_buffer shown = { 0 };
@@ -197,7 +184,7 @@ static void test_any_name(void **state)
     }
 }
 
-static void test_name_in_diagnostic(void **state)
+TEST(name_in_diagnostic)
 {
     const struct position position = { "a\x1B[2J.s", 1, 3, "x\x1B\xC2\xA0y",
                                        5 };
@@ -205,7 +192,6 @@ static void test_name_in_diagnostic(void **state)
     struct text_buffer shown = { 0 };
     struct sink sink = text_buffer_sink(&shown);
 
-    (void)state;
     diagnostics_add(&reports, SEVERITY_ERROR, &position, "no \x1B[31m\n");
     diagnostics_say(&reports, "said \x1B[31m\n\tnext\n");
     diagnostics_put(&reports, &sink);
@@ -218,18 +204,4 @@ static void test_name_in_diagnostic(void **state)
                         "said \\x1b[31m\n\tnext\n");
     text_buffer_free(&shown);
     diagnostics_free(&reports);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_any_text),
-        cmocka_unit_test(test_any_stream),
-        cmocka_unit_test(test_utf16),
-        cmocka_unit_test(test_invisible_in_program),
-        cmocka_unit_test(test_any_name),
-        cmocka_unit_test(test_name_in_diagnostic),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,4 @@
 /* test_thermal.c - surfaces of a scene by primitive, part and material, and what they exchange. */
-#include <stdio.h>
-
 #include "rt/heat/source.h"
 #include "rt/heat/thermal.h"
 #include "tests/unit/prior_model.h"
@@ -121,13 +119,12 @@ static void assert_estimate(struct estimate found, double expected)
                  expected);
 }
 
-static void test_parts(void **state)
+TEST(parts)
 {
     double pi = acos(-1);
     struct study study = begin(ball, BY_PART);
     const struct surface *shell = &study.surfaces.list[1];
 
-    (void)state;
     assert_int_equal(study.surfaces.count, 2);
     assert_string_equal(study.surfaces.list[0].name, "Ball");
     assert_string_equal(shell->name, "Shell");
@@ -145,11 +142,10 @@ static void test_parts(void **state)
     end(&study);
 }
 
-static void test_groups(void **state)
+TEST(groups)
 {
     struct study study = begin(ball, BY_MATERIAL);
 
-    (void)state;
     assert_int_equal(study.surfaces.count, 2);
     assert_string_equal(study.surfaces.list[0].name, "Copper");
     assert_string_equal(study.surfaces.list[1].name, "none");
@@ -163,14 +159,13 @@ static void test_groups(void **state)
 /* ---- Flows -------------------------------------------------------------------- */
 
 /* exchange.csv has the flow to a shell of 300 K and .5. */
-static void test_flows(void **state)
+TEST(flows)
 {
     double pi = acos(-1), fourth = 3e2 * 3e2 * 3e2 * 3e2;
     struct study study = begin(ball, BY_PRIMITIVE);
     struct thermal thermal;
     c205_error error;
 
-    (void)state;
     assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
     assert_int_equal(thermal.count, 3);
     assert_flow(thermal.exchange.flow[0], 25842.18560027);
@@ -182,7 +177,7 @@ static void test_flows(void **state)
 }
 
 /* By lines all is counted once for both: flows add up to 0. */
-static void test_lines(void **state)
+TEST(lines)
 {
     const struct global_lines_options options = { .mode = TRACE_VECTOR,
                                                   .queue = 2000,
@@ -198,7 +193,6 @@ static void test_lines(void **state)
     struct thermal thermal;
     c205_error error = { "" };
 
-    (void)state;
     assert_true(named_parts_find(study.scene, &study.parts));
     assert_true(
         surfaces_find(study.scene, &study.parts, BY_PART, &study.surfaces));
@@ -219,14 +213,13 @@ static void test_lines(void **state)
 }
 
 /* Through an adiabatic shell all goes out that the ball gives. */
-static void test_adiabatic(void **state)
+TEST(adiabatic)
 {
     double pi = acos(-1), fourth = 5e2 * 5e2 * 5e2 * 5e2;
     struct study study = begin(ball, BY_PART);
     struct thermal thermal;
     c205_error error;
 
-    (void)state;
     assert_true(exchange(&study, "Shell=adiabatic environment=300", "Ball=1",
                          &thermal, &error));
     assert_close(thermal.outside, 300, 0);
@@ -252,11 +245,10 @@ static void refuses(const struct study *study, const char *temperatures,
         fail_msg("%s: %s", message, error.message);
 }
 
-static void test_refused(void **state)
+TEST(refused)
 {
     struct study study = begin(ball, BY_PART);
 
-    (void)state;
     refuses(&study, "", "",
             "no temperature is known of: Shell; --temperature NAME=KELVINS, "
             "or default=300");
@@ -278,13 +270,12 @@ static void test_refused(void **state)
     end(&study);
 }
 
-static void test_wrong_values(void **state)
+TEST(wrong_values)
 {
     static const char *const wrong[] = { "a=-1", "a=nan", "a=x", "=3", "a" };
     struct given_values given;
     c205_error error;
 
-    (void)state;
     given_begin(&given, &temperature_kind);
     for (size_t i = 0; i < COUNT(wrong); i++)
         assert_false(given_add(&given, wrong[i], &error));
@@ -298,14 +289,4 @@ static void test_wrong_values(void **state)
     given_free(&given);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_parts),        cmocka_unit_test(test_groups),
-        cmocka_unit_test(test_flows),        cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_adiabatic),    cmocka_unit_test(test_refused),
-        cmocka_unit_test(test_wrong_values),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

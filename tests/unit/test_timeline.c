@@ -257,13 +257,12 @@ static void check_program(const char *path)
     object_free(object);
 }
 
-static void test_programs(void **state)
+TEST(programs)
 {
     static const char *const patterns[] = { "asm/examples/*.s",
                                             "tests/programs/*.s",
                                             "tests/programs/traps/*.s" };
 
-    (void)state;
     for (size_t i = 0; i < 3; i++) {
         glob_t found;
 
@@ -274,9 +273,8 @@ static void test_programs(void **state)
     }
 }
 
-static void test_drawn(void **state)
+TEST(drawn)
 {
-    (void)state;
     for (int i = 0; i < 200; i++) {
         char text[DRAWN_TEXT + 40];
         int length = sprintf(text, "        .equ n, %d\n",
@@ -291,7 +289,7 @@ static void test_drawn(void **state)
 }
 
 /* The reader of the format takes what its description allows, and nothing else. */
-static void test_reader(void **state)
+TEST(reader)
 {
 #define BEGIN "Kanata\t0004\nC=\t7\n"
 #define THERE BEGIN "I\t0\t5\t0\n"
@@ -333,7 +331,6 @@ static void test_reader(void **state)
     };
     size_t line;
 
-    (void)state;
     for (size_t i = 0; i < sizeof right / sizeof *right; i++)
         assert_null(kanata_fault(right[i], &line));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
@@ -342,13 +339,4 @@ static void test_reader(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_programs),
-        cmocka_unit_test(test_drawn),
-        cmocka_unit_test(test_reader),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_model, tear_down_model);
-}
+GROUP(set_up_model, tear_down_model);

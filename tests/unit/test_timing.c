@@ -22,10 +22,9 @@ static const char *const model_names[MODELS] = { "cyber205-1pipe-prior",
 static struct little little[MODELS];
 static size_t cases = USUAL_CASES;
 
-static int make_machines(void **state)
+FIXTURE(make_machines)
 {
     c205_error error = { "" };
-    (void)state;
     for (int i = 0; i < MODELS; i++) {
         begin(&little[i]);
         little[i].model = c205_model_find(model_names[i], &error);
@@ -36,9 +35,8 @@ static int make_machines(void **state)
     return 0;
 }
 
-static int free_machines(void **state)
+FIXTURE(free_machines)
 {
-    (void)state;
     for (int i = 0; i < MODELS; i++)
         free_little(&little[i]);
     return 0;
@@ -234,11 +232,10 @@ static uint64_t conflicts(const struct vector_case *one,
     return t - accesses;
 }
 
-static void test_closed_formula(void **state)
+TEST(closed_formula)
 {
     static struct vector_case one;
     uint64_t random = 3205;
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++)
         for (size_t k = 0; is_vector(&c205_insns[i]) && k < cases; k++) {
             struct little *on = &little[k % MODELS];
@@ -312,11 +309,10 @@ static void try_lengths(struct vector_case *one, unsigned times)
     }
 }
 
-static void test_longer_is_never_cheaper(void **state)
+TEST(longer_is_never_cheaper)
 {
     static struct vector_case one;
     uint64_t random = 4205;
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++)
         for (unsigned times = 1; is_vector(&c205_insns[i]) && times <= 2;
              times++) {
@@ -375,9 +371,8 @@ static void try_program(uint64_t seed)
                      (unsigned long long)seed);
 }
 
-static void test_random_programs(void **state)
+TEST(random_programs)
 {
-    (void)state;
     for (uint64_t seed = 1; seed <= 20 * cases; seed++)
         try_program(seed);
 }
@@ -446,9 +441,8 @@ static uint64_t clocks_of(const char *text)
     return clocks;
 }
 
-static void test_small_programs(void **state)
+TEST(small_programs)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
         uint64_t clocks = clocks_of(programs[i].text);
         if (clocks != programs[i].clocks)
@@ -458,16 +452,10 @@ static void test_small_programs(void **state)
     }
 }
 
-int main(int argc, char **argv)
+ARGUMENTS(argc, argv)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_closed_formula),
-        cmocka_unit_test(test_longer_is_never_cheaper),
-        cmocka_unit_test(test_random_programs),
-        cmocka_unit_test(test_small_programs)
-    };
     if (argc > 1)
         cases = strtoul(argv[1], NULL, 0);
-    return cmocka_run_group_tests_name("timing", tests, make_machines,
-                                       free_machines);
 }
+
+GROUP(make_machines, free_machines);

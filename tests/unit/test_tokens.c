@@ -1,16 +1,9 @@
 /* The tokens of what comes again, of macros' bodies and of loops' turns, which are kept, are those
  * that a lexer reads that has kept none: wherever a body begins and ends. */
 #include "rt/scene/language/token.h"
+#include "tests/unit/unit.h"
 
 #include "tests/random.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 enum { TEXTS = 200, CUTS = 60, PIECES = 40, TEXT_MOST = 200 };
 
@@ -90,13 +83,12 @@ static void compare(struct lexer *keeping, struct lexer *fresh,
     lexer_close(keeping);
 }
 
-static void test_any_cut(void **state)
+TEST(any_cut)
 {
     struct lexer *keeping = calloc(1, sizeof *keeping);
     struct lexer *fresh = calloc(1, sizeof *fresh);
     struct scene_source *sources = NULL;
 
-    (void)state;
     assert_non_null(keeping);
     assert_non_null(fresh);
     for (size_t i = 0; i < TEXTS; i++) {
@@ -125,13 +117,4 @@ static void test_any_cut(void **state)
     sources_free(sources);
     free(keeping);
     free(fresh);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_any_cut),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

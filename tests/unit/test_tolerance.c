@@ -45,9 +45,8 @@ static void check_said(const char *text, const char *said)
     " ES r11, 5\n load_constant r12, 5.0\n EX r13, v\n EXIT\n .data\n" \
     "v: .word 1.0, 2.0, X'7000 0000 0000 0000'\n"
 
-static void test_tolerance(void **state)
+TEST(tolerance)
 {
-    (void)state;
     check_said(RUN "; expect: r10 = 1.5\n", "");
     check_said(RUN "; expect: r10 = 1.5 ~ 1e-9\n", "");
     check_said(RUN "; expect: r10 = 1.25 ~ 0.25\n", "");
@@ -66,38 +65,25 @@ static void test_tolerance(void **state)
     check_said(RUN "; expect: [v + 128] = X'7000 0000 0000 0000' ~ 1\n", "");
 }
 
-static void test_equal_decimals(void **state)
+TEST(equal_decimals)
 {
-    (void)state;
     check_said(RUN "; expect: r12 = 5\n",
                "r12 = X'0000 0000 0000 0005' (5), found X'FFD4 5000 0000"
                " 0000' (5): equal numbers in other words");
     check_said(RUN "; expect: r12 = 6\n", "(5)\n");
 }
 
-static void test_model(void **state)
+TEST(model)
 {
     static const char text[] = " ES r1, 1\n EXIT\n; expect: r1 = 1\n"
                                "; expect-clocks: 7\n"
                                "; expect-model: cyber205-2pipe-prior\n";
     char *report;
 
-    (void)state;
     check_said(text, "");
     report = run_on("cyber205-2pipe-prior", text);
     assert_non_null(report);
     assert_non_null(strstr(report, "test.s:4: expected 7 clocks, found"));
     free(report);
     check_said(" EXIT\n; expect-clocks: 7\n", "expected 7 clocks");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tolerance),
-        cmocka_unit_test(test_equal_decimals),
-        cmocka_unit_test(test_model),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

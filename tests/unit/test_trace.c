@@ -32,15 +32,13 @@ static void add_shape(char *text, size_t size)
     }
 }
 
-static void test_random_scenes(void **state)
+TEST(random_scenes)
 {
-    (void)state;
     check_random_scenes(add_shape, 12);
 }
 
-static void test_parallel_rays(void **state)
+TEST(parallel_rays)
 {
-    (void)state;
     check_middle(AHEAD "box { -1, 1 }", 1, 4);
     check_middle(AHEAD "box { <1, -1, -1>, <2, 1, 1> }", 0, 0);
     check_middle(AHEAD "cylinder { -z, z, 1 }", 1, 4);
@@ -55,9 +53,8 @@ static void test_parallel_rays(void **state)
     check_middle(AHEAD "sphere { 0, 1 scale <1, 1, 2> }", 1, 3);
 }
 
-static void test_from_inside(void **state)
+TEST(from_inside)
 {
-    (void)state;
     check_middle(AHEAD "box { -8, 7 }", 1, 12);
     check_middle(AHEAD "sphere { <0, 0, -5>, 2 }", 1, 2);
     check_middle(AHEAD "cylinder { <0, -1, -5>, <0, 1, -5>, 3 }", 1, 3);
@@ -65,16 +62,14 @@ static void test_from_inside(void **state)
     check_middle(AHEAD "sphere { <0, 0, -9>, 1 }", 0, 0);
 }
 
-static void test_touching_rays(void **state)
+TEST(touching_rays)
 {
-    (void)state;
     check_middle(STRAIGHT "sphere { x, 1 }", 1, 5);
     check_middle(STRAIGHT "sphere { <.75, -1, 3>, 1.25 }", 1, 8);
 }
 
-static void test_open_cylinder_shows_its_inside(void **state)
+TEST(open_cylinder_shows_its_inside)
 {
-    (void)state;
     check_middle(AHEAD "cylinder { <0, .7, 0>, <0, 3, 0>, 1 open"
                        " rotate -30*x }",
                  0, 0);
@@ -83,9 +78,8 @@ static void test_open_cylinder_shows_its_inside(void **state)
                  1, 5 + 1 - sqrt(2));
 }
 
-static void test_nearest_of_equals_is_the_first(void **state)
+TEST(nearest_of_equals_is_the_first)
 {
-    (void)state;
     check_middle(AHEAD "box { -1, 1 } box { -1, 1 } plane { z, 9 }", 1, 4);
     check_middle(AHEAD "plane { z, 9 } sphere { 0, 1 } box { -1, 1 }", 2, 4);
 }
@@ -93,9 +87,8 @@ static void test_nearest_of_equals_is_the_first(void **state)
 #define GLOSSY "no_shadow finish { phong .5 specular .5 } }"
 
 /* L, then H, has no length. */
-static void test_no_way_to_the_light(void **state)
+TEST(no_way_to_the_light)
 {
-    (void)state;
     check_middle(STRAIGHT "light_source { -z, rgb 1 } box { -1, 1 " GLOSSY, 1,
                  4);
     check_middle(STRAIGHT "light_source { <0, 1e-9, 10>, rgb 1 }"
@@ -110,7 +103,7 @@ static void test_no_way_to_the_light(void **state)
  * way to it is the ray's direction, half way between the two lies nowhere, and
  * there is no highlight.  (Of an indefinite the power would be about
  * 2^(28718 / roughness), its exponent cut to 16 bits: here a great one.) */
-static void test_light_straight_behind(void **state)
+TEST(light_straight_behind)
 {
     struct words *words = same_frame(
         "#version 3.7; global_settings { assumed_gamma 1 }\n"
@@ -120,7 +113,6 @@ static void test_light_straight_behind(void **state)
         "plane { x, 0 pigment { rgb 1 } finish { ambient .25 diffuse 0\n"
         "specular 1 roughness .33 } }\n");
 
-    (void)state;
     for (size_t i = 0; i < PIXELS; i++) {
         assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][i]), 1);
         assert_float_equal(c205_to_double(words->channel[CHANNEL_RED][i]),
@@ -140,9 +132,8 @@ static void check_normal_z(const char *text, double expected)
     free(words);
 }
 
-static void test_flat_boxes(void **state)
+TEST(flat_boxes)
 {
-    (void)state;
     check_normal_z(AHEAD "box { <-1, -1, 2>, <1, 1, 2> }", -1);
     check_normal_z(AHEAD "box { <-1, -1, 0>, <1, 1, 0>"
                          " rotate 60*x translate <.1, .3, 9> }",
@@ -151,16 +142,15 @@ static void test_flat_boxes(void **state)
 }
 
 /* The axis leans by 1e-7: the ray is in the side from z = 5 to 15. */
-static void test_ray_almost_along_a_cylinder(void **state)
+TEST(ray_almost_along_a_cylinder)
 {
-    (void)state;
     check_middle_within(STRAIGHT "cylinder { <-1.1e-5, 0, -100>,"
                                  " <9e-6, 0, 100>, 5e-7 open }",
                         1, 10, 1e-5);
 }
 
 /* Its reciprocal is no double. */
-static void test_numbers_beyond_doubles(void **state)
+TEST(numbers_beyond_doubles)
 {
     struct scene *scene = read_text(AHEAD "sphere { 0, 1\n"
                                           "interior { ior 1e-310 } }");
@@ -169,15 +159,13 @@ static void test_numbers_beyond_doubles(void **state)
                                      .model = prior_model };
     c205_error error = { "" };
 
-    (void)state;
     assert_null(trace_new(scene, &options, &error));
     assert_non_null(strstr(error.message, "line 5"));
     scene_free(scene);
 }
 
-static void test_empty_scene(void **state)
+TEST(empty_scene)
 {
-    (void)state;
     struct words *words = same_frame(AHEAD "background { rgb <.5, .25, 1> }");
 
     assert_int_equal(hits(words), 0);
@@ -186,22 +174,4 @@ static void test_empty_scene(void **state)
     free(words);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_scenes),
-        cmocka_unit_test(test_parallel_rays),
-        cmocka_unit_test(test_from_inside),
-        cmocka_unit_test(test_touching_rays),
-        cmocka_unit_test(test_open_cylinder_shows_its_inside),
-        cmocka_unit_test(test_nearest_of_equals_is_the_first),
-        cmocka_unit_test(test_no_way_to_the_light),
-        cmocka_unit_test(test_light_straight_behind),
-        cmocka_unit_test(test_flat_boxes),
-        cmocka_unit_test(test_ray_almost_along_a_cylinder),
-        cmocka_unit_test(test_numbers_beyond_doubles),
-        cmocka_unit_test(test_empty_scene),
-    };
-
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

@@ -40,16 +40,14 @@ static void check_scenes(size_t scenes)
     }
 }
 
-static void test_opaque(void **state)
+TEST(opaque)
 {
-    (void)state;
     solids.clear = false;
     check_scenes(10);
 }
 
-static void test_clear(void **state)
+TEST(clear)
 {
-    (void)state;
     solids.clear = true;
     check_scenes(10);
 }
@@ -91,11 +89,10 @@ static const char patches[] = HEAD
     "merge { object { Leaf } sphere { .5*y, .5 } object { Leaf } "
     "box { <-.5, 0, -.5>, <.5, .9, .5> } pigment { rgb .8 } }\n";
 
-static void test_every(void **state)
+TEST(every)
 {
     static char text[65536];
 
-    (void)state;
     check_every(coincident);
     check_every(patches);
     for (int i = 0; i < 8; i++) {
@@ -108,7 +105,7 @@ static void test_every(void **state)
 
 /* More bodies in one another than are remembered; more panes than a chain has
  * rays; more mirrorings than there are levels where nothing is too dim. */
-static void test_limits_of_rays(void **state)
+TEST(limits_of_rays)
 {
     static const char *const texts[] = {
         AHEAD "global_settings { max_trace_level 60 }\n"
@@ -123,7 +120,6 @@ static void test_limits_of_rays(void **state)
               "    finish { reflection .6 } interior { ior 1.3 } }",
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         struct words *frame = same_frame(texts[i]);
         check_paper_stage(texts[i], frame);
@@ -131,13 +127,4 @@ static void test_limits_of_rays(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_opaque),
-        cmocka_unit_test(test_clear),
-        cmocka_unit_test(test_every),
-        cmocka_unit_test(test_limits_of_rays),
-    };
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
-}
+GROUP(set_up_frames, tear_down_model);

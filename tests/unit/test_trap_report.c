@@ -38,9 +38,8 @@ static void check(const char *text, bool lines, const char *const *said)
     " descriptor a, x, 3\n descriptor b, x, 3\n descriptor c, x, 3\n" \
     " ES o, -1\n descriptor z, x, 3\n"
 
-static void test_rules(void **state)
+TEST(rules)
 {
-    (void)state;
     CHECK(" .half 0\n", "test.s:1:2: error: trap undefined-instruction at",
           ": 00000000: no instruction has this code");
     CHECK(" .half X'F080 0000', 0\n", "has no such fields or G bits");
@@ -71,9 +70,8 @@ static void test_rules(void **state)
 
 #define LINK(first, second) DATA " LINKV\n " first "\n " second "\n"
 
-static void test_links(void **state)
+TEST(links)
 {
-    (void)state;
     CHECK(LINK("ES a, 1", "ADDNV [c], [b], [c]"),
           "behind the prefix must stand two vector instructions");
     CHECK(LINK("MPYSV [a], o, [c]", "SUMV [c], z"),
@@ -100,23 +98,12 @@ static void test_links(void **state)
           "must have one length");
 }
 
-static void test_without_lines(void **state)
+TEST(without_lines)
 {
     static const char *const said[] = {
         "test.o: error: trap unmapped-address at 400020: LOD: address 40",
         NULL
     };
 
-    (void)state;
     check(" ES r1, 64\n LOD [r1], r2\n", false, said);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rules), cmocka_unit_test(test_links),
-        cmocka_unit_test(test_without_lines)
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

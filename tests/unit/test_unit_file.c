@@ -1,19 +1,11 @@
 /* test_unit_file.c - units that are kept come back as they were, or not at all: what is
  * harmed, cut off or of another run is not taken; files come together. */
 #include "rt/farm/unit_file.h"
+#include "tests/unit/unit.h"
 
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #include "tests/random.h"
 
@@ -21,6 +13,27 @@ enum { KEY = 205, UNITS = 24, FILES = 4, TRIES = 60, HEAD = 16 };
 
 static char paths[FILES][40];
 static uint64_t state = RANDOM_SEED;
+
+FIXTURE(set_up)
+{
+    bool good = true;
+
+    for (size_t i = 0; i < FILES; i++) {
+        int file;
+
+        strcpy(paths[i], "/tmp/test_unit_file.XXXXXX");
+        file = mkstemp(paths[i]);
+        good = good && file >= 0 && close(file) == 0 && remove(paths[i]) == 0;
+    }
+    return !good;
+}
+
+FIXTURE(tear_down)
+{
+    for (size_t i = 0; i < FILES; i++)
+        remove(paths[i]);
+    return 0;
+}
 
 static size_t below(size_t count)
 {
@@ -181,11 +194,10 @@ static long somewhere(const struct written *written)
            + (long)below((size_t)(written->end[written->count - 1] - HEAD));
 }
 
-static void test_cut_off(void **unused)
+TEST_WITH(cut_off, set_up, tear_down)
 {
     struct written written;
 
-    (void)unused;
     for (int i = 0; i < TRIES; i++) {
         long size;
 
@@ -198,11 +210,10 @@ static void test_cut_off(void **unused)
 }
 
 /* From the unit on in which a bit is wrong nothing is taken. */
-static void test_harmed(void **unused)
+TEST_WITH(harmed, set_up, tear_down)
 {
     struct written written;
 
-    (void)unused;
     for (int i = 0; i < TRIES; i++) {
         long at;
 
@@ -240,9 +251,8 @@ static void check_merge(void)
         remove(paths[i]);
 }
 
-static void test_merged(void **unused)
+TEST_WITH(merged, set_up, tear_down)
 {
-    (void)unused;
     for (int i = 0; i < TRIES; i++)
         check_merge();
 }
@@ -256,13 +266,12 @@ static void refuse_merge(struct unit_file *file, const char *path,
     assert_non_null(strstr(error.message, message));
 }
 
-static void test_not_merged(void **unused)
+TEST_WITH(not_merged, set_up, tear_down)
 {
     struct written written;
     c205_error error;
     struct unit_file *file, *other;
 
-    (void)unused;
     write_some(0, &written);
     file = open_file(0);
     refuse_merge(file, paths[0], "named twice");
@@ -285,11 +294,10 @@ static void refuse(uint64_t key, const char *message)
     assert_non_null(strstr(error.message, message));
 }
 
-static void test_of_something_else(void **unused)
+TEST_WITH(of_something_else, set_up, tear_down)
 {
     struct written written;
 
-    (void)unused;
     write_some(0, &written);
     refuse(KEY + 1, "of another run");
     turn_bit(paths[0], 0, 0);
@@ -326,13 +334,12 @@ static pid_t open_elsewhere(void)
     return child;
 }
 
-static void test_in_use(void **unused)
+TEST_WITH(in_use, set_up, tear_down)
 {
     struct written written;
     struct unit_file *file = open_file(1);
     pid_t other;
 
-    (void)unused;
     write_some(0, &written);
     other = open_elsewhere();
     refuse(KEY, "another run is using it");
@@ -345,40 +352,3 @@ static void test_in_use(void **unused)
 }
 
 /* Names for which there are no files yet. */
-static int set_up(void **unused)
-{
-    bool good = true;
-
-    (void)unused;
-    for (size_t i = 0; i < FILES; i++) {
-        int file;
-
-        strcpy(paths[i], "/tmp/test_unit_file.XXXXXX");
-        file = mkstemp(paths[i]);
-        good = good && file >= 0 && close(file) == 0 && remove(paths[i]) == 0;
-    }
-    return !good;
-}
-
-static int tear_down(void **unused)
-{
-    (void)unused;
-    for (size_t i = 0; i < FILES; i++)
-        remove(paths[i]);
-    return 0;
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_cut_off, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_harmed, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_merged, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_not_merged, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_of_something_else, set_up,
-                                        tear_down),
-        cmocka_unit_test_setup_teardown(test_in_use, set_up, tear_down),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}

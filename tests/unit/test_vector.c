@@ -601,37 +601,37 @@ static void many_cases(struct bench *bench, const c205_insn *row)
     check_traps(row->mnemonic, traps, CASES);
 }
 
-static void test_instructions(void **state)
+TEST(instructions)
 {
     struct bench *bench = make_bench();
 
-    (void)state;
     for (size_t i = 0; i < c205_insn_count; i++)
         if (has_vectors(c205_insns + i))
             many_cases(bench, c205_insns + i);
     free_bench(bench);
 }
 
-static void test_linked_pairs(void **state)
+TEST(linked_pairs)
 {
     struct bench *bench = make_bench();
     size_t traps = 0;
 
-    (void)state;
     for (int i = 0; i < 10 * CASES; i++)
         traps += one_pair(bench);
     check_traps("LINKV", traps, 10 * CASES);
     free_bench(bench);
 }
 
-int main(void)
+FIXTURE(begin_oracle)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_instructions),
-                                        cmocka_unit_test(test_linked_pairs) };
-    int failed;
-
     oracle_begin();
-    failed = cmocka_run_group_tests(tests, NULL, NULL);
-    oracle_end();
-    return failed;
+    return 0;
 }
+
+FIXTURE(end_oracle)
+{
+    oracle_end();
+    return 0;
+}
+
+GROUP(begin_oracle, end_oracle);

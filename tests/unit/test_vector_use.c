@@ -62,16 +62,9 @@ static void check(const char *instruction, uint64_t controlled,
     assert_int_equal(use.wanted, wanted);
 }
 
-static void test_control(void **state)
+TEST(control)
 {
-    (void)state;
     check("ADDNV [r10], [r10], [r10]", 0, 0);
     check("ADDNV [r10], [r10], [r10] ? [r20]", 150, 147);
     check("ADDNV [r10], [r10], [r10] ?! [r20]", 150, 3);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_control) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,8 +3,6 @@
  * HEAT_POINTS, points of a primitive in each of 16 repeats; 64 unless told.  What is
  * infinite in the table is long here, and its emitter is a short piece in the middle.
  */
-#include <stdio.h>
-
 #include "base/file.h"
 #include "rt/heat/surfaces.h"
 #include "tests/unit/csv_reading.h"
@@ -151,7 +149,7 @@ static const struct factor_scene bores[] = {
 static struct csv_table table;
 static bool seen[CSV_ROWS];
 
-static int read_table(void **state)
+FIXTURE(read_table)
 {
     size_t length;
     c205_error error;
@@ -161,7 +159,7 @@ static int read_table(void **state)
     assert_non_null(text);
     csv_table(text, &table);
     free(text);
-    return set_up_model(state);
+    return set_up_model(test_state);
 }
 
 /* The value, and what it may be off by: "0.25 and 0.75", "0.015 +- 0.001". */
@@ -315,9 +313,8 @@ static void check_scene(const struct factor_scene *what, enum surfaces_by by)
     check_form(what, by, TRACE_KERNELS, 1 + points / 32);
 }
 
-static void test_factors(void **state)
+TEST(factors)
 {
-    (void)state;
     for (size_t i = 0; i < COUNT(scenes); i++)
         check_scene(&scenes[i], BY_PART);
     for (size_t i = 0; i < COUNT(bores); i++)
@@ -327,9 +324,4 @@ static void test_factors(void **state)
             fail_msg("row %s is not tried", table.cell[row][0]);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_factors) };
-
-    return cmocka_run_group_tests(tests, read_table, tear_down_model);
-}
+GROUP(read_table, tear_down_model);

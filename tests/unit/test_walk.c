@@ -179,23 +179,20 @@ static void check_scenes(bool gridded, bool clear, bool spheres)
     free(text);
 }
 
-static void test_clouds(void **state)
+TEST(clouds)
 {
-    (void)state;
     check_scenes(false, false, false);
     check_scenes(false, true, false);
 }
 
-static void test_grids(void **state)
+TEST(grids)
 {
-    (void)state;
     check_scenes(true, false, false);
     check_scenes(true, true, false);
 }
 
-static void test_spheres(void **state)
+TEST(spheres)
 {
-    (void)state;
     check_scenes(false, false, true);
     check_scenes(true, false, true);
 }
@@ -221,11 +218,10 @@ static void write_window(char *text)
                  between(.7, 1));
 }
 
-static void test_windows(void **state)
+TEST(windows)
 {
     enum { WINDOWS = 6 };
     char *text = malloc(TEXT_ROOM);
-    (void)state;
 
     assert_non_null(text);
     for (int i = 0; i < WINDOWS; i++) {
@@ -235,19 +231,13 @@ static void test_windows(void **state)
     free(text);
 }
 
-int main(int count, char **words)
+ARGUMENTS(count, words)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_clouds),
-        cmocka_unit_test(test_grids),
-        cmocka_unit_test(test_spheres),
-        cmocka_unit_test(test_windows),
-    };
-
     if (count > 1)
         scene_count = strtoul(words[1], NULL, 10);
     if (count > 2)
         traced.random ^= strtoull(words[2], NULL, 10) * 0x9E3779B97F4A7C15;
     traced.reported = true;
-    return cmocka_run_group_tests(tests, set_up_frames, tear_down_model);
 }
+
+GROUP(set_up_frames, tear_down_model);

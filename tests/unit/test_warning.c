@@ -62,7 +62,7 @@ static void check_cases(const struct case_of *cases, size_t count)
 
 #define CHECK(cases) check_cases(cases, sizeof cases / sizeof *cases)
 
-static void test_misspelt(void **state)
+TEST(misspelt)
 {
     static const struct case_of cases[] = {
         { "; expct: r1 = 5\n", 1, 3, "is this an expectation? 'expct'" },
@@ -84,11 +84,10 @@ static void test_misspelt(void **state)
         { ";\n;:\n;=\n; \n;-:\n;expect\n", 0, 0, NULL },
     };
 
-    (void)state;
     CHECK(cases);
 }
 
-static void test_run_off(void **state)
+TEST(run_off)
 {
     static const struct case_of cases[] = {
         { " ES r1, 5\n", 1, 2, "[-Wrun-off]" },
@@ -112,18 +111,16 @@ static void test_run_off(void **state)
         { "", 0, 0, NULL },
     };
 
-    (void)state;
     CHECK(cases);
 }
 
-static void test_choice(void **state)
+TEST(choice)
 {
     static const char text[] = "; expct: r1 = 5\n ES r1, 5\n";
     struct diagnostics diagnostics = { 0 };
     struct warning_choice choice = { 0, false };
     struct object *object;
 
-    (void)state;
     check_none(" ES r1, 5\n", "no-run-off");
     check_none(text, "no-all");
     check_none(" ES r1, 5\n; expect-warning: run-off\n", NULL);
@@ -154,14 +151,13 @@ static void test_choice(void **state)
 }
 
 /* The manual tells of each. */
-static void test_manual(void **state)
+TEST(manual)
 {
     c205_error error;
     size_t length;
     char *text = file_read("docs/assembly.md", FILE_LARGEST, &length, &error);
     unsigned i;
 
-    (void)state;
     assert_non_null(text);
     for (i = 0; i < WARNINGS; i++) {
         char row[80];
@@ -173,14 +169,4 @@ static void test_manual(void **state)
         assert_int_equal(warning_named(warning_name((enum warning)i)), i);
     }
     free(text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_misspelt),
-                                        cmocka_unit_test(test_run_off),
-                                        cmocka_unit_test(test_choice),
-                                        cmocka_unit_test(test_manual) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

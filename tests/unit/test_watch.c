@@ -68,9 +68,8 @@ static void check(const char *text, const char *said)
     " descriptor zs, odd, 3\n"
 #define LINE "test.s:14:2: warning: "
 
-static void test_integers(void **state)
+TEST(integers)
 {
-    (void)state;
     check(DATA " MPYSV [xs], a, [ys]\n EXIT\n", "");
     check(DATA "\n ES a, 3\n MPYSV [xs], a, [ys]\n EXIT\n",
           "test.s:16:2: warning: element 0 of [r10] is the integer 1, not"
@@ -102,9 +101,8 @@ static void test_integers(void **state)
           "test.s:6:2: warning: r3 is the integer 3");
 }
 
-static void test_recurrences(void **state)
+TEST(recurrences)
 {
-    (void)state;
     check(DATA " RTOR fs, a\n IX a, 64\n ELEN a, 2\n"
                " ADDNV [fs], [fs], [a]\n EXIT\n",
           "test.s:17:2: warning: 1 element of [r11] is a result of this");
@@ -121,9 +119,8 @@ static void test_recurrences(void **state)
           "warning: 1 element of a source is a result of this pair");
 }
 
-static void test_lengths(void **state)
+TEST(lengths)
 {
-    (void)state;
     check(DATA " EX a, y\n ADDNV [fs], [fs], [a]\n EXIT\n",
           "test.s:15:2: warning: r14 has the address 800180, but no length");
     check(DATA " EX a, y\n ADDNV [a], [fs], [ys]\n EXIT\n", "r14 has the");
@@ -142,9 +139,8 @@ static void test_lengths(void **state)
           "");
 }
 
-static void test_indices(void **state)
+TEST(indices)
 {
-    (void)state;
     check(DATA " VXTOV [fs], [xs], [ys]\n EXIT\n",
           LINE "element 0 of the index list [r11] is 1, which is no integer");
     check(DATA " ELEN xs, 2\n VXTOV [xs], [fs], [ys]\n EXIT\n", "");
@@ -158,9 +154,8 @@ static void test_indices(void **state)
     check(DATA " load_constant a, 0.0\n LOD [fs, a], r20\n EXIT\n", "");
 }
 
-static void test_storage(void **state)
+TEST(storage)
 {
-    (void)state;
     /* A result without elements has the length that it was given. */
     check(
         DATA
@@ -202,9 +197,8 @@ static void test_storage(void **state)
          "top: MPYSV [fs], [fs], [ys]\n DBNZ r20, [r21]\n RTOR xs, fs\n" \
          " ES r20, 1\n IBXLT r23, r24, r25, top, r23\n EXIT\n"
 
-static void test_how_often(void **state)
+TEST(how_often)
 {
-    (void)state;
     check(LATE(9), "element 2 of [r11] is the integer 3");
     check(LATE(15), "element 2 of [r11] is the integer 3");
     check(LATE(16), "");
@@ -216,7 +210,7 @@ static void test_how_often(void **state)
           "the storage of 'y' ends at 8000C0");
 }
 
-static void test_choice(void **state)
+TEST(choice)
 {
     static const char text[] = " ES r1, 3\n ES r2, 1\n"
                                "a: MPYS r1, r2, r3\n EXIT\n";
@@ -225,7 +219,6 @@ static void test_choice(void **state)
     struct object bare = *object;
     char *report = watched(object, &choice);
 
-    (void)state;
     assert_int_equal(count(report, "error: r1 is the integer 3"), 1);
     free(report);
     choice.errors = false;
@@ -318,11 +311,10 @@ static double quotient(double a, double b)
     return a / b;
 }
 
-static void test_loss(void **state)
+TEST(loss)
 {
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     check_loss("ADDU", arith_add_upper, sum, false, &seed);
     check_loss("SUBUV", arith_subtract_upper, difference, false, &seed);
     check_loss("MPYU", arith_multiply_upper, product, false, &seed);
@@ -336,16 +328,4 @@ static void test_loss(void **state)
                      PRECISION_FULL);
     assert_int_equal(precision_rule(c205_insn_named("MPYL", 4)),
                      PRECISION_FULL);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_integers), cmocka_unit_test(test_recurrences),
-        cmocka_unit_test(test_lengths),  cmocka_unit_test(test_indices),
-        cmocka_unit_test(test_storage),  cmocka_unit_test(test_how_often),
-        cmocka_unit_test(test_choice),   cmocka_unit_test(test_loss),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

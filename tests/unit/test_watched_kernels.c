@@ -89,7 +89,7 @@ static void check(const char *path, const c205_model *model,
     diagnostics_free(&reports);
 }
 
-static void test_kernels(void **state)
+TEST(kernels)
 {
     static const char *const scenes[] = { "scenes/first.pov",
                                           "scenes/bracket.pov",
@@ -113,7 +113,6 @@ static void test_kernels(void **state)
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     size_t i;
 
-    (void)state;
     report = &sink;
     assert_non_null(model);
     for (i = 0; i < sizeof scenes / sizeof *scenes; i++) {
@@ -124,11 +123,4 @@ static void test_kernels(void **state)
         check(scenes[i], model, TRACE_KERNELS, VISIBLE_DEFAULT);
     }
     c205_model_free(model);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_kernels) };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,14 +1,9 @@
 /* test_word.c - words from and to doubles, integers, text. */
 #include "tests/random.h"
+#include "tests/unit/unit.h"
 #include "vm/number/word.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
-
-#include <cmocka.h>
 
 enum { ROUNDS = 20000 };
 
@@ -41,9 +36,8 @@ static const known table[] = {
     { "0", C205_MACHINE_ZERO },
 };
 
-static void test_known_words(void **state)
+TEST(known_words)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
         char text[C205_TEXT_SIZE];
         assert_int_equal(read_all(table[i].text), table[i].word);
@@ -55,9 +49,8 @@ static void test_known_words(void **state)
 }
 
 /* Floor: towards minus infinity on both sides of zero. */
-static void test_doubles_are_cut_down(void **state)
+TEST(doubles_are_cut_down)
 {
-    (void)state;
     assert_int_equal(c205_from_double(0.1), UINT64_C(0xFFCE666666666666));
     assert_int_equal(c205_from_double(-0.1), UINT64_C(0xFFCE999999999999));
     assert_int_equal(c205_from_double(1 + ldexp(1, -47)), C205_ONE);
@@ -71,9 +64,8 @@ static void test_doubles_are_cut_down(void **state)
                      UINT64_C(0xFFD2800000000000));
 }
 
-static void test_doubles_without_a_word(void **state)
+TEST(doubles_without_a_word)
 {
-    (void)state;
     assert_int_equal(c205_from_double(HUGE_VAL), C205_INDEFINITE);
     assert_int_equal(c205_from_double(-HUGE_VAL), C205_INDEFINITE);
     assert_int_equal(c205_from_double(NAN), C205_INDEFINITE);
@@ -81,9 +73,8 @@ static void test_doubles_without_a_word(void **state)
     assert_int_equal(c205_from_double(-0.0), C205_MACHINE_ZERO);
 }
 
-static void test_words_beyond_doubles(void **state)
+TEST(words_beyond_doubles)
 {
-    (void)state;
     assert_true(isnan(c205_to_double(UINT64_C(0x7ABC000000000001))));
     assert_true(c205_to_double(UINT64_C(0x8FFF7FFFFFFFFFFF)) == 0);
     assert_true(c205_to_double(word_make(20000, 1)) == HUGE_VAL);
@@ -93,20 +84,18 @@ static void test_words_beyond_doubles(void **state)
     assert_true(c205_to_double(word_make(3, -5)) == -40);
 }
 
-static void test_doubles_come_back(void **state)
+TEST(doubles_come_back)
 {
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         c205_word word = xorshift_normalised(&seed, -1000, 900);
         assert_int_equal(c205_from_double(c205_to_double(word)), word);
     }
 }
 
-static void test_integers(void **state)
+TEST(integers)
 {
-    (void)state;
     assert_int_equal(c205_from_integer(5), 5);
     assert_int_equal(c205_from_integer(-1), UINT64_C(0x0000FFFFFFFFFFFF));
     assert_int_equal(c205_to_integer(c205_from_integer(WORD_COEFFICIENT_MIN)),
@@ -115,16 +104,15 @@ static void test_integers(void **state)
                      WORD_COEFFICIENT_MAX);
 }
 
-static void test_hexadecimal(void **state)
+TEST(hexadecimal)
 {
     char text[C205_TEXT_SIZE];
 
-    (void)state;
     c205_to_hex(UINT64_C(0xFFD2400000ABCDEF), text);
     assert_string_equal(text, "FFD2 4000 00AB CDEF");
 }
 
-static void test_where_text_ends(void **state)
+TEST(where_text_ends)
 {
     static const struct {
         const char *text;
@@ -137,7 +125,6 @@ static void test_where_text_ends(void **state)
         { "007", 3, "7" },         { "1e-0", 4, "1" },  { "0x10", 1, "0" },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const char *end;
         c205_word word = c205_from_text(cases[i].text, &end);
@@ -146,12 +133,11 @@ static void test_where_text_ends(void **state)
     }
 }
 
-static void test_no_number(void **state)
+TEST(no_number)
 {
     static const char *const texts[] = { "",   "-",  "+",  ".",
                                          "-.", "e5", " 1", "x" };
 
-    (void)state;
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
         const char *end;
         c205_from_text(texts[i], &end);
@@ -159,7 +145,7 @@ static void test_no_number(void **state)
     }
 }
 
-static void test_ends_of_the_range(void **state)
+TEST(ends_of_the_range)
 {
     char text[C205_TEXT_SIZE];
     const c205_word ends[] = {
@@ -168,7 +154,6 @@ static void test_ends_of_the_range(void **state)
         UINT64_C(0x9000BFFFFFFFFFFF), UINT64_C(0x6FFF400000000000),
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
         c205_to_text(ends[i], text);
         assert_int_equal(read_all(text), ends[i]);
@@ -185,9 +170,8 @@ static void test_ends_of_the_range(void **state)
     assert_false(word_is_machine_zero(read_all("1e-8616")));
 }
 
-static void test_absurd_exponents(void **state)
+TEST(absurd_exponents)
 {
-    (void)state;
     assert_int_equal(read_all("1e999999999999999999999"), C205_INDEFINITE);
     assert_int_equal(read_all("1e-999999999999999999999"), C205_MACHINE_ZERO);
     assert_int_equal(read_all("0e999999999999999999999"), C205_MACHINE_ZERO);
@@ -195,12 +179,11 @@ static void test_absurd_exponents(void **state)
 
 /* A digit far behind the point decides on which side of a word a number
  * lies; as many digits as one likes. */
-static void test_distant_digits(void **state)
+TEST(distant_digits)
 {
     enum { ZEROS = 30000 };
     char *text = malloc(ZEROS + 8);
 
-    (void)state;
     assert_non_null(text);
     memset(text, '0', ZEROS + 8);
     memcpy(text, "-1.", 3);
@@ -218,12 +201,11 @@ static void test_distant_digits(void **state)
 }
 
 /* The C library writes doubles exactly if asked for enough digits. */
-static void test_exact_text_of_doubles(void **state)
+TEST(exact_text_of_doubles)
 {
     enum { DIGITS = 800, WORDS = 500 };
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     for (int i = 0; i < WORDS; i++) {
         char text[DIGITS + 20];
         c205_word word = xorshift_normalised(&seed, -1060, 970);
@@ -245,11 +227,10 @@ static void round_trip(c205_word word)
     assert_int_equal(read_all(text), word);
 }
 
-static void test_text_comes_back(void **state)
+TEST(text_comes_back)
 {
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++)
         round_trip(xorshift_normalised(&seed, -200, 110));
     for (int i = 0; i < 40; i++)
@@ -264,11 +245,10 @@ static void test_text_comes_back(void **state)
 }
 
 /* No text with a digit less, rounded to either side, reads back. */
-static void test_text_is_shortest(void **state)
+TEST(text_is_shortest)
 {
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         char text[C205_TEXT_SIZE], shorter[C205_TEXT_SIZE];
         c205_word word = xorshift_normalised(&seed, 20, 40);
@@ -287,7 +267,7 @@ static void test_text_is_shortest(void **state)
     }
 }
 
-static void test_layout_of_text(void **state)
+TEST(layout_of_text)
 {
     static const known cases[] = {
         { "0.00001", 0 },
@@ -301,7 +281,6 @@ static void test_layout_of_text(void **state)
         { "-1e-20", 0 },
     };
 
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[C205_TEXT_SIZE];
         c205_to_text(read_all(cases[i].text), text);
@@ -309,11 +288,10 @@ static void test_layout_of_text(void **state)
     }
 }
 
-static void test_text_of_odd_words(void **state)
+TEST(text_of_odd_words)
 {
     char text[C205_TEXT_SIZE];
 
-    (void)state;
     c205_to_text(UINT64_C(0x7123000000000000), text);
     assert_string_equal(text, "indefinite");
     c205_to_text(UINT64_C(0x8FFF123400000000), text);
@@ -328,9 +306,8 @@ static void test_text_of_odd_words(void **state)
     assert_string_equal(text, "7.3784361314571e-8632");
 }
 
-static void test_significant_bits(void **state)
+TEST(significant_bits)
 {
-    (void)state;
     assert_int_equal(word_significant_bits(0), 0);
     assert_int_equal(word_significant_bits(-1), 0);
     assert_int_equal(word_significant_bits(-2), 1);
@@ -367,9 +344,8 @@ static const known halves[] = {
     { "0", C205_MACHINE_ZERO },
 };
 
-static void test_known_halves(void **state)
+TEST(known_halves)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof halves / sizeof *halves; i++) {
         char text[C205_TEXT_SIZE];
         assert_int_equal(read_half(halves[i].text), halves[i].word);
@@ -380,9 +356,8 @@ static void test_known_halves(void **state)
     }
 }
 
-static void test_half_doubles(void **state)
+TEST(half_doubles)
 {
-    (void)state;
     assert_int_equal(c205_half_from_double(-0.1),
                      UINT64_C(0xE699999900000000));
     assert_int_equal(c205_half_from_double(1 + ldexp(1, -23)), C205_HALF_ONE);
@@ -400,11 +375,10 @@ static void test_half_doubles(void **state)
     assert_true(c205_half_to_double(UINT64_C(0x03FFFFFB00000000)) == -40);
 }
 
-static void test_half_text(void **state)
+TEST(half_text)
 {
     char text[C205_TEXT_SIZE];
 
-    (void)state;
     /* 2^134 is 2.1778071482940061661e40, 2^-90 8.0779356694631608874e-28. */
     assert_int_equal(read_half("2.17780714829400616e40"),
                      UINT64_C(0x6F7FFFFF00000000));
@@ -422,11 +396,10 @@ static void test_half_text(void **state)
 }
 
 /* As shortest text, as exact text, as double. */
-static void test_halves_come_back(void **state)
+TEST(halves_come_back)
 {
     uint64_t seed = RANDOM_SEED;
 
-    (void)state;
     for (int i = 0; i < ROUNDS; i++) {
         char text[C205_TEXT_SIZE], exact[200];
         c205_word half = xorshift_normalised_of(half_words, &seed,
@@ -441,34 +414,4 @@ static void test_halves_come_back(void **state)
         assert_int_equal(read_half(exact), half);
         assert_int_equal(c205_half_from_double(value), half);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_known_words),
-        cmocka_unit_test(test_doubles_are_cut_down),
-        cmocka_unit_test(test_doubles_without_a_word),
-        cmocka_unit_test(test_words_beyond_doubles),
-        cmocka_unit_test(test_doubles_come_back),
-        cmocka_unit_test(test_integers),
-        cmocka_unit_test(test_hexadecimal),
-        cmocka_unit_test(test_where_text_ends),
-        cmocka_unit_test(test_no_number),
-        cmocka_unit_test(test_ends_of_the_range),
-        cmocka_unit_test(test_absurd_exponents),
-        cmocka_unit_test(test_distant_digits),
-        cmocka_unit_test(test_exact_text_of_doubles),
-        cmocka_unit_test(test_text_comes_back),
-        cmocka_unit_test(test_text_is_shortest),
-        cmocka_unit_test(test_layout_of_text),
-        cmocka_unit_test(test_text_of_odd_words),
-        cmocka_unit_test(test_significant_bits),
-        cmocka_unit_test(test_known_halves),
-        cmocka_unit_test(test_half_doubles),
-        cmocka_unit_test(test_half_text),
-        cmocka_unit_test(test_halves_come_back),
-    };
-
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,17 +11,9 @@
 #include "tests/oracle/plain_tracer.h"
 #include "tests/random.h"
 #include "tests/unit/prior_model.h"
+#include "tests/unit/unit.h"
 
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
-#include <cmocka.h>
 
 /* Where a frame is dear a test may define SMALL_FRAMES, or MIDDLING_FRAMES.
  * STRAIGHT_AHEAD has a unit for each pixel. */

@@ -1,0 +1,42 @@
+# main.awk - of a file with TEST(name) lines (unit.h): the same file with a main
+# that runs the tests.  A file without such lines has a main of its own.
+
+{
+    macro = $0
+    sub(/\(.*/, "", macro)
+    name = $0
+    sub(/^[A-Z_]*\(/, "", name)
+    sub(/[,)].*/, "", name)
+}
+macro == "TEST" || macro == "TEST_CALL" {
+    rows = rows "    { \"" name "\", test_" name ", NULL, NULL, NULL },\n"
+}
+macro == "TEST_WITH" {
+    rows = rows "    { \"" name "\", test_" name \
+        ", before_" name ", after_" name ", NULL },\n"
+}
+macro == "GROUP" {
+    group = "before_all, after_all"
+}
+macro == "ARGUMENTS" {
+    reads = "    read_arguments(argc, argv);\n"
+}
+macro == "int main" {
+    own = 1
+}
+END {
+    if (own == (rows != "")) {
+        print FILENAME ": needs either tests or a main" >"/dev/stderr"
+        exit 1
+    }
+    print "#include \"" FILENAME "\""
+    if (own)
+        exit
+    printf "static const struct CMUnitTest tests[] = {\n%s};\n", rows
+    print "int main(int argc, char **argv)\n{"
+    printf "%s", reads ? reads : "    (void)argc, (void)argv;\n"
+    title = FILENAME
+    gsub(/.*\/test_|\.c$/, "", title)
+    print "    return cmocka_run_group_tests_name(\"" title "\", tests, " \
+        (group ? group : "NULL, NULL") ");\n}"
+}

@@ -1,0 +1,52 @@
+/* unit.h - the tests of one program.
+ *
+ * TEST(name) begins the body of a test, in which `test_state` may be used.  The build
+ * (main.awk) lists the tests of a file in the order of their definitions and
+ * writes the main that runs them; no test can be left out.
+ */
+#ifndef TESTS_UNIT_H
+#define TESTS_UNIT_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* A function of asm/expect.h has this name; the macro of cmocka is not used. */
+#undef expect_check
+
+#define STATE void **test_state __attribute__((unused))
+
+#define TEST(name) static void test_##name(STATE)
+
+/* A test of one statement. */
+#define TEST_CALL(name, statement) \
+    static void test_##name(STATE) \
+    { \
+        statement; \
+    }
+
+/* A test with functions that run before and after it; each may be NULL. */
+#define TEST_WITH(name, before, after) \
+    static const CMFixtureFunction before_##name = before, \
+                                   after_##name = after; \
+    static void test_##name(STATE)
+
+/* Such a function returns 0 if it succeeds. */
+#define FIXTURE(name) static int name(STATE)
+
+/* At the end of a file: the functions that run before and after all its tests. */
+#define GROUP(before, after) \
+    static const CMFixtureFunction before_all = before, after_all = after
+
+/* Begins a function that reads the arguments of the program. */
+#define ARGUMENTS(count, words) \
+    static void read_arguments(int count, char **words)
+
+#endif
