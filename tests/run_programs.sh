@@ -1,17 +1,75 @@
 #!/bin/sh
-# run_programs.sh C205 - run every test program and every example; each
-# instruction of the table must have a program of its name.
+# run_programs.sh C205 - what the test programs and examples leave in registers and
+# memory is compared with their expectations.  Each instruction of the table must be
+# named by a program that executes it, and give the warnings that the program says.
 set -eu
 c205=$1
 cd "$(dirname "$0")/.."
 code=0
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+for file in tests/programs/*.*; do
+    sed '/^; expect-warning/d' "$file" >"$work/${file##*/}"
+done
+mkdir "$work/alone"
+cp "$work"/*.inc "$work/alone"
+
+# The instructions that the programs name, and those of these that they execute.
+for path in tests/programs/*.s; do
+    "$c205" run --trace -Wno-all "$path" 2>&1 | awk '
+        FNR == NR && /^; tests: / { for (i = 3; i <= NF; i++) named[$i] }
+        FNR != NR { sub(/,H$/, "", $4); if ($4 in named) print $4 }
+    ' "$path" -
+done | sort -u >"$work/executed"
 for name in $("$c205" isa --names); do
-    program=tests/programs/$(printf '%s' "$name" | tr '[:upper:]' '[:lower:]').s
-    if [ ! -f "$program" ]; then
-        printf 'no program for %s: %s\n' "$name" "$program"
+    if ! grep -qx "$name" "$work/executed"; then
+        printf 'no program tests %s\n' "$name"
         code=1
     fi
 done
+
+# A warning is reported once for a line of a macro, so each instruction is also run
+# alone, in a copy without the lines that name another one.
+awk -v folder="$work/alone" '
+    function names_other(text, only, words, n, i) {
+        if (text !~ /^;/)
+            sub(/;.*/, "", text)
+        n = split(text, words, /[^A-Z0-9]+/)
+        for (i = 1; i <= n; i++)
+            if (words[i] in tested && words[i] != only && words[i] "H" != only)
+                return 1
+        return 0
+    }
+    function write(name, i, file) {
+        for (name in tested) {
+            file = folder "/" name ".s"
+            for (i = 1; i <= lines; i++)
+                if (!names_other(line[i], name))
+                    print line[i] >file
+            close(file)
+        }
+    }
+    FNR == 1 {
+        if (warns)
+            write()
+        lines = warns = 0
+        split("", tested)
+    }
+    { line[++lines] = $0 }
+    /^; tests: / { for (i = 3; i <= NF; i++) tested[$i] }
+    /^; warns: / { warns = 1 }
+    END { if (warns) write() }' "$work"/*.s
+awk '/^; warns: / { for (i = 4; i <= NF; i++) print $3, $i }' tests/programs/*.s |
+    sort -u >"$work/said"
+"$c205" run --check "$work"/*.s "$work"/alone/*.s 2>&1 | awk '
+    /warning: .*\[-W/ {
+        match($0, /\[-W[a-z-]*/)
+        name = substr($0, RSTART + 3, RLENGTH - 3)
+        getline
+        print name, $1
+    }' | sort -u >"$work/reported"
+diff "$work/said" "$work/reported" || code=1
+
 "$c205" run --check -Werror tests/programs/*.s tests/programs/traps/*.s \
     asm/examples/*.s || code=1
 "$c205" run --check -Werror -I rt/kernels rt/study/fit/programs/*.s || code=1

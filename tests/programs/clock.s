@@ -1,3 +1,5 @@
+; The clock is compared with the clocks that the instructions before it must take.
+; tests: CLOCK
 ; CLOCK: T := clocks passed so far, as an integer
 
         CLOCK   r10
@@ -13,6 +15,5 @@
 ; expect: r13 = 3
 ; expect: r16 = 10
 ; expect: r0 = 0
-
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'

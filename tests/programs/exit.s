@@ -1,3 +1,7 @@
+; What the monitor prints for each request is compared with the lines expected, from
+; words, vectors, bits and text in memory.  A wrong format or request makes a line
+; differ.
+; tests: EXIT
 ; EXIT: request I8 to the monitor, with R and S: 0 ends the program
 
         .regs   r10, number, text, vector, bits
@@ -8,40 +12,33 @@ letters:
 values: .word   1.5, -2.0, 3
         .bitvector ones, 5, "10110"
         .code
-
         EX      number, values
         LOD     [number], number
         EXIT    number, r0, 1           ; a number in decimal
         EXIT    r0, r0, 5
 ; expect-print: 1.5
-
         ES      number, -7
         EXIT    number, r0, 2           ; an integer
         EXIT    r0, r0, 5
 ; expect-print: -7
-
         EXIT    number, r0, 3           ; hex
         EXIT    r0, r0, 5
 ; expect-print: 0000 FFFF FFFF FFF9
-
         EX      text, letters
         ELEN    text, 2
         EXIT    text, r0, 4             ; text, length in bytes
         EXIT    r0, r0, 5
 ; expect-print: HI
-
         EX      vector, values
         ELEN    vector, 3
         EXIT    vector, r0, 6           ; a vector of numbers
         EXIT    r0, r0, 5
 ; expect-print: 1.5 -2 3
-
         EX      bits, ones
         ELEN    bits, 5
         EXIT    bits, r0, 7             ; a bit vector
         EXIT    r0, r0, 5
 ; expect-print: 10110
-
         EXIT                            ; the end
         ES      number, 0
         EXIT

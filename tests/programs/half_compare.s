@@ -1,3 +1,5 @@
+; Bits and indices that comparisons of half word vectors make are compared with those
+; counted by hand.  A wrong relation, or an index of the wrong size, makes one differ.
 ; Vectors of half words: compare, select, search.
 
         .include "half_vector.inc"
@@ -18,13 +20,9 @@
 
         odd
 a:      .halfword 1.0, -2.0, 3.0, 2, X'7000 0000'
-        odd
-b:      .halfword 1.0, -3.0, 4.0, 2.0, 1.0
-        odd
-scalars:
-        .halfword 1.0, -3.0
+        five    b, 1.0, -3.0, 4.0, 2.0, 1.0
+        some_scalars 1.0, -3.0
         .code
-
         operands
         compares CMPEQV
 ; expect-bits: [CMPEQV.plain] = 10010 111
@@ -38,7 +36,6 @@ scalars:
         compares CMPLTV
 ; expect-bits: [CMPLTV.plain] = 00100 111
 ; expect-bits: [CMPLTV.broadcast] = 01111 111
-
 ; An index is an integer of 64 bits in a whole register.
         SELEQV,H [va], [vb], r60
         SELEQV,H [va], [vb], r61 ?! [vz]
@@ -58,7 +55,6 @@ scalars:
         SELLTV,H -|[va]|, x, r68 ?! [vz]
 ; expect: r67 = 2
 ; expect: r68 = 1
-
 ; So are the indices of a search.
         searches SCHEQV
 ; expect: [SCHEQV.plain] = 0, 5, 5, 3, 5
@@ -72,6 +68,5 @@ scalars:
         searches SCHLTV
 ; expect: [SCHLTV.plain] = 2, 0, 2, 2, 5
 ; expect: [SCHLTV.broadcast] = 1, kept, 1, 1, kept
-
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'

@@ -1,23 +1,20 @@
+; Half words that are gathered, scattered, masked, merged, compressed or computed in
+; series are compared with those followed by hand.  An index or period of the wrong size
+; makes one differ.
 ; Vectors of half words: elements moved about, made from two numbers, from a
 ; polynomial.
 
         .include "half_vector.inc"
 
-        odd
-a:      .halfword 1.0, 2.0, 3.0, 4.0, 5.0
-        odd
-b:      .halfword -1.0, -2.0, -3.0, -4.0, -5.0
-        odd
-scalars:
-        .halfword 3.0, 0.5
+        five    a, 1.0, 2.0, 3.0, 4.0, 5.0
+        five    b, -1.0, -2.0, -3.0, -4.0, -5.0
+        some_scalars 3.0, 0.5
 list:   .word   3, 0, -1, 2, X'7123 0000 0000 0004'
         odd
         .half   X'0ABC DEF1'
 table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         .code
-
         operands
-
 ; The index list has words; they count half words.
         descriptor va, list, n
         EX      vb, table
@@ -27,7 +24,6 @@ table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         into    gathered_some
         VXTOV,H [va, once], [vb], [to, by] ? [vz]
 ; expect-halves: [gathered_some] = kept, kept, X'0ABC DEF1', 22.0, kept
-
         descriptor vb, a, n
         into    scattered
         EX      to, scattered + 32
@@ -37,7 +33,6 @@ table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         EX      to, scattered_some + 32
         VTOVX,H [va], x, [to] ? [vz]
 ; expect-halves: [scattered_some] = 3.0, kept, kept, 3.0, 3.0
-
 ; A period counts half words, too, and is in a whole register.
         .regs   r64, period
         ES      period, 2
@@ -52,7 +47,6 @@ table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         EX      to, scattered_back + 4*32
         VSCATP,H period, [vb], [to] ? [vz]
 ; expect-halves: [scattered_back] = kept, 4.0, 3.0, kept, 1.0
-
         descriptor va, a, n
         descriptor vb, b, n
         into    masked
@@ -69,7 +63,6 @@ table:  .halfword 20.0, 21.0, 22.0, 23.0, 24.0
         MRGV,H  [va], y, [to] ? [vz]
         ELEN    va, n
 ; expect-halves: [merged_short] = 1.0, 0.5, 2.0, 0.0, 0.5
-
 ; The machine sets the length.
         into    compressed
         CPSV,H  [va], [to] ? [vz]
@@ -91,7 +84,6 @@ order:  .word   -1
 ; expect-halves: [sieved] = 3.0, 4.0, 5.0, kept, kept
 ; expect-bits: [order + 16] = 1111
 ; expect: r63 = 3
-
 ; Both numbers are half registers.
         into    interval
         INTVLV,H x, y, [to]
@@ -99,7 +91,6 @@ order:  .word   -1
         into    interval_some
         INTVLV,H -x, y, [to, by] ? [vz]
 ; expect-halves: [interval_some] = kept, kept, -2.5, X'EBC0 0000', kept
-
 ; 2 x^2 - x + 0.5
         odd
 coefficients:
@@ -112,6 +103,5 @@ coefficients:
         into    polynomial_scalar
         POLYV,H x, [vb, once], [to] ? [vz]
 ; expect-halves: [polynomial_scalar] = -2.5, kept, -2.5, -2.5, kept
-
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'

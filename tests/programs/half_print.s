@@ -1,3 +1,5 @@
+; What is printed of half words is compared with the lines expected.  A half that is not
+; extended first, or the wrong half, makes a line differ.
 ; Half words printed: extended first, so 0.1 is what it was cut to.
 
         .include "print.s"

@@ -1,17 +1,16 @@
+; Sums, products and extremes of half word vectors are compared with registers worked
+; out by hand. A result in the wrong half, or a part of a sum that is lost, makes one
+; differ.
 ; Vectors of half words to one half register or two.
+; warns: zero-length MAXV,H PRODV,H SUMV,H
 
         .include "half_vector.inc"
 
         .reg    left, h120
         .reg    right, h121
-
-        odd
-a:      .halfword 1.5, -200.0, 3.0, 100.0, 100.0
-        odd
-b:      .halfword 2.0, 0.5, 1.0, -1.0, 0.25
-        odd
-scalars:
-        .halfword 2.0, 0.0
+        five    a, 1.5, -200.0, 3.0, 100.0, 100.0
+        five    b, 2.0, 0.5, 1.0, -1.0, 0.25
+        some_scalars 2.0, 0.0
         odd
 large:  .halfword X'1840 0000', 1.0, X'1780 0000', 1.0
         odd
@@ -19,9 +18,7 @@ larger: .halfword X'0840 0000', 1.0
         odd
 fine:   .halfword X'EA40 0001'
         .code
-
         operands
-
 ; The value goes to one half of a register, the index to a whole register.
         EXH     right, 7
         MAXV,H  [va], r100, left        ; the first of equals
@@ -44,7 +41,6 @@ fine:   .halfword X'EA40 0001'
 ; expect: r105 = 3
         MAXV,H  [va], r106, h213        ; the right half of r106
 ; expect: r106 = X'0000 0000 F064 0000'
-
 ; Both parts of a sum in one register.  200.0 has the exponent -15, which the sum
 ; keeps: 4.5 is 9 x 2^14 above; below it is nothing, with the exponent -15 - 23.
         SUMV,H  [va], h132
@@ -60,12 +56,10 @@ fine:   .halfword X'EA40 0001'
         descriptor from, larger, 2
         SUMV,H  [from], h138
 ; expect: r69 = X'0840 0000 F100 8000'
-
         PRODV,H [va], h140
         PRODV,H [va], h141 ? [vz]
 ; expect: h140 = -9000000.0
 ; expect: h141 = 450.0
-
         DOTV,H  [va], [vb], h142
         DOTV,H  x, [vb], h144
         DOTV,H  [va], [vb], h146 ? [vz]
@@ -81,7 +75,6 @@ fine:   .halfword X'EA40 0001'
         descriptor from, fine, 1
         DOTV,H  [from], [from], h150
 ; expect: r75 = X'EB20 0001 D400 0001'
-
 ; Nothing to add, to multiply, to look at.
         ELEN    va, 0
         SUMV,H  [va], h152
@@ -91,7 +84,6 @@ fine:   .halfword X'EA40 0001'
 ; expect: h154 = 1.0
 ; expect: h155 = X'7000 0000'
 ; expect: r107 = 0
-
 ; h0 and h1 take no result.
         ELEN    va, 5
         ES      r1, 7
@@ -100,7 +92,6 @@ fine:   .halfword X'EA40 0001'
 ; expect: r0 = 0
 ; expect: r1 = 7
 ; expect: r108 = 3
-
         EXIT
 ; expect-flags: X'0000 0000 0002 0000'
 ; expect-warning: zero-length

@@ -1,3 +1,5 @@
+; Bits and clocks are compared with those worked out by hand from the timing of
+; docs/timing.md.
 ; MPYSV and CMPGEV as one stream: the second makes bits, under a control vector
 ; and with an offset of its result.
         .equ    n, 6

@@ -1,3 +1,5 @@
+; Results and clocks are compared with those worked out by hand from the timing of
+; docs/timing.md.
 ; DIVSV and ADDNV as one stream, which starts up as much later and goes as slowly
 ; as a division.
         .equ    n, 6

@@ -1,6 +1,30 @@
+; Results of linked pairs of every two units are compared with those worked out by hand.
+; A pair that is refused, or whose operands are swapped, makes one differ.
 ; Linked pairs of every two units: add, multiply, divide, shift, logical.
 
         .include "vector.inc"
+
+; A pair, the first of one source or of two, the second likewise.
+        .macro  link_two_two name, first, a, b, second, c, d
+        into    \name, 3
+        LINKV
+        \first  \a, \b, [t]
+        \second \c, \d, [to]
+        .endm
+
+        .macro  link_one_two name, first, a, second, c, d
+        into    \name, 3
+        LINKV
+        \first  \a, [t]
+        \second \c, \d, [to]
+        .endm
+
+        .macro  link_two_one name, first, a, b, second, c
+        into    \name, 3
+        LINKV
+        \first  \a, \b, [t]
+        \second \c, [to]
+        .endm
 
         .regs   r40, t, p, q, bit, mask
 
@@ -19,129 +43,58 @@ two:    .word   2.0
         load    x, two
         ES      bit, 1
         ES      mask, 15
-
 ; Add first.  Integers are added as integers.
-        into    add_multiply, 3
-        LINKV
-        ADDNV   [va], [vb], [t]
-        MPYSV   [t], x, [to]
+        link_two_two add_multiply, ADDNV, [va], [vb], MPYSV, [t], x
 ; expect: [add_multiply] = 12.0, 24.0, 24.0
-        into    add_divide, 3
-        LINKV
-        SUBNV   [va], [vb], [t]
-        DIVSV   [t], x, [to]
+        link_two_two add_divide, SUBNV, [va], [vb], DIVSV, [t], x
 ; expect: [add_divide] = 1.0, 3.0, 10.0
-        into    add_shift, 3
-        LINKV
-        ADDXV   [p], [q], [t]
-        SHIFTV  [t], bit, [to]
+        link_two_two add_shift, ADDXV, [p], [q], SHIFTV, [t], bit
 ; expect: [add_shift] = 22, 44, 66
-        into    add_logical, 3
-        LINKV
-        ADDXV   [p], [q], [t]
-        ANDV    [t], mask, [to]
+        link_two_two add_logical, ADDXV, [p], [q], ANDV, [t], mask
 ; expect: [add_logical] = 11, 6, 1
-
 ; Multiply first.  A number that is shifted left by one has twice its exponent, and
 ; the sign of that behind its last digit.
-        into    multiply_add, 3
-        LINKV
-        MPYSV   [va], x, [t]
-        SUBNV   [vb], [t], [to]
+        link_two_two multiply_add, MPYSV, [va], x, SUBNV, [vb], [t]
 ; expect: [multiply_add] = -6.0, -15.0, -36.0
-        into    multiply_divide, 3
-        LINKV
-        MPYSV   [va], x, [t]
-        DIVSV   [t], [vb], [to]
+        link_two_two multiply_divide, MPYSV, [va], x, DIVSV, [t], [vb]
 ; expect: [multiply_divide] = 4.0, 6.0, -8.0
-        into    multiply_shift, 3
-        LINKV
-        MPYSV   [va], x, [t]
-        SHIFTV  [t], bit, [to]
+        link_two_two multiply_shift, MPYSV, [va], x, SHIFTV, [t], bit
 ; expect: [multiply_shift] = X'FFAA 8000 0000 0001', X'FFAC 9000 0000 0001'
 ; expect: [multiply_shift + 2*64] = X'FFAE 8000 0000 0001'
-        into    multiply_logical, 3
-        LINKV
-        MPYSV   [va], x, [t]
-        ORV     [t], mask, [to]
+        link_two_two multiply_logical, MPYSV, [va], x, ORV, [t], mask
 ; expect: [multiply_logical] = X'FFD5 4000 0000 000F', X'FFD6 4800 0000 000F'
 ; expect: [multiply_logical + 2*64] = X'FFD7 4000 0000 000F'
-
 ; Divide first, or take roots.
-        into    divide_add, 3
-        LINKV
-        DIVSV   [va], x, [t]
-        ADDNV   [t], [vb], [to]
+        link_two_two divide_add, DIVSV, [va], x, ADDNV, [t], [vb]
 ; expect: [divide_add] = 4.0, 7.5, 4.0
-        into    divide_multiply, 3
-        LINKV
-        DIVSV   [va], [vb], [t]
-        MPYSV   x, [t], [to]
+        link_two_two divide_multiply, DIVSV, [va], [vb], MPYSV, x, [t]
 ; expect: [divide_multiply] = 4.0, 6.0, -8.0
-        into    divide_shift, 3
-        LINKV
-        SQRTV   [va], [t]
-        SHIFTV  [t], bit, [to]
-; expect: [divide_shift] = X'FFA6 8000 0000 0001', X'FFA6 C000 0000 0001'
-; expect: [divide_shift + 2*64] = X'FFA8 8000 0000 0001'
-        into    divide_logical, 3
-        LINKV
-        SQRTV   [va], [t]
-        ORV     mask, [t], [to]
+        link_one_two divide_shift, SQRTV, [va], SHIFTV, [t], bit
+; expect: [divide_shift] = X'FFA6800000000001', X'FFA6C00000000001', X'FFA8800000000001'
+        link_one_two divide_logical, SQRTV, [va], ORV, mask, [t]
 ; expect: [divide_logical] = X'FFD3 4000 0000 000F', X'FFD3 6000 0000 000F'
 ; expect: [divide_logical + 2*64] = X'FFD4 4000 0000 000F'
-
 ; Shift first.  2, 4 and 6 have 2 and 3 significant bits.
-        into    shift_add, 3
-        LINKV
-        SHIFTV  [p], bit, [t]
-        ADDXV   [t], [q], [to]
+        link_two_two shift_add, SHIFTV, [p], bit, ADDXV, [t], [q]
 ; expect: [shift_add] = 12, 24, 36
-        into    shift_multiply, 3
-        LINKV
-        SHIFTV  [p], bit, [t]
-        MPYSV   [t], [vb], [to]
+        link_two_two shift_multiply, SHIFTV, [p], bit, MPYSV, [t], [vb]
 ; expect: [shift_multiply] = 4.0, 12.0, -24.0 ~ 0
-        into    shift_divide, 3
-        LINKV
-        SHIFTV  [p], bit, [t]
-        DIVSV   [t], x, [to]
+        link_two_two shift_divide, SHIFTV, [p], bit, DIVSV, [t], x
 ; expect: [shift_divide] = 1.0, 2.0, 3.0 ~ 0
-        into    shift_logical, 3
-        LINKV
-        SHIFTV  [p], bit, [t]
-        XORV    [t], [q], [to]
+        link_two_two shift_logical, SHIFTV, [p], bit, XORV, [t], [q]
 ; expect: [shift_logical] = 8, 16, 24
-
 ; A logical one first.
-        into    logical_add, 3
-        LINKV
-        ORV     [p], mask, [t]
-        ADDXV   [t], [q], [to]
+        link_two_two logical_add, ORV, [p], mask, ADDXV, [t], [q]
 ; expect: [logical_add] = 25, 35, 45
-        into    logical_multiply, 3
-        LINKV
-        XORV    [va], r0, [t]
-        MPYSV   [t], [vb], [to]
+        link_two_two logical_multiply, XORV, [va], r0, MPYSV, [t], [vb]
 ; expect: [logical_multiply] = 8.0, 27.0, -64.0
-        into    logical_divide, 3
-        LINKV
-        XORV    [va], r0, [t]
-        SQRTV   [t], [to]
+        link_two_one logical_divide, XORV, [va], r0, SQRTV, [t]
 ; expect: [logical_divide] = 2.0, 3.0, 4.0
-        into    logical_shift, 3
-        LINKV
-        XORV    [p], [q], [t]
-        SHIFTV  [t], bit, [to]
+        link_two_two logical_shift, XORV, [p], [q], SHIFTV, [t], bit
 ; expect: [logical_shift] = 22, 44, 58
-
 ; One that has one source hands over, too; the signs are those of the second.
-        into    unary, 3
-        LINKV
-        FLRV    [va], [t]
-        MPYSV   -[t], x, [to]
+        link_one_two unary, FLRV, [va], MPYSV, -[t], x
 ; expect: [unary] = -8.0, -18.0, -32.0 ~ 0
-
 ; What the first raises counts, also where the second holds the element back.
         .data
         .bitvector none, 3, "000"
@@ -154,6 +107,5 @@ zeros:  .word   1.0, 0.0, 1.0
         DIVSV   x, [va], [t]            ; flags 41 and 46
         ADDNV   [t], [vb], [to] ? [vz]
 ; expect: [held_back] = 9.0, 9.0, 9.0
-
         EXIT
 ; expect-flags: X'0000 0000 0042 0000'

@@ -1,3 +1,5 @@
+; The data flag register is compared with what a divide fault and stores leave in it.
+; tests: LSDFR
 ; LSDFR: T := data flag register; data flag register := R
 
         .include "scalar.inc"
@@ -19,6 +21,5 @@
 ; expect: r44 = 0
 ; expect: r45 = X'0000 0000 0042 0000'
 ; expect: r0 = 0
-
         EXIT
 ; expect-flags: X'8000 0000 0000 0001'

@@ -1,3 +1,5 @@
+; The job interval timer is compared with the clocks left after each instruction.
+; tests: RJTIME
 ; RJTIME: T := clocks left on the job interval timer, 0 when it is off or has
 ; run out
 
@@ -17,7 +19,6 @@
 ; expect: second = 18
 ; expect: third = 11
 ; expect: r0 = 0
-
 ; what it reads when the clocks have passed
         ES      clocks, 2
         WJTIME  clocks
@@ -27,6 +28,5 @@
 ; expect: r23 = 1
 ; expect: r24 = 0
 ; expect: r25 = 0
-
         EXIT
 ; expect-flags: X'0000 0000 0800 0000'

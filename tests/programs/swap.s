@@ -1,3 +1,7 @@
+; Registers and memory are compared after exchanges of several lengths, one of the
+; descriptors' own registers among them.  A wrong length, order or address makes a word
+; differ.
+; tests: SWAP
 ; SWAP: registers from S on: first length(T) of them to vector T, then vector
 ; R into length(R) of them
 
@@ -11,13 +15,11 @@ only_old:
 exchange:
         .word   201, 202
         .code
-
         ES      r30, 1
         ES      r31, 2
         ES      r32, 3
         ES      r33, 4
         ES      r34, 5
-
 ; three are saved, four loaded
         EX      load, new
         ELEN    load, 4
@@ -28,7 +30,6 @@ exchange:
 ; expect: r30 = 101
 ; expect: r31 = 102
 ; expect: r32 = 103
-
 ; nothing is loaded
         ELEN    load, 0
         EX      save, only_old
@@ -37,11 +38,9 @@ exchange:
 ; expect: [only_old] = 104, 5
 ; expect: r33 = 104
 ; expect: r34 = 5
-
 ; nothing is moved
         ELEN    save, 0
         SWAP    [load], r30, [save]
-
 ; what has been saved is loaded, where both are one vector
         ES      r40, 301
         ES      r41, 302
@@ -53,7 +52,6 @@ exchange:
 ; expect: [exchange] = 301, 202
 ; expect: r40 = 301
 ; expect: r41 = 202
-
 ; the descriptors themselves may be among the registers
         EX      load, new
         ELEN    load, 2
@@ -61,6 +59,5 @@ exchange:
         SWAP    [load], load, [save]
 ; expect: r10 = 101
 ; expect: r11 = 102
-
         EXIT
 ; expect-flags: X'0000 0000 0000 0000'

@@ -1,3 +1,5 @@
+; The timer and its data flag are compared after it is set, set again and turned off.
+; tests: WJTIME
 ; WJTIME: job interval timer := low 48 bits of R, in clocks; 0 turns it off
 
         .regs   r10, clocks, left, flags
@@ -17,7 +19,6 @@
         ES      r20, 4
         LSDFR   r0, r21                 ; it has run out
 ; expect: r21 = X'0000 0000 0800 0000'
-
 ; turned off before it runs out
         ES      clocks, 3
         WJTIME  clocks

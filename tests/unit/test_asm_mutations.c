@@ -11,8 +11,8 @@ enum { TRIES = 150, MISTAKES = 4 };
 static const char *const programs[] = {
     "asm/examples/dot.s",          "asm/examples/lookup.s",
     "asm/examples/sieve.s",        "asm/examples/saxpy_linked.s",
-    "tests/programs/exit.s",       "tests/programs/ibxlt.s",
-    "tests/programs/vxtov.s",      "tests/programs/addnv.s",
+    "tests/programs/exit.s",       "tests/programs/branch.s",
+    "tests/programs/gather.s",     "tests/programs/add.s",
     "tests/programs/half_reduce.s"
 };
 

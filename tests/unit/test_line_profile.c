@@ -81,7 +81,7 @@ TEST(programs)
         }
         globfree(&found);
     }
-    assert_true(count > 200);
+    assert_true(count > 100);
 }
 
 static const struct profile_row *row_of(const struct line_profile *profile,

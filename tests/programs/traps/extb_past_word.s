@@ -5,4 +5,4 @@
         ES      result, 5
         EXTB    left, right, result
 ; expect-trap: bad-descriptor
-; expect: r19 = 5
+; expect: result = 5

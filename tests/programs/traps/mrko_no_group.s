@@ -2,4 +2,4 @@
         .include "../repeat.inc"
         mask    MRKO, nothing, 1, 0, 8
 ; expect-trap: bad-descriptor
-; expect-bits: [nothing] = 11111111
+; expect-bits: [MRKO.nothing] = 11111111

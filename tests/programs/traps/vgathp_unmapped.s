@@ -5,7 +5,6 @@ table:  .word   1.0
         .code
         EX      vb, table
         EX      value, -(table / 64)
-        into    nothing
+        no_result
         VGATHP  value, [vb], [to]
 ; expect-trap: unmapped-address
-; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0

@@ -9,7 +9,6 @@ a:      .word   0, 1, 0, 0, 1, 1
         EX      place, a + 2 * 64
         EX      value, -(table / 64)
         STO     [place], value
-        into    nothing
+        no_result
         VXTOV   [va], [vb], [to]
 ; expect-trap: unmapped-address
-; expect: [nothing] = 9.0, 9.0, 9.0, 9.0, 9.0, 9.0
