@@ -175,6 +175,7 @@ check-long: export PROFILED = all
 check-long: export TRIES = 3000
 check-long: export HOSTS = full
 check-long: export DOCS = full
+check-long: export THOROUGH = 1
 check-long:
 	@sh .ci/need $(test_packages) valgrind dieharder $(card_packages) \
 		$(slides_packages) $(site_packages)

@@ -119,8 +119,12 @@ END
 # What it looks like, and what is reported, but for bounds, which change no
 # picture.
 shown() { # SCENE FOLDER SIZE
+    picture=--no-picture
+    [ "$3" -eq 1 ] || picture="-o $work/picture.png"
+    # The option and its file are two words.
+    # shellcheck disable=SC2086
     "$build/rt205" render "$1" -W $((16 * $3)) -H $((12 * $3)) --jobs 1 \
-        -I "$2" -o "$work/picture.png" >"$work/out" 2>"$work/err"
+        -I "$2" $picture >"$work/out" 2>"$work/err"
     if [ "$3" -eq 1 ]; then
         sed -n 's/^frame checksum //p' "$work/out"
     else

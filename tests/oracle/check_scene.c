@@ -43,7 +43,8 @@ enum {
     NO_POVRAY = 1,
     ROUGH_POVRAY = 2,
     NO_HISTORICAL = 4, /* its frame is not compared with the plain tracer's */
-    FEWER_PIXELS = 8,  /* thousands of triangles, components, or rays a pixel */
+    FEWER_PIXELS =
+        8, /* thousands of triangles, components, or rays a pixel */
 };
 static const struct exception {
     const char *scene;
@@ -129,10 +130,11 @@ static bool contains(const char *path, const char *word)
 static const struct scene *scene_at(struct file *file, size_t width,
                                     size_t height)
 {
-    const struct scene_options options = { .width = (int)width,
-                                           .height = (int)height,
-                                           .read_raster =
-                                               picture_read_raster };
+    const struct scene_options options = {
+        .width = (int)width,
+        .height = (int)height,
+        .read_raster = picture_read_raster
+    };
     struct diagnostics reports = { 0 };
 
     if (file->scene && file->width == width && file->height == height)
@@ -322,8 +324,7 @@ static bool trace_frame(struct file *file, struct trace_options options,
                         struct frame *frame)
 {
     struct trace *trace = traced(file, options);
-    bool good = trace
-                && frame_allocate(frame, options.width, options.height);
+    bool good = trace && frame_allocate(frame, options.width, options.height);
 
     if (good)
         trace_read(trace, 0, frame);
@@ -351,8 +352,9 @@ static bool same_as_plain(struct file *file, const struct frame *plain,
 static bool same_as_povray(const struct file *file, const struct frame *plain,
                            const struct frame *frame, const bool *inner)
 {
-    const struct comparison *comparison =
-        file->exceptions & ROUGH_POVRAY ? &roughly : &with_povray;
+    const struct comparison *comparison = file->exceptions & ROUGH_POVRAY
+                                              ? &roughly
+                                              : &with_povray;
     struct picture_error error;
     struct frame povray;
     bool good;

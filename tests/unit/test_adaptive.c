@@ -223,7 +223,7 @@ static void check_scene(const char *text, const struct trace_options *options)
 
 TEST(random)
 {
-    for (int i = 0; i < 30; i++) {
+    for (size_t i = 0; i < share_of(30); i++) {
         char text[3000] = "";
         const struct trace_options options = { .mode = TRACE_SCALAR,
                                                .width = among(1, 70),

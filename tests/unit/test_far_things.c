@@ -200,7 +200,7 @@ TEST(random_scenes)
     const struct scene_options how = { .strict = false };
     size_t scenes = 0;
 
-    for (int i = 0; i < SCENES; i++) {
+    for (size_t i = 0; i < share_of(SCENES); i++) {
         struct diagnostics reports = { 0 };
         struct scene *scene;
 

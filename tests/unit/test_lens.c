@@ -60,7 +60,7 @@ static void check_orders(const char *text)
 
 TEST(random)
 {
-    for (int i = 0; i < 10; i++) {
+    for (size_t i = 0; i < share_of(10); i++) {
         char text[2000] = LIGHTS THINGS;
         struct words *words;
 

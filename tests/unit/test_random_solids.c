@@ -104,7 +104,7 @@ static void check_scenes(bool gridded, bool clear)
     solids.gridded = gridded;
     solids.clear = clear;
     solids.patches = solids.meshes = true;
-    for (size_t i = 0; i < scene_count; i++) {
+    for (size_t i = 0; i < share_of(scene_count); i++) {
         write_scene(text, sizeof text);
         check_scene(text);
     }

@@ -308,7 +308,7 @@ static void check_touching_loop(size_t corners, size_t apart,
                                 uint64_t *random)
 {
     size_t count = corners * apart, begin = 0;
-    double before[LOOP_MOST][2], after[LOOP_MOST][2];
+    double before[LOOP_MOST][2] = { { 0 } }, after[LOOP_MOST][2];
     size_t times[LOOP_MOST] = { 0 };
 
     for (size_t j = 0; j < count; j++)

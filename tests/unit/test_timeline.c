@@ -90,7 +90,7 @@ struct reader {
     size_t next; /* instruction that is to appear */
     struct shown {
         bool there, retired;
-        char stage[8]; /* in which it is; "": none */
+        char stage[16]; /* in which it is; "": none */
         uint64_t since, worked;
         unsigned labels;
     } shown[INSNS_MOST + 2];

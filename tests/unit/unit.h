@@ -45,6 +45,18 @@
 #define GROUP(before, after) \
     static const CMFixtureFunction before_all = before, after_all = after
 
+/* Is the test to try all that it can, as in make check-long?  Else it leaves out what
+ * takes long, or draws a third of its random cases. */
+static inline bool thorough(void)
+{
+    return getenv("THOROUGH") != NULL;
+}
+
+static inline size_t share_of(size_t all)
+{
+    return thorough() ? all : (all + 2) / 3;
+}
+
 /* Begins a function that reads the arguments of the program. */
 #define ARGUMENTS(count, words) \
     static void read_arguments(int count, char **words)
