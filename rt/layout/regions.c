@@ -179,6 +179,25 @@ static size_t shadow_of(const struct scene *scene,
     return casts ? 1 + clear : 0;
 }
 
+/* The rays that see none of its primitives: R_HIDDEN_FROM. */
+static unsigned hidden_from(const struct scene *scene,
+                            const struct region *region)
+{
+    unsigned rays = HIDDEN_FROM_IMAGE | HIDDEN_FROM_REFLECTIONS;
+
+    for (size_t i = 0; i < region->primitive_count; i++)
+        rays &= scene->primitives[region->first_primitive + i].hidden_from;
+    return rays;
+}
+
+bool scene_hides(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->region_count; i++)
+        if (hidden_from(scene, &scene->regions[i]) != 0)
+            return true;
+    return false;
+}
+
 /* The node that bounds a region: what is not bounds nothing. */
 static const struct bound *bound_of(const struct places *places,
                                     const struct region *region)
@@ -245,6 +264,8 @@ static void layout_region(struct record *record, const struct places *places,
     record_address(record, "R_RESULT",
                    row_at(&places->given->values, places->results[i]));
     record_signed(record, "R_BODY", places->bodies[i]);
+    if (object_symbol(record->layout->program, "R_HIDDEN_FROM"))
+        record_integer(record, "R_HIDDEN_FROM", hidden_from(scene, region));
     record_write(record);
 }
 
@@ -267,7 +288,8 @@ static void layout_clear(struct record_layout *layout, struct places *places)
                 c205_from_integer((int64_t)count));
 }
 
-/* One opaque sphere that stands in the world's space, and casts a shadow? */
+/* One opaque sphere that stands in the world's space, casts a shadow, and is seen by
+ * all rays? */
 static bool is_sphere(const struct scene *scene, const struct region *region)
 {
     const struct primitive
@@ -276,8 +298,8 @@ static bool is_sphere(const struct scene *scene, const struct region *region)
 
     shape_words(first, &shape);
     return first->kind == PRIMITIVE_SPHERE && !shape.transformed
-           && region_is_simple(scene, region)
-           && shadow_of(scene, region) == 1;
+           && region_is_simple(scene, region) && shadow_of(scene, region) == 1
+           && hidden_from(scene, region) == 0;
 }
 
 /* Of which nodes all regions below are such spheres, and few in a leaf? */

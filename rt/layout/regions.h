@@ -12,6 +12,9 @@ struct region_places {
     struct row values; /* of a tree */
 };
 
+/* Whether some rays do not see a region: the kernels need R_HIDDEN_FROM. */
+bool scene_hides(const struct scene *scene);
+
 /* All regions, and the lists for one of them. */
 void layout_regions(struct record_layout *layout, const struct scene *scene,
                     enum bounding bounding,

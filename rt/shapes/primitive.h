@@ -49,6 +49,10 @@ struct blob_parts {
     struct blob_part *list;
 };
 
+/* Rays that do not see a primitive: those of the camera, as long as none of them is
+ * reflected, and those that a reflection precedes. */
+enum { HIDDEN_FROM_IMAGE = 1, HIDDEN_FROM_REFLECTIONS = 2 };
+
 struct primitive {
     enum primitive_kind kind;
     union {
@@ -67,6 +71,7 @@ struct primitive {
     struct bumps bumps;
     struct finish finish;
     bool no_shadow;
+    unsigned hidden_from;
     bool unseen;     /* a part of a tree that cuts others and is not seen
                                   itself */
     double ior;      /* index of refraction of its inside; 1 */

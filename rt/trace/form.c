@@ -9,6 +9,7 @@
 #include "rt/layout/lights.h"
 #include "rt/layout/pigment.h"
 #include "rt/layout/program.h"
+#include "rt/layout/regions.h"
 #include "rt/layout/surface.h"
 #include "rt/layout/trees.h"
 #include "rt/shapes/blob.h"
@@ -81,7 +82,7 @@ enum { FEATURES = sizeof features / sizeof *features };
 /* The constants that a program is assembled with. */
 struct defines {
     struct asm_define
-        list[FEATURES + PRIMITIVE_KINDS + 10]; /* the last is NULL */
+        list[FEATURES + PRIMITIVE_KINDS + 11]; /* the last is NULL */
     size_t count;
 };
 
@@ -126,6 +127,8 @@ struct object *form_assemble(const struct trace_options *options,
 
     define(&defines, "QUEUE", options->queue);
     define_scene(&defines, scene);
+    if (scene_hides(scene))
+        define(&defines, "HIDDEN", 1);
     if (scene->camera.lens_radius > 0 && options->samples > 1)
         define(&defines, "LENS", 1);
     if (options->threshold > 0)

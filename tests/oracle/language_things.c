@@ -56,8 +56,19 @@ static void say_clip(struct language *draw)
 static void say_idle_word(struct language *draw)
 {
     begin_line(draw);
-    SAY_ONE_OF(draw, "hollow", "hollow off", "photons { }");
+    SAY_ONE_OF(draw, "hollow", "hollow off", "no_radiosity", "photons { }");
     end_line(draw);
+}
+
+/* Rays that pass a thing as if it was not there. */
+static void say_hidden(struct language *draw, size_t rarity)
+{
+    if (one_in(&draw->state, rarity))
+        say_line(draw, "no_shadow");
+    if (one_in(&draw->state, rarity))
+        say_line(draw, one_in(&draw->state, 6) ? "no_image off" : "no_image");
+    if (one_in(&draw->state, rarity))
+        say_line(draw, "no_reflection");
 }
 
 static void say_cuts(struct language *draw)
@@ -66,8 +77,7 @@ static void say_cuts(struct language *draw)
         say_clip(draw);
     if (one_in(&draw->state, 10))
         say_line(draw, "hollow");
-    if (one_in(&draw->state, 10))
-        say_line(draw, "no_shadow");
+    say_hidden(draw, 10);
 }
 
 /* A look before, among or behind the motions. */
@@ -186,8 +196,7 @@ static void say_sheet_thing(struct language *draw)
 {
     open_sheet(draw);
     say_dress(draw);
-    if (one_in(&draw->state, 8))
-        say_line(draw, "no_shadow");
+    say_hidden(draw, 8);
     say_place(draw);
     close_block(draw, "}");
 }
@@ -201,8 +210,7 @@ static void say_solid_thing(struct language *draw)
     say_turns(draw);
     if (one_in(&draw->state, 6))
         say_idle_word(draw);
-    if (one_in(&draw->state, 8))
-        say_line(draw, "no_shadow");
+    say_hidden(draw, 8);
     say_place(draw);
     close_block(draw, "}");
 }
@@ -232,6 +240,7 @@ static void say_group(struct language *draw)
         } else
             say_solid(draw, 1, LISTED);
     say_dress(draw);
+    say_hidden(draw, 12);
     say_place(draw);
     close_block(draw, "}");
 }
@@ -271,8 +280,7 @@ static void say_clear_thing(struct language *draw)
     open_solid_shape(draw, true);
     say_turns(draw);
     say_clear_look(draw, bent);
-    if (one_in(&draw->state, 6))
-        say_line(draw, "no_shadow");
+    say_hidden(draw, 6);
     say_place(draw);
     close_block(draw, "}");
 }

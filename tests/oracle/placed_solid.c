@@ -267,7 +267,10 @@ void random_look(uint64_t *state, enum mood mood, char *look)
     };
     double red = between(state, 0, 1), green = between(state, 0, 1);
     double blue = between(state, 0, 1);
-    const char *shadow = one_in(state, 8) ? "no_shadow " : "";
+    static const char *const hidden[] = { "no_shadow ", "no_shadow ",
+                                          "no_image ", "no_reflection ",
+                                          "no_image no_reflection " };
+    const char *shadow = one_in(state, 5) ? hidden[below(state, 5)] : "";
     const char *finish = finishes[below(state, mood == DULL ? 4 : 6)];
     if (mood == CLEAR || (mood == MIXED && one_in(state, 4)))
         solid_words(look,

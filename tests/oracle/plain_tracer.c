@@ -30,7 +30,8 @@ struct path {
     int level;
     double importance;
     struct interiors interiors;
-    size_t passed; /* the rank of what it passed at its start; 0: nothing */
+    size_t passed;  /* the rank of what it passed at its start; 0: nothing */
+    bool reflected; /* once at least on its way from the eye */
 };
 
 static void trace_path(const struct plain_tracer *tracer,
@@ -57,6 +58,19 @@ static double yield_of(const struct plain_hit *hit, size_t rank, size_t ranks)
                : 0;
 }
 
+/* POV-Ray's: refraction does not change which objects a ray sees. */
+static bool is_seen(const struct scene *scene, const struct region *region,
+                    const struct path *path)
+{
+    unsigned from = path->reflected ? HIDDEN_FROM_REFLECTIONS
+                                    : HIDDEN_FROM_IMAGE;
+    for (size_t i = 0; i < region->primitive_count; i++)
+        if (!(scene->primitives[region->first_primitive + i].hidden_from
+              & from))
+            return true;
+    return false;
+}
+
 /* Returns the rank of the region that is hit: its number among those with clear
  * parts, or 0. */
 static size_t find_nearest(const struct plain_tracer *tracer,
@@ -73,6 +87,8 @@ static size_t find_nearest(const struct plain_tracer *tracer,
         struct plain_hit here;
         rank += clear;
         bool passed = path->passed <= (clear ? rank : 0);
+        if (!is_seen(scene, &scene->regions[i], path))
+            continue;
         plain_cross_region(tracer->crossings, scene, &scene->regions[i],
                            &path->ray);
         if (!plain_next_hit(tracer->crossings,
@@ -239,6 +255,8 @@ static void branch(const struct branching *from, const struct plain_hit *hit)
         mirrored.interiors = from->path->interiors;
     bool leaves = refract(surface, ratio, refracted.ray.direction);
     refracted.passed = from->rank;
+    refracted.reflected = from->path->reflected;
+    mirrored.reflected = true;
     mirror(surface, mirrored.ray.direction);
     double weight = plain_mirror(surface, index, reflection);
     if (clear && !leaves) {

@@ -1,5 +1,6 @@
 // What is assembled for some scenes alone, almost all of it for one: shapes, normals,
-// images, patterns, areas of lights, beams, fog, glass, mirrors by the angle.
+// images, patterns, areas of lights, beams, fog, glass, mirrors by the angle, objects that
+// some rays do not see.
 #version 3.7;
 global_settings { assumed_gamma 1 max_trace_level 4 }
 background { rgb <.3, .4, .5> }
@@ -28,5 +29,6 @@ intersection {
     pigment { rgbt <.8, .9, 1, .7> } interior { ior 1.3 } hollow translate <.6, .02, 1.6>
 }
 sphere { 0, .5 pigment { leopard color_map { [0 rgb <.9, .8, .2>] [.5 rgb <.2, .2, .6>] } scale .1 }
-         normal { onion .3 scale .2 } finish { reflection .2 } translate <1.2, 0, -2.6> }
+         normal { onion .3 scale .2 } finish { reflection .2 } translate <1.2, 0, -2.6> no_reflection }
+sphere { <-1.5, .1, -2.9>, .4 pigment { rgb <.8, .6, .9> } no_image }
 text { ttf "timrom.ttf" "C" .3, 0 pigment { rgb .8 } scale 1.4 translate <-1.6, -.5, 1.9> }

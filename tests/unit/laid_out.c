@@ -7,7 +7,7 @@
 #include "vm/text.h"
 
 /* For a program that has the records and, as places only, the kernels. */
-enum { PLACES_MOST = 8 * PRIMITIVE_KINDS + 1 };
+enum { PLACES_MOST = 8 * PRIMITIVE_KINDS + 2 };
 struct places {
     const char *names[PLACES_MOST];
     size_t count;
@@ -36,6 +36,7 @@ static struct places all_places(void)
     struct places places = { .count = 0 };
 
     add_place(&places, "transformed");
+    add_place(&places, "unseen");
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
         add_kernels(&places, &shapes[i]->kernels);
         add_kernels(&places, &shapes[i]->other);
@@ -55,6 +56,7 @@ static struct object *stage_program(void)
                                 "        .equ VALUE_SIZE, 3\n"
                                 "        .equ LEVEL_SIZE, 10\n"
                                 "        .equ GLOSS, 1\n"
+                                "        .equ HIDDEN, 1\n"
                                 "        .equ INTERIORS, 1\n"
                                 "        .include \"frame/records.s\"\n"
                                 "        .include \"light/interior.s\"\n"

@@ -46,8 +46,10 @@ static struct scene *some_scene(void)
              "difference { sphere { -x, 1 } box { -1, 0 } }",
         HEAD
         "camera { orthographic location -5*z right 4*x up 3*y }"
-        "sphere { 0, 1 pigment { rgbt <1, 1, 1, .6> } interior { ior 1.3 } }"
-        "plane { z, 2 pigment { checker rgb 1 rgb .2 } }",
+        "sphere { 0, 1 pigment { rgbt <1, 1, 1, .6> } interior { ior 1.3 }"
+        "  finish { reflection .2 } }"
+        "plane { z, 2 pigment { checker rgb 1 rgb .2 } finish { reflection .3 } }"
+        "box { <-2, -1, -2>, <-1, 0, 1> no_image } sphere { 1.5*x, .6 no_reflection }",
         HEAD "camera { location -9*z look_at 0 }"
              "#for (I, 0, 4) #for (J, 0, 4)"
              "  sphere { <I - 2, J - 2, mod(I * J, 3)>, .4"

@@ -218,6 +218,31 @@ TEST(regions)
     drop_curtain(&stage);
 }
 
+/* From the rays that see none of its primitives. */
+TEST(hidden)
+{
+    static const int hidden_from[] = { 0, 1, 2, 3, 1, 3, 1, 0, 0 };
+    struct stage stage;
+
+    raise_curtain(
+        &stage,
+        "sphere { 0, 1 } sphere { 0, 1 no_image }\n"
+        "sphere { 0, 1 no_reflection }\n"
+        "merge { sphere { 0, 1 } box { 0, 1 } no_image"
+        " no_reflection }\n"
+        "union { sphere { 0, 1 } box { 0, 1 no_reflection"
+        " no_image off } no_image }\n"
+        "sphere { 0, 1 clipped_by { plane { y, 0 } } no_image }\n"
+        "sphere { 0, 1 clipped_by { plane { y, 0 no_image } } }\n"
+        "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }",
+        BOUNDING_FLAT);
+    assert_integer(scene_word(&stage, "scene_region_count"),
+                   COUNT(hidden_from));
+    for (size_t i = 0; i < COUNT(hidden_from); i++)
+        assert_integer(region(&stage, i, "R_HIDDEN_FROM"), hidden_from[i]);
+    drop_curtain(&stage);
+}
+
 /* In preorder, without complements: &(|(0,1), !(&(2, !(3))), 4). */
 TEST(nodes)
 {

@@ -212,6 +212,47 @@ TEST(no_shadow)
     }
 }
 
+/* Of an object all parts are hidden that are not hidden by a word of their own; on a
+ * part of a solid the words say nothing. */
+TEST(hidden)
+{
+    static const struct {
+        const char *text;
+        unsigned hidden_from[2];
+    } rows[] = {
+        { "union { " A B " no_image }", { 1, 1 } },
+        { "union { sphere { 0, 1 no_reflection } " B " no_image }",
+          { 3, 1 } },
+        { "union { sphere { 0, 1 no_image } " B " no_image off }", { 1, 0 } },
+        { "#declare U = union { " A B " no_image no_reflection }"
+          " object { U no_image off }",
+          { 2, 2 } },
+        { "#declare U = union { sphere { 0, 1 no_image } " B " }"
+          " union { object { U no_image 0 } " C " no_reflection -1 }",
+          { 1, 0 } },
+        { "object { merge { " A B " no_image } no_reflection .5 }",
+          { 3, 3 } },
+        { "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }",
+          { 0, 0 } },
+        { "intersection { sphere { 0, 1 no_image no_reflection } " B
+          " no_image }",
+          { 1, 1 } },
+        { "sphere { 0, 1 clipped_by { " C " } no_image }", { 1, 3 } },
+        { "light_source { 0, 1 looks_like {"
+          " union { sphere { 0, 1 no_image } " B " no_reflection } } }",
+          { 0, 0 } },
+    };
+
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        struct scene *scene = read_scene(rows[i].text);
+
+        for (int k = 0; k < 2; k++)
+            assert_int_equal(scene->primitives[k].hidden_from,
+                             rows[i].hidden_from[k]);
+        scene_free(scene);
+    }
+}
+
 /* --- inheritance --------------------------------------------------------- */
 
 TEST(textures)

@@ -139,7 +139,14 @@ TEST(reports)
         { "sphere { 0, 1 normal { onion normal_map {"
           " [0 onion no_bump_scale] } } }",
           43, "within a map" },
-        { "sphere { 0, 1 no_reflection }", 15, "'no_reflection'" },
+        { "sphere { 0, 1 double_illuminate }", 15, "'double_illuminate'" },
+        { "difference { sphere { 0, 1 } sphere { x, 1 } cutaway_textures }",
+          46, "'cutaway_textures'" },
+        { "merge { sphere { 0, 1 no_image } sphere { x, 1 } }", 9,
+          "'no_image' on a part" },
+        { "difference { union { sphere { 0, 1 no_reflection }"
+          " sphere { x, 1 no_image } } sphere { y, 1 } }",
+          14, "'no_reflection' on a part" },
         { "sphere { 0, 1 finish { reflection { .1 exponent 2 } } }", 40,
           "'exponent'" },
         { "sphere { 0, 1 interior { ior 1.5 caustics 1 } }", 34,

@@ -47,9 +47,15 @@ static void add_tube(char *text, size_t size)
              below(2) ? "open" : "");
 }
 
-static void add_shadowing(char *text, size_t size)
+/* Rays that do not see the thing. */
+static void add_hidden(char *text, size_t size, size_t rarity)
 {
-    add_text(text, size, "%s ", below(8) ? "" : "no_shadow");
+    static const char *const words[] = { "no_shadow", "no_image",
+                                         "no_reflection" };
+
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (below(rarity) == 0)
+            add_text(text, size, "%s ", words[i]);
 }
 
 /* The same thing, once or in several colours in one place. */
@@ -72,7 +78,7 @@ static void add_thing(char *text, size_t size)
             xorshift(&later);
         traced.random = later;
         add_look(text, size);
-        add_shadowing(text, size);
+        add_hidden(text, size, 8);
         add_text(text, size, "}\n");
     }
 }
@@ -95,9 +101,10 @@ static void add_spheres(char *text)
             add_place(text, TEXT_ROOM);
             traced.random = k == 2 ? traced.random : before ^ traced.random;
             add_text(text, TEXT_ROOM,
-                     "pigment { %s rgb .%zu } finish { phong %zu } %s }\n",
-                     below(12) ? "color" : "checker", 1 + below(4), below(2),
-                     below(200) ? "" : "no_shadow");
+                     "pigment { %s rgb .%zu } finish { phong %zu } ",
+                     below(12) ? "color" : "checker", 1 + below(4), below(2));
+            add_hidden(text, TEXT_ROOM, 200);
+            add_text(text, TEXT_ROOM, "}\n");
         }
     }
 }

@@ -39,6 +39,11 @@ begin_queues:
         describe s5, inside_unknown, s4
         VTOV    minus_one, [s5]
         .endif
+        .if     HIDDEN
+        describe s5, class_image, s4
+        ES      s6, IMAGE_RAYS
+        VTOV    s6, [s5]
+        .endif
         EX      target, begin_order
         BSAVE   link, [target]
         BIM     0, link_walk

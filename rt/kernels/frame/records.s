@@ -19,6 +19,11 @@
         .equ    INTERIORS, 0
         .endif
 
+; 1: there are regions that some rays do not see (R_HIDDEN_FROM).
+        .ifndef HIDDEN
+        .equ    HIDDEN, 0
+        .endif
+
 ; 1: of a mesh more is asked than what a ray meets first: it stands in a tree, or light
 ; passes through it (shapes/mesh_crossings_vector.s).
         .ifndef MESH_CROSSINGS
@@ -367,10 +372,18 @@
         .field  R_BODY             ; an integer, 1: what is inside of it is where
                                 ; its value is 1, -1: where it is 0; 0: it is
                                 ; open, and has no inside
+        .if     HIDDEN
+        .field  R_HIDDEN_FROM      ; the sum of the classes of rays that do not see
+                                ; it: IMAGE_RAYS, REFLECTED_RAYS
+        .at     21              ; odd, for the banks
+        .else
         .at     19              ; odd, for the banks
+        .endif
         .endrecord
         .equ    REGION_SIMPLE, 1
         .equ    REGION_BOXED, 2
+        .equ    IMAGE_RAYS, 1      ; of the camera, as long as none is reflected
+        .equ    REFLECTED_RAYS, 2  ; after a reflection, also a total one
 
 ; A node of the hierarchy over the regions, in preorder: a leaf has regions, any
 ; other node two nodes below it, the first of which stands behind it.

@@ -4,7 +4,8 @@
 ;
 ; RAY = O, D, the least distance that counts, and the same enlarged, to be
 ; scaled (8 words), with INTERIORS the rank of what it has passed (CHILD_PASSED);
-; HIT = distance, address of the primitive's record (0: none).
+; HIT = distance, address of the primitive's record (0: none).  With HIDDEN another
+; argument: CLASS = IMAGE_RAYS or REFLECTED_RAYS; regions hidden from it are skipped.
 ;
 ; Region by region (hierarchy_scalar.s) the nearer wins, of equals the first of
 ; the scene, in whatever order they are met.  Of a simple region the hit is tin
@@ -18,14 +19,20 @@
 ; On a patch the parameters are left in the primitive's P_PATCH_POINT; in a tree
 ; they are those of its first crossing within delta of that distance.
 
-        .if     INTERIORS
         .share  local
+        .if     INTERIORS
         .regs   r89, w_passed, w_depth
-        .endshare
-        .equ    NEAREST_REGISTERS, WALK_REGISTERS + 2
-        .else
-        .equ    NEAREST_REGISTERS, WALK_REGISTERS
+        .if     HIDDEN
+        .reg    w_class, r91
         .endif
+        .else
+        .if     HIDDEN
+        .reg    w_class, r89
+        .endif
+        .endif
+        .endshare
+        .equ    NEAREST_REGISTERS, WALK_REGISTERS + 2 * INTERIORS + HIDDEN
+        .equ    NEAREST_ARGUMENTS, 2 + HIDDEN
 
         .data
 nearest_save:   .space NEAREST_REGISTERS
@@ -181,7 +188,10 @@ point_enters\@:
 
         .kernel visible
 nearest:
-        enter_walk nearest_save, NEAREST_REGISTERS, 2
+        enter_walk nearest_save, NEAREST_REGISTERS, NEAREST_ARGUMENTS
+        .if     HIDDEN
+        LOD     [w_result_at], w_class
+        .endif
         EX      w_at, k_far
         LOD     [w_at], w_limit
         .if     INTERIORS
@@ -195,6 +205,13 @@ nearest:
         .kernel bound
 nearest_region:
         load_region
+        .if     HIDDEN
+        RTOR    w_region, w_at
+        IX      w_at, 64 * R_HIDDEN_FROM
+        LOD     [w_at], w_t0
+        AND     w_t0, w_class, w_t0
+        IBXNE   w_t0, r0, r0, nearest_skip
+        .endif
         skip_far w_cx, w_cy, w_cz, w_radius, w_square, w_limit, nearest_skip
         .if     INTERIORS
         IBXNE   w_passed, r0, r0, nearest_passed

@@ -15,6 +15,9 @@
 ; Source: the paper's queue, one thing against all rays in turn; the project's
 ; notes on ray tracing, 4.1.
 
+; With HIDDEN rays skip the regions that are hidden from their class (R_HIDDEN_FROM);
+; rays to a light skip none.
+
 ; Of a region, while its bound is tested.
         .share  shape
         .regs   r61, region_way, region_shadow, region_nodes
@@ -23,6 +26,13 @@
         .equ    REGION_WORDS, R_FIRST + 1
 
         .reg    link_walk, r133
+
+        .if     HIDDEN
+        .data
+hidden_class:   .word 0                 ; the class of rays that do not see the region, an
+                                ; integer; 0: all do
+        .code
+        .endif
 
 ; More rays than so many in FEW_OF are no few: compressing does not pay.
         .equ    FEW, 3
@@ -54,7 +64,11 @@ walk_regions:
 walk_next:
         ELEN    region, REGION_WORDS
         SWAP    [region], bound_x, [r0]
+        .if     HIDDEN
+        IBXEQ   shadows, r0, r0, walk_hidden
+        .else
         IBXEQ   shadows, r0, r0, walk_bound
+        .endif
         IBXEQ   region_shadow, r0, r0, walk_skip
         IBXEQ   region_shadow, r0, one_index, walk_bound
         load_word walk_set, s0
@@ -70,7 +84,11 @@ walk_bound:
         IBXEQ   s0, r0, r0, walk_skip
 walk_near:
         RTOR    s0, s6
+        .if     HIDDEN
+        IBXEQ   shadows, r0, r0, walk_compress
+        .else
         IBXEQ   shadows, r0, r0, walk_take
+        .endif
         IBXNE   region_shadow, r0, one_index, walk_mark
 walk_take:
         EX      target, take_some
@@ -97,6 +115,45 @@ walk_skip:
         BIM     walk_pop
 walk_done:
         BIM     0, link_walk
+
+        .if     HIDDEN
+; A region that no ray of the queue sees is skipped.
+walk_hidden:
+        RTOR    region, s0
+        IX      s0, 64 * R_HIDDEN_FROM
+        LOD     [s0], s0
+        load_word queue_class_sum, s1
+        AND     s0, s1, s2
+        EX      s3, hidden_class
+        STO     [s3], s2
+        IBXEQ   s2, r0, s1, walk_skip
+        BIM     walk_bound
+
+; In a queue of both classes the rays of one class do not see the region.  The other rays
+; that come near it are compressed.
+walk_compress:
+        load_word hidden_class, s1
+        IBXEQ   s1, r0, r0, walk_take
+        load_word walk_set, s2
+        IX      s2, 64 * SET_PLACE
+        LOD     [s2], s2
+        load_word queue_classes, s3
+        describe bound_g0, bound_store, s8
+        describe bound_bits, bound_bit_store, s8
+        describe near_bits, queue_bits, s8
+        VXTOV   [s2], [s3], [bound_g0]
+        CMPNEV  [bound_g0], s1, [bound_bits]
+        CFPGE   bound_r, big, walk_unbound
+        ANDB    [near_bits], [bound_bits], [bound_bits]
+walk_unbound:
+        ORB     [bound_bits], [bound_bits], [near_bits]
+        CNTOB   [near_bits], s6
+        IBXEQ   s6, r0, r0, walk_skip
+        EX      target, take_some
+        IBXNE   s6, r0, s8, walk_taken
+        EX      target, take_all
+        BIM     walk_taken
+        .endif
 
 walk_simple:
         .endkernel

@@ -16,6 +16,9 @@
         .else
         .regs   r50, child_weight, child_red, child_green, child_blue
         .endif
+        .if     HIDDEN
+        .regs   r62, child_class, ray_class_at
+        .endif
         .endshare
 
         .data
@@ -68,6 +71,9 @@ spawn_children: .space 2 * CHILD_SIZE
         list_next child_level
         list_next child_passed
         .endif
+        .if     HIDDEN
+        list_next child_class
+        .endif
         list_next \kind
         list_next parent
         IX      list_index, 1
@@ -92,6 +98,10 @@ spawn_hits:
         LOD     [loop_at], ray_inside_at
         EX      loop_at, queue_level
         LOD     [loop_at], ray_level_at
+        .endif
+        .if     HIDDEN
+        EX      loop_at, queue_classes
+        LOD     [loop_at], ray_class_at
         .endif
         load_order
 spawn_hit:
@@ -128,10 +138,18 @@ spawn_hit:
         LOD     [of_order, new_place], parent
 spawn_in_rows:
         load_at spawn_followed, 2, is_reflected
+        .if     HIDDEN
+        ES      child_class, REFLECTED_RAYS
+        .endif
         IBXEQ   is_reflected, r0, r0, spawn_not_reflected
         append  0, r0, rays_reflected
 spawn_not_reflected:
         IBXEQ   is_refracted, r0, r0, spawn_next
+        .if     HIDDEN
+        IBXEQ   is_refracted, r0, child_class, spawn_class_found ; 2: reflected totally
+        LOD     [ray_class_at, new_place], child_class
+spawn_class_found:
+        .endif
         append  1, m_index_one, rays_refracted
 spawn_next:
         next_hit spawn_hit

@@ -7,7 +7,8 @@
 ; sample: normal turned against the ray, N . D, the same of the outward normal,
 ; place of the colour, point (9), with bumps the normal without them (3); WEIGHT = that of the ray (1), where light passes
 ; through something the bodies that it is in and its level before it (3).
-; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2, integers);
+; FOLLOWED = 1 or 0: there is a reflected ray, a refracted one (2, integers), with
+; HIDDEN 2: it is reflected totally;
 ; REFLECTED, REFRACTED = its O, D, least distance, the same to be scaled;
 ; (what it passed, bodies, level;) weight; the colour it is multiplied by (12 words).  With finishes that depend on
 ; the angle another argument: PIGMENT = its colour there (3).
@@ -287,7 +288,12 @@ spawn_total:
         RTOR    sp_own_inside, sp_inside
         ELEN    sp_refracted_at, CHILD_SIZE
         SWAP    [r0], sp_ox, [sp_refracted_at]
+        .if     HIDDEN
+        ES      sp_flag, 2
+        STO     [sp_followed, m_index_one], sp_flag
+        .else
         STO     [sp_followed, m_index_one], m_index_one
+        .endif
         leave   spawn_save, SPAWN_REGISTERS
         .endif
         .endkernel

@@ -286,8 +286,8 @@ spawn_ray:
         spawn_vector v3
         BIM     0, link_kernel
 
-; Importance, the bodies it is in, its level and what it has passed, kind, place of
-; the parent in the list before.
+; Importance, the bodies it is in, its level and what it has passed, class, kind, place
+; of the parent in the list before.  What is refracted is of its parent's class.
 spawn_rest:
         spawn_vector v5
         .if     INTERIORS
@@ -317,6 +317,20 @@ spawn_passed:
 spawn_passed_none:
         spawn_number r0
 spawn_passed_listed:
+        .endif
+        .if     HIDDEN
+        ES      s1, REFLECTED_RAYS
+        .if     INTERIORS
+        IBXEQ   spawn_kind, r0, r0, spawn_class_same
+        load_word queue_classes, s0
+        VXTOV   [at], [s0], [v6]
+        VTOV    s1, [v6] ? [hits2]
+        spawn_vector v6
+        BIM     spawn_class_listed
+spawn_class_same:
+        .endif
+        spawn_number s1
+spawn_class_listed:
         .endif
         spawn_number spawn_kind
         ADDLEN  spawn_tail, spawn_count, s0

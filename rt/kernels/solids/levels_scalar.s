@@ -24,7 +24,7 @@
         .field  L_SAMPLE, SAMPLE_SIZE   ; as SHADE gives it
         .field  L_FOLLOWED, 2           ; 1: a reflected ray, a refracted one
         .field  L_WAITING, CHILD_SIZE   ; the refracted one
-        .field  L_NEAREST, 2            ; lists of arguments
+        .field  L_NEAREST, NEAREST_ARGUMENTS ; lists of arguments
         .field  L_SHADE, SHADE_ARGUMENTS
         .field  L_SPAWN, SPAWN_ARGUMENTS
         .if     GLOSS
@@ -32,6 +32,9 @@
         .endif
         .if     FOG
         .field  L_DISTANCE              ; how far it sees
+        .endif
+        .if     HIDDEN
+        .field  L_CLASS                  ; IMAGE_RAYS or REFLECTED_RAYS
         .endif
         .at     64
         .endrecord
@@ -111,6 +114,9 @@ levels_begin:
 levels_next:
         level_argument L_NEAREST, L_RAY, 6
         hit_argument L_NEAREST + 1, 2
+        .if     HIDDEN
+        level_argument L_NEAREST + 2, L_CLASS, 1
+        .endif
         level_argument L_SHADE, L_RAY, 6
         hit_argument L_SHADE + 2, 1
         level_argument L_SHADE + 3, L_SAMPLE, SAMPLE_SIZE
@@ -138,6 +144,11 @@ levels_next:
         of_level L_INSIDE
         STO     [main_at], m_minus_one
         STO     [main_at, m_index_one], m_one
+        .endif
+        .if     HIDDEN
+        of_level L_CLASS
+        ES      main_t, IMAGE_RAYS
+        STO     [main_at], main_t
         .endif
         of_level L_WEIGHT
         STO     [main_at], m_one
@@ -182,12 +193,26 @@ trace_met:
         LOD     [main_at], main_t
         IBXEQ   main_t, r0, r0, trace_waiting
         count_ray rays_reflected
+        .if     HIDDEN
+        of_level LEVEL_SIZE + L_CLASS
+        ES      main_t, REFLECTED_RAYS
+        STO     [main_at], main_t
+        .endif
         BIM     trace_down
 trace_waiting:
         of_level L_FOLLOWED + 1
         LOD     [main_at], main_t
         IBXEQ   main_t, r0, r0, trace_ended
         STO     [main_at], r0
+        .if     HIDDEN
+        ES      main_at, REFLECTED_RAYS
+        IBXEQ   main_t, r0, main_at, trace_class ; 2: it is reflected totally
+        of_level L_CLASS
+        LOD     [main_at], main_t
+trace_class:
+        of_level LEVEL_SIZE + L_CLASS
+        STO     [main_at], main_t
+        .endif
         of_level L_WAITING
         ELEN    main_at, CHILD_SIZE
         RTOR    level, main_t

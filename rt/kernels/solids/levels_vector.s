@@ -30,6 +30,9 @@
                                 ; what goes straight on is of the same
         .field  LIST_PASSED             ; as in queue_passed
         .endif
+        .if     HIDDEN
+        .field  LIST_CLASS              ; IMAGE_RAYS or REFLECTED_RAYS
+        .endif
         .field  LIST_KIND               ; 0 reflected, 1 refracted
         .field  LIST_PARENT             ; its place in the level before
         .field  LIST_COLOR, 3
@@ -56,10 +59,17 @@ queue_importance: .word 0               ; descriptor: of the queue's rays
 queue_inside:   .word 0                 ; .. the bodies that they are in, their
 queue_level:    .word 0                 ; levels
         .endif
+        .if     HIDDEN
+queue_classes:  .word 0                 ; .. their classes
+queue_class_sum: .word 0                ; the sum of the classes that occur
+        .endif
         .align  64
 importance_one: .space QUEUE            ; that of the first level
         .if     INTERIORS
 inside_unknown: .space QUEUE
+        .endif
+        .if     HIDDEN
+class_image:    .space QUEUE            ; that of the first level's rays
         .endif
         .code
 
@@ -196,6 +206,14 @@ first_in_rows:
         EX      s3, queue_inside
         STO     [s3], s2
         .endif
+        .if     HIDDEN
+        describe s2, class_image, n
+        EX      s3, queue_classes
+        STO     [s3], s2
+        EX      s3, queue_class_sum
+        ES      s2, IMAGE_RAYS
+        STO     [s3], s2
+        .endif
         ES      from_one_point, 1 - EYES_APART
         EX      target, generate
         BSAVE   link_kernel, [target]
@@ -234,6 +252,24 @@ list_queue:
         IBXEQ   s6, r0, r0, list_passed_none
         STO     [s5], s2
 list_passed_none:
+        .endif
+        .if     HIDDEN
+        list_vector level, LIST_CLASS, s2
+        ADDX    s2, s4, s2
+        ADDLEN  s2, n, s2
+        EX      s5, queue_classes
+        STO     [s5], s2
+        describe s5, queue_bits, n
+        ES      s6, REFLECTED_RAYS
+        CMPEQV  [s2], s6, [s5]
+        CNTOB   [s5], s5
+        IBXEQ   s5, r0, n, list_class_sum
+        ES      s6, IMAGE_RAYS
+        IBXEQ   s5, r0, r0, list_class_sum
+        ES      s6, IMAGE_RAYS + REFLECTED_RAYS
+list_class_sum:
+        EX      s5, queue_class_sum
+        STO     [s5], s6
         .endif
         list_vector level, LIST_COLOR, s2
         ADDX    s2, s4, s2

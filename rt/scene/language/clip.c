@@ -116,6 +116,7 @@ static void hide(const struct reader *reader, struct scene_object *clip)
         primitive->ior = 1;
         primitive->interior = 0;
         primitive->no_shadow = true;
+        primitive->hidden_from = HIDDEN_FROM_IMAGE | HIDDEN_FROM_REFLECTIONS;
         primitive->unseen = true;
     }
 }

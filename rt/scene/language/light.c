@@ -37,7 +37,7 @@ static bool read_step(struct reader *reader, void *subject,
     return true;
 }
 
-/* It does not stand in the way of its light. */
+/* It casts no shadow, and as in POV-Ray all rays see it. */
 static bool read_looks_like(struct reader *reader, void *subject,
                             const struct item *item)
 {
@@ -51,6 +51,7 @@ static bool read_looks_like(struct reader *reader, void *subject,
     done = looks_like_read(reader, &look, object->lights[0].position);
     for (size_t i = 0; i < look.part_count; i++)
         look.parts[i].primitive.no_shadow = true;
+    object_show(&look);
     if (done && !object_add(object, &look))
         done = reader_no_memory(reader);
     scene_object_free(&look);

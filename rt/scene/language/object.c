@@ -111,6 +111,7 @@ static void inherit(struct scene_part *part,
         part->primitive.interior = object->interior;
         part->filled = true;
     }
+    part->primitive.hidden_from |= object->hidden_from;
 }
 
 bool object_add(struct scene_object *object, const struct scene_object *child)
@@ -410,6 +411,24 @@ void object_prune(struct scene_object *object)
     object->part_count = pruning.kept_parts;
 }
 
+unsigned object_hidden_from(const struct scene_object *object)
+{
+    unsigned hidden_from = object->hidden_from;
+
+    for (size_t i = 0; i < object->part_count; i++)
+        if (!object->parts[i].primitive.unseen)
+            hidden_from |= object->parts[i].primitive.hidden_from;
+    return hidden_from;
+}
+
+void object_show(struct scene_object *object)
+{
+    object->hidden_from = 0;
+    for (size_t i = 0; i < object->part_count; i++)
+        if (!object->parts[i].primitive.unseen)
+            object->parts[i].primitive.hidden_from = 0;
+}
+
 /* As in POV-Ray it counts on the whole of a solid only. */
 static void forget_no_shadow(struct scene_object *object)
 {
@@ -427,8 +446,10 @@ bool object_add_child(struct scene_object *object, struct scene_object *child)
     } else if (object->joining != JOIN_APART && !object_join(child)) {
         return false;
     }
-    if (object->joining != JOIN_APART)
+    if (object->joining != JOIN_APART) {
         forget_no_shadow(child);
+        object_show(child);
+    }
     return object_add(object, child);
 }
 
@@ -437,11 +458,13 @@ bool object_copy(struct scene_object *copy, const struct scene_object *object)
     struct scene_object bare = *object;
 
     bare.textured = bare.filled = false;
+    bare.hidden_from = 0;
     copy->textured = object->textured;
     copy->texture = object->texture;
     copy->filled = object->filled;
     copy->ior = object->ior;
     copy->interior = object->interior;
+    copy->hidden_from = object->hidden_from;
     copy->is_light = object->is_light;
     copy->name = object->name;
     copy->named = object->named;

@@ -3,9 +3,10 @@
  * An object is a row of solids, each a tree in preorder of which the parts, in
  * their order, are the leaves.  A union is its children's solids from the
  * start: what its transform does to its children is what it does to each
- * primitive.  Only texture and interior wait: an object's own go to those
- * parts that have none, and only when the object is part of another, since
- * `object { NAME texture {...} }` may still change them.
+ * primitive.  Only texture, interior and the rays that do not see it wait: an
+ * object's own go to its parts, texture and interior to those that have none, and
+ * only when the object is part of another, since `object { NAME texture {...} }`
+ * may still change them.
  */
 #ifndef RT_SCENE_OBJECT_H
 #define RT_SCENE_OBJECT_H
@@ -58,6 +59,7 @@ struct scene_object {
     bool filled;
     double ior;
     size_t interior;
+    unsigned hidden_from; /* as a primitive's */
 };
 
 void pigment_move(struct pigment *pigment, const struct placement *step);
@@ -68,13 +70,17 @@ bool object_add_primitive(struct scene_object *object,
                           const struct primitive *primitive);
 bool object_add_light(struct scene_object *object, const struct light *light);
 /* Add the solids of another; parts without texture or interior get its own, if
- * any. */
+ * any, and all are hidden from the rays that it is hidden from. */
 bool object_add(struct scene_object *object,
                 const struct scene_object *child);
 /* The same as the object's joining says: one solid of the child's, or what is
  * outside of it. */
 bool object_add_child(struct scene_object *object,
                       struct scene_object *child);
+/* The rays that do not see some of its parts. */
+unsigned object_hidden_from(const struct scene_object *object);
+/* All rays see all parts that are not hidden by a clip. */
+void object_show(struct scene_object *object);
 /* All solids become one. */
 bool object_join(struct scene_object *object);
 /* The same, and what was outside becomes inside; what clips stays. */

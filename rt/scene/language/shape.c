@@ -180,6 +180,21 @@ static bool read_no_shadow(struct reader *reader, void *subject,
     return true;
 }
 
+/* A number may follow the word: 0 or less switches it off. */
+static bool read_hidden(struct reader *reader, void *subject,
+                        const struct item *item)
+{
+    struct scene_object *object = subject;
+    unsigned rays = (unsigned)item->keyword->detail;
+    double on = 1;
+
+    if (starts_expression(reader) && !read_number(reader, &on))
+        return false;
+    object->hidden_from &= ~rays;
+    object->hidden_from |= on > 0 ? rays : 0;
+    return true;
+}
+
 /* POV-Ray's choice of a root solver; ours needs none. */
 static bool read_sturm(struct reader *reader, void *subject,
                        const struct item *item)
@@ -257,6 +272,8 @@ static const struct keyword modifiers[] = {
     { "interior", read_interior, 0 },
     { "material", read_material, 0 },
     { "inverse", read_inverse, 0 },
+    { "no_image", read_hidden, HIDDEN_FROM_IMAGE },
+    { "no_reflection", read_hidden, HIDDEN_FROM_REFLECTIONS },
     { "no_shadow", read_no_shadow, 0 },
     { "sturm", read_sturm, 0 },
     { "part", part_read, 0 },
@@ -265,12 +282,13 @@ static const struct keyword modifiers[] = {
     { NULL, NULL, 0 },
 };
 
-/* Of media, photons and light groups, which are reported, or of how POV-Ray
- * works. */
+/* Of media, photons, radiosity and light groups, which are reported, or of how
+ * POV-Ray works. */
 static const struct keyword modifiers_passed_over[] = {
     { "global_lights", item_passed_over, 0 },
     { "hierarchy", item_passed_over, 0 },
     { "hollow", item_passed_over, 0 },
+    { "no_radiosity", item_passed_over, 0 },
     { "photons", item_passed_over, 0 },
     { "split_union", item_passed_over, 0 },
     { NULL, NULL, 0 },
@@ -279,25 +297,17 @@ static const struct keyword modifiers_passed_over[] = {
 static const struct keyword modifiers_left_out[] = {
     { "color", item_left_out, 0 },
     { "colour", item_left_out, 0 },
+    { "cutaway_textures", item_left_out, 0 },
     { "double_illuminate", item_left_out, 0 },
     { "interior_texture", item_left_out, 0 },
-    { "no_radiosity", item_left_out, 0 },
-    { "no_reflection", item_left_out, 0 },
     { "radiosity", item_left_out, 0 },
     { "uv_mapping", item_left_out, 0 },
     { NULL, NULL, 0 },
 };
 
-static const struct keyword modifiers_unsupported[] = {
-    { "cutaway_textures", item_unsupported, 0 },
-    { "no_image", item_unsupported, 0 },
-    { NULL, NULL, 0 },
-};
-
 const struct grammar modifier_grammar = { "a word that changes the object",
                                           { modifiers, modifiers_passed_over,
-                                            modifiers_left_out,
-                                            modifiers_unsupported },
+                                            modifiers_left_out },
                                           NULL };
 
 /* As POV-Ray does. */
@@ -314,6 +324,28 @@ static void report_patches(struct reader *reader,
         }
 }
 
+/* POV-Ray hides any part of a merge from these rays, and from reflections a child of a
+ * union that is part of a solid.  Here they are seen, which is reported. */
+static void report_hidden(struct reader *reader, enum joining joining,
+                          const struct scene_object *child,
+                          const struct scene_token *at)
+{
+    bool several = child->branch_count > 0
+                   && child->branches[0].size < child->branch_count;
+    unsigned hidden_from = object_hidden_from(child);
+
+    if (joining == JOIN_APART || (joining != JOIN_MERGE && !several))
+        return;
+    if (joining != JOIN_MERGE)
+        hidden_from &= HIDDEN_FROM_REFLECTIONS;
+    if (hidden_from != 0)
+        reader_report(reader, at,
+                      "'%s' on a part of a solid is not supported and left "
+                      "out",
+                      hidden_from & HIDDEN_FROM_IMAGE ? "no_image"
+                                                      : "no_reflection");
+}
+
 static bool read_child(struct reader *reader, void *subject,
                        const struct item *item)
 {
@@ -327,6 +359,8 @@ static bool read_child(struct reader *reader, void *subject,
                || fields_fill(reader, &child, &item->at));
     if (done && object->joining >= JOIN_INTERSECTION)
         report_patches(reader, &child, &item->at);
+    if (done)
+        report_hidden(reader, object->joining, &child, &item->at);
     if (done && !object_add_child(object, &child))
         done = reader_no_memory(reader);
     scene_object_free(&child);
