@@ -438,7 +438,7 @@ check-faces: $(BUILD)/tests/oracle/check_faces
 check-regions: $(BUILD)/tests/oracle/check_regions
 	$(call by_shares,$(REGIONS))
 
-# Clear bodies on a ground, also beside POV-Ray.
+# Bodies whose faces coincide, clear ones also beside POV-Ray.
 check-standing: $(BUILD)/tests/oracle/check_standing $(adapter)
 	$(call by_shares,$(STANDING))
 

@@ -275,6 +275,7 @@ struct clear_ranks {
     size_t region; /* the next one */
     size_t end;    /* of the primitives of the one before */
     size_t rank;   /* .. its rank, or 0 */
+    double yield;  /* .. of its opaque surfaces */
     size_t used, count;
 };
 
@@ -301,19 +302,22 @@ static struct clear_ranks ranks_of(const struct scene *scene)
 static void put_rank(struct record *record, const struct scene *scene,
                      size_t i, struct clear_ranks *ranks)
 {
-    double yield = 0;
+    double yield;
 
-    if (!object_symbol(record->layout->program, "P_RANK"))
+    if (!object_symbol(record->layout->program, "P_YIELD"))
         return;
     if (i == ranks->end) {
         const struct region *region = &scene->regions[ranks->region++];
 
         ranks->end += region->primitive_count;
         ranks->rank = has_clear_part(scene, region) ? ++ranks->used : 0;
+        ranks->yield = region->yield;
     }
-    if (pigment_is_clear(&scene->primitives[i].pigment))
-        yield = 2 - (double)ranks->rank / (double)ranks->count;
-    record_integer(record, "P_RANK", ranks->rank);
+    yield = pigment_is_clear(&scene->primitives[i].pigment)
+                ? 2 - (double)ranks->rank / (double)ranks->count
+                : ranks->yield;
+    if (object_symbol(record->layout->program, "P_RANK"))
+        record_integer(record, "P_RANK", ranks->rank);
     record_numbers(record, "P_YIELD", &yield, 1);
 }
 

@@ -21,7 +21,7 @@ bool region_is_simple(const struct scene *scene, const struct region *region)
         *first = &scene->primitives[region->first_primitive];
 
     return !scene->every_crossing && region->primitive_count == 1
-           && !pigment_is_clear(&first->pigment);
+           && region->yield == 0 && !pigment_is_clear(&first->pigment);
 }
 
 static bool is_closed(const struct primitive *primitive)

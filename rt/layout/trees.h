@@ -9,7 +9,7 @@
 #include "rt/scene/scene.h"
 
 /* One opaque primitive, of which the nearest crossing ahead is all that is
- * wanted. */
+ * wanted, with no yield. */
 bool region_is_simple(const struct scene *scene, const struct region *region);
 
 /* Are all its surfaces those of bodies, and seen?  Then a line is inside of it

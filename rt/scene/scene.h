@@ -246,6 +246,9 @@ struct region {
     size_t first_primitive, primitive_count; /* its leaves, in order */
     size_t first_node, node_count;           /* of the scene's nodes */
     size_t line;
+    double yield; /* times k_delta, added to distances of its opaque surfaces
+                     before they are compared with those of other regions
+                     (rt/shapes/coincident.h) */
 };
 
 struct scene {

@@ -61,6 +61,16 @@ static bool has_fogs(const struct scene *scene)
     return scene->fog_count > 0;
 }
 
+/* Surfaces of different regions may coincide.  Who asks all crossings gets those of
+ * each region. */
+static bool has_keys(const struct scene *scene)
+{
+    for (size_t i = 0; !scene->every_crossing && i < scene->region_count; i++)
+        if (scene->regions[i].yield > 0)
+            return true;
+    return scene_has_interiors(scene);
+}
+
 /* What kernels can do besides, for the scenes that ask for it. */
 static const struct feature {
     const char *symbol;
@@ -75,6 +85,7 @@ static const struct feature {
     { "IMAGES", scene_has_images },
     { "BUMPS", scene_has_bumps },
     { "INTERIORS", scene_has_interiors },
+    { "KEYS", has_keys },
     { "MESH_CROSSINGS", scene_has_crossed_meshes },
 };
 enum { FEATURES = sizeof features / sizeof *features };

@@ -1,4 +1,4 @@
-/* check_standing.c - clear bodies that stand on a ground, in every form and beside
+/* check_standing.c - bodies whose faces coincide, in every form and beside
  * two other tracers.
  *
  *     check_standing [SCENES [OF SHARE]] [--first]
@@ -6,7 +6,7 @@
  * Traces random scenes (standing_scene.h), or every OF-th from the one of the number
  * SHARE on.  The forms give one frame, bit for bit.  Every pixel off the outlines is
  * that of the plain tracer.  POV-Ray loses one of two coincident faces, so its
- * picture is of the scene with a ground that is higher by LIFT; of bodies in stacks
+ * picture is of the scene with a ground that is higher by LIFT; of other bodies
  * there is none.  A scene that fails is printed, and written to standing_N.pov; after
  * --first nothing more is done.  Exit code 1: some failed.
  */
@@ -142,7 +142,7 @@ static void begin(size_t number)
 {
     struct picture_error error;
     char path[PATH];
-    if (standing_scene_is_stacked(seed_of(number)))
+    if (standing_scene_kind(seed_of(number)) != STANDING_CLEAR)
         return;
     char *text = standing_scene_text(seed_of(number), LIFT);
     path_of(number, path);
@@ -160,7 +160,7 @@ static bool same_as_povray(size_t number, const struct frame *ours,
     struct picture_error error;
     struct frame theirs;
     char path[PATH];
-    if (standing_scene_is_stacked(seed_of(number)))
+    if (standing_scene_kind(seed_of(number)) != STANDING_CLEAR)
         return true;
     if (!povray_end(runs[ended++ % (AHEAD + 1)], &theirs, &error))
         give_up(error.message);

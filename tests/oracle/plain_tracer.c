@@ -49,13 +49,20 @@ static bool has_clear_part(const struct scene *scene, size_t region)
     return false;
 }
 
-/* How much farther a hit counts than it is: nothing on an opaque surface, on a clear
- * one the less the later its region. */
-static double yield_of(const struct plain_hit *hit, size_t rank, size_t ranks)
+/* A region's place among all, or among those with clear parts, from 1 on. */
+struct rank {
+    size_t place, count;
+};
+
+/* How much farther a hit counts than it is: the less the later its region, and more on
+ * a clear surface than on any opaque one. */
+static double yield_of(const struct plain_hit *hit, struct rank all,
+                       struct rank clear)
 {
-    return pigment_is_clear(&hit->primitive->pigment)
-               ? (2 - (double)rank / (double)ranks) * PLAIN_DELTA
-               : 0;
+    bool is_clear = pigment_is_clear(&hit->primitive->pigment);
+    struct rank rank = is_clear ? clear : all;
+    return (1 + is_clear - (double)rank.place / (double)rank.count)
+           * PLAIN_DELTA;
 }
 
 /* POV-Ray's: refraction does not change which objects a ray sees. */
@@ -78,15 +85,17 @@ static size_t find_nearest(const struct plain_tracer *tracer,
 {
     const struct scene *scene = tracer->scene;
     double nearest = INFINITY;
-    size_t ranks = 0, rank = 0, found = 0;
+    struct rank all = { 0, scene->region_count }, rank = { 0, 0 };
+    size_t found = 0;
     for (size_t i = 0; i < scene->region_count; i++)
-        ranks += has_clear_part(scene, i);
+        rank.count += has_clear_part(scene, i);
     *hit = (struct plain_hit){ .primitive = NULL, .distance = FARTHEST_HIT };
     for (size_t i = 0; i < scene->region_count; i++) {
         bool clear = has_clear_part(scene, i);
         struct plain_hit here;
-        rank += clear;
-        bool passed = path->passed <= (clear ? rank : 0);
+        all.place++;
+        rank.place += clear;
+        bool passed = path->passed <= (clear ? rank.place : 0);
         if (!is_seen(scene, &scene->regions[i], path))
             continue;
         plain_cross_region(tracer->crossings, scene, &scene->regions[i],
@@ -94,11 +103,11 @@ static size_t find_nearest(const struct plain_tracer *tracer,
         if (!plain_next_hit(tracer->crossings,
                             passed ? NEAREST_HIT : -PLAIN_DELTA, FARTHEST_HIT,
                             &here)
-            || here.distance + yield_of(&here, rank, ranks) >= nearest)
+            || here.distance + yield_of(&here, all, rank) >= nearest)
             continue;
         *hit = here;
-        nearest = here.distance + yield_of(&here, rank, ranks);
-        found = clear ? rank : 0;
+        nearest = here.distance + yield_of(&here, all, rank);
+        found = clear ? rank.place : 0;
     }
     return found;
 }

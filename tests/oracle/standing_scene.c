@@ -78,25 +78,69 @@ static void bored_words(uint64_t *state, const struct stand *at, char *words)
                 -s, -s, s, h, s, h + 1, r);
 }
 
+static void sphere_words(uint64_t *state, const struct stand *at, char *words)
+{
+    (void)state;
+    solid_words(words, "sphere { %.9g*y, %.9g ", at->height, at->size);
+}
+
+static void torus_words(uint64_t *state, const struct stand *at, char *words)
+{
+    (void)state;
+    solid_words(words, "torus { %.9g, %.9g ", .7 * at->size, .3 * at->size);
+}
+
+static void lathe_words(uint64_t *state, const struct stand *at, char *words)
+{
+    (void)state;
+    solid_words(words,
+                "lathe { linear_spline 4, <0, 0>, <%.9g, 0>, <%.9g, %.9g>, "
+                "<0, %.9g> ",
+                at->size, .8 * at->size, at->height, at->height);
+}
+
+static void disc_words(uint64_t *state, const struct stand *at, char *words)
+{
+    solid_words(words, "disc { %.9g*y, y, %.9g ",
+                (double)below(state, 2) * at->height, at->size);
+}
+
+static void triangle_words(uint64_t *state, const struct stand *at,
+                           char *words)
+{
+    double y = (double)below(state, 2) * at->height;
+    solid_words(words,
+                "triangle { <%.9g, %.9g, %.9g>, <%.9g, %.9g, %.9g>, "
+                "<%.9g, %.9g, 0> ",
+                -at->size, y, -at->size, at->size, y, -at->size, at->size, y);
+}
+
+static void tube_words(uint64_t *state, const struct stand *at, char *words)
+{
+    solid_words(words, "cylinder { %.9g*y, %.9g*y, %.9g open ",
+                between(state, 0, .5) * at->height, at->height, at->size);
+}
+
 /* --- scenes --------------------------------------------------------------- */
 
 struct drawing {
     uint64_t state;
-    bool stacked;
+    enum standing_kind kind;
     char motion[WORDS]; /* of everything */
     FILE *text;
 };
 
 static void (*const shapes[])(uint64_t *, const struct stand *, char *) = {
-    box_words,   whole_box_words, cylinder_words, cone_words,
-    prism_words, mesh_words,      merge_words,    bored_words,
+    box_words,   whole_box_words, cylinder_words, cone_words,     prism_words,
+    mesh_words,  merge_words,     bored_words,    sphere_words,   torus_words,
+    lathe_words, disc_words,      tube_words,     triangle_words,
 };
-enum { SHAPES = sizeof shapes / sizeof *shapes };
+enum { SHAPES = sizeof shapes / sizeof *shapes, SHAPES_CLEAR = 8 };
 
 static struct stand random_stand(struct drawing *drawing)
 {
     uint64_t *state = &drawing->state;
-    if (!drawing->stacked)
+    if (drawing->kind == STANDING_CLEAR)
         return (struct stand){ between(state, -1.5, 1.5), 0,
                                between(state, -1.5, 1.5),
                                between(state, .3, .9),
@@ -111,10 +155,12 @@ static void put_body(struct drawing *drawing, bool clear)
 {
     uint64_t *state = &drawing->state;
     struct stand at = random_stand(drawing);
-    double turn = drawing->stacked ? 90 * (double)below(state, 4)
-                                   : between(state, 0, 360);
+    double turn = drawing->kind == STANDING_CLEAR
+                      ? between(state, 0, 360)
+                      : 90 * (double)below(state, 4);
+    size_t count = drawing->kind == STANDING_OPAQUE ? SHAPES : SHAPES_CLEAR;
     char words[WORDS] = "";
-    shapes[below(state, SHAPES)](state, &at, words);
+    shapes[below(state, count)](state, &at, words);
     fprintf(drawing->text, "%s pigment { rgb%s <%.2f, %.2f, %.2f%s> } %s",
             words, clear ? "f" : "", between(state, .6, 1),
             between(state, .6, 1), between(state, .6, 1), clear ? ", .9" : "",
@@ -131,7 +177,7 @@ static void put_ground(struct drawing *drawing, double lift)
 {
     uint64_t *state = &drawing->state;
     bool plane = one_in(state, 2);
-    bool clear = drawing->stacked && one_in(state, 3);
+    bool clear = drawing->kind == STANDING_STACKED && one_in(state, 3);
     fprintf(drawing->text,
             "%s pigment { gradient x color_map { [0 rgb%s <.2, .4, .9%s>] "
             "[1 rgb%s <1, .8, .3%s>] } translate -.5*x scale 60 "
@@ -160,9 +206,13 @@ static void put_view(struct drawing *drawing)
                     between(state, -9, 9), between(state, -.5, .5));
 }
 
-bool standing_scene_is_stacked(uint64_t seed)
+enum standing_kind standing_scene_kind(uint64_t seed)
 {
-    return stream_beside(seed, 7, 1) % 3 == 0;
+    static const enum standing_kind kinds[] = {
+        STANDING_STACKED, STANDING_OPAQUE, STANDING_CLEAR,
+        STANDING_STACKED, STANDING_CLEAR,  STANDING_CLEAR,
+    };
+    return kinds[stream_beside(seed, 7, 1) % 6];
 }
 
 char *standing_scene_text(uint64_t seed, double lift)
@@ -171,17 +221,19 @@ char *standing_scene_text(uint64_t seed, double lift)
     char *words;
     for (int i = 0; i < 8; i++)
         xorshift(&drawing.state);
-    drawing.stacked = standing_scene_is_stacked(seed);
+    drawing.kind = standing_scene_kind(seed);
     drawing.text = test_text(&words);
     put_view(&drawing);
     bool ground_first = one_in(&drawing.state, 2);
-    size_t least = drawing.stacked ? 3 : 1;
+    size_t least = drawing.kind == STANDING_CLEAR ? 1 : 3;
     size_t count = least + below(&drawing.state, BODIES_MOST + 1 - least);
     size_t opaque = below(&drawing.state, 2 * BODIES_MOST);
     if (ground_first)
         put_ground(&drawing, lift);
     for (size_t i = 0; i < count; i++)
-        put_body(&drawing, i != opaque || !drawing.stacked);
+        put_body(&drawing,
+                 drawing.kind == STANDING_CLEAR
+                     || (drawing.kind == STANDING_STACKED && i != opaque));
     if (!ground_first)
         put_ground(&drawing, lift);
     fclose(drawing.text);

@@ -24,7 +24,7 @@ light_left:     .space 3 * QUEUE        ; of each ray to a light
         .endm
 
         .macro  store_depth distance
-        .if     INTERIORS
+        .if     KEYS
         EX      loop_work, depth_store
         STO     [loop_work, loop_place], \distance
         .endif
@@ -45,7 +45,7 @@ find_nearest:
         load_word k_far, s1
         VTOV    s1, [nearest]
         VTOV    r0, [met]
-        .if     INTERIORS
+        .if     KEYS
         describe s0, depth_store, n
         VTOV    s1, [s0]
         .endif
@@ -110,7 +110,7 @@ walk_tree:
         walk_rays
         IBXNE   to_lights, r0, r0, tree_to_light
         LOD     [to_nearest, loop_place], loop_work
-        .if     INTERIORS
+        .if     KEYS
         RTOR    w_out, loop_at
         IX      loop_at, 64 * P_YIELD
         LOD     [loop_at], segment_out

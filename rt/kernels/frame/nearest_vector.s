@@ -11,20 +11,20 @@
 ;   minus_big.
 ; Source: the paper.
 
-; With INTERIORS nearest holds the least key so far, the distance of a hit plus P_YIELD
+; With KEYS nearest holds the least key so far, the distance of a hit plus P_YIELD
 ; times k_delta, and depth_store the distance of that hit (docs/solids.md).
 
 ; Where a hit goes: places, distances, primitives.
         .share  crossings
         .regs   r107, taken_at, taken_distance, taken_met
-        .if     INTERIORS
+        .if     KEYS
         .reg    taken_depth, r110
         .endif
         .endshare
 
         .data
 first_met:      .word 1                 ; address of the look that was met last, or 1
-        .if     INTERIORS
+        .if     KEYS
 taken_store:    .space 4 * QUEUE
         .else
 taken_store:    .space 3 * QUEUE
@@ -38,7 +38,7 @@ found_bits:     .space 3 * QUEUE_BIT_WORDS
         .endm
 
         .macro  scatter_depth distance
-        .if     INTERIORS
+        .if     KEYS
         describe s0, depth_store, n
         VTOVX   [taken_at], [\distance], [s0]
         .endif
@@ -68,7 +68,7 @@ find_nearest:
         load_word k_far, s0
         VTOV    s0, [nearest]
         VTOV    r0, [met]
-        .if     INTERIORS
+        .if     KEYS
         describe s1, depth_store, n
         VTOV    s0, [s1]
         .endif
@@ -117,7 +117,7 @@ simple_all:
         mark_met
         VTOV    [w0], [nearest] ? [bits0]
         VTOV    identity, [met] ? [bits0]
-        .if     INTERIORS
+        .if     KEYS
         describe s0, depth_store, n
         VTOV    [w0], [s0] ? [bits0]
         .endif

@@ -425,7 +425,7 @@ spheres_no_tie:
         describe pair_tie, pair_bit_store + 2 * PAIR_LIST, s8
 spheres_scatter:
         VTOVX   [pair_place], [pair_hit], [nearest]
-        .if     INTERIORS
+        .if     KEYS
         describe s0, depth_store, n
         VTOVX   [pair_place], [pair_hit], [s0]
         .endif

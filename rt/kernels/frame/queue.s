@@ -159,6 +159,8 @@ least_shadow:   .space QUEUE            ; k_shadow
 count_store:    .space QUEUE            ; 0, 1, 2, ...
         .if     INTERIORS
 passed_store:   .space 3 * QUEUE        ; least distances, to be scaled; ranks
+        .endif
+        .if     KEYS
 depth_store:    .space QUEUE            ; distances of the nearest hits, without P_YIELD
         .endif
         .code

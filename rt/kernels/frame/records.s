@@ -24,6 +24,11 @@
         .equ    HIDDEN, 0
         .endif
 
+; 1: surfaces of different regions may coincide: hits have keys (docs/solids.md).
+        .ifndef KEYS
+        .equ    KEYS, 0
+        .endif
+
 ; 1: of a mesh more is asked than what a ray meets first: it stands in a tree, or light
 ; passes through it (shapes/mesh_crossings_vector.s).
         .ifndef MESH_CROSSINGS
@@ -157,6 +162,8 @@
         .field  P_INTERIOR         ; the number of its body (light/interior.s)
         .field  P_RANK             ; of its region among those with clear parts, in the
                                 ; order of the scene, from 1; 0: it has none
+        .endif
+        .if     KEYS
         .field  P_YIELD            ; k_delta times this is added to the distance of a
                                 ; hit before it is compared with other regions'
         .endif

@@ -13,14 +13,15 @@
 ; collected (nodes_scalar.s) and searched by VISIBLE, a little farther than the
 ; nearest so far, for another may be as near.  Where a ray does not come near,
 ; nothing more is done.
-; With INTERIORS the least key wins, a distance and P_YIELD times k_delta; w_limit is
-; the least key so far, w_depth the distance of that hit.  A ray that has passed a clear
-; surface hits regions of a lesser rank from -k_delta on (docs/solids.md).
+; With KEYS the least key wins, a distance and P_YIELD times k_delta; w_limit is the
+; least key so far, w_depth the distance of that hit.  With INTERIORS a ray that has
+; passed a clear surface hits regions of a lesser rank from -k_delta on
+; (docs/solids.md).
 ; On a patch the parameters are left in the primitive's P_PATCH_POINT; in a tree
 ; they are those of its first crossing within delta of that distance.
 
         .share  local
-        .if     INTERIORS
+        .if     KEYS
         .regs   r89, w_passed, w_depth
         .if     HIDDEN
         .reg    w_class, r91
@@ -31,7 +32,7 @@
         .endif
         .endif
         .endshare
-        .equ    NEAREST_REGISTERS, WALK_REGISTERS + 2 * INTERIORS + HIDDEN
+        .equ    NEAREST_REGISTERS, WALK_REGISTERS + 2 * KEYS + HIDDEN
         .equ    NEAREST_ARGUMENTS, 2 + HIDDEN
 
         .data
@@ -194,8 +195,10 @@ nearest:
         .endif
         EX      w_at, k_far
         LOD     [w_at], w_limit
-        .if     INTERIORS
+        .if     KEYS
         RTOR    w_limit, w_depth
+        .endif
+        .if     INTERIORS
         ES      w_at, 8
         LOD     [w_ray, w_at], w_passed
         .endif
@@ -227,7 +230,7 @@ nearest_simple:
 nearest_hit:
         RTOR    w_in, w_limit
         RTOR    w_first, w_leaf
-        .if     INTERIORS
+        .if     KEYS
         RTOR    w_in, w_depth
         .endif
         .endkernel
@@ -239,7 +242,7 @@ nearest_leaf:
         .endkernel
         .kernel visible
 nearest_done:
-        .if     INTERIORS
+        .if     KEYS
         RTOR    w_depth, w_limit
         .endif
         SWAP    [r0], w_limit, [w_argument]
@@ -254,7 +257,7 @@ nearest_tree:
         EX      w_at, bound_more
         LOD     [w_at], w_end
         MPYS    w_limit, w_end, w_end
-        .if     INTERIORS
+        .if     KEYS
         EX      w_at, k_delta
         LOD     [w_at], w_t0
         ADDN    w_end, w_t0, w_end
@@ -263,7 +266,7 @@ nearest_tree:
         BSAVE   w_back, [target]
         IBXEQ   w_met, r0, r0, nearest_skip
         next_visible w_least, nearest_skip
-        .if     INTERIORS
+        .if     KEYS
         count_hit
         CFPLT   w_t0, w_limit, nearest_seen
         CFPNE   w_t0, w_limit, nearest_skip
@@ -273,7 +276,7 @@ nearest_tree:
         .endif
         IBXGE   w_out, r0, w_leaf, nearest_skip
 nearest_seen:
-        .if     INTERIORS
+        .if     KEYS
         RTOR    w_in, w_depth
         RTOR    w_t0, w_limit
         .else

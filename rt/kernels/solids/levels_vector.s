@@ -128,7 +128,7 @@ levels_queue:
         EX      target, find_nearest
         BSAVE   link, [target]
 levels_found:
-        .if     INTERIORS
+        .if     KEYS
         describe s0, depth_store, n
         VTOV    [s0], [nearest]
         .endif

@@ -182,7 +182,7 @@ walk_nodes:
         IBXEQ   s0, r0, r0, walk_limited
         load_word bound_more, s0
         describe s3, place_store + 64 * QUEUE, near
-        .if     INTERIORS
+        .if     KEYS
         load_word k_delta, s1
         LINKV
         MPYSV   [near_limit], s0, [s3]

@@ -415,7 +415,7 @@ found_nearest:
         take_found event, taken_distance, 1, seen
         take_found event_met, taken_met, 2, seen
         RTOR    seen, s5
-        .if     INTERIORS
+        .if     KEYS
         take_found event, taken_depth, 3, seen
         LTOR    taken_at, s2
         describe s4, found_bits, s2
@@ -453,7 +453,7 @@ found_counted_next:
         CPSV    [taken_at], [taken_at] ? [s4]
         CPSV    [taken_distance], [taken_distance] ? [s4]
         CPSV    [taken_met], [taken_met] ? [s4]
-        .if     INTERIORS
+        .if     KEYS
         CPSV    [taken_depth], [taken_depth] ? [s4]
         .endif
         XORB    [bits1], [bits1], [bits1]

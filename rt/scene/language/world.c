@@ -8,6 +8,7 @@
 #include "rt/scene/language/query.h"
 #include "rt/scene/language/statement.h"
 #include "rt/scene/language/unit.h"
+#include "rt/shapes/coincident.h"
 #include "rt/shapes/shape_words.h"
 
 #include <stdlib.h>
@@ -369,7 +370,8 @@ static bool take_world(struct reader *reader)
     scene->light_count = reader->world.light_count;
     scene->lights = reader->world.lights;
     reader->world.lights = NULL;
-    done = take_primitives(reader) && take_regions(reader);
+    done = take_primitives(reader) && take_regions(reader)
+           && (coincident_find(scene) || reader_no_memory(reader));
     report_fogged_bodies(reader);
     return done;
 }
