@@ -6,6 +6,7 @@
  *     test_mesh_windows [SCENES [SEED]]
  */
 #define SMALL_FRAMES
+#include "rt/layout/eyes.h"
 #include "rt/shapes/mesh_hierarchy.h"
 #include "rt/shapes/shape_words.h"
 #include "tests/unit/nets.h"
@@ -281,9 +282,8 @@ static void add_lights(void)
     }
 }
 
-static void add_mesh(void)
+static void put_mesh(void)
 {
-    random_net();
     if (below(4) == 0)
         net_smooth(&net, .3, &traced.random);
     net_text(&net, text, sizeof text, &traced.random);
@@ -292,6 +292,12 @@ static void add_mesh(void)
     if (below(3) == 0)
         add_text(text, sizeof text, " finish { reflection .4 }");
     add_text(text, sizeof text, " }\n");
+}
+
+static void add_mesh(void)
+{
+    random_net();
+    put_mesh();
 }
 
 /* Meshes, objects far behind them, a mirror: rays come from everywhere.  The camera has
@@ -351,21 +357,78 @@ TEST(frames)
     assert_true(seen > scene_count * traced.pixels / 4);
 }
 
+/* Meshes before the camera.  There are lights where it is and where its direction
+ * leads from the origin, which is what the kernels keep in place of the location of an
+ * orthographic camera. */
+static void write_before_camera(const char *camera)
+{
+    const double by[3] = { 0, 0, 6 };
+
+    strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
+    add_text(text, sizeof text,
+             "#declare Eye = <%.3f, %.3f, -2>;\n"
+             "camera { %s location Eye direction z right 2*x up 2*y }\n"
+             "light_source { Eye, .5 }\nlight_source { z, .5 }\n",
+             between(-1, 1), between(-1, 1), camera);
+    for (size_t i = among(1, 2); i > 0; i--) {
+        random_net();
+        net_move(&net, 1, by);
+        put_mesh();
+    }
+    add_text(text, sizeof text,
+             "plane { z, 9 pigment { rgb .7 } }\n"
+             "sphere { <%.3f, %.3f, 7>, .6 pigment { rgb .3 } finish "
+             "{ reflection .6 } }\n",
+             place_between(-2, 2), place_between(-2, 2));
+}
+
 /* Rays of the camera do not go through its place, but those to a light there do. */
 TEST(other_cameras)
 {
     static const char *const cameras[] = {
-        "orthographic", "aperture .4 focal_point 0 blur_samples 4",
-        "orthographic aperture .4 focal_point 0 blur_samples 4"
+        "orthographic", "aperture 2 focal_point 5*z blur_samples 4",
+        "orthographic aperture 2 focal_point 5*z blur_samples 4"
     };
 
     traced.reported = true;
     for (size_t i = 0; i < sizeof cameras / sizeof *cameras; i++)
         for (size_t k = 0; k < scene_count / 3; k++) {
-            write_scene(cameras[i]);
-            add_text(text, sizeof text, "light_source { Eye, .5 }\n");
+            traced.samples = i ? 2 : 1;
+            write_before_camera(cameras[i]);
             check_frame();
         }
+    traced.samples = 1;
+}
+
+/* An eye that is of no use takes room in memory for its windows. */
+TEST(places)
+{
+    static const struct {
+        const char *camera, *light;
+        size_t count;
+    } cases[] = {
+        { "", "", 2 },
+        { "orthographic", "", 1 },
+        { "aperture 2 focal_point 0", "", 1 },
+        { "", "parallel point_at 0", 1 },
+        { "", "shadowless", 1 },
+        { "", "area_light x, y, 2, 2", 1 },
+    };
+
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct scene *scene;
+        struct eyes eyes;
+
+        sprintf(text,
+                "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                "camera { %s location -3*z look_at 0 }\n"
+                "light_source { 9*y, 1 %s }\nsphere { 0, 1 }\n",
+                cases[i].camera, cases[i].light);
+        scene = read_text(text);
+        eyes_find(scene, &eyes);
+        assert_int_equal(eyes.count, cases[i].count);
+        scene_free(scene);
+    }
 }
 
 /* ---- Edge-on ---------------------------------------------------------------- */

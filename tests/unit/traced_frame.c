@@ -39,6 +39,7 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                                      .variant = traced.variant,
                                      .visible = traced.visible,
                                      .order = traced.order,
+                                     .samples = traced.samples,
                                      .no_bounds = traced.no_bounds,
                                      .flat = traced.flat,
                                      .model = prior_model };

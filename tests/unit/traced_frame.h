@@ -53,6 +53,7 @@ struct traced {
     const char *variant;              /* likewise */
     enum visible visible;             /* likewise */
     enum trace_order order;           /* likewise */
+    size_t samples;                   /* likewise */
     bool reported; /* there may be reports about the scene */
 };
 extern struct traced traced;
