@@ -460,6 +460,22 @@ static void close_loop(struct random_program *program)
     put_insn(program, program->insn_count - 2, insn, &fields);
 }
 
+/* A scatter in the second half of a loop, upon the program itself. */
+static void rewrite_in_loop(uint64_t *random, struct random_program *program,
+                            const c205_insn **rows)
+{
+    const c205_insn *insn = c205_insn_named("VTOVX", 5);
+    c205_fields fields = { .f = insn->opcode,
+                           .a = REWRITE_LIST,
+                           .b = REWRITE_FROM,
+                           .c = REWRITE_TABLE };
+    int64_t count = (int64_t)program->insn_count;
+    size_t i = (size_t)random_between(random, count / 2 - 1, count - 3);
+
+    rows[i] = insn;
+    put_insn(program, i, insn, &fields);
+}
+
 void draw_insns(uint64_t *random, struct random_program *program)
 {
     const c205_insn *rows[PROGRAM_INSNS];
@@ -488,6 +504,8 @@ void draw_insns(uint64_t *random, struct random_program *program)
                                       << random_between(random, 32, 63);
     }
     link_pairs(random, program, rows);
+    if (program->rewrites)
+        rewrite_in_loop(random, program, rows);
     if (program->loop)
         close_loop(program);
 }

@@ -24,6 +24,8 @@ c205_word draw_code_address(uint64_t *random,
 
 /* Registers of no pool: how often a loop runs yet, and where it begins. */
 enum { LOOP_COUNT = 250, LOOP_BEGIN = 251 };
+/* .. of its scatter upon the program. */
+enum { REWRITE_LIST = 252, REWRITE_FROM, REWRITE_TABLE };
 
 /* All of the program's instructions. */
 void draw_insns(uint64_t *random, struct random_program *program);

@@ -413,6 +413,23 @@ static void preset_loop(uint64_t *random, struct random_program *program)
         program_address(program, (size_t)random_between(random, 0, half));
 }
 
+/* The words around one of the loop are the table.  Numbers are what is stored there,
+ * few of which are instructions. */
+static void preset_rewrites(uint64_t *random, struct random_program *program)
+{
+    uint64_t code = draw_code_address(random, program) / WORD * WORD;
+    uint64_t before = WORD * (uint64_t)random_between(random, 0, 45);
+    uint64_t page = code / PAGE_BITS * PAGE_BITS;
+    c205_word length = (c205_word)random_between(random, 1, 6) << 48;
+
+    program->registers[REWRITE_LIST] =
+        length | IN_PAGE(3, 5000 + random_between(random, 0, 200));
+    program->registers[REWRITE_FROM] =
+        length | IN_PAGE(8, 100 + random_between(random, 0, 200));
+    program->registers[REWRITE_TABLE] = code - page < before ? page
+                                                             : code - before;
+}
+
 /* ---- The whole --------------------------------------------------------- */
 
 uint64_t program_address(const struct random_program *program, size_t i)
@@ -448,10 +465,13 @@ struct random_program random_program(uint64_t seed)
     program.code = draw_beginning(&random);
     program.loop = seed % ONE_LOOP_IN == 0;
     program.transfers = seed % ONE_OF_TRANSFERS_IN == 1;
+    program.rewrites = seed % (2 * ONE_LOOP_IN) == 0;
     program.insn_count = (size_t)random_between(&random, 4, PROGRAM_INSNS);
     draw_insns(&random, &program);
     preset_registers(&random, &program);
     if (program.loop)
         preset_loop(&random, &program);
+    if (program.rewrites)
+        preset_rewrites(&random, &program);
     return program;
 }

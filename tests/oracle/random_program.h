@@ -7,9 +7,10 @@
  * and each operand is mostly taken from the pool it needs, so that most
  * instructions do something, and some trap.  Vectors of both sizes overlap,
  * cross pages, run off their ends and into memory that is not there or may
- * only be read.  Some programs are a loop of scalar instructions.  In some half of
- * the instructions are gathers and scatters, whose tables are at ends of pages, on
- * pages that are only read, or in the program itself.
+ * only be read.  Some programs are a loop of scalar instructions; every second
+ * one of these changes the program by a scatter.  In some programs half of the
+ * instructions are gathers and scatters, whose tables are at ends of pages, on pages
+ * that are only read, or in the program itself.
  */
 #ifndef RANDOM_PROGRAM_H
 #define RANDOM_PROGRAM_H
@@ -32,6 +33,7 @@ struct random_program {
     c205_word registers[C205_REGISTERS];
     bool loop;       /* of scalar instructions, for the most part */
     bool transfers;  /* half of it gathers and scatters */
+    bool rewrites;   /* a loop with a scatter upon itself */
     bool plain_data; /* all numbers one, all bits ones: for shrinking */
 };
 
