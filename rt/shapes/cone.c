@@ -7,9 +7,9 @@
 
 static const struct shape_field fields[] = {
     { TAKES_VECTOR, SHAPE_AT(cone, base), NULL, 0, NULL },
-    { TAKES_WIDTH, SHAPE_AT(cone, base_radius), "radius of a cone", 0, NULL },
+    { TAKES_NUMBER, SHAPE_AT(cone, base_radius), NULL, 0, NULL },
     { TAKES_VECTOR, SHAPE_AT(cone, cap), NULL, 0, NULL },
-    { TAKES_WIDTH, SHAPE_AT(cone, cap_radius), "radius of a cone", 0, NULL },
+    { TAKES_NUMBER, SHAPE_AT(cone, cap_radius), NULL, 0, NULL },
     { TAKES_WORD, SHAPE_AT(cone, open), "open", 0, NULL },
     { TAKES_END, 0, NULL, 0, NULL },
 };
@@ -33,6 +33,8 @@ static const char *settle(struct primitive *primitive)
 
     if (axis_is_point(primitive->shape.cone.base, primitive->shape.cone.cap))
         return shape_empty(primitive, AXIS_IS_POINT);
+    if (base < 0 || cap < 0)
+        return shape_empty(primitive, "a radius of the cone is below 0");
     if (base == 0 && cap == 0)
         return shape_empty(primitive, "both radii of the cone are 0");
     if (base == cap)

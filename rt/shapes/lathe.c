@@ -46,7 +46,7 @@ static const char *settle(struct primitive *primitive)
 
     for (size_t i = 0; i < path->count; i++) {
         if (path->points[i][0] < 0)
-            return "a radius of the lathe is below 0";
+            return shape_empty(primitive, "a radius of the lathe is below 0");
         greatest = fmax(greatest, path->points[i][0]);
     }
     drop_repeated(path);

@@ -73,7 +73,7 @@ static const char *settle(struct primitive *primitive)
     for (size_t next = 0; next < path->count;)
         next = close_loop(path, next, closeness, &kept);
     path->count = kept;
-    if (a == b)
+    if (a == b && primitive->shape.prism.open)
         return shape_empty(primitive, "the prism has no height");
     return kept > 0 ? NULL
                     : shape_empty(primitive,

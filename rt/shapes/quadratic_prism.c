@@ -97,8 +97,9 @@ static const char *settle(struct primitive *primitive)
 
     primitive->shape.quadratic_prism.low = fmin(a, b);
     primitive->shape.quadratic_prism.high = fmax(a, b);
-    return a == b ? shape_empty(primitive, "the prism has no height")
-                  : make_parabolas(&primitive->shape.quadratic_prism.path);
+    return a == b && primitive->shape.quadratic_prism.open
+               ? shape_empty(primitive, "the prism has no height")
+               : make_parabolas(&primitive->shape.quadratic_prism.path);
 }
 
 static void put_bound(const struct primitive *primitive, struct bound *bound)

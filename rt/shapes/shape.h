@@ -25,7 +25,6 @@ enum shape_takes {
     TAKES_VECTOR,
     TAKES_RADIUS, /* counts by its size */
     TAKES_SIZE,   /* a number above 0 */
-    TAKES_WIDTH,  /* a number not below 0 */
     TAKES_MORE,   /* a number that may be left out */
     TAKES_TERMS,  /* numbers in < > */
     TAKES_WORD,   /* may stand there: a bool says whether it does */

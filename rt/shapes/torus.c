@@ -12,10 +12,18 @@ static const struct shape_field fields[] = {
 
 static const char *settle(struct primitive *primitive)
 {
-    return primitive->shape.torus.major > 0
-                   && primitive->shape.torus.minor > 0
-               ? NULL
-               : shape_empty(primitive, "a radius is not above 0");
+    double major = primitive->shape.torus.major;
+    double minor = primitive->shape.torus.minor;
+
+    if (major < 0 || minor <= 0)
+        return shape_empty(primitive, "a radius is not above 0");
+    if (major == 0) {
+        primitive->kind = PRIMITIVE_SPHERE;
+        primitive->shape.sphere.radius = minor;
+        for (int i = 0; i < 3; i++)
+            primitive->shape.sphere.center[i] = 0;
+    }
+    return NULL;
 }
 
 /* A circle about y, and from there the tube; its box is that of two circles. */

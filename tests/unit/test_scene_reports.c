@@ -101,12 +101,6 @@ TEST(errors)
         { "#declare B = sphere { 0, Foo } object { B } object { B scale 2 }",
           1, 26, "'Foo'" },
         { "sphere { 0, 1 scale 1e200 scale 1e200 }", 1, 1, "out of range" },
-        { "sphere { 0, 1e200 }", 1, 1, "sphere is too large" },
-        { " merge { box { 0, 1 } sphere { 0, 1e-310 } }", 1, 2,
-          "the sphere is too large or too small" },
-        { "#declare A = cylinder { -1e200*x, x, 1 }\nobject { A }", 2, 1,
-          "the cylinder is too large or too small to be traced" },
-        { "cylinder { 0, 1e-200*x, 1 }", 1, 1, "cylinder is too large" },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++)
@@ -123,6 +117,14 @@ TEST(reports)
         const char *message;
     } rows[] = {
         { "sphere { 0, 1 normal { bumps .5 scale { } } }", 24, "'bumps'" },
+        { "sphere { 0, 1e200 } sphere { 0, 1 }", 1,
+          "sphere is too large or too small to be traced: the shape is left out" },
+        { " merge { box { 0, 1 } sphere { 0, 1e-310 } }", 2,
+          "the sphere is too large or too small" },
+        { "cylinder { 0, 1e-200*x, 1 } sphere { 0, 1 }", 1,
+          "the cylinder is too large" },
+        { "cone { 0, -1, y, 1 } sphere { 0, 1 }", 6,
+          "a radius of the cone is below 0" },
         { "sphere { 0, 1 normal { bozo normal_map { [0 gradient x] } } }", 24,
           "a normal of the pattern 'bozo'" },
         { "sphere { 0, 1 normal { bump_map { png \"a.png\" } scale 2 } }", 24,

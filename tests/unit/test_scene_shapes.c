@@ -247,8 +247,6 @@ TEST(errors)
         { "lathe { linear_spline 3, <0, 0>, <1, 0> }", 41,
           "expected a number" },
         { "lathe { 2001, <0, 0> }", 9, "more than 2000 points" },
-        { "lathe { 2, <1, 0>, <-1, 0> }", 9,
-          "radius of the lathe is below 0" },
         { "lathe { quadratic_spline 3, <0, 0>, <1, 0>, <1, 1> }", 9,
           "'quadratic_spline' is not supported" },
         { "lathe { cubic_spline 4, x, y, z, 0 }", 9,

@@ -24,11 +24,13 @@ static const struct {
     { PRIMITIVE_DISC, "disc { P, Q, R, R + 1" },
     { PRIMITIVE_CONE, "cone { P, 0, Q, 0" },
     { PRIMITIVE_CONE, "cone { P, R, P, 0" },
+    { PRIMITIVE_CONE, "cone { P, -R, Q, 1" },
+    { PRIMITIVE_CONE, "cone { P, -R, Q, -R open" },
     { PRIMITIVE_CONE, "cone { P, R, P, R open" },
     { PRIMITIVE_QUADRIC, "quadric { 0, 0, 0, 0" },
     { PRIMITIVE_QUADRIC, "quadric { 0, 0, 0, R" },
     { PRIMITIVE_QUADRIC, "poly { 2, <" ZEROS_10 ">" },
-    { PRIMITIVE_TORUS, "torus { 0, R" },
+    { PRIMITIVE_TORUS, "torus { -R, .2" },
     { PRIMITIVE_TORUS, "torus { R, 0" },
     { PRIMITIVE_TORUS, "torus { R, -.2" },
     { PRIMITIVE_ELLIPTICAL_TORUS, "elliptical_torus { 0, R, R" },
@@ -39,13 +41,13 @@ static const struct {
     { PRIMITIVE_QUARTIC,
       "quartic { <" ZEROS_10 ", " ZEROS_10 ", " ZEROS_10 ", 0, 0, 0, 0, R>" },
     { PRIMITIVE_STEINER_PATCH, "steiner_patch { P, P, P, P, P, P" },
-    { PRIMITIVE_PRISM, "prism { R, R, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0>" },
+    { PRIMITIVE_PRISM,
+      "prism { R, R, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> open" },
     { PRIMITIVE_PRISM, "prism { 0, R, 3, <1, 2>, <1, 2>, <1, 2>" },
     { PRIMITIVE_PRISM, "prism { 0, R, 4, <R, 2>, <1, 2>, <R, 2>, <1, 2>" },
     { PRIMITIVE_PRISM, "text { ttf \"timrom.ttf\" \" \" 1, 0" },
-    { PRIMITIVE_PRISM, "text { ttf \"timrom.ttf\" \"ab\" 0, 0" },
     { PRIMITIVE_QUADRATIC_PRISM, "prism { quadratic_spline R, R, 5, <0, 1>,"
-                                 " <0, 0>, <1, 0>, <1, 1>, <0, 0>" },
+                                 " <0, 0>, <1, 0>, <1, 1>, <0, 0> open" },
     { PRIMITIVE_BLOB, "blob { threshold .5" },
     { PRIMITIVE_BLOB, "blob { threshold .5 sphere { P, 0, 1 }" },
     { PRIMITIVE_BLOB, "blob { threshold .5 sphere { P, R, 0 }" },
@@ -67,6 +69,7 @@ static const struct {
     { PRIMITIVE_MESH, "height_field { function 3, 3 { .2 } water_level .5" },
     { PRIMITIVE_LATHE, "lathe { 3, <0, 0>, <0, 1>, <0, R>" },
     { PRIMITIVE_LATHE, "lathe { 3, <R, 1>, <R, 1>, <R, 1>" },
+    { PRIMITIVE_LATHE, "lathe { 2, <R, 0>, <-R, 1>" },
 };
 
 #define BALL "sphere { 0, 1 pigment { rgb 1 }"
@@ -169,6 +172,44 @@ TEST(unseen)
         assert_true(drawn[kind]);
     free(without[0]);
     free(without[1]);
+}
+
+/* Shapes without height or ring that are seen, and what they are equal to. */
+TEST(without_height)
+{
+    static const struct {
+        const char *flat, *other;
+    } rows[] = {
+        { "torus { 0, .7", "sphere { 0, .7" },
+        { "prism { .2, .2, 4, <-1, -1>, <1, -1>, <0, 1>, <-1, -1>",
+          "triangle { <-1, .2, -1>, <1, .2, -1>, <0, .2, 1>" },
+        { "prism { quadratic_spline .2, .2, 5, <0, 1>, <0, 0>, <1, 0>, "
+          "<1, 1>, <0, 0>",
+          "prism { quadratic_spline .2, .20001, 5, <0, 1>, <0, 0>, <1, 0>, "
+          "<1, 1>, <0, 0>" },
+        { "text { ttf \"timrom.ttf\" \"ab\" 0, 0 scale 3 translate -x",
+          "text { ttf \"timrom.ttf\" \"ab\" 1e-5, 0 scale 3 translate -x" },
+    };
+    char text[700];
+
+    for (size_t i = 0; i < COUNT(rows); i++) {
+        size_t seen[2];
+
+        for (int k = 0; k < 2; k++) {
+            struct words *words;
+
+            snprintf(text, sizeof text,
+                     HEAD "camera { location <1, 2, -4> look_at 0 }\n"
+                          "%s rotate <10, 20, 0> pigment { rgb 1 } }\n",
+                     k ? rows[i].other : rows[i].flat);
+            words = same_frame(text);
+            seen[k] = hits(words);
+            free(words);
+        }
+        if (seen[0] != seen[1] || seen[0] == 0)
+            fail_msg("%zu pixels, not %zu: %s", seen[0], seen[1],
+                     rows[i].flat);
+    }
 }
 
 /* As in POV-Ray, what makes a shape flat counts as a scale by 1. */

@@ -27,15 +27,6 @@ static bool read_size(struct reader *reader, const char *what, double *size)
            || reader_fault(reader, &at, "the %s is not above 0", what);
 }
 
-static bool read_width(struct reader *reader, const char *what, double *width)
-{
-    struct scene_token at = reader->token;
-
-    if (!read_number(reader, width))
-        return false;
-    return *width >= 0 || reader_fault(reader, &at, "a %s is below 0", what);
-}
-
 /* All of <..> are read, that their number can be told. */
 static bool read_terms(struct reader *reader, double *terms, size_t count)
 {
@@ -120,7 +111,6 @@ static bool read_one(struct reader *reader, const struct shape_field *field,
     case TAKES_VECTOR: return read_vector(reader, to);
     case TAKES_RADIUS: return read_radius(reader, to);
     case TAKES_SIZE: return read_size(reader, field->what, to);
-    case TAKES_WIDTH: return read_width(reader, field->what, to);
     case TAKES_MORE: return read_more(reader, to);
     case TAKES_TERMS: return read_terms(reader, to, field->count);
     case TAKES_WORD:

@@ -53,7 +53,7 @@ static bool make_quadratic_prism(struct text_reading *text,
     prism->shape.quadratic_prism.high = fmax(0, text->thickness);
     prism->shape.quadratic_prism.path = (struct outline){ glyph->count,
                                                           glyph->points };
-    return text->thickness != 0 && glyph->count >= 3;
+    return glyph->count >= 3;
 }
 
 static bool add_glyph(struct text_reading *text, const struct glyph *glyph)

@@ -11,6 +11,7 @@
 #include "rt/shapes/coincident.h"
 #include "rt/shapes/shape_words.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -49,23 +50,18 @@ static bool same_name(const char *one, const char *other)
     return one && other ? strcmp(one, other) == 0 : one == other;
 }
 
-static bool check_part(struct reader *reader, struct scene_part *part,
+static bool check_part(struct reader *reader, const struct scene_part *part,
                        const struct scene_token *at)
 {
-    struct primitive *primitive = &part->primitive;
+    const struct primitive *primitive = &part->primitive;
     struct placement own = { primitive->to_world, primitive->to_local };
     struct placement pattern = { placement_none.to_world,
                                  primitive->pigment.to_local };
 
-    primitive->transformed = !placement_is_none(&own);
     if (!placement_is_finite(&own) || !placement_is_finite(&pattern)
         || !has_space(&primitive->bumps))
         return reader_fault(reader, at, "a transform is out of range");
-    return shape_is_finite(primitive)
-           || reader_fault(reader, at,
-                           "the %s is too large or too small to be "
-                           "traced",
-                           primitive_kind_name(primitive->kind));
+    return true;
 }
 
 /* What takes away leaves its texture on the surface alone. */
@@ -107,6 +103,24 @@ static bool note_object(struct reader *reader, size_t first,
     return true;
 }
 
+/* What the machine has no numbers for. */
+static void leave_out_extremes(struct reader *reader,
+                               struct primitive *primitive,
+                               const struct scene_token *at)
+{
+    struct placement own = { primitive->to_world, primitive->to_local };
+    char reason[80];
+
+    primitive->transformed = !placement_is_none(&own);
+    if (primitive->empty || !placement_is_finite(&own)
+        || shape_is_finite(primitive))
+        return;
+    snprintf(reason, sizeof reason,
+             "the %s is too large or too small to be traced",
+             primitive_kind_name(primitive->kind));
+    primitive_leave_out(reader, primitive, at, reason);
+}
+
 /* Patches are cut first, since that shows whether they are empty. */
 static bool prune(struct reader *reader, struct scene_object *object,
                   const struct scene_token *at)
@@ -115,6 +129,8 @@ static bool prune(struct reader *reader, struct scene_object *object,
         if (object->parts[i].patch
             && !bicubic_patch_cut(reader, &object->parts[i], at))
             return false;
+    for (size_t i = 0; i < object->part_count; i++)
+        leave_out_extremes(reader, &object->parts[i].primitive, at);
     object_prune(object);
     return true;
 }
