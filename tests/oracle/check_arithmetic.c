@@ -10,13 +10,12 @@
 #include "check_conversions.h"
 #include "operands.h"
 #include "operations.h"
+#include "tests/oracle/read_number.h"
 #include "vm/number/lanes.h"
 
-#include <errno.h>
 #include <getopt.h>
 #include <inttypes.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- One operation ------------------------------------------------------ */
@@ -243,15 +242,6 @@ static void check_everything(struct run *run)
             count(run, conversions[i].name, conversion_cases,
                   check_conversion(conversions + i, run->seed,
                                    conversion_cases));
-}
-
-static bool read_number(const char *text, uint64_t *number)
-{
-    char *end;
-
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    return errno == 0 && end != text && *end == '\0' && *text != '-';
 }
 
 static bool read_arguments(struct run *run, int argc, char **argv)

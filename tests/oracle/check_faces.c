@@ -353,13 +353,10 @@ static struct grid_scene *shrink(struct grid_scene *grid, uint64_t seed)
 static void show(const struct grid_scene *grid, uint64_t seed, size_t number)
 {
     char *text = grid_scene_text(grid);
-    char reason[REASON] = "", path[40];
+    char reason[REASON] = "", how[40];
     passes(grid, seed, reason);
-    snprintf(path, sizeof path, "faces_%zu.pov", number);
-    printf("FAIL %s (-W %d -H %d): %s\n%s", path, WIDTH, HEIGHT, reason,
-           text);
-    fflush(stdout);
-    keep_scene(path, text);
+    snprintf(how, sizeof how, " (-W %d -H %d)", WIDTH, HEIGHT);
+    show_failure("faces", number, how, reason, text);
     free(text);
 }
 

@@ -259,16 +259,13 @@ static bool check_scene(size_t number, bool first)
 {
     uint64_t state = RANDOM_SEED
                      ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
-    char *text = random_scene(&state), reason[REASON] = "", path[40];
+    char *text = random_scene(&state), reason[REASON] = "";
     struct scene *scene = scene_of(text);
     bool good = passes(scene, &state, reason);
-    snprintf(path, sizeof path, "heat_%zu.pov", number);
     if (!good && first)
         printf("scene %zu: %s\n", number, reason);
-    else if (!good) {
-        printf("FAIL %s: %s\n%s", path, reason, text);
-        keep_scene(path, text);
-    }
+    else if (!good)
+        show_failure("heat", number, "", reason, text);
     scene_free(scene);
     free(text);
     return good;
@@ -276,9 +273,7 @@ static bool check_scene(size_t number, bool first)
 
 int main(int count, char **words)
 {
-    model = usual_model();
-    int code = check_many(count, words, check_scene);
-    c205_model_free(model);
+    int code = check_many_on(&model, count, words, check_scene);
     printf("%zu factors were found by both\n", pair_count);
     return code;
 }

@@ -184,15 +184,11 @@ static void shrink(struct sight *sight)
 
 static void show(struct sight *sight, size_t number, char *reason)
 {
-    char path[40];
     if (!strstr(reason, "another order")) {
         shrink(sight);
         passes(sight, reason);
     }
-    snprintf(path, sizeof path, "lines_%zu.pov", number);
-    printf("FAIL %s: %s\n%s", path, reason, sight->text);
-    fflush(stdout);
-    keep_scene(path, sight->text);
+    show_failure("lines", number, "", reason, sight->text);
 }
 
 static bool check_scene(size_t number, bool first)
@@ -214,8 +210,5 @@ static bool check_scene(size_t number, bool first)
 
 int main(int count, char **words)
 {
-    model = usual_model();
-    int code = check_many(count, words, check_scene);
-    c205_model_free(model);
-    return code;
+    return check_many_on(&model, count, words, check_scene);
 }

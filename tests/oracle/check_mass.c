@@ -267,15 +267,12 @@ static bool check_solid(size_t number, bool first)
                                    (int)below(&state, 3));
     motion = random_motion(&state);
     char *still = text_of(solid, NULL), *moved = text_of(solid, &motion);
-    char reason[REASON] = "", path[40];
+    char reason[REASON] = "";
     bool good = passes(still, moved, &motion, &state, reason);
-    snprintf(path, sizeof path, "mass_%zu.pov", number);
     if (!good && first)
         printf("scene %zu: %s\n", number, reason);
-    else if (!good) {
-        printf("FAIL %s: %s\n%s", path, reason, moved);
-        keep_scene(path, moved);
-    }
+    else if (!good)
+        show_failure("mass", number, "", reason, moved);
     solid_free(solid);
     free(still);
     free(moved);

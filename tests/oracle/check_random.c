@@ -10,14 +10,13 @@
  * ends there, unshrunk.
  */
 #include "tests/oracle/compare_states.h"
+#include "tests/oracle/read_number.h"
 #include "tests/oracle/shrink_program.h"
 
 #include "tests/oracle/arithmetic_oracle.h"
 
-#include <errno.h>
 #include <getopt.h>
 #include <stdio.h>
-#include <stdlib.h>
 
 struct run {
     uint64_t seed, programs;
@@ -63,15 +62,6 @@ static void check_rules(struct run *run)
                    c205_insns[i].mnemonic);
             run->failed++;
         }
-}
-
-static bool read_number(const char *text, uint64_t *number)
-{
-    char *end;
-
-    errno = 0;
-    *number = strtoull(text, &end, 0);
-    return errno == 0 && end != text && *end == '\0' && *text != '-';
 }
 
 static bool read_arguments(struct run *run, int argc, char **argv)

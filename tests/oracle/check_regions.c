@@ -290,17 +290,14 @@ static void show(const struct many_regions *regions, const struct ways *ways,
                  size_t number)
 {
     char *text = many_regions_text(regions);
-    char reason[REASON] = "", path[40], way[200] = "";
+    char reason[REASON] = "", way[200] = "", how[260];
     struct ways failing;
     passes(regions, ways, &failing, reason);
-    snprintf(path, sizeof path, "regions_%zu.pov", number);
     if (ways->count)
         tell_way(&ways->way[0], way, sizeof way);
-    printf("FAIL %s -W %zu -H %zu %s: %s\n%s", path,
-           many_regions_width(regions), many_regions_height(regions), way,
-           reason, text);
-    fflush(stdout);
-    keep_scene(path, text);
+    snprintf(how, sizeof how, " -W %zu -H %zu %s",
+             many_regions_width(regions), many_regions_height(regions), way);
+    show_failure("regions", number, how, reason, text);
     free(text);
 }
 
@@ -329,8 +326,5 @@ static bool check_scene(size_t number, bool first)
 
 int main(int count, char **words)
 {
-    model = usual_model();
-    int code = check_many(count, words, check_scene);
-    c205_model_free(model);
-    return code;
+    return check_many_on(&model, count, words, check_scene);
 }

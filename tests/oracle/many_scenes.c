@@ -45,6 +45,16 @@ void keep_scene(const char *path, const char *text)
     }
 }
 
+void show_failure(const char *kind, size_t number, const char *how,
+                  const char *reason, const char *text)
+{
+    char path[40];
+    snprintf(path, sizeof path, "%s_%zu.pov", kind, number);
+    printf("FAIL %s%s: %s\n%s", path, how, reason, text);
+    fflush(stdout);
+    keep_scene(path, text);
+}
+
 int check_many_ahead(int count, char **words,
                      bool (*check)(size_t number, bool first),
                      void (*begin)(size_t number), size_t ahead)
@@ -73,4 +83,13 @@ int check_many(int count, char **words,
                bool (*check)(size_t number, bool first))
 {
     return check_many_ahead(count, words, check, NULL, 0);
+}
+
+int check_many_on(c205_model **model, int count, char **words,
+                  bool (*check)(size_t number, bool first))
+{
+    *model = usual_model();
+    int code = check_many(count, words, check);
+    c205_model_free(*model);
+    return code;
 }
