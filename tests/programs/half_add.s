@@ -6,19 +6,8 @@
 
         .include "half_vector.inc"
 
-        .macro  plain op
-        into    \op\().plain
-        \op,H   [va], [vb], [to]
-        .endm
-
-        .macro  uses op
-        plain   \op
-        into    \op\().broadcast
-        \op,H   x, [vb], [to] ? [vz]
-        .endm
-
         .macro  all_uses op
-        uses    \op
+        both_uses \op
         into    \op\().offset           ; of source, result, control vector
         \op,H   [va, once], y, [to, by] ?! [vz]
         into    \op\().short            ; machine zeros follow
@@ -46,28 +35,18 @@ uneven_b:
 ; expect-halves: [ADDUV.broadcast] = 18.0, kept, X'ED28 0000', 12.5, kept
 ; expect-halves: [ADDUV.offset] = kept, -2.5, kept, kept, -1.0
 ; expect-halves: [ADDUV.short] = 9.0, -1.5, -6.0, 4.5, 2.0
-        uses    SUBNV
-; expect-halves: [SUBNV.plain] = -9.0, -2.5, 6.0, 0.0, -2.5
-; expect-halves: [SUBNV.broadcast] = -2.0, kept, 11.0, 3.5, kept
-        uses    SUBUV
-; expect-halves: [SUBUV.plain] = -9.0, -2.5, 6.0, X'EC00 0000', -2.5
-; expect-halves: [SUBUV.broadcast] = X'EDF0 0000', kept, 11.0, X'ED1C 0000', kept
-        uses    AVGV
-; expect-halves: [AVGV.plain] = 5.5, -0.75, 0.0, 4.5, 0.75
-; expect-halves: [AVGV.broadcast] = 9.0, kept, 2.5, 6.25, kept
-        uses    AVGDV
-; expect-halves: [AVGDV.plain] = -4.5, -1.25, 3.0, 0.0, -1.25
-; expect-halves: [AVGDV.broadcast] = -1.0, kept, 5.5, 1.75, kept
+        makes   SUBNV, -9.0, -2.5, 6.0, 0.0, -2.5, -2.0, 11.0, 3.5
+        makes   SUBUV, -9.0, -2.5, 6.0, X'EC000000', -2.5, X'EDF00000', 11.0, X'ED1C0000'
+        makes   AVGV, 5.5, -0.75, 0.0, 4.5, 0.75, 9.0, 2.5, 6.25
+        makes   AVGDV, -4.5, -1.25, 3.0, 0.0, -1.25, -1.0, 5.5, 1.75
 ; The lower halves of sums: those of a tiny number that is lost in the upper
 ; one, of 0.1 and 0.2, none of what machine zero leaves, none of integers.
         descriptor va, uneven_a, n
         descriptor vb, uneven_b, n
         plain   ADDLV
-; expect-halves: [ADDLV.plain] = X'D340 0000', X'D140 0000', X'E900 0000', X'E900 0000'
-; expect-halves: [ADDLV.plain + 4*32] = X'7000 0000'
+; expect-halves: [ADDLV.plain] = X'D340 0000', X'D140 0000', X'E900 0000', X'E900 0000', X'7000 0000'
         plain   SUBLV
-; expect-halves: [SUBLV.plain] = X'D340 0000', X'D000 0000', X'E900 0000', X'E900 0000'
-; expect-halves: [SUBLV.plain + 4*32] = X'7000 0000'
+; expect-halves: [SUBLV.plain] = X'D340 0000', X'D000 0000', X'E900 0000', X'E900 0000', X'7000 0000'
 ; The result lies one half word after the first source: each element is made
 ; from the one before.
         odd

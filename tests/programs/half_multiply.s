@@ -5,19 +5,8 @@
 
         .include "half_vector.inc"
 
-        .macro  plain op
-        into    \op\().plain
-        \op,H   [va], [vb], [to]
-        .endm
-
-        .macro  uses op
-        plain   \op
-        into    \op\().broadcast
-        \op,H   x, [vb], [to] ? [vz]
-        .endm
-
         .macro  all_uses op
-        uses    \op
+        both_uses \op
         into    \op\().offset           ; of source, result, control vector
         \op,H   [va, once], y, [to, by] ?! [vz]
         into    \op\().short            ; normalised ones follow
@@ -38,18 +27,15 @@ uneven_a:
 ; expect-halves: [MPYSV.broadcast] = 80.0, kept, -24.0, 36.0, kept
 ; expect-halves: [MPYSV.offset] = kept, 1.0, kept, kept, 0.25
 ; expect-halves: [MPYSV.short] = -10.0, -1.0, 9.0, 4.5, 2.0
-        uses    MPYUV
-; expect-halves: [MPYUV.plain] = X'EE28 0000', X'EAC0 0000', -9.0, X'EF28 8000'
-; expect-halves: [MPYUV.plain + 4*32] = X'EAC0 0000'
+        both_uses MPYUV
+; expect-halves: [MPYUV.plain] = X'EE280000', X'EAC00000', -9.0, X'EF288000', X'EAC00000'
 ; expect-halves: [MPYUV.broadcast] = X'F1280000', kept, X'EFD00000', X'F0240000', kept
         all_uses DIVSV
 ; expect-halves: [DIVSV.plain] = 0.1, -4.0, -1.0, 1.0, -0.25
 ; expect-halves: [DIVSV.broadcast] = 0.8, kept, X'EBAA AAAB', X'EA71 C71C', kept
 ; expect-halves: [DIVSV.offset] = kept, 4.0, kept, kept, 1.0
 ; expect-halves: [DIVSV.short] = X'E699 999A', -4.0, 1.0, X'E771 C71C', 0.5
-        uses    DIVUV
-; expect-halves: [DIVUV.plain] = 0.1, -4.0, -1.0, 1.0, -0.25
-; expect-halves: [DIVUV.broadcast] = 0.8, kept, X'EBAA AAAB', X'EA71 C71C', kept
+        makes   DIVUV, 0.1, -4.0, -1.0, 1.0, -0.25, 0.8, X'EBAA AAAB', X'EA71 C71C'
         descriptor va, uneven_a, n
         descriptor vb, uneven_b, n
         plain   MPYLV

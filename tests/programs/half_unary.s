@@ -5,13 +5,21 @@
 
         .include "half_vector.inc"
 
-        .macro  uses op
+; Scalar is what op makes of the scalar, e0 .. e4 what it makes of the elements of a.
+        .macro  uses op, scalar, e0, e1, e2, e3, e4
         into    \op\().plain
         \op,H   [va], [to]
+; expect-halves: [\op\().plain] = \e0, \e1, \e2, \e3, \e4
         into    \op\().broadcast
         \op,H   x, [to] ?! [vz]
+; expect-halves: [\op\().broadcast] = kept, \scalar, kept, kept, \scalar
         into    \op\().offset           ; of source, result, control vector
         \op,H   [va, once], [to, by] ? [vz]
+        .endm
+
+        .macro  elementwise op, scalar, e0, e1, e2, e3, e4
+        uses    \op, \scalar, \e0, \e1, \e2, \e3, \e4
+; expect-halves: [\op\().offset] = kept, kept, \e2, \e3, kept
         .endm
 
         five    a, 2.75, -2.75, 16.0, -0.5, 0.1
@@ -21,42 +29,16 @@ scalars:
         five    squares, 4.0, 2.0, 0.0625, 16, 0.0
         .code
         operands
-        uses    TRUV
-; expect-halves: [TRUV.plain] = 2, -2, 16, 0, 0
-; expect-halves: [TRUV.broadcast] = kept, -6, kept, kept, -6
-; expect-halves: [TRUV.offset] = kept, kept, 16, 0, kept
-        uses    FLRV
-; expect-halves: [FLRV.plain] = 2, -3, 16, -1, 0
-; expect-halves: [FLRV.broadcast] = kept, -7, kept, kept, -7
-; expect-halves: [FLRV.offset] = kept, kept, 16, -1, kept
-        uses    CLGV
-; expect-halves: [CLGV.plain] = 3, -2, 16, 0, 1
-; expect-halves: [CLGV.broadcast] = kept, -6, kept, kept, -6
-; expect-halves: [CLGV.offset] = kept, kept, 16, 0, kept
-        uses    VTOV
-; expect-halves: [VTOV.plain] = 2.75, -2.75, 16.0, -0.5, 0.1
-; expect-halves: [VTOV.broadcast] = kept, -6.25, kept, kept, -6.25
-; expect-halves: [VTOV.offset] = kept, kept, 16.0, -0.5, kept
-        uses    ABSV
-; expect-halves: [ABSV.plain] = 2.75, 2.75, 16.0, 0.5, 0.1
-; expect-halves: [ABSV.broadcast] = kept, 6.25, kept, kept, 6.25
-; expect-halves: [ABSV.offset] = kept, kept, 16.0, 0.5, kept
-        uses    EXPV
-; expect-halves: [EXPV.plain] = -21, -21, -18, -24, -26
-; expect-halves: [EXPV.broadcast] = kept, -20, kept, kept, -20
-; expect-halves: [EXPV.offset] = kept, kept, -18, -24, kept
-        uses    VREVV
-; expect-halves: [VREVV.plain] = 0.1, -0.5, 16.0, -2.75, 2.75
-; expect-halves: [VREVV.broadcast] = kept, -6.25, kept, kept, -6.25
+        elementwise TRUV, -6, 2, -2, 16, 0, 0
+        elementwise FLRV, -7, 2, -3, 16, -1, 0
+        elementwise CLGV, -6, 3, -2, 16, 0, 1
+        elementwise VTOV, -6.25, 2.75, -2.75, 16.0, -0.5, 0.1
+        elementwise ABSV, 6.25, 2.75, 2.75, 16.0, 0.5, 0.1
+        elementwise EXPV, -20, -21, -21, -18, -24, -26
+        uses    VREVV, -6.25, 0.1, -0.5, 16.0, -2.75, 2.75
 ; expect-halves: [VREVV.offset] = kept, kept, -0.5, 16.0, kept
-        uses    ADJMV                   ; the last with machine zero
-; expect-halves: [ADJMV.plain] = 0.0, 6.625, 7.75, X'E799 9999', X'E566 6666'
-; expect-halves: [ADJMV.broadcast] = kept, -6.25, kept, kept, -6.25
-; expect-halves: [ADJMV.offset] = kept, kept, 7.75, X'E799 9999', kept
-        uses    DELTAV
-; expect-halves: [DELTAV.plain] = -5.5, 18.75, -16.5, X'E94C CCCC', X'E699 999A'
-; expect-halves: [DELTAV.broadcast] = kept, 0.0, kept, kept, 0.0
-; expect-halves: [DELTAV.offset] = kept, kept, -16.5, X'E94C CCCC', kept
+        elementwise ADJMV, -6.25, 0.0, 6.625, 7.75, X'E799 9999', X'E566 6666' ; the last with machine zero
+        elementwise DELTAV, 0.0, -5.5, 18.75, -16.5, X'E94C CCCC', X'E699 999A'
 ; Machine zeros follow a short source; sign control takes it first.
         into    short
         VTOV,H  -|[short_a]|, [to]
