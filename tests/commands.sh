@@ -1,10 +1,12 @@
-# commands.sh - commands as a user calls them: how they end, and what they say.
+# commands.sh - commands as a user calls them: their exit codes, what they print, and the
+# files that they write or do not write, compared with what a script or a row of a table
+# expects of them.
 #
 #   . "$here/tests/commands.sh"
 #
-# The script has sourced count.sh, and stands in the folder $work.
+# The script has sourced count.sh, and works in the folder $work.
 # shellcheck shell=sh
-: "${work:?}"
+: "${work:?}" "${here:?}"
 
 ends() { # CODE COMMAND ..: its exit code; what it prints goes to out and err
     wanted=$1
@@ -17,4 +19,71 @@ ends() { # CODE COMMAND ..: its exit code; what it prints goes to out and err
 tells() { # FILE TEXT: the last command's out or err holds the text
     grep -q -e "$2" "$work/$1"
     verdict $? "$1 does not say '$2'"
+}
+
+# ---- Tables: the rows are explained where they are, in commands.txt ----
+
+holds() { # CHECK [=> CHECK] ..: what the last command leaves
+    case $1 in
+    *' => '*)
+        holds "${1%% => *}"
+        holds "${1#* => }"
+        return
+        ;;
+    'absent '*) [ ! -e "${1#* }" ] ;;
+    'filled '*) [ -s "${1#* }" ] ;;
+    'empty '*) [ ! -s "${1#* }" ] ;;
+    *)
+        tells "${1%% *}" "${1#* }"
+        return
+        ;;
+    esac
+    verdict $? "not $1: $call"
+}
+
+calls() { # CODE WORDS: a command, or one for each choice in braces
+    choices='' before=$2 after=''
+    case $2 in
+    *' { '*' }'*)
+        before=${2%% { *} after=${2##* \}}
+        choices=${2#* { }
+        choices=${choices% \}*}
+        ;;
+    esac
+    while :; do
+        call="$before ${choices%% | *} $after"
+        eval "ends $1 \"\$build\"/$call"
+        [ "$choices" != "${choices#* | }" ] || break
+        choices=${choices#* | }
+    done
+}
+
+row() { # ROW
+    case $1 in
+    '' | '#'*) ;;
+    'file '*)
+        made=${1#* }
+        : >"$made"
+        ;;
+    '|'*) printf '%s\n' "${1#|}" >>"$made" ;;
+    '$ '*) eval "${1#* }" ;;
+    '? '*)
+        eval "${1#* : }"
+        verdict $? "$(printf '%s' "${1#* }" | sed 's/ : .*//')"
+        ;;
+    '    '*) holds "${1#    }" ;;
+    *)
+        calls "${1%% *}" "$(printf '%s' "${1#* }" | sed 's/ => .*//')"
+        case $1 in *' => '*) holds "${1#* => }" ;; esac
+        ;;
+    esac
+}
+
+rows() { # NAME: the rows of this name in tests/commands.txt
+    awk -v name="$1" '/^@ / { on = $2 == name; next } on' \
+        "$here/tests/commands.txt" >"$work/$1.rows"
+    while IFS= read -r line <&3; do
+        row "$line"
+    done 3<"$work/$1.rows"
+    [ -s "$work/$1.rows" ] || fail "tests/commands.txt has no rows of the name $1"
 }
