@@ -99,19 +99,19 @@ check_parts = check-unit check-scenes check-hosts check-commands check-web-engin
 	check-course check-mass check-quartic check-docs check-adaptive check-bugs check-lines \
 	check-install check-language check-narrow check-rooms check-programs check-isa \
 	check-bench
-CASES ?= 1000000
+CASES ?= 500000
 PAIRS ?= some
-PROGRAMS ?= 12000
-POLYNOMIALS ?= 600
-FACES ?= 300
-REGIONS ?= 200
-STANDING ?= 20
+PROGRAMS ?= 8000
+POLYNOMIALS ?= 300
+FACES ?= 150
+REGIONS ?= 100
+STANDING ?= 16
 SEEN ?= 60
 MASSES ?= 24
 HEATS ?= 16
 USES ?= some
-LANGUAGE ?= 200
-TEXTS ?= 20
+LANGUAGE ?= 100
+TEXTS ?= 10
 TRIES ?= 300
 # FIRST=1: a generator stops at its first find, before it reduces that.
 first = $(if $(FIRST),--first)
