@@ -2,6 +2,7 @@
 #                 emulated machine and prints the speedup table
 # make site       the manual as a site; card, slides: docs/teaching.md
 # make check      builds and runs all tests (docs/testing.md says which)
+# make check-quick  the tests that the changed files can affect
 # make fit        fits the timing model, writes the fitted ones and docs/
 # make all | docs | card | slides | web | web-tracer | mpi | bench | san | fuzz | cover |
 #      check-long | check-web | wasm-check | format | lint | install | clean
@@ -150,6 +151,20 @@ check:
 	@sh .ci/need $(test_packages)
 	-@$(MAKE) --no-print-directory -k -j $(JOBS) all tests $(BUILD)/fit205
 	@sh tests/run_all.sh "$(MAKE)" $(JOBS) $(check_parts)
+
+check-quick: export CASES = 20000
+check-quick: export PROGRAMS = 400
+check-quick: export POLYNOMIALS = 20
+check-quick: export FACES = 8
+check-quick: export REGIONS = 8
+check-quick: export STANDING = 2
+check-quick: export SEEN = 4
+check-quick: export MASSES = 2
+check-quick: export HEATS = 1
+check-quick: export LANGUAGE = 6
+# An edit is checked in a minute, its build included.
+check-quick:
+	@sh tests/check_quick.sh $(BUILD) "$(MAKE)" 45
 
 check-long: export CASES = 10000000
 check-long: export PAIRS = all
@@ -351,7 +366,8 @@ $(BUILD)/tests/unit/test_allocation: keeping =
 $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 $(BUILD)/tests/unit/%: $(BUILD)/tests/unit/%.o $(helpers) $(engine) $(libraries)
-	$(CC) $(test_link) $(keeping) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread
+	$(CC) $(test_link) $(keeping) -o $@ $^ -lcmocka -lmpfr -lgmp -lm -ldl -lpthread \
+		-Wl,--trace >$@.objects
 # Its client starts the command.
 $(filter $(BUILD)/tests/unit/test_dap%,$(unit_tests)) \
 		$(BUILD)/tests/unit/test_breakpoints: | $(BUILD)/c205
@@ -375,7 +391,8 @@ $(BUILD)/tests/oracle/digest: $(BUILD)/tests/oracle/digest.o \
 			operand*.c plain_memory.c *_oracle.c))) $(filter-out %librt205.a,$(libraries))
 	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(helpers) $(libraries)
-	$(CC) $(test_link) $(keeping) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread
+	$(CC) $(test_link) $(keeping) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread \
+		-Wl,--trace >$@.objects
 $(fuzz_targets): $(BUILD)/tests/fuzz/fuzz_%: \
 		$(BUILD)/tests/fuzz/fuzz_%.o $(engine) $(libraries)
 	$(CC) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ -lm -ldl -lpthread
@@ -751,7 +768,7 @@ install: all $(installed) $(installed_pc) $(pages)
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: $(check_parts) all mpi demo tests check check-long check-planted check-mpi \
+.PHONY: $(check_parts) all mpi demo tests check check-quick check-long check-planted check-mpi \
 	check-samples check-poison check-points check-stream check-emission check-timing \
 	check-site check-card check-slides check-web fit cover cover-tests web web-engine \
 	web-tracer docs site card slides san bench fuzz fuzz-targets format lint install clean
