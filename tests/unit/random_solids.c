@@ -68,7 +68,7 @@ static void add_gloss(char *text, size_t size)
         "specular .3 brilliance .7 metallic ",
         "reflection { .4 metallic } ",
     };
-    size_t count = sizeof glosses / sizeof *glosses;
+    size_t count = COUNT(glosses);
     size_t which = strlen(text) % (4 * count);
 
     if (which < (solids.clear ? count / 2 : count))
@@ -279,7 +279,7 @@ static void add_clip(char *text, size_t size)
     if (below(10))
         return;
     add_text(text, size, "clipped_by { ");
-    add_shape[below(sizeof add_shape / sizeof *add_shape)](text, size);
+    add_shape[below(COUNT(add_shape))](text, size);
     add_motion(text, size);
     add_text(text, size, "%s} } ", below(4) ? "" : "inverse ");
 }
@@ -317,7 +317,7 @@ static void add_leaf(char *text, size_t size)
         add_plane, add_disc,    add_quadric,          add_torus,
         add_prism, add_quartic, add_elliptical_torus, add_patch
     };
-    size_t kinds = sizeof add_shape / sizeof *add_shape - !solids.patches;
+    size_t kinds = COUNT(add_shape) - !solids.patches;
 
     if (solids.meshes && below(8) == 0)
         add_mesh(text, size);
@@ -371,7 +371,7 @@ void add_solid(char *text, size_t size, size_t depth)
         { "intersection", true }, { "merge", false },
         { "union", false },
     };
-    size_t which = below(sizeof joined / sizeof *joined);
+    size_t which = below(COUNT(joined));
     bool patches = solids.patches, meshes = solids.meshes;
 
     if (depth == 0 || below(5) == 0) {

@@ -7,7 +7,6 @@
 
 #include <math.h>
 
-#define COUNT(array) (sizeof(array) / sizeof *(array))
 #define CLOSE 1e-12
 #define PRINTED 1e-6 /* POV-Ray's six places */
 

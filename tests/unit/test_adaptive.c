@@ -34,7 +34,7 @@ static void add_thing(char *text, size_t size)
              between(0, 180));
     add_text(text, size, "  translate <%.3f, %.3f, %.3f> %s }\n",
              between(-2, 2), between(-1.5, 1.5), between(-1, 3),
-             looks[among(0, sizeof looks / sizeof *looks - 1)]);
+             looks[among(0, COUNT(looks) - 1)]);
 }
 
 static void add_scene(char *text, size_t size)

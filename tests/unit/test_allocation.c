@@ -506,7 +506,7 @@ static bool answer_requests(FILE *out, c205_error *error)
     };
     struct engine *engine = engine_new();
     bool done = engine != NULL;
-    for (size_t i = 0; done && i < sizeof requests / sizeof *requests; i++)
+    for (size_t i = 0; done && i < COUNT(requests); i++)
         done = reply_to(engine, requests[i], out, error);
     engine_free(engine);
     return done || no_memory(error);
@@ -657,7 +657,7 @@ TEST(snapshots)
         "loop:   ADDNV   [r10], [r10], [r10]\n"
         "        IBXEQ   r0, r0, r0, loop, r12\n",
     };
-    for (size_t i = 0; i < sizeof loops / sizeof *loops; i++) {
+    for (size_t i = 0; i < COUNT(loops); i++) {
         size_t few = calls_without_memory(loops[i], 10000);
         size_t many = calls_without_memory(loops[i], 160000);
         assert_in_range(few, 2, 16);

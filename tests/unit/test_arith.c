@@ -299,7 +299,7 @@ static void compare_steps(size_t i, size_t j)
 
 TEST(compare)
 {
-    size_t steps = sizeof ladder / sizeof *ladder;
+    size_t steps = COUNT(ladder);
 
     for (size_t i = 0; i < steps; i++)
         for (size_t j = 0; j < steps; j++)
@@ -310,7 +310,7 @@ TEST(compare_indefinite)
 {
     const c205_word others[] = { IND, C205_ONE, MZ, W(TOP, MIN) };
 
-    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+    for (size_t i = 0; i < COUNT(others); i++) {
         assert_false(arith_equal(IND, others[i]));
         assert_true(arith_not_equal(others[i], IND));
         assert_false(arith_not_less(IND, others[i]));

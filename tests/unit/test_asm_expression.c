@@ -60,7 +60,7 @@ TEST(integers)
                   { "1 << 63 >> 63", -1 } };
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof *cases; i++)
+    for (i = 0; i < COUNT(cases); i++)
         assert_int_equal(value(cases[i].text),
                          c205_from_integer(cases[i].value));
 }

@@ -233,7 +233,7 @@ TEST(names)
     assert_non_null(object);
     check_disassembly(object);
     assert_true(disassemble(object, &sink));
-    for (i = 0; i < sizeof lines / sizeof *lines; i++)
+    for (i = 0; i < COUNT(lines); i++)
         if (!strstr(text.text, lines[i]))
             fail_msg("no '%s' in\n%s", lines[i], text.text);
     assert_null(strstr(text.text, "L5"));

@@ -109,7 +109,7 @@ TEST(encodings)
     };
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof *cases; i++)
+    for (i = 0; i < COUNT(cases); i++)
         if (encoding(cases[i].text) != cases[i].word)
             fail_msg("%s: %016llX", cases[i].text,
                      (unsigned long long)encoding(cases[i].text));
@@ -188,7 +188,7 @@ TEST(errors)
     };
     size_t i;
 
-    for (i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (i = 0; i < COUNT(cases); i++) {
         struct diagnostics errors = { 0 };
         char text[300];
 
@@ -290,7 +290,7 @@ TEST(refused)
     char text[DISASSEMBLE_TEXT_SIZE];
     size_t i;
 
-    for (i = 0; i < sizeof words / sizeof *words; i++) {
+    for (i = 0; i < COUNT(words); i++) {
         assert_int_equal(disassemble_one(words[i], 0, text), 1);
         assert_memory_equal(text, ".half", 5);
     }

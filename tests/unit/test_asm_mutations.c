@@ -55,9 +55,7 @@ static void make_mistake(char *text, uint64_t *seed)
 
     switch (below(seed, 4)) {
     case 0: cut(text, at, 1 + below(seed, 8)); break;
-    case 1:
-        put(text, at, pieces[below(seed, sizeof pieces / sizeof *pieces)]);
-        break;
+    case 1: put(text, at, pieces[below(seed, COUNT(pieces))]); break;
     case 2:
         if (text[at] && text[at + 1]) {
             char swapped = text[at];
@@ -104,7 +102,7 @@ TEST(mutations)
     size_t i, k, wrong = 0;
     int try;
 
-    for (i = 0; i < sizeof programs / sizeof *programs; i++) {
+    for (i = 0; i < COUNT(programs); i++) {
         c205_error error;
         size_t length;
         char *text = file_read(programs[i], FILE_LARGEST, &length, &error);

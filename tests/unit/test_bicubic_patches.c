@@ -5,22 +5,15 @@
  *     test_bicubic_patches [PATCHES [SEED]]
  */
 #include "rt/shapes/primitive.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"
 
 static size_t patch_count = 400;
-static uint64_t random_state = RANDOM_SEED;
-
 #define SQUARE \
     "<0, 0, 0>, <1, 0, 0>, <2, 0, 0>, <3, 0, 0>," \
     "<0, 1, 0>, <1, 1, 0>, <2, 1, 0>, <3, 1, 0>," \
     "<0, 2, 0>, <1, 2, 0>, <2, 2, 0>, <3, 2, 0>," \
     "<0, 3, 0>, <1, 3, 0>, <2, 3, 0>, <3, 3, 0>"
-
-static double between(double low, double high)
-{
-    return xorshift_real(&random_state, low, high);
-}
 
 /* ---- The oracle ---------------------------------------------------------- */
 
@@ -364,8 +357,6 @@ TEST(errors)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        patch_count = strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        random_state ^= strtoull(argv[2], NULL, 10) << 13;
+    patch_count = argument(argc, argv, 1, patch_count);
+    random_state ^= argument(argc, argv, 2, 0) << 13;
 }

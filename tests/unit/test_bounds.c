@@ -5,14 +5,7 @@
 #include "rt/layout/bounds.h"
 #include "rt/scene/transform.h"
 #include "tests/oracle/plain_shapes.h"
-#include "tests/random.h"
-
-static uint64_t random_state = RANDOM_SEED;
-
-static double between(double low, double high)
-{
-    return xorshift_real(&random_state, low, high);
-}
+#include "tests/unit/draw.h"
 
 static struct bound first_bound(const char *text)
 {

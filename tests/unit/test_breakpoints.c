@@ -1,6 +1,6 @@
 /* test_breakpoints.c - random places for break, until and the protocol of editors: accepted where
  * an instruction of the program begins, and nowhere else. */
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/dap_session.h"
 #include "tests/unit/debugger_session.h"
 #include "tests/unit/plain_run.h"
@@ -12,14 +12,7 @@ static const char *const programs[] = { "asm/examples/dot.s",
                                         "asm/examples/saxpy_linked.s",
                                         "asm/examples/saxpy_scalar.s",
                                         "asm/examples/sieve.s" };
-enum { PROGRAMS = sizeof programs / sizeof *programs };
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
+enum { PROGRAMS = COUNT(programs) };
 
 static struct object *assembled(const char *path)
 {
@@ -150,7 +143,7 @@ TEST(lines)
                                          "asm/examples/saxpy_scalar.s",
                                          "asm/examples/sieve.s" };
 
-    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+    for (size_t i = 0; i < COUNT(paths); i++) {
         struct object *object = assembled(paths[i]);
         struct debug_session session;
 
@@ -203,7 +196,7 @@ TEST(moved)
         { "list 0", "error: lines are counted from 1" },
     };
 
-    check_session(text, lines, sizeof lines / sizeof *lines, 9);
+    check_session(text, lines, COUNT(lines), 9);
 }
 
 /* ---- The protocol of editors ---------------------------------------------- */

@@ -2,17 +2,10 @@
  * machine as it was before, by programs drawn at random.
  */
 #include "tests/oracle/random_program.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"
 
 enum { PROGRAMS = 120, STEPS_MOST = 300, STOPPED = 60, PLACES = 3 };
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
 
 static c205 *begin(const struct random_program *program, c205_model *model)
 {

@@ -18,7 +18,7 @@ TEST(isolated_add)
     for (size_t m = 0; m < 3; m++) {
         struct clock *clock = clock_of(models[m]);
         size_t pipes = (size_t)1 << m;
-        for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        for (size_t i = 0; i < COUNT(lengths); i++) {
             size_t stream = (lengths[i] + pipes - 1) / pipes;
             vector(clock, "ADDNV", lengths[i]);
             assert_int_equal(clock_now(clock), 1);
@@ -46,7 +46,7 @@ TEST(formulas)
                   { "VXTOV", 69 + 1001 }, { "VTOVX", 71 + 1001 },
                   { "ANDB", 40 + 16 },    { "LINKV", 84 + 501 } };
     struct clock *clock = two_pipes();
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         vector(clock, cases[i].name, 1001);
         assert_total(clock, cases[i].clocks);
     }
@@ -77,7 +77,7 @@ TEST(word_rate)
     };
     struct clock *clock = clock_of("title T\nlike cyber205-2pipe-prior\n"
                                    "vector.word_rate 2 results R\n");
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         struct effect effect = no_effect;
         struct decoded decoded = insn(cases[i].name, 1, 2, 0);
         decoded.fields.g = cases[i].g;
@@ -212,7 +212,7 @@ TEST(linked_rates)
                                    "startup.vtransmit 60 clk R\n"
                                    "startup.vmultiply 40 clk R\n"
                                    "startup.vlogical 55 clk R\n");
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         clock_reset(clock);
         charge_pair(clock, cases[i].first, cases[i].second, cases[i].g, 0);
         assert_int_equal(clocks_for(clock, C205_VECTOR_STARTUP),
@@ -318,7 +318,7 @@ TEST(latencies)
                   { "DIVS", 54 }, { "SQRT", 54 }, { "XOR", 3 },
                   { "MPYX", 5 },  { "ABS", 5 } };
     struct clock *clock = two_pipes();
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         for (unsigned reg = 10; reg < 20; reg++)
             scalar(clock, cases[i].name, reg, 0, reg + 1);
         assert_int_equal(clocks_for(clock, C205_OPERAND_WAIT),

@@ -301,10 +301,8 @@ TEST_WITH(closed_solid, look_at_ball_within, look_at_shell)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        scene_count = strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    scene_count = argument(argc, argv, 1, scene_count);
+    traced.random ^= argument(argc, argv, 2, 0) << 13;
 }
 
 GROUP(set_up_frames, tear_down_model);

@@ -273,7 +273,7 @@ static void add_operands(struct line *line, size_t count)
 
 static size_t option_count(void)
 {
-    return sizeof options / sizeof *options - 1;
+    return COUNT(options) - 1;
 }
 
 TEST(right_lines)

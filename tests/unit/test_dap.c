@@ -76,7 +76,7 @@ static void try_function_breakpoints(struct dap_client *client)
                   { "insn BSAVE", BSAVE },
                   { "again + 64", CALL } };
 
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    for (size_t i = 0; i < COUNT(names); i++) {
         client_ask(client, "setFunctionBreakpoints",
                    "{\"breakpoints\": [{\"name\": \"%s\"}]}", names[i].name);
         client_go(client, "continue", "function breakpoint");
@@ -106,7 +106,7 @@ static void try_hit_conditions(struct dap_client *client)
                   { "% 2", { 4, 2, 0 } },
                   { "> 4", { 1, 0, 0 } } };
 
-    for (size_t i = 0; i < sizeof tries / sizeof *tries; i++) {
+    for (size_t i = 0; i < COUNT(tries); i++) {
         char stop[80];
 
         snprintf(stop, sizeof stop, "{\"line\": 9, \"hitCondition\": \"%s\"}",
@@ -456,8 +456,7 @@ static void try_locations(struct dap_client *client)
     static const int lines[] = { 4, 5, 6, 7, 9, 10, 11 };
     const struct json_value *item = list->first;
 
-    for (size_t i = 0; i < sizeof lines / sizeof *lines;
-         i++, item = item->next) {
+    for (size_t i = 0; i < COUNT(lines); i++, item = item->next) {
         assert_non_null(item);
         assert_int_equal(the_whole(item, "line"), lines[i]);
     }
@@ -531,7 +530,7 @@ static const struct {
     { "supportsSteppingGranularity", try_granularity },
     { "supportsInstructionBreakpoints", try_instruction_breakpoints },
 };
-enum { PROMISES = sizeof promises / sizeof *promises };
+enum { PROMISES = COUNT(promises) };
 
 /* Each is tried, and what is not promised is not tried. */
 TEST(promises)

@@ -80,7 +80,7 @@ static const struct {
     { "disassemble", "instructionCount", WHOLE },
     { "disassemble", "resolveSymbols", TRUTH },
 };
-enum { ARGUMENTS = sizeof arguments / sizeof *arguments };
+enum { ARGUMENTS = COUNT(arguments) };
 
 /* Of a source, in requests that take one. */
 static const struct {
@@ -130,7 +130,7 @@ static const struct {
     { "{\"n\": 5, \"m\": 0.5}", { [OBJECT] = true } },
     { "{\"n\": null}", { [OBJECT] = true } },
 };
-enum { VALUES = sizeof values / sizeof *values };
+enum { VALUES = COUNT(values) };
 
 static void check_argument(struct dap_client *client, size_t i)
 {
@@ -145,7 +145,7 @@ static void check_no_object(struct dap_client *client, const char *request)
 {
     static const char *const wrong[] = { "5", "\"x\"", "true", "[]", "[{}]" };
 
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+    for (size_t i = 0; i < COUNT(wrong); i++)
         client_refused(client, "takes an object", request, "%s", wrong[i]);
 }
 
@@ -169,9 +169,8 @@ static void check_sources(struct dap_client *client)
     static const char *const requests[] = { "setBreakpoints", "gotoTargets",
                                             "breakpointLocations", "source" };
 
-    for (size_t r = 0; r < sizeof requests / sizeof *requests; r++)
-        for (size_t i = 0; i < sizeof source_members / sizeof *source_members;
-             i++)
+    for (size_t r = 0; r < COUNT(requests); r++)
+        for (size_t i = 0; i < COUNT(source_members); i++)
             for (size_t k = 0; k < VALUES; k++)
                 if (!values[k].right[source_members[i].type])
                     client_refused(client, source_members[i].key, requests[r],
@@ -198,7 +197,7 @@ static void check_breakpoints(struct dap_client *client)
 {
     char text[100];
 
-    for (size_t i = 0; i < sizeof members / sizeof *members; i++) {
+    for (size_t i = 0; i < COUNT(members); i++) {
         check_breakpoint(client, members[i].request, "5", "takes an object");
         for (size_t k = 0; k < VALUES; k++) {
             if (values[k].right[members[i].type])
@@ -252,7 +251,7 @@ TEST(defines)
     client_write("        ES r10, N\n        EXIT r10, r0, 0\n");
     client_begin(&client, NULL);
     client_ask(&client, "initialize", NULL);
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+    for (size_t i = 0; i < COUNT(wrong); i++)
         client_refused(&client, wrong[i].said, "launch",
                        "{\"program\": \"%s\", \"defines\": %s}", client_path,
                        wrong[i].defines);

@@ -185,7 +185,7 @@ TEST(wrong_stops)
     struct dap_client client;
 
     client_enter(&client, client_program);
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+    for (size_t i = 0; i < COUNT(wrong); i++)
         check_stop(&client, wrong[i].request, wrong[i].stop, wrong[i].why);
     client_refused(&client, "no filter but", "setExceptionBreakpoints",
                    "{\"filters\": [\"all\"]}");
@@ -218,7 +218,7 @@ TEST(broken)
     static const char half[] = "Content-Length: 50\r\n\r\nhello";
     struct dap_client client;
 
-    for (size_t i = 0; i < sizeof frames_of / sizeof *frames_of; i++) {
+    for (size_t i = 0; i < COUNT(frames_of); i++) {
         client_begin(&client, NULL);
         client_send(&client, frames_of[i], strlen(frames_of[i]));
         assert_int_equal(client_end(&client), 1);

@@ -4,17 +4,10 @@
 #include <unistd.h>
 
 #include "asm/object.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/dap_session.h"
 #include "tests/unit/drawn_walk.h"
 #include "tests/unit/plain_run.h"
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
 
 /* ---- Motions by chance --------------------------------------------------------------------- */
 

@@ -25,7 +25,7 @@ TEST(paths)
     client_ask(&client, "launch",
                "{\"program\": \"asm/examples/saxpy_linked.s\"}");
     client_event(&client, "initialized");
-    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+    for (size_t i = 0; i < COUNT(ways); i++) {
         stop = the(client_ask(&client, "setBreakpoints",
                               "{\"source\": {\"path\": "
                               "\"%s/%ssaxpy_linked.s\"}, \"breakpoints\": "

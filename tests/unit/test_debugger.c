@@ -1,6 +1,6 @@
 /* test_debugger.c - lines by chance for the debugger: it stands where a plain run from the
  * beginning says that it must. */
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"
 #include "tests/unit/plain_run.h"
 
@@ -10,14 +10,7 @@ static const char *const programs[] = {
     "asm/examples/dot.s", "asm/examples/horner.s", "asm/examples/lookup.s",
     "asm/examples/saxpy_scalar.s", "asm/examples/sieve.s"
 };
-enum { PROGRAMS = sizeof programs / sizeof *programs };
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
+enum { PROGRAMS = COUNT(programs) };
 
 static struct plain run_file(const char *path)
 {

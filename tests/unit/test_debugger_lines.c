@@ -2,8 +2,6 @@
  * program prints, calls, links, macros and ends. */
 #include "tests/unit/debugger_session.h"
 
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
 /* ---- Values --------------------------------------------------------------- */
 
 static const char text[] = "        .include \"vectors.s\"\n"
@@ -171,7 +169,7 @@ TEST(open_line)
     static const char *const lines[] = { "step 2", "continue", "goto 2" };
     struct debug_session session;
 
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+    for (size_t i = 0; i < COUNT(lines); i++) {
         session_begin(&session, good(program), "-");
         session_obey(&session, lines[i]);
         assert_true(session_says(&session, "5\nstep "));
@@ -250,7 +248,7 @@ TEST(end)
 
     session_begin(&session, good(program), "-");
     session_obey(&session, "run");
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+    for (size_t i = 0; i < COUNT(lines); i++) {
         session_obey(&session, lines[i]);
         if (!session_says(&session, "ended with status 0"))
             fail_msg("%s: %s", lines[i], session.said.text);

@@ -5,20 +5,11 @@
  * "test_debugger_scripts draw N PROGRAM" prints the N-th script for a program, for who would
  * play it in another way (tests/check_replay.sh).
  */
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/debugger_session.h"
 #include "tests/unit/drawn_program.h"
 
 enum { PROGRAMS = 5, LINES = 40, LINE = 80, ROUNDS = 16 };
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
-
 /* ---- Programs -------------------------------------------------------------- */
 
 static const char *const examples[] = {

@@ -117,7 +117,7 @@ TEST(ends)
         UINT64_C(0x9000FFFFFFFFFFFF) /* -1 of the least units */
     };
 
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    for (size_t i = 0; i < COUNT(words); i++)
         for (unsigned digits = 0; digits < 20; digits++) {
             check(words[i], C205_FIXED, digits);
             check(words[i], C205_SCIENTIFIC, digits);

@@ -99,7 +99,7 @@ static void assert_same(const char *name, double x, double y, double ours,
 
 TEST(of_one)
 {
-    for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++)
+    for (size_t f = 0; f < COUNT(functions); f++)
         for (int i = 0; i < 4000; i++) {
             double x = draw(functions[f].least, functions[f].most);
 
@@ -172,14 +172,14 @@ TEST(ends)
                                    2,      -2,      1e308,    -1e308,
                                    1e-320, -1e-320, INFINITY, -INFINITY,
                                    NAN };
-    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+    for (size_t i = 0; i < COUNT(ends); i++) {
         double x = ends[i];
 
-        for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++)
+        for (size_t f = 0; f < COUNT(functions); f++)
             if (fabs(x) <= 2 || !isfinite(x))
                 assert_same(functions[f].name, x, 0, functions[f].ours(x),
                             as_double(functions[f].exact, x));
-        for (size_t k = 0; k < sizeof ends / sizeof ends[0]; k++) {
+        for (size_t k = 0; k < COUNT(ends); k++) {
             assert_same("atan2", x, ends[k], elementary_atan2(x, ends[k]),
                         atan2(x, ends[k]));
             assert_same("pow", x, ends[k], elementary_pow(x, ends[k]),

@@ -612,7 +612,7 @@ TEST(clocks)
 
     print_message("surface        form    queue   emit  carry  direction    "
                   "all\n");
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+    for (size_t i = 0; i < COUNT(kinds); i++) {
         struct primitive primitive = draw_emitting(kinds[i], &state);
 
         double scalar = print_clocks(&primitive, TRACE_SCALAR, 0, model);
@@ -626,10 +626,8 @@ TEST(clocks)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        tries = (size_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);
+    tries = argument(argc, argv, 1, tries);
+    state ^= argument(argc, argv, 2, 0) * UINT64_C(0x9E3779B97F4A7C15);
 }
 
 GROUP(set_up_model, tear_down_model);

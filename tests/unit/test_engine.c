@@ -3,16 +3,9 @@
  */
 #include "asm/lesson/lesson.h"
 #include "base/json.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/talking_engine.h"
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
 
 /* ---- What there is -------------------------------------------------------------------------- */
 
@@ -243,10 +236,10 @@ TEST(bad)
     struct talk talk;
 
     talk_begin(&talk);
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    for (size_t i = 0; i < COUNT(cases); i++)
         talk_refused(&talk, cases[i].why, "%s", cases[i].request);
     talk_load(&talk, " .data\nx: .space 4\n .code\n EXIT\n", "");
-    for (size_t i = 0; i < sizeof with_program / sizeof *with_program; i++)
+    for (size_t i = 0; i < COUNT(with_program); i++)
         talk_refused(&talk, with_program[i].why, "%s",
                      with_program[i].request);
     talk_end(&talk);
@@ -282,13 +275,13 @@ static const char *const seeds[] = {
     "{\"do\": \"say\", \"line\": \"watch a.words, 2\", \"ms\": 5}",
     "{\"do\": \"more\", \"ms\": 5}",
 };
-enum { SEEDS = sizeof seeds / sizeof *seeds };
+enum { SEEDS = COUNT(seeds) };
 
 static const char *const values[] = {
     "null", "true",  "[]",      "{}",         "\"\"",  "-1",  "0",
     "1e99", "\"x\"", "[[[7]]]", "{\"n\": 1}", "65536", "0.5", "4294967296",
 };
-enum { VALUES = sizeof values / sizeof *values };
+enum { VALUES = COUNT(values) };
 
 /* What stands behind a colon is another value. */
 static void change_value(char *text, size_t size)

@@ -1,17 +1,10 @@
 /* test_engine_slices.c - work in slices ends as the same work in one go, and what does not
  * end ends at its limit.
  */
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/prior_model.h"
 #include "tests/unit/drawn_walk.h"
 #include "tests/unit/talking_engine.h"
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
 
 /* Some 200,000 steps, calls among them. */
 static const char long_program[] =
@@ -61,7 +54,7 @@ TEST(slices)
         "{\"do\": \"profile\"",
         "{\"do\": \"timeline\", \"most\": 100",
     };
-    enum { REQUESTS = sizeof requests / sizeof *requests, ROUNDS = 50 };
+    enum { REQUESTS = COUNT(requests), ROUNDS = 50 };
     struct talk whole, sliced;
 
     talk_begin(&whole);

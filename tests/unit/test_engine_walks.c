@@ -4,17 +4,10 @@
 #include "asm/line_profile.h"
 #include "asm/print.h"
 #include "base/accounts.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/drawn_walk.h"
 #include "tests/unit/plain_run.h"
 #include "tests/unit/talking_engine.h"
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
 
 /* ---- A machine of its own ------------------------------------------------------- */
 
@@ -541,7 +534,7 @@ TEST(open_line)
 
     talk_begin(&talk);
     talk_load(&talk, text, "");
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+    for (size_t i = 0; i < COUNT(lines); i++) {
         talk_ask(&talk, "{\"do\": \"say\", \"line\": \"%s\"}", lines[i]);
         assert_true(*text_of(talk.reply, "text") > ' ');
     }

@@ -61,7 +61,7 @@ TEST(expectations)
         { "expect-print: 5", "expect-print:" },
     };
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         if (!holds(cases[i].right))
             fail_msg("fails: %s", cases[i].right);
         if (holds(cases[i].wrong))

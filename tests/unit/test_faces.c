@@ -4,8 +4,6 @@
 #define SMALL_FRAMES
 #include "tests/unit/traced_frame.h"
 
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
 /* The middle ray is the z axis from -5 on; a lamp stands on it. */
 #define VIEW STRAIGHT "light_source { -4.5*z, .5 }\n"
 

@@ -490,8 +490,7 @@ TEST(refused)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        seed = strtoull(argv[1], NULL, 10);
+    seed = argument(argc, argv, 1, seed);
 }
 
 GROUP(set_up_model, tear_down_model);

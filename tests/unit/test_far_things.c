@@ -183,7 +183,7 @@ static void check_scene(const struct scene *scene)
     };
     struct words *same = frame_in(scene, TRACE_SCALAR, 1, false, false);
 
-    for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+    for (size_t i = 0; i < COUNT(forms); i++) {
         struct words *words = frame_in(scene, forms[i].mode, forms[i].queue,
                                        forms[i].no_bounds, forms[i].flat);
         int others = compare(same, words);

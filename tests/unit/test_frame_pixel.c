@@ -64,7 +64,7 @@ static struct scene *some_scene(void)
         "light_source { <9, 9, -9>, 1 }",
     };
 
-    return read_text(texts[next++ % (sizeof texts / sizeof *texts)]);
+    return read_text(texts[next++ % (COUNT(texts))]);
 }
 
 /* ---- What the machine has when ------------------------------------------- */
@@ -267,7 +267,7 @@ static void check_same(struct following *following,
     };
     size_t lane = following->ray[0].lane;
 
-    for (size_t i = 0; i < sizeof same / sizeof *same; i++)
+    for (size_t i = 0; i < COUNT(same); i++)
         if (strcmp(element->vector, same[i][0]) == 0
             && (element->group == PIXEL_NEAR || following->shaded))
             assert_int_equal(element->word, ray_word(following, same[i][1]));

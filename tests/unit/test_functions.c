@@ -41,7 +41,7 @@ static const struct function {
     { "power", 2, exact_power, 4, { 1, 2, 0.70710678118654757 } },
 };
 
-enum { FUNCTIONS = sizeof functions / sizeof *functions };
+enum { FUNCTIONS = COUNT(functions) };
 
 /* ---- Arguments ----------------------------------------------------------- */
 
@@ -60,7 +60,7 @@ static c205_word special(void)
         UINT64_C(0x9000400000000000),
         UINT64_C(0x9000000000000001),
     };
-    return words[below(&state, sizeof words / sizeof *words)];
+    return words[below(&state, COUNT(words))];
 }
 
 /* A few units of the last place from a multiple. */

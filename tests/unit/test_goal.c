@@ -58,7 +58,7 @@ static const double times[ROWS] = { 1.0499, 1.0999, .9501, .9001,
 static const double left_out[ROWS] = { 1.2499, 1.2501, .7501, .7499, 1, 1,
                                        1,      1,      1,     1,     2, 1 };
 static const double places[] = { 2, 2.01, -2, -2.01, 0, 5, -5 };
-enum { CONSTANTS = sizeof places / sizeof *places };
+enum { CONSTANTS = COUNT(places) };
 
 TEST(limits)
 {

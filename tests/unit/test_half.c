@@ -272,7 +272,7 @@ static void compare_steps(size_t i, size_t j)
 
 TEST(compare)
 {
-    size_t steps = sizeof ladder / sizeof *ladder;
+    size_t steps = COUNT(ladder);
 
     for (size_t i = 0; i < steps; i++)
         for (size_t j = 0; j < steps; j++)

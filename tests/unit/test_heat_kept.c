@@ -250,8 +250,7 @@ FIXTURE(set_up)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        seed = strtoull(argv[1], NULL, 10);
+    seed = argument(argc, argv, 1, seed);
 }
 
 GROUP(set_up, tear_down_model);

@@ -19,8 +19,7 @@ static size_t below(size_t most)
 static size_t some_length(size_t most)
 {
     static const size_t ends[] = { 1, 2, 3, 63, 64, 65, 4095, 4096, 4097 };
-    size_t length = below(3) ? 1 + below(100)
-                             : ends[below(sizeof ends / sizeof *ends)];
+    size_t length = below(3) ? 1 + below(100) : ends[below(COUNT(ends))];
 
     return length < most ? length : most;
 }

@@ -6,19 +6,12 @@
  */
 #include "rt/shapes/shape.h"
 #include "tests/oracle/plain_shapes.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/field_reading.h"
 
 enum { GRID_MOST = 9, SAMPLES = 100 };
 
 static size_t field_count = 200;
-static uint64_t random_state = RANDOM_SEED;
-
-static double between(double low, double high)
-{
-    return xorshift_real(&random_state, low, high);
-}
-
 /* ---- The surface --------------------------------------------------------- */
 
 struct grid {
@@ -361,10 +354,8 @@ TEST(errors)
 
 ARGUMENTS(count, words)
 {
-    if (count > 1)
-        field_count = strtoul(words[1], NULL, 10);
-    if (count > 2)
-        random_state = strtoull(words[2], NULL, 10);
+    field_count = argument(count, words, 1, field_count);
+    random_state = argument(count, words, 2, random_state);
 }
 
 GROUP(field_begin, field_end);

@@ -2,22 +2,10 @@
  * it once, under nodes whose spheres reach around it, no deeper than the
  * machine's stack. */
 #include "rt/layout/hierarchy.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 
 enum { MOST = 3000 };
-
-static uint64_t random_state = RANDOM_SEED;
-
-static double between(double low, double high)
-{
-    return xorshift_real(&random_state, low, high);
-}
-
-static size_t below(size_t count)
-{
-    return (size_t)(xorshift(&random_state) % count);
-}
 
 /* --- rows of bounds ------------------------------------------------------- */
 
@@ -78,7 +66,7 @@ static struct bound (*const kinds[])(size_t i) = {
     anywhere, in_one_point, on_whole_numbers, smaller_and_smaller,
     far_away, some_without, all_without,
 };
-enum { KINDS = sizeof kinds / sizeof *kinds };
+enum { KINDS = COUNT(kinds) };
 
 /* --- what holds of every hierarchy ---------------------------------------- */
 

@@ -2,15 +2,13 @@
  * state, clock and accounts are those of a run from the beginning; and the record of
  * each instruction's time is that of its clocks. */
 #include "tests/oracle/random_program.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"
 
 #include "base/hash.h"
 
 enum { PROGRAMS = 50, TARGETS = 40, STEPS_MOST = 2500, CHANGES = 2 };
 static size_t jumps = 100;
-static uint64_t random_state = RANDOM_SEED;
-
 /* What somebody does to the machine at a step. */
 struct change {
     uint64_t step;
@@ -27,11 +25,6 @@ struct story {
                                       changes and with them */
     uint64_t target[TARGETS], hash[TARGETS];
 };
-
-static size_t below(size_t end)
-{
-    return (size_t)(xorshift(&random_state) % end);
-}
 
 static bool add_to_hash(void *context, const void *bytes, size_t count)
 {
@@ -347,7 +340,7 @@ TEST(times)
     uint64_t vectors = 0;
     c205_error error;
     c205_model *model = c205_model_find(C205_DEFAULT_MODEL, &error);
-    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
+    for (size_t i = 0; i < COUNT(paths); i++)
         vectors += check_times(machine_from(paths[i], model));
     c205_model_free(model);
     for (size_t number = 0; number < 400; number++) {

@@ -205,7 +205,7 @@ TEST(faults)
         { "1.5 a\n", "", 1, 5, "not a number" },
     };
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         struct diagnostics errors = { 0 };
 
         write_file(cases[i].text);

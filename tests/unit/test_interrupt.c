@@ -105,7 +105,7 @@ TEST(examples)
         "asm/examples/saxpy_linked.s", "asm/examples/saxpy_vector.s",
         "asm/examples/sieve.s"
     };
-    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
+    for (size_t i = 0; i < COUNT(paths); i++)
         compare_file(paths[i]);
 }
 
@@ -216,8 +216,7 @@ static void compare_text(const char *text, const c205_model *on,
 
 TEST(long_vectors)
 {
-    for (size_t i = 0; i < sizeof long_programs / sizeof *long_programs;
-         i++) {
+    for (size_t i = 0; i < COUNT(long_programs); i++) {
         compare_text(long_programs[i], model, 61);
         compare_text(long_programs[i], slow, SAVED);
     }

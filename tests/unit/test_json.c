@@ -6,17 +6,10 @@
 #include "base/json_read.h"
 #include "base/sink.h"
 #include "base/utf8.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 
 enum { ROUNDS = 3000, DEEPEST = 6 };
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
 
 static const struct json_value *read_in(struct arena *arena, const char *text,
                                         c205_error *error)
@@ -37,7 +30,7 @@ static void draw_text(char text[40])
     size_t length = below(8);
 
     for (*text = '\0'; length > 0; length--)
-        strcat(text, pieces[below(sizeof pieces / sizeof *pieces)]);
+        strcat(text, pieces[below(COUNT(pieces))]);
 }
 
 static double draw_number(void)
@@ -218,10 +211,10 @@ TEST(right_and_wrong)
     struct arena arena = { 0 };
     c205_error error;
 
-    for (size_t i = 0; i < sizeof right / sizeof *right; i++)
+    for (size_t i = 0; i < COUNT(right); i++)
         if (!read_in(&arena, right[i], &error))
             fail_msg("%s: %s", right[i], error.message);
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    for (size_t i = 0; i < COUNT(wrong); i++) {
         if (read_in(&arena, wrong[i].text, &error))
             fail_msg("%s is read", wrong[i].text);
         if (!strstr(error.message, wrong[i].error))

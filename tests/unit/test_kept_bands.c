@@ -276,7 +276,7 @@ TEST(other_scene)
     };
 
     for (int mode = 0; mode < TRACE_MODES; mode++)
-        for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
+        for (size_t i = 0; i < COUNT(scenes); i++)
             assert_int_equal(are_kept_for(scenes[0], scenes[i],
                                           (enum trace_mode)mode),
                              i == 0);

@@ -75,7 +75,7 @@ TEST(assembled)
         if (!is_program(kernel))
             continue;
         programs++;
-        for (size_t i = 0; i < sizeof switches / sizeof *switches; i++) {
+        for (size_t i = 0; i < COUNT(switches); i++) {
             const struct asm_define defines[] = { { "QUEUE", 10 },
                                                   switches[i],
                                                   { NULL, 0 } };
@@ -561,10 +561,8 @@ TEST(emission)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        scene_count = strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        traced.random = strtoul(argv[2], NULL, 10);
+    scene_count = argument(argc, argv, 1, scene_count);
+    traced.random = argument(argc, argv, 2, traced.random);
 }
 
 GROUP(set_up_frames, tear_down_model);

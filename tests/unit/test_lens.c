@@ -166,7 +166,7 @@ TEST(words)
         { "camera { aperture 0 blur_samples 7 }", 0, 0, 7 },
     };
 
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene = read_text(rows[i].camera);
 
         assert_float_equal(scene->camera.lens_radius, rows[i].radius, 1e-12);

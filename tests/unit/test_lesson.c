@@ -6,11 +6,10 @@
 #include "asm/line_profile.h"
 #include "base/accounts.h"
 #include "base/json_read.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/drawn_words.h"
 
-static uint64_t random_state = RANDOM_SEED;
 static size_t tries = 150;
 
 /* ---- Plain runs ------------------------------------------------------------ */
@@ -74,11 +73,6 @@ static void plain_free(struct plain_trial *plain)
 }
 
 /* ---- Goals ----------------------------------------------------------------- */
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
 
 /* So that so many clocks get this medal, often at the last clock. */
 static void draw_goals(struct drawn_test *test, uint64_t clocks,
@@ -559,6 +553,5 @@ TEST(said_of_all)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        tries = strtoul(argv[1], NULL, 10);
+    tries = argument(argc, argv, 1, tries);
 }

@@ -314,7 +314,7 @@ TEST(likeness)
         { ASM_WORDS, "9.0 9.0 9.0", "1.0 2.0 3.0", "1.0 9.0 8.0", NULL },
     };
 
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    for (size_t i = 0; i < COUNT(rows); i++) {
         c205_word before[ELEMENTS], wanted[ELEMENTS], found[ELEMENTS];
         struct arena arena = { 0 };
         struct lesson_report report = { .kept = &arena };
@@ -339,6 +339,5 @@ TEST(likeness)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        tries = strtoul(argv[1], NULL, 10);
+    tries = argument(argc, argv, 1, tries);
 }

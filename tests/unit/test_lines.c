@@ -35,7 +35,7 @@ static void check_queues(const struct scene *scene, const char *text,
 {
     static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
 
-    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
+    for (size_t i = 0; i < COUNT(queues); i++) {
         struct seen_crossings vector;
         char reason[LINE_REASON];
 
@@ -394,10 +394,8 @@ ARGUMENTS(argc, argv)
 {
     traced.reported = true; /* patches in intersections */
     solids.patches = solids.meshes = true;
-    if (argc > 1)
-        scene_count = strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    scene_count = argument(argc, argv, 1, scene_count);
+    traced.random ^= argument(argc, argv, 2, 0) << 13;
 }
 
 GROUP(set_up_frames, tear_down_model);

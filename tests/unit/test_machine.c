@@ -273,7 +273,7 @@ TEST(undefined)
         { "IBXEQ", { .g = 1, .a = 1 } }
     };
     struct little little = make_little();
-    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+    for (size_t i = 0; i < COUNT(wrong); i++) {
         expect_trap(&little, "undefined-instruction", 0, wrong[i].mnemonic,
                     wrong[i].fields);
     }

@@ -278,7 +278,7 @@ static void add_lights(void)
             random_place(place);
         add_vector("light_source {", place);
         add_text(text, sizeof text, ", rgb %.3f %s }\n", between(.1, .6),
-                 sorts[below(sizeof sorts / sizeof *sorts)]);
+                 sorts[below(COUNT(sorts))]);
     }
 }
 
@@ -391,7 +391,7 @@ TEST(other_cameras)
     };
 
     traced.reported = true;
-    for (size_t i = 0; i < sizeof cameras / sizeof *cameras; i++)
+    for (size_t i = 0; i < COUNT(cameras); i++)
         for (size_t k = 0; k < scene_count / 3; k++) {
             traced.samples = i ? 2 : 1;
             write_before_camera(cameras[i]);
@@ -629,10 +629,8 @@ TEST(lights)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        scene_count = strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    scene_count = argument(argc, argv, 1, scene_count);
+    traced.random ^= argument(argc, argv, 2, 0) << 13;
 }
 
 GROUP(set_up_frames, tear_down_model);

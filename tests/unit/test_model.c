@@ -38,7 +38,7 @@ TEST(built_in)
                                                   "cyber720",
                                                   "eta10g-prior",
                                                   "eta10g" };
-    enum { NAMES = sizeof expected_names / sizeof expected_names[0] };
+    enum { NAMES = COUNT(expected_names) };
     const char *const *names = c205_model_names();
     for (size_t i = 0; i < NAMES; i++)
         assert_string_equal(names[i], expected_names[i]);
@@ -69,7 +69,7 @@ TEST(variants)
         { "cyber205-4pipe-32bit", "cyber205-4pipe", "vector.word_rate", 2 },
         { "cyber205-2pipe-small", "cyber205-2pipe", "page.words", 512 }
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         c205_error error;
         c205_model *model = c205_model_find(cases[i].name, &error);
         assert_non_null(model);
@@ -237,7 +237,7 @@ TEST(errors_in_changes)
           "vector.word_rate must not be more than vector.half_rate" }
     };
     c205_model *model = parsed("title T\nlike cyber205-2pipe-prior\n");
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         c205_error error = { "" };
         assert_null(c205_model_change(model, &cases[i].setting, 1, &error));
         assert_string_equal(error.message, cases[i].message);
@@ -289,7 +289,7 @@ TEST(errors_in_beliefs)
         "3 figures, at most 1e300 % off: x",
         "3 figures, at most 5 off: x"
     };
-    for (size_t i = 0; i < sizeof beliefs / sizeof beliefs[0]; i++) {
+    for (size_t i = 0; i < COUNT(beliefs); i++) {
         char text[200];
         snprintf(text, sizeof text,
                  "title T\nfitted %s\nlike cyber205-2pipe\n", beliefs[i]);
@@ -340,7 +340,7 @@ TEST(errors_in_constants)
         { "machine.pipes 2 pipes P more words",
           "'more words' is not expected here" }
     };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         char text[200], message[200];
         unsigned line = strchr(cases[i].line, '\n') ? 4 : 3;
         snprintf(text, sizeof text,

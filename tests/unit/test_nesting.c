@@ -1,15 +1,8 @@
 /* Trees with many parts as nested ones: the same solid of the same primitives. */
 #include "rt/layout/nesting.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"
 #include "tests/unit/tree_value.h"
-
-static uint64_t random_state = RANDOM_SEED;
-
-static size_t below(size_t most)
-{
-    return (size_t)(xorshift(&random_state) % most);
-}
 
 /* --- trees by chance ------------------------------------------------------ */
 

@@ -1,17 +1,10 @@
 /* Files that are found by a name of other case. */
 #include "base/other_case.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 
 #include <sys/stat.h>
 #include <unistd.h>
-
-static uint64_t random_state = RANDOM_SEED;
-
-static size_t below(size_t count)
-{
-    return (size_t)(xorshift(&random_state) % count);
-}
 
 static void any_case(char *name)
 {

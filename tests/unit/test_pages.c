@@ -71,7 +71,7 @@ TEST(depths)
         { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 }
     };
     struct clock *clock = pages_of(65536, 4 * 65536, 2);
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         at_address(clock, "LOD", cases[i].page * PAGE_BITS + 640);
         assert_met(clock, cases[i].misses, cases[i].faults);
     }
@@ -109,7 +109,7 @@ TEST(borders)
         unsigned page_words;
         uint64_t pages;
     } cases[] = { { 512, 3 }, { 2048, 2 }, { 8192, 2 }, { 65536, 2 } };
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         unsigned words = cases[i].page_words;
         uint64_t pages = cases[i].pages;
         struct clock *clock = pages_of(words, 1 << 20, 16);
@@ -351,7 +351,7 @@ static void compare_lists(size_t capacity, size_t registers)
 TEST(plain_list)
 {
     static const size_t sizes[] = { 1, 2, 3, 16, 100, 2048 };
-    enum { SIZES = sizeof sizes / sizeof sizes[0] };
+    enum { SIZES = COUNT(sizes) };
     for (size_t i = 0; i < SIZES; i++) {
         compare_lists(sizes[i], 0);
         for (size_t k = 0; k < SIZES; k++)

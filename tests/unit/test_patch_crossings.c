@@ -68,7 +68,7 @@ TEST(pairs_of_lines)
     static const char *const turns[] = { "", "rotate 120*z", "rotate 90*y",
                                          "rotate <30, 0, 90>" };
 
-    for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
+    for (size_t i = 0; i < COUNT(turns); i++) {
         char text[1024] = "";
 
         add_text(

@@ -118,7 +118,7 @@ TEST(round_trips)
 {
     struct frame frame = sample_frame(), back;
     struct picture_error error = { "" };
-    for (size_t i = 0; i < sizeof round_trips / sizeof *round_trips; i++) {
+    for (size_t i = 0; i < COUNT(round_trips); i++) {
         const struct round_trip *trip = &round_trips[i];
         const char *path = in_folder(trip->name);
         if (!picture_write(path, &frame, notes, trip->half, &error)
@@ -131,8 +131,7 @@ TEST(round_trips)
         frame_free(&back);
     }
     frame_free(&frame);
-    assert_int_equal(empty_folder(),
-                     sizeof round_trips / sizeof *round_trips);
+    assert_int_equal(empty_folder(), COUNT(round_trips));
 }
 
 TEST(half_is_smaller)
@@ -209,7 +208,7 @@ TEST(notes)
 {
     struct frame frame = sample_frame();
     struct picture_error error = { "" };
-    for (size_t i = 0; i < sizeof note_places / sizeof *note_places; i++) {
+    for (size_t i = 0; i < COUNT(note_places); i++) {
         const struct note_place *place = &note_places[i];
         const char *path = in_folder(place->file);
         char text[256];
@@ -236,7 +235,7 @@ TEST(date)
     static const char *const names[] = { "d.exr", "d.tif" };
     struct frame frame = sample_frame();
     struct picture_error error = { "" };
-    for (size_t i = 0; i < 2 * (sizeof cases / sizeof *cases); i++) {
+    for (size_t i = 0; i < 2 * (COUNT(cases)); i++) {
         const char *path = in_folder(names[i % 2]);
         char text[64];
         if (cases[i / 2].epoch)
@@ -305,7 +304,7 @@ TEST(bad_paths)
     struct frame frame = sample_frame();
     fclose(fopen(in_folder("plain"), "w"));
     assert_int_equal(mkdir(in_folder("folder.png"), 0700), 0);
-    for (size_t i = 0; i < sizeof bad_paths / sizeof *bad_paths; i++) {
+    for (size_t i = 0; i < COUNT(bad_paths); i++) {
         const char *path = in_folder(bad_paths[i].name);
         struct picture_error error = { "" };
         assert_false(picture_check_path(path, &error));

@@ -191,7 +191,7 @@ TEST(roots)
         { { 5, 0, 0, 0, 0 }, 0, { 0 } },
         { { 0, 0, 0, 0, 0 }, 0, { 0 } },
     };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    for (size_t i = 0; i < COUNT(rows); i++) {
         long double roots[HIGHEST_DEGREE];
         size_t count = plain_roots(rows[i].c, 4, roots);
         assert_true(count >= rows[i].count);

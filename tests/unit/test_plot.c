@@ -226,7 +226,7 @@ TEST_WITH(names_are_names, set_up, tear_down)
     c205_error error = { "" };
     char name[16];
 
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    for (size_t i = 0; i < COUNT(names); i++) {
         snprintf(name, sizeof name, "%s.svg", names[i]);
         if (!write_plot(&lines, folder, name, &error))
             fail_msg("%s: %s", name, error.message);

@@ -367,8 +367,6 @@ TEST(quality)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        tries = (size_t)strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);
+    tries = argument(argc, argv, 1, tries);
+    state ^= argument(argc, argv, 2, 0) * UINT64_C(0x9E3779B97F4A7C15);
 }

@@ -433,6 +433,5 @@ TEST(pairs)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        cases = strtoul(argv[1], NULL, 0);
+    cases = argument(argc, argv, 1, cases);
 }

@@ -5,19 +5,12 @@
  *     test_polygons [POLYGONS [SEED]]
  */
 #include "rt/shapes/primitive.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/scene_reading.h"
 
 enum { POINTS_MOST = 64, SAMPLES = 200, LINES = 4000 };
 
 static size_t polygon_count = 400;
-static uint64_t random_state = RANDOM_SEED;
-
-static double between(double low, double high)
-{
-    return xorshift_real(&random_state, low, high);
-}
-
 /* ---- The oracle ---------------------------------------------------------- */
 
 /* In a plane that its origin and two axes span; ends[i]: its part ends there,
@@ -463,8 +456,6 @@ TEST(errors)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        polygon_count = strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        random_state ^= strtoull(argv[2], NULL, 10) << 13;
+    polygon_count = argument(argc, argv, 1, polygon_count);
+    random_state ^= argument(argc, argv, 2, 0) << 13;
 }

@@ -6,19 +6,10 @@
 
 #include "asm/sweep/swept.h"
 #include "base/accounts.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/drawn_program.h"
 #include "tests/unit/prior_model.h"
-
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
-static uint64_t random_state = RANDOM_SEED;
-
-static uint64_t below(uint64_t end)
-{
-    return xorshift(&random_state) % end;
-}
 
 /* ---- Sweeps ---------------------------------------------------------------- */
 

@@ -182,7 +182,7 @@ TEST(short)
           "# Projected, not emulated, on the model test; more by "
           "--provenance\n" },
     };
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         c205_model *model = parsed(cases[i].text);
         char *text = printed_as(model, false, "# ");
         char *whole = printed_as(model, true, "# ");
@@ -220,7 +220,7 @@ TEST(sources)
     char *text = printed(model, ""), *json = as_json(model);
     char expected[100];
     size_t sum = 0;
-    for (size_t i = 0; i < sizeof sources / sizeof *sources; i++) {
+    for (size_t i = 0; i < COUNT(sources); i++) {
         size_t count = count_from(model, sources[i].letter);
         assert_true(count > 0);
         snprintf(expected, sizeof expected, "%c %zu %s (%c)", i ? ',' : ':',

@@ -135,10 +135,8 @@ TEST(coincident_clear)
 ARGUMENTS(argc, argv)
 {
     traced.reported = true; /* patches in intersections */
-    if (argc > 1)
-        scene_count = strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    scene_count = argument(argc, argv, 1, scene_count);
+    traced.random ^= argument(argc, argv, 2, 0) << 13;
 }
 
 GROUP(set_up_frames, tear_down_model);

@@ -104,7 +104,7 @@ TEST(same_clocks)
         "rt/study/fit/programs/gather.s", "rt/study/fit/programs/photons.s",
         "tests/programs/recurrence.s",    "tests/programs/link_recurrence.s"
     };
-    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+    for (size_t i = 0; i < COUNT(paths); i++) {
         compare(paths[i], "cyber205-2pipe-prior", NULL, 0);
         compare(paths[i], "cyber205-4pipe-prior", NULL, 0);
     }
@@ -146,7 +146,7 @@ TEST(pages)
     static const char *const paths[] = { "rt/study/fit/programs/linpack.s",
                                          "rt/study/fit/programs/gather.s",
                                          "rt/study/fit/programs/photons.s" };
-    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+    for (size_t i = 0; i < COUNT(paths); i++) {
         compare_pages(paths[i], small, 1);
         compare_pages(paths[i], little, 3);
     }

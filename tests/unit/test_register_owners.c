@@ -107,7 +107,7 @@ TEST(lost)
           8, "r21 is read as 'v'", "'q'", 7 },
     };
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         const struct lost *lost = &cases[i];
         char text[1000], expected[200];
 
@@ -146,7 +146,7 @@ TEST(left_alone)
         " ADDX q, r8, r8\n SWAP [r9], u, [r0]\n ADDX v, r8, r8\n",
     };
 
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    for (size_t i = 0; i < COUNT(texts); i++) {
         char text[1000];
 
         snprintf(text, sizeof text, NAMES "%s EXIT\n", texts[i]);

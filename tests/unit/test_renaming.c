@@ -137,7 +137,7 @@ static c205_word rename_insn(const struct renaming *renaming,
                                &fields.b, &fields.z, &fields.c,
                                &fields.r, &fields.s, &fields.t };
 
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++)
+    for (size_t i = 0; i < COUNT(names); i++)
         *names[i] = renaming->new_name[*names[i]];
     for (int role = 0; role < ROLES; role++)
         if (is_half_register(row, old.g, (enum role)role))
@@ -299,7 +299,7 @@ TEST(renaming)
 FIXTURE(make_machines)
 {
     c205_error error;
-    assert_true(random_model_count <= sizeof models / sizeof models[0]);
+    assert_true(random_model_count <= COUNT(models));
     for (size_t i = 0; i < random_model_count; i++) {
         models[i] = c205_model_parse("random", random_models[i], &error);
         assert_non_null(models[i]);
@@ -321,8 +321,7 @@ FIXTURE(free_machines)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        program_count = strtoul(argv[1], NULL, 0);
+    program_count = argument(argc, argv, 1, program_count);
 }
 
 GROUP(make_machines, free_machines);

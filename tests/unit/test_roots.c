@@ -50,7 +50,7 @@ static const struct known {
     { { "0", "0", "1", "-1e100", "1" }, "0", "1e-100 1e100" },
     { { "0", "0", "1e-40", "-1", "1e-40" }, "1", "1e40" },
 };
-enum { KNOWN = sizeof known / sizeof *known };
+enum { KNOWN = COUNT(known) };
 
 static struct polynomial_roots *solve(const struct polynomial *polynomials,
                                       size_t count,
@@ -230,7 +230,7 @@ TEST(iterations)
     static const size_t queues[] = { 1, 7, 2000 };
     struct iterations scalar = watched(TRACE_SCALAR, 1);
 
-    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
+    for (size_t i = 0; i < COUNT(queues); i++) {
         struct iterations vector = watched(TRACE_VECTOR, queues[i]);
 
         for (int k = 0; k < STAGES; k++) {

@@ -54,7 +54,7 @@ TEST(programs)
         "asm/examples/sieve.s",        "tests/programs/swap.s"
     };
     compare_program("asm/examples/dot.s", 1);
-    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++)
+    for (size_t i = 0; i < COUNT(paths); i++)
         compare_program(paths[i], 41);
 }
 

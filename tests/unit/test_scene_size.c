@@ -117,8 +117,8 @@ TEST(pictures)
 {
     traced.reported = true;
     memcpy(traced.queues, (const size_t[]){ 40, 0 }, 2 * sizeof(size_t));
-    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++) {
-        size_t light = (i + i / 4) % (sizeof lights / sizeof *lights);
+    for (size_t i = 0; i < COUNT(shapes); i++) {
+        size_t light = (i + i / 4) % (COUNT(lights));
         double unit;
         struct words *same = frame_of(i, light, 0, &unit);
 

@@ -7,15 +7,8 @@
 #include "rt/shapes/shape_words.h"
 #include "rt/shapes/singular.h"
 #include "rt/shapes/steiner.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
-
-static uint64_t random_state = RANDOM_SEED;
-
-static double between(double low, double high)
-{
-    return xorshift_real(&random_state, low, high);
-}
 
 static void assert_close(double found, double expected, double within)
 {
@@ -352,7 +345,7 @@ TEST(historical_cylinders)
     assert_string_equal(words.normal, "normal_clipped_cylinder");
     assert_string_equal(words.solid, "cylinder");
     assert_true(words.on_patch);
-    assert_int_equal(words.count, sizeof expected / sizeof *expected);
+    assert_int_equal(words.count, COUNT(expected));
     for (size_t i = 0; i < words.count; i++)
         assert_close(words.words[i], expected[i], 1e-14);
     cylinder.shape.cylinder.open = true;
@@ -423,7 +416,7 @@ TEST(other_planes)
           { 0, 1, 0 } },
     };
 
-    for (size_t i = 0; i < sizeof straight / sizeof *straight; i++) {
+    for (size_t i = 0; i < COUNT(straight); i++) {
         struct primitive patch;
         struct words words;
         const double *last, *other;

@@ -8,16 +8,9 @@
 #include "rt/scene/transform.h"
 #include "rt/shapes/shape_words.h"
 #include "tests/oracle/plain_shapes.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 
 #include <glob.h>
-
-static uint64_t random_state = RANDOM_SEED;
-
-static double between(double low, double high)
-{
-    return xorshift_real(&random_state, low, high);
-}
 
 /* ---- Descriptors --------------------------------------------------------- */
 

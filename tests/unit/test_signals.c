@@ -33,7 +33,7 @@ static const struct {
                  "cylinder { 0, .7*y, 1 open }\n"
                  "disc { 0, y, 1.8, 1 } disc { .7*y, -y, 1.8, 1 }\n" },
 };
-enum { INPUTS = sizeof inputs / sizeof *inputs };
+enum { INPUTS = COUNT(inputs) };
 
 static const char *const commands[][WORDS] = {
     { "c205", "asm", "asm/examples/sieve.s", "-o", "%o" },
@@ -65,7 +65,7 @@ static const char *const commands[][WORDS] = {
     { "rt205", "mass", "scenes/piston.pov", "--json", "%json" },
     { "rt205", "timeline", "scenes/first.pov", "-o", "%svg.svg" },
 };
-enum { COMMANDS = sizeof commands / sizeof *commands };
+enum { COMMANDS = COUNT(commands) };
 
 static const int signals[] = { SIGINT,  SIGTERM, SIGHUP,
                                SIGQUIT, SIGUSR1, SIGPIPE };
@@ -265,9 +265,7 @@ TEST(commands)
 {
     for (size_t round = 0; round < rounds; round++)
         for (size_t i = 0; i < COMMANDS; i++)
-            check_command(commands[i],
-                          signals[below(
-                              (int)(sizeof signals / sizeof *signals))]);
+            check_command(commands[i], signals[below((int)(COUNT(signals)))]);
 }
 
 /* nohup has SIGHUP ignored, and so it stays. */

@@ -338,7 +338,7 @@ static void (*const kinds[])(struct factors *f, uint64_t *state) = {
     separate, twice, two_twice,   thrice,  four_times,
     cluster,  graze, graze_twice, integers
 };
-enum { KINDS = sizeof kinds / sizeof *kinds };
+enum { KINDS = COUNT(kinds) };
 
 /* (t - a) (t - b) + above */
 static void quadratic(double a, double b, double above, double c[3])

@@ -313,7 +313,7 @@ TEST(paper_lines)
 {
     const struct csv_table *table = read_table1();
 
-    for (size_t i = 0; i < sizeof printed / sizeof *printed; i++) {
+    for (size_t i = 0; i < COUNT(printed); i++) {
         size_t ours = line_of(table, printed[i].primitive, "ours");
         size_t paper = line_of(table, printed[i].primitive, "paper");
         size_t error = line_of(table, printed[i].primitive, "error %");
@@ -333,8 +333,7 @@ TEST(paper_lines)
 TEST(our_lines)
 {
     const struct csv_table *table = read_table1();
-    size_t lines = 1 + speedup_subject_count
-                   + 2 * sizeof printed / sizeof *printed;
+    size_t lines = 1 + speedup_subject_count + 2 * COUNT(printed);
 
     assert_int_equal(table->rows, lines);
     for (size_t i = 0; i < speedup_subject_count; i++) {

@@ -61,8 +61,7 @@ static void expect_text(const char *path, const char *expected)
 
 static struct table *some_table(void)
 {
-    struct table *table = table_new(columns,
-                                    sizeof columns / sizeof *columns);
+    struct table *table = table_new(columns, COUNT(columns));
     table_text(table, "a");
     table_count(table, 12345678);
     table_number(table, 99.96);
@@ -175,9 +174,8 @@ static struct table *odd_table(void)
     static const char *const names[] = { "a, b",       "\"c\"",
                                          "# d",        "e|f",
                                          "two\nlines", "\\ <g> *h* `i`" };
-    struct table *table = table_new(columns,
-                                    sizeof columns / sizeof *columns);
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    struct table *table = table_new(columns, COUNT(columns));
+    for (size_t i = 0; i < COUNT(names); i++) {
         table_text(table, names[i]);
         table_count(table, i);
         table_number(table, i ? 1.0 / (double)i : NAN);
@@ -254,7 +252,7 @@ TEST(csv_has_no_formulas)
     static struct csv_table back;
     for (char first = 1; first < 127; first++) {
         bool escaped = first < ' ' && !strchr(marks, first);
-        for (size_t i = 0; !escaped && i < sizeof ends / sizeof *ends; i++) {
+        for (size_t i = 0; !escaped && i < COUNT(ends); i++) {
             char text[8];
             snprintf(text, sizeof text, "%c%s", first, ends[i]);
             struct table_column column = { text, "", TABLE_TEXT, 0 };

@@ -11,16 +11,9 @@
 #include <unistd.h>
 
 #include "base/sink.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 
 enum { ROUNDS = 10, MILLISECONDS_MOST = 20000 };
-
-static uint64_t random_state = RANDOM_SEED;
-
-static size_t below(size_t end)
-{
-    return (size_t)(xorshift(&random_state) % end);
-}
 
 /* An endless program; and a folder whose libedit cannot be opened. */
 static char folder[] = "/tmp/terminal.XXXXXX", program[40];
@@ -167,7 +160,7 @@ static void check_drops(struct terminal *terminal)
         if (below(2))
             ask(terminal);
         wait_a_moment();
-        type(terminal, dropped[below(sizeof dropped / sizeof *dropped)]);
+        type(terminal, dropped[below(COUNT(dropped))]);
         wait_a_moment();
         for (size_t n = below(3); n < 3; n++)
             type(terminal, "\003");

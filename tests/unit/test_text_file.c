@@ -3,17 +3,10 @@
 #include "base/diagnostic.h"
 #include "base/text_file.h"
 #include "base/visible.h"
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 #include "tests/unit/unit.h"
 
 enum { TEXTS = 20000, LONGEST = 40 };
-
-static uint64_t random_state = RANDOM_SEED;
-
-static size_t below(size_t count)
-{
-    return (size_t)(xorshift(&random_state) % count);
-}
 
 /* ---- Lines ---- */
 
@@ -129,7 +122,7 @@ TEST(invisible_in_program)
         { " .word 1\xE3\x80\x80\n", "U+3000, a space", 9 },
     };
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         struct diagnostics reports = { 0 };
         assert_null(assemble_text("a.s", cases[i].text, NULL, &reports));
         assert_non_null(strstr(reports.items->message, cases[i].name));
@@ -174,7 +167,7 @@ TEST(any_name)
         size_t visible = 0;
 
         for (size_t k = below(10); k > 0; k--)
-            strcat(name, parts[below(sizeof parts / sizeof *parts)]);
+            strcat(name, parts[below(COUNT(parts))]);
         visible_put(&sink, name, strlen(name));
         for (const char *at = name; *at; at++)
             visible += *at >= ' ' && *at < 0x7F;

@@ -331,9 +331,9 @@ TEST(reader)
     };
     size_t line;
 
-    for (size_t i = 0; i < sizeof right / sizeof *right; i++)
+    for (size_t i = 0; i < COUNT(right); i++)
         assert_null(kanata_fault(right[i], &line));
-    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    for (size_t i = 0; i < COUNT(wrong); i++) {
         assert_non_null(kanata_fault(wrong[i].text, &line));
         assert_int_equal(line, wrong[i].line);
     }

@@ -443,7 +443,7 @@ static uint64_t clocks_of(const char *text)
 
 TEST(small_programs)
 {
-    for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
+    for (size_t i = 0; i < COUNT(programs); i++) {
         uint64_t clocks = clocks_of(programs[i].text);
         if (clocks != programs[i].clocks)
             fail_msg("%llu clocks, not %llu: %s", (unsigned long long)clocks,
@@ -454,8 +454,7 @@ TEST(small_programs)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        cases = strtoul(argv[1], NULL, 0);
+    cases = argument(argc, argv, 1, cases);
 }
 
 GROUP(make_machines, free_machines);

@@ -3,16 +3,9 @@
 #include "rt/scene/language/token.h"
 #include "tests/unit/unit.h"
 
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 
 enum { TEXTS = 200, CUTS = 60, PIECES = 40, TEXT_MOST = 200 };
-
-static uint64_t random_state = RANDOM_SEED;
-
-static size_t below(size_t count)
-{
-    return (size_t)(xorshift(&random_state) % count);
-}
 
 /* Pieces that are other tokens with others behind them, or none. */
 static void draw_text(char *text)
@@ -25,7 +18,7 @@ static void draw_text(char *text)
 
     text[0] = '\0';
     for (size_t i = 0; i < PIECES; i++)
-        strcat(text, pieces[below(sizeof pieces / sizeof *pieces)]);
+        strcat(text, pieces[below(COUNT(pieces))]);
 }
 
 static struct text_place place_of(const struct scene_source *source,

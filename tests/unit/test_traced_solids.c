@@ -58,7 +58,7 @@ static void check_every(const char *text)
     static const size_t queues[] = QUEUES;
     struct scene *scene = read_text(text);
 
-    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
+    for (size_t i = 0; i < COUNT(queues); i++) {
         struct words *expected, *found;
 
         traced.visible = VISIBLE_STEPPING;
@@ -120,7 +120,7 @@ TEST(limits_of_rays)
               "    finish { reflection .6 } interior { ior 1.3 } }",
     };
 
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    for (size_t i = 0; i < COUNT(texts); i++) {
         struct words *frame = same_frame(texts[i]);
         check_paper_stage(texts[i], frame);
         free(frame);

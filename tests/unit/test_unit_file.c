@@ -7,13 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "tests/random.h"
+#include "tests/unit/draw.h"
 
 enum { KEY = 205, UNITS = 24, FILES = 4, TRIES = 60, HEAD = 16 };
 
 static char paths[FILES][40];
-static uint64_t state = RANDOM_SEED;
-
 FIXTURE(set_up)
 {
     bool good = true;
@@ -33,11 +31,6 @@ FIXTURE(tear_down)
     for (size_t i = 0; i < FILES; i++)
         remove(paths[i]);
     return 0;
-}
-
-static size_t below(size_t count)
-{
-    return (size_t)(xorshift(&state) % count);
 }
 
 /* ---- Units --------------------------------------------------------------- */

@@ -35,7 +35,7 @@ static const struct border {
     { DATA + 2 * PAGE, BEFORE + AFTER }, /* behind it is to be read only */
     { DATA + 5 * PAGE, BEFORE },         /* behind it is none */
 };
-enum { BORDERS = sizeof borders / sizeof borders[0] };
+enum { BORDERS = COUNT(borders) };
 
 static uint64_t begin_of(size_t border)
 {
@@ -61,7 +61,7 @@ enum {
 static const struct pool {
     unsigned width, first, pairs;
 } pools[] = { { WORD, 1, 20 }, { HALF_WORD, 5, 30 }, { 1, 9, 40 } };
-enum { POOLS = sizeof pools / sizeof pools[0], SINGLES = 4, PAIRS = 5 };
+enum { POOLS = COUNT(pools), SINGLES = 4, PAIRS = 5 };
 
 struct bench {
     struct little little;

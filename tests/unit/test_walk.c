@@ -157,7 +157,7 @@ static void check_ways(const char *text)
     traced.no_bounds = true;
     expected = trace_words(scene, TRACE_VECTOR, 2000);
     traced.no_bounds = false;
-    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++)
+    for (size_t i = 0; i < COUNT(queues); i++)
         check(scene, text, expected, TRACE_VECTOR, queues[i], "vector");
     check(scene, text, expected, TRACE_KERNELS, 77, "kernels");
     check(scene, text, expected, TRACE_SCALAR, 1, "scalar");
@@ -240,10 +240,8 @@ TEST(windows)
 
 ARGUMENTS(count, words)
 {
-    if (count > 1)
-        scene_count = strtoul(words[1], NULL, 10);
-    if (count > 2)
-        traced.random ^= strtoull(words[2], NULL, 10) * 0x9E3779B97F4A7C15;
+    scene_count = argument(count, words, 1, scene_count);
+    traced.random ^= argument(count, words, 2, 0) * 0x9E3779B97F4A7C15;
     traced.reported = true;
 }
 

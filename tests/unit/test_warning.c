@@ -60,7 +60,7 @@ static void check_cases(const struct case_of *cases, size_t count)
             check_none(cases->text, NULL);
 }
 
-#define CHECK(cases) check_cases(cases, sizeof cases / sizeof *cases)
+#define CHECK(cases) check_cases(cases, COUNT(cases))
 
 TEST(misspelt)
 {

@@ -115,7 +115,7 @@ TEST(kernels)
 
     report = &sink;
     assert_non_null(model);
-    for (i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+    for (i = 0; i < COUNT(scenes); i++) {
         check(scenes[i], model, TRACE_SCALAR, VISIBLE_DEFAULT);
         check(scenes[i], model, TRACE_VECTOR, VISIBLE_DEFAULT);
         check(scenes[i], model, TRACE_VECTOR, VISIBLE_STEPPING);

@@ -38,7 +38,7 @@ static const known table[] = {
 
 TEST(known_words)
 {
-    for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+    for (size_t i = 0; i < COUNT(table); i++) {
         char text[C205_TEXT_SIZE];
         assert_int_equal(read_all(table[i].text), table[i].word);
         c205_to_text(table[i].word, text);
@@ -125,7 +125,7 @@ TEST(where_text_ends)
         { "007", 3, "7" },         { "1e-0", 4, "1" },  { "0x10", 1, "0" },
     };
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         const char *end;
         c205_word word = c205_from_text(cases[i].text, &end);
         assert_int_equal(end - cases[i].text, cases[i].used);
@@ -138,7 +138,7 @@ TEST(no_number)
     static const char *const texts[] = { "",   "-",  "+",  ".",
                                          "-.", "e5", " 1", "x" };
 
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    for (size_t i = 0; i < COUNT(texts); i++) {
         const char *end;
         c205_from_text(texts[i], &end);
         assert_ptr_equal(end, texts[i]);
@@ -154,7 +154,7 @@ TEST(ends_of_the_range)
         UINT64_C(0x9000BFFFFFFFFFFF), UINT64_C(0x6FFF400000000000),
     };
 
-    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) {
+    for (size_t i = 0; i < COUNT(ends); i++) {
         c205_to_text(ends[i], text);
         assert_int_equal(read_all(text), ends[i]);
     }
@@ -281,7 +281,7 @@ TEST(layout_of_text)
         { "-1e-20", 0 },
     };
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         char text[C205_TEXT_SIZE];
         c205_to_text(read_all(cases[i].text), text);
         assert_string_equal(text, cases[i].text);
@@ -346,7 +346,7 @@ static const known halves[] = {
 
 TEST(known_halves)
 {
-    for (size_t i = 0; i < sizeof halves / sizeof *halves; i++) {
+    for (size_t i = 0; i < COUNT(halves); i++) {
         char text[C205_TEXT_SIZE];
         assert_int_equal(read_half(halves[i].text), halves[i].word);
         c205_half_to_text(halves[i].word, text);

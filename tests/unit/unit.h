@@ -21,6 +21,8 @@
 /* A function of asm/expect.h has this name; the macro of cmocka is not used. */
 #undef expect_check
 
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
 #define STATE void **test_state __attribute__((unused))
 
 #define TEST(name) static void test_##name(STATE)
@@ -60,5 +62,12 @@ static inline size_t share_of(size_t all)
 /* Begins a function that reads the arguments of the program. */
 #define ARGUMENTS(count, words) \
     static void read_arguments(int count, char **words)
+
+/* The number that is the argument at a place; without one, the default. */
+static inline uint64_t argument(int count, char **words, int place,
+                                uint64_t otherwise)
+{
+    return count > place ? strtoull(words[place], NULL, 0) : otherwise;
+}
 
 #endif

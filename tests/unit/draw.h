@@ -1,0 +1,19 @@
+/* draw.h - the random numbers of a test program, the same on every run. */
+#ifndef TESTS_DRAW_H
+#define TESTS_DRAW_H
+
+#include "tests/random.h"
+
+static uint64_t random_state = RANDOM_SEED;
+
+static inline uint64_t below(uint64_t end)
+{
+    return xorshift(&random_state) % end;
+}
+
+static inline double between(double low, double high)
+{
+    return xorshift_real(&random_state, low, high);
+}
+
+#endif
