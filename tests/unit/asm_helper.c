@@ -59,3 +59,29 @@ void assert_same_program(const c205_program *a, const c205_program *b)
         assert_int_equal(a->regions[i].end, b->regions[i].end);
     }
 }
+
+void assert_one_error(const struct diagnostics *errors, const char *text,
+                      size_t line, size_t column, const char *message)
+{
+    const struct diagnostic *first = errors->items;
+
+    if (errors->count != 1 || first->line != line
+        || (column > 0 && first->column != column)
+        || !strstr(first->message, message))
+        fail_msg("%.200s\n%zu errors: %zu:%zu: %s", text, errors->count,
+                 errors->count ? first->line : 0,
+                 errors->count ? first->column : 0,
+                 errors->count ? first->message : "");
+}
+
+void assert_asm_errors(const struct asm_error *error, size_t count)
+{
+    for (; count > 0; count--, error++) {
+        struct diagnostics found = { 0 };
+
+        assert_null(assemble_text("test.s", error->text, NULL, &found));
+        assert_one_error(&found, error->text, error->line, error->column,
+                         error->message);
+        diagnostics_free(&found);
+    }
+}

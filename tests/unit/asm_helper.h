@@ -2,13 +2,23 @@
 #ifndef TESTS_ASM_HELPER_H
 #define TESTS_ASM_HELPER_H
 
-#undef expect_check /* ours is another */
-
 #include "asm/assemble.h"
 #include "tests/unit/unit.h"
 
 /* A text without errors. */
 struct object *good(const char *text);
+
+/* One error of a text: its place and a part of its message.  Column 0 matches any. */
+struct asm_error {
+    const char *text;
+    size_t line, column;
+    const char *message;
+};
+
+void assert_one_error(const struct diagnostics *errors, const char *text,
+                      size_t line, size_t column, const char *message);
+/* Each text has this one error. */
+void assert_asm_errors(const struct asm_error *error, size_t count);
 
 /* The word at an address, 0 where there is none. */
 c205_word word_of(const c205_program *program, uint64_t address);

@@ -1,45 +1,12 @@
-/* test_asm_errors.c - what is wrong with a statement, and where: one error
- * each, at its column. */
+/* test_asm_errors.c - wrong statements of every kind: each text has one error, and its
+ * line, column and message are compared with those of a table.  An error that is
+ * missing, reported twice or at another place fails here.
+ */
 #include "tests/unit/asm_helper.h"
-
-struct failure {
-    const char *text;
-    size_t line, column;
-    const char *message;
-};
-
-static void check_one(const struct diagnostics *errors, const char *text,
-                      size_t line, size_t column, const char *message)
-{
-    if (errors->count != 1 || errors->items[0].line != line
-        || errors->items[0].column != column
-        || !strstr(errors->items[0].message, message))
-        fail_msg("%.200s\n%zu errors: %zu:%zu: %s", text, errors->count,
-                 errors->count ? errors->items[0].line : 0,
-                 errors->count ? errors->items[0].column : 0,
-                 errors->count ? errors->items[0].message : "");
-}
-
-static void check_failures(const struct failure *failure, size_t count)
-{
-    for (; count > 0; count--, failure++) {
-        struct diagnostics errors = { 0 };
-        struct object *object = assemble_text("test.s", failure->text, NULL,
-                                              &errors);
-
-        check_one(&errors, failure->text, failure->line, failure->column,
-                  failure->message);
-        assert_null(object);
-        diagnostics_free(&errors);
-    }
-}
-
-#define CHECK(failures) \
-    check_failures(failures, sizeof failures / sizeof *failures)
 
 TEST(expressions)
 {
-    static const struct failure failures[] = {
+    static const struct asm_error errors[] = {
         { " .word\n", 1, 7, "expected a number, a name or '('" },
         { " .word 1,\n", 1, 10, "expected a number" },
         { " .word 1 2\n", 1, 10, "the end of the statement, found '2'" },
@@ -64,12 +31,12 @@ TEST(expressions)
           1, 8, "78 characters" },
     };
 
-    CHECK(failures);
+    assert_asm_errors(errors, COUNT(errors));
 }
 
 TEST(directives)
 {
-    static const struct failure failures[] = {
+    static const struct asm_error errors[] = {
         { " .reg\n", 1, 6, "expected a name" },
         { " .reg a r1\n", 1, 9, "expected ','" },
         { " .regs 5\n", 1, 8, "expected a register" },
@@ -100,12 +67,12 @@ TEST(directives)
         { " .error 5\n", 1, 9, "expected a string" },
     };
 
-    CHECK(failures);
+    assert_asm_errors(errors, COUNT(errors));
 }
 
 TEST(expansion)
 {
-    static const struct failure failures[] = {
+    static const struct asm_error errors[] = {
         { " .include 5\n", 1, 11, "expected a string" },
         { " .include \"a\" b\n", 1, 15, "the end of the statement" },
         { " .include \"/no such file\"\n", 1, 11, "cannot be read" },
@@ -118,12 +85,12 @@ TEST(expansion)
         { " .if 1 2\n .endif\n", 1, 8, "the end of the statement" },
     };
 
-    CHECK(failures);
+    assert_asm_errors(errors, COUNT(errors));
 }
 
 TEST(instructions)
 {
-    static const struct failure failures[] = {
+    static const struct asm_error errors[] = {
         { " ADDN r1, r2, r256\n", 1, 15, "expected a register" },
         { " ADDN r1, r2, r3, r4\n", 1, 17, "the end of the statement" },
         { " ADDNV [r1, ], [r2], [r3]\n", 1, 13, "expected a register" },
@@ -141,12 +108,12 @@ TEST(instructions)
         { ".frob\n", 1, 1, "expected a directive" },
     };
 
-    CHECK(failures);
+    assert_asm_errors(errors, COUNT(errors));
 }
 
 TEST(expectations)
 {
-    static const struct failure failures[] = {
+    static const struct asm_error errors[] = {
         { "; expect: r1\n", 1, 13, "expected '='" },
         { "; expect: [0] 5\n", 1, 15, "expected '='" },
         { "; expect: [0] = 5,\n", 1, 19, "expected a number" },
@@ -167,7 +134,7 @@ TEST(expectations)
           "already, in test.s:1" },
     };
 
-    CHECK(failures);
+    assert_asm_errors(errors, COUNT(errors));
 }
 
 /* ---- Bounds ------------------------------------------------------------ */
@@ -194,7 +161,7 @@ static void check_long(char *text, size_t line, size_t column,
     struct diagnostics errors = { 0 };
 
     assert_null(assemble_text("test.s", text, NULL, &errors));
-    check_one(&errors, text, line, column, message);
+    assert_one_error(&errors, text, line, column, message);
     diagnostics_free(&errors);
     free(text);
 }
@@ -236,7 +203,7 @@ TEST(names_of_the_command)
 
     assert_null(
         assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
-    check_one(&errors, "N", 2, 1, "defined by the command already");
+    assert_one_error(&errors, "N", 2, 1, "defined by the command already");
     diagnostics_free(&errors);
 }
 
@@ -300,7 +267,7 @@ TEST(operators)
         { "bits(word(77))", 77 },
     };
 
-    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    for (size_t i = 0; i < COUNT(cases); i++) {
         char text[80];
         struct object *object;
 
@@ -315,7 +282,7 @@ TEST(operators)
 }
 
 /* Every error of a line is told, each at its place, and what was meant. */
-static void check_all(const char *text, const struct failure *wanted,
+static void check_all(const char *text, const struct asm_error *wanted,
                       size_t count)
 {
     struct diagnostics errors = { 0 };
@@ -333,9 +300,9 @@ static void check_all(const char *text, const struct failure *wanted,
 }
 
 #define ALL(text, ...) \
-    check_all(text, (const struct failure[]){ __VA_ARGS__ }, \
-              sizeof(const struct failure[]){ __VA_ARGS__ } \
-                  / sizeof(struct failure))
+    check_all(text, (const struct asm_error[]){ __VA_ARGS__ }, \
+              sizeof(const struct asm_error[]){ __VA_ARGS__ } \
+                  / sizeof(struct asm_error))
 
 TEST(all_of_a_line)
 {
