@@ -1,4 +1,8 @@
-/* test_insn.c - the instruction table and its bit moving. */
+/* test_insn.c - the instruction table: the fields of every instruction, each another
+ * value, are encoded and decoded, and known words are compared.  A field at another
+ * place, two instructions with one code, or a letter of an operand without a field fails
+ * here.
+ */
 #include "tests/unit/unit.h"
 #include "vm/c205.h"
 

@@ -1,4 +1,8 @@
-/* test_memory.c - pages, access, spans, bit strings, marks of code. */
+/* test_memory.c - the memory of a machine: access rights, pages that are touched late or
+ * unmapped, words across pages, strings of bits at every alignment (compared with one bit
+ * at a time) and the marks of code.  A span that ends at another bit, or a page that keeps
+ * an old word or right, fails here.
+ */
 #include "tests/unit/unit.h"
 #include "vm/memory.h"
 

@@ -1,4 +1,8 @@
-/* test_model.c - machine models: the built-in ones, and errors in others. */
+/* test_model.c - machine models: the built-in ones are compared with a list of names,
+ * changed ones with what was changed, and wrong texts with the place and message of their
+ * error.  A model that is missing, a change that changes more, or an error at another
+ * column fails here.
+ */
 #include "tests/unit/unit.h"
 #include "vm/time/model.h"
 

@@ -1,4 +1,7 @@
-/* Files that are found by a name of other case. */
+/* test_other_case.c - files that are found by a name of another case: random spellings of
+ * a path are looked up in folders whose names differ in case alone.  A file that is
+ * missed, or only one of several that match, fails here.
+ */
 #include "base/other_case.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/unit.h"

@@ -1,5 +1,7 @@
-/* test_planes.c - the words of a frame: all zero at first, kept while they are
- * left, and without cost of memory then. */
+/* test_planes.c - the words of a frame, in memory and in a file: a few, and more than are
+ * kept in memory, are written, left and compared.  A word that is lost, that is not zero
+ * at first, or pages that stay in memory fail here.
+ */
 #include "rt/host/planes.h"
 #include "tests/unit/unit.h"
 

@@ -1,4 +1,8 @@
-/* test_plot.c - plots: their data, their scripts, and gnuplot. */
+/* test_plot.c - plots: the data, the script and the picture that a table becomes are
+ * compared with the table, with odd names, values that are no numbers, and a gnuplot that
+ * is missing or fails.  A file that is left half written, or a row or curve that is lost,
+ * fails here.
+ */
 #include "rt/study/plot/plot.h"
 
 #include <math.h>

@@ -1,4 +1,8 @@
-/* test_scene_blobs.c - the scene language: blobs. */
+/* test_scene_blobs.c - blobs of the scene language: texts are read and their components,
+ * motions, looks, pieces and table rows are compared with those worked out by hand.  A
+ * motion in the wrong order, a look of the wrong component, or an error at another column
+ * fails here.
+ */
 #include "tests/unit/scene_reading.h"
 
 #include "rt/scene/vector.h"

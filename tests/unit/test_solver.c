@@ -1,4 +1,8 @@
-/* The root solver alone, as kernels call it. */
+/* test_solver.c - the root solver as kernels call it: its scalar and its vector routine
+ * solve random polynomials, with roots that are separate, double, triple and fourfold,
+ * and are compared with each other bit for bit and with the changes of sign in small
+ * steps.  A lane that ends early, or roots that are out of order, fail here.
+ */
 #include <math.h>
 
 #include "rt/layout/program.h"

@@ -1,4 +1,8 @@
-/* test_word.c - words from and to doubles, integers, text. */
+/* test_word.c - words and half words from and to doubles, integers and text: known words,
+ * random ones and the ends of the range are converted there and back and compared with the
+ * exact values of the C library.  A value that is rounded upward, or a text that is not
+ * the shortest, fails here.
+ */
 #include "tests/random.h"
 #include "tests/unit/unit.h"
 #include "vm/number/word.h"
