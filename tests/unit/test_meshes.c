@@ -258,7 +258,7 @@ TEST(long_queues)
     add_text(text, sizeof text, "}\n");
     scene = read_text(text);
     scalar = checksum_of(scene, TRACE_SCALAR, 1);
-    for (size_t i = 0; i < sizeof queues / sizeof *queues; i++)
+    for (size_t i = 0; i < COUNT(queues); i++)
         assert_true(checksum_of(scene, TRACE_VECTOR, queues[i]) == scalar);
     scene_free(scene);
 }
@@ -423,50 +423,6 @@ TEST(no_area)
     check_middle(STRAIGHT "mesh { " FLAT NO_AREA " }", 1, 5);
 }
 
-/* It has an area where it is written, but none in the world.  The sphere keeps the
- * scene's unit of length at 1. */
-#define TINY "triangle { 0, 1e-10*x, 1e-10*y } "
-#define SPHERE " sphere { <3, 3, 0>, .1 }"
-
-TEST(lost_area)
-{
-    check_middle(
-        STRAIGHT
-        "mesh { " TINY "triangle { <-10000001, -1, 0>, "
-        "<-9999999, -1, 0>, <-10000000, 2, 0> } translate 1e7*x }" SPHERE,
-        1, 5);
-    check_middle(STRAIGHT "mesh { " TINY "translate 1e7*x } "
-                          "mesh { " FLAT "translate -z }",
-                 2, 4);
-}
-
-TEST(middle)
-{
-    check_middle(STRAIGHT "mesh { " FLAT " }", 1, 5);
-    check_middle(STRAIGHT "mesh { " FLAT FLAT " }", 1, 5);
-    check_middle(STRAIGHT "mesh { " LEANING " }", 1, 5);
-    check_middle(STRAIGHT "mesh { " FLAT " rotate 180*y }", 1, 5);
-    check_middle(STRAIGHT "mesh { " FLAT " translate <1.5, 0, 0> }", 0, 0);
-    check_middle(STRAIGHT "mesh { " FLAT " translate <-.7, -.4, 0> }", 0, 0);
-    /* through a corner, an edge; along its plane */
-    check_middle(STRAIGHT "mesh { " FLAT " translate <1, 1, 0> }", 1, 5);
-    check_middle(STRAIGHT "mesh { " FLAT " translate <-.5, -.5, 0> }", 1, 5);
-    check_middle(STRAIGHT "mesh { " FLAT " translate <0, 1, 0> }", 1, 5);
-    check_middle(STRAIGHT "mesh { triangle { <0, -1, -1>, <0, -1, 2>, "
-                          "<0, 2, -1> } }",
-                 0, 0);
-    /* where the ray starts */
-    check_middle(STRAIGHT "mesh { " FLAT " translate -5*z }", 0, 0);
-    check_middle(STRAIGHT "mesh { " FLAT " translate -4*z }", 1, 1);
-    check_middle(STRAIGHT "mesh { " FLAT " translate -6*z }", 0, 0);
-    check_middle(STRAIGHT "mesh { " FLAT FLAT " translate -6*z } mesh { " FLAT
-                          " }",
-                 2, 5);
-    check_middle(STRAIGHT "mesh { " FLAT " translate -.01*z scale 1000 "
-                          "translate 6*z }",
-                 1, 1);
-}
-
 /* From far away, small: what is lost there would show here.  Not along the
  * axes, on which rays meet edges, and either side of one is right. */
 TEST(distant)
@@ -483,10 +439,8 @@ TEST(distant)
 
 ARGUMENTS(argc, argv)
 {
-    if (argc > 1)
-        scene_count = strtoul(argv[1], NULL, 10);
-    if (argc > 2)
-        traced.random ^= strtoull(argv[2], NULL, 10) << 13;
+    scene_count = argument(argc, argv, 1, scene_count);
+    traced.random ^= argument(argc, argv, 2, 0) << 13;
 }
 
 GROUP(set_up_frames, tear_down_model);
