@@ -53,11 +53,11 @@ static const struct plot lines = {
 
 /* --- a folder for a test ----------------------------------------------- */
 
-struct folder {
+static struct {
     char name[64]; /* blanks and quotes in it */
     char above[32];
     struct table *table;
-};
+} folder; /* of a test */
 
 static void add_row(struct table *table, uint64_t queue, double stream,
                     double startup)
@@ -70,90 +70,84 @@ static void add_row(struct table *table, uint64_t queue, double stream,
 
 FIXTURE(set_up)
 {
-    struct folder *folder = calloc(1, sizeof *folder);
-
-    *test_state = folder;
-    strcpy(folder->above, "/tmp/test_plot.XXXXXX");
-    if (!mkdtemp(folder->above))
+    strcpy(folder.above, "/tmp/test_plot.XXXXXX");
+    if (!mkdtemp(folder.above))
         return -1;
-    snprintf(folder->name, sizeof folder->name, "%s/it's a \"test\"",
-             folder->above);
-    folder->table = table_new(columns, COLUMNS);
-    add_row(folder->table, 1, 10, 100.0 / 3);
-    add_row(folder->table, 2, 10, 0.1);
-    add_row(folder->table, 4, NAN, 8);
-    add_row(folder->table, 8, INFINITY, 4);
-    return mkdir(folder->name, 0777);
+    snprintf(folder.name, sizeof folder.name, "%s/it's a \"test\"",
+             folder.above);
+    folder.table = table_new(columns, COLUMNS);
+    add_row(folder.table, 1, 10, 100.0 / 3);
+    add_row(folder.table, 2, 10, 0.1);
+    add_row(folder.table, 4, NAN, 8);
+    add_row(folder.table, 8, INFINITY, 4);
+    return mkdir(folder.name, 0777);
 }
 
-static void path_of(const struct folder *folder, const char *name,
-                    char path[256])
+static void path_of(const char *name, char path[256])
 {
-    snprintf(path, 256, "%s/%s", folder->name, name);
+    snprintf(path, 256, "%s/%s", folder.name, name);
 }
 
-static void remove_file(const struct folder *folder, const char *name)
+static void remove_file(const char *name)
 {
     char path[256];
 
-    path_of(folder, name, path);
+    path_of(name, path);
     assert_int_equal(unlink(path), 0);
 }
 
-static void remove_plot(const struct folder *folder)
+static void remove_plot(void)
 {
-    remove_file(folder, "a b'c.svg");
-    remove_file(folder, "a b'c.dat");
-    remove_file(folder, "a b'c.gp");
+    remove_file("a b'c.svg");
+    remove_file("a b'c.dat");
+    remove_file("a b'c.gp");
 }
 
 /* A test removes what it made; nothing temporary may be left. */
 FIXTURE(tear_down)
 {
-    struct folder *folder = *test_state;
-    int result = rmdir(folder->name) || rmdir(folder->above);
+    int result = rmdir(folder.name) || rmdir(folder.above);
 
-    table_free(folder->table);
-    free(folder);
+    table_free(folder.table);
     return result;
 }
 
-static char *text_of(const struct folder *folder, const char *name)
+static char *text_of(const char *name)
 {
     char path[256], *text;
     size_t length;
     c205_error error = { "" };
 
-    path_of(folder, name, path);
+    path_of(name, path);
     text = file_read(path, FILE_LARGEST, &length, &error);
     if (!text)
         fail_msg("%s: %s", path, error.message);
     return text;
 }
 
-static bool write_plot(const struct plot *plot, const struct folder *folder,
-                       const char *name, c205_error *error)
+static bool write_plot(const struct plot *plot, const char *name,
+                       c205_error *error)
 {
     char path[256];
 
-    path_of(folder, name, path);
-    return plot_write(plot, folder->table, path, error);
+    path_of(name, path);
+    return plot_write(plot, folder.table, path, error);
 }
 
-static void draw(const struct plot *plot, const struct folder *folder)
+static void draw(const struct plot *plot)
 {
     c205_error error = { "" };
 
-    if (!write_plot(plot, folder, "a b'c.svg", &error))
+    if (!write_plot(plot, "a b'c.svg", &error))
         fail_msg("%s", error.message);
 }
 
-static void expect_error(const struct plot *plot, const struct folder *folder,
-                         const char *name, const char *part)
+static void expect_error(const struct plot *plot, const char *name,
+                         const char *part)
 {
     c205_error error = { "" };
 
-    assert_false(write_plot(plot, folder, name, &error));
+    assert_false(write_plot(plot, name, &error));
     if (!strstr(error.message, part))
         fail_msg("\"%s\" without \"%s\"", error.message, part);
 }
@@ -162,11 +156,10 @@ static void expect_error(const struct plot *plot, const struct folder *folder,
 
 TEST_WITH(data_is_told, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     char *text;
 
-    draw(&lines, folder);
-    text = text_of(folder, "a b'c.dat");
+    draw(&lines);
+    text = text_of("a b'c.dat");
     assert_string_equal(text, "# Clocks per ray\n"
                               "# model cyber205-2pipe\n"
                               "# a_b & <c>, it's \"so\" \\\n"
@@ -176,7 +169,7 @@ TEST_WITH(data_is_told, set_up, tear_down)
                               "4 NaN 8\n"
                               "8 NaN 4\n");
     free(text);
-    remove_plot(folder);
+    remove_plot();
 }
 
 static void expect_picture(const char *text)
@@ -199,25 +192,24 @@ static void expect_picture(const char *text)
 /* As a user does: gnuplot NAME.gp in its folder. */
 TEST_WITH(script_draws_again, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     char command[256], *first, *second;
     const enum plot_form forms[] = { PLOT_LINES, PLOT_AREAS };
 
     for (size_t i = 0; i < 2; i++) {
         struct plot plot = lines;
         plot.form = forms[i];
-        draw(&plot, folder);
-        first = text_of(folder, "a b'c.svg");
+        draw(&plot);
+        first = text_of("a b'c.svg");
         expect_picture(first);
-        remove_file(folder, "a b'c.svg");
+        remove_file("a b'c.svg");
         snprintf(command, sizeof command,
-                 "cd %s/it*test* && gnuplot \"a b'c.gp\"", folder->above);
+                 "cd %s/it*test* && gnuplot \"a b'c.gp\"", folder.above);
         assert_int_equal(system(command), 0);
-        second = text_of(folder, "a b'c.svg");
+        second = text_of("a b'c.svg");
         assert_string_equal(first, second);
         free(first);
         free(second);
-        remove_plot(folder);
+        remove_plot();
     }
 }
 
@@ -226,34 +218,32 @@ TEST_WITH(names_are_names, set_up, tear_down)
 {
     static const char *const names[] = { "<ls", "|cat", "-x", "~", "+", "`" };
     static const char *const ends[] = { "svg", "dat", "gp" };
-    struct folder *folder = *test_state;
     c205_error error = { "" };
     char name[16];
 
     for (size_t i = 0; i < COUNT(names); i++) {
         snprintf(name, sizeof name, "%s.svg", names[i]);
-        if (!write_plot(&lines, folder, name, &error))
+        if (!write_plot(&lines, name, &error))
             fail_msg("%s: %s", name, error.message);
         for (size_t j = 0; j < 3; j++) {
             snprintf(name, sizeof name, "%s.%s", names[i], ends[j]);
-            remove_file(folder, name);
+            remove_file(name);
         }
     }
 }
 
 TEST_WITH(bad_paths, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     c205_error error = { "" };
     char path[256];
 
-    expect_error(&lines, folder, "plot.pdf", "ends in .svg or .png");
-    expect_error(&lines, folder, ".svg", "ends in .svg");
-    expect_error(&lines, folder, "two\nlines.svg", "one line");
-    expect_error(&lines, folder, "none/plot.svg", "No such file");
-    path_of(folder, "none/plot.svg", path);
+    expect_error(&lines, "plot.pdf", "ends in .svg or .png");
+    expect_error(&lines, ".svg", "ends in .svg");
+    expect_error(&lines, "two\nlines.svg", "one line");
+    expect_error(&lines, "none/plot.svg", "No such file");
+    path_of("none/plot.svg", path);
     assert_false(plot_check_path(path, &error));
-    path_of(folder, "plot.svg", path);
+    path_of("plot.svg", path);
     assert_true(plot_check_path(path, &error));
     assert_true(plot_check_path("plot.svg", &error));
 }
@@ -262,58 +252,55 @@ TEST_WITH(bad_paths, set_up, tear_down)
 TEST_WITH(name_is_taken, set_up, tear_down)
 {
     static const char *const names[] = { "plot.dat", "plot.gp", "plot.svg" };
-    struct folder *folder = *test_state;
     char path[256];
 
     for (size_t i = 0; i < 3; i++) {
-        path_of(folder, names[i], path);
+        path_of(names[i], path);
         assert_int_equal(mkdir(path, 0777), 0);
-        expect_error(&lines, folder, "plot.svg", "Is a directory");
+        expect_error(&lines, "plot.svg", "Is a directory");
         assert_int_equal(rmdir(path), 0);
     }
 }
 
 TEST_WITH(bad_values, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     const struct plot_curve remarks = { REMARK, "a text" };
     const struct plot_mark zero = { 0, "zero" };
     struct plot plot = lines;
 
     plot.marks = &zero;
     plot.mark_count = 1;
-    expect_error(&plot, folder, "x.svg", "zero: 0 is not on a logarithmic");
+    expect_error(&plot, "x.svg", "zero: 0 is not on a logarithmic");
     plot = lines;
     plot.curves = &remarks;
     plot.curve_count = 1;
-    expect_error(&plot, folder, "x.svg", "nothing to draw");
+    expect_error(&plot, "x.svg", "nothing to draw");
     plot = lines;
-    add_row(folder->table, 16, 1, -2);
+    add_row(folder.table, 16, 1, -2);
     plot.form = PLOT_AREAS;
-    expect_error(&plot, folder, "x.svg", "startup: an area of -2");
+    expect_error(&plot, "x.svg", "startup: an area of -2");
     plot.form = PLOT_LINES;
     plot.y.scale = PLOT_LOG10;
-    expect_error(&plot, folder, "x.svg", "startup: -2 is not on");
+    expect_error(&plot, "x.svg", "startup: -2 is not on");
 }
 
 /* --- gnuplot ----------------------------------------------------------- */
 
-static void expect_kept(const struct folder *folder)
+static void expect_kept(void)
 {
-    char *picture = text_of(folder, "a b'c.svg");
+    char *picture = text_of("a b'c.svg");
 
     assert_string_equal(picture, "old");
     free(picture);
-    remove_plot(folder);
+    remove_plot();
 }
 
-static void write_file(const struct folder *folder, const char *name,
-                       const char *text)
+static void write_file(const char *name, const char *text)
 {
     char path[256];
     FILE *file;
 
-    path_of(folder, name, path);
+    path_of(name, path);
     file = fopen(path, "w");
     assert_non_null(file);
     fputs(text, file);
@@ -322,35 +309,33 @@ static void write_file(const struct folder *folder, const char *name,
 }
 
 /* With the folder's gnuplot, or none, and an old picture there. */
-static void expect_failure(const struct folder *folder, const char *part)
+static void expect_failure(const char *part)
 {
     char *path = strdup(getenv("PATH"));
 
-    write_file(folder, "a b'c.svg", "old");
-    setenv("PATH", folder->name, 1);
-    expect_error(&lines, folder, "a b'c.svg", part);
+    write_file("a b'c.svg", "old");
+    setenv("PATH", folder.name, 1);
+    expect_error(&lines, "a b'c.svg", part);
     setenv("PATH", path, 1);
     free(path);
-    expect_kept(folder);
+    expect_kept();
 }
 
 TEST_WITH(gnuplot_is_missing, set_up, tear_down)
 {
-    expect_failure(*test_state, "gnuplot-nox");
+    expect_failure("gnuplot-nox");
 }
 
 TEST_WITH(gnuplot_fails, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
-
-    write_file(folder, "gnuplot",
+    write_file("gnuplot",
                "#!/bin/sh\necho half; echo 'line 7: wrong' >&2; exit 3\n");
-    expect_failure(folder, "gnuplot: line 7: wrong");
-    write_file(folder, "gnuplot", "#!/bin/sh\nexit 0\n");
-    expect_failure(folder, "no picture");
-    write_file(folder, "gnuplot", "#!/bin/sh\necho half; kill -9 $$\n");
-    expect_failure(folder, "no picture");
-    remove_file(folder, "gnuplot");
+    expect_failure("gnuplot: line 7: wrong");
+    write_file("gnuplot", "#!/bin/sh\nexit 0\n");
+    expect_failure("no picture");
+    write_file("gnuplot", "#!/bin/sh\necho half; kill -9 $$\n");
+    expect_failure("no picture");
+    remove_file("gnuplot");
 }
 
 /* --- marks and axes ---------------------------------------------------- */
@@ -371,18 +356,17 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
     const struct plot_mark many[] = { { 8, "far from the others" },
                                       { 1.1, "near" },
                                       { 1, "at one" } };
-    struct folder *folder = *test_state;
     struct plot plot = lines;
     char *script;
 
     plot.marks = many;
     plot.mark_count = 3;
-    draw(&plot, folder);
-    script = text_of(folder, "a b'c.gp");
+    draw(&plot);
+    script = text_of("a b'c.gp");
     assert_true(height_of(script, "'far") == height_of(script, "'near"));
     assert_true(height_of(script, "'at one") > height_of(script, "'near"));
     free(script);
-    remove_plot(folder);
+    remove_plot();
 }
 
 /* The labels of an axis, with a blank behind each. */
@@ -422,23 +406,22 @@ TEST(axes_are_labelled)
 /* Where y is cut off, its levels are still in, and the small print tells. */
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     struct plot plot = lines;
     char *script;
 
-    draw(&plot, folder);
-    script = text_of(folder, "a b'c.gp");
+    draw(&plot);
+    script = text_of("a b'c.gp");
     assert_non_null(strstr(script, "set yrange [0:35]"));
     assert_null(strstr(script, "cut off"));
     free(script);
     plot.y_most = 5;
-    draw(&plot, folder);
-    script = text_of(folder, "a b'c.gp");
+    draw(&plot);
+    script = text_of("a b'c.gp");
     assert_non_null(strstr(script, "set yrange [0:12]"));
     assert_non_null(
         strstr(script, "cut off at 12; the highest value is 33.3333"));
     free(script);
-    remove_plot(folder);
+    remove_plot();
 }
 
 static void expect_rounded(enum plot_scale scale, double value, double more,

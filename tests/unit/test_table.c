@@ -1,5 +1,8 @@
-/* test_table.c - tables in all formats, JSON, and files that are written
- * whole. */
+/* test_table.c - tables, JSON and whole files: what tables of text, counts and numbers
+ * print in every format is compared with texts written by hand, and files that cannot be
+ * replaced with what they were.  A value that is cut or quoted otherwise, or a temporary
+ * file that is left, fails here.
+ */
 #include <float.h>
 
 #include <math.h>
@@ -22,31 +25,25 @@ static const struct table_column named[] = {
     { "text", "text", TABLE_TEXT, 0 },
 };
 
-struct folder {
-    char name[32];
-    char path[64];
-};
+static struct {
+    char name[32], path[64];
+} folder; /* of a test */
 
 FIXTURE(set_up)
 {
-    struct folder *folder = calloc(1, sizeof *folder);
-    strcpy(folder->name, "/tmp/test_table.XXXXXX");
-    if (!mkdtemp(folder->name)) {
+    strcpy(folder.name, "/tmp/test_table.XXXXXX");
+    if (!mkdtemp(folder.name)) {
         return -1;
     }
-    snprintf(folder->path, sizeof folder->path, "%s/file", folder->name);
-    *test_state = folder;
+    snprintf(folder.path, sizeof folder.path, "%s/file", folder.name);
     return 0;
 }
 
 /* The folder must be empty but for the file: nothing temporary is left. */
 FIXTURE(tear_down)
 {
-    struct folder *folder = *test_state;
-    unlink(folder->path);
-    int result = rmdir(folder->name);
-    free(folder);
-    return result;
+    unlink(folder.path);
+    return rmdir(folder.name);
 }
 
 static void expect_text(const char *path, const char *expected)
@@ -75,15 +72,14 @@ static struct table *some_table(void)
 
 TEST_WITH(columns_line_up, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     struct table *table = some_table();
-    FILE *file = fopen(folder->path, "w");
+    FILE *file = fopen(folder.path, "w");
     assert_true(table_print(table, file));
     fclose(file);
     table_free(table);
-    expect_text(folder->path, "name      clocks      %  remark\n"
-                              "a       12345678  100.0  say \"so\"\n"
-                              "longer         7         \n");
+    expect_text(folder.path, "name      clocks      %  remark\n"
+                             "a       12345678  100.0  say \"so\"\n"
+                             "longer         7         \n");
 }
 
 /* Words of the letters a to z, so many; the text is written there. */
@@ -148,23 +144,22 @@ TEST(long_text_is_folded)
 
 TEST_WITH(table_as_json, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     struct table *table = some_table();
     c205_error error;
-    struct json *json = json_open(folder->path, &error);
+    struct json *json = json_open(folder.path, &error);
     assert_non_null(json);
     table_json(table, json, "rows");
     assert_true(json_close(json, &error));
     table_free(table);
-    expect_text(folder->path, "{\n  \"rows\": [\n"
-                              "    {\n      \"name\": \"a\",\n"
-                              "      \"clocks\": 12345678,\n"
-                              "      \"percent\": 99.96,\n"
-                              "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
-                              "    {\n      \"name\": \"longer\",\n"
-                              "      \"clocks\": 7,\n"
-                              "      \"percent\": null,\n"
-                              "      \"remark\": \"\"\n    }\n  ]\n}\n");
+    expect_text(folder.path, "{\n  \"rows\": [\n"
+                             "    {\n      \"name\": \"a\",\n"
+                             "      \"clocks\": 12345678,\n"
+                             "      \"percent\": 99.96,\n"
+                             "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
+                             "    {\n      \"name\": \"longer\",\n"
+                             "      \"clocks\": 7,\n"
+                             "      \"percent\": null,\n"
+                             "      \"remark\": \"\"\n    }\n  ]\n}\n");
 }
 
 /* What a format would break on: its own marks, lines, numbers that are
@@ -344,13 +339,12 @@ TEST(huge_numbers)
 
 TEST_WITH(headings, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
-    FILE *file = fopen(folder->path, "w");
+    FILE *file = fopen(folder.path, "w");
     table_heading("Rows", TABLE_PLAIN, file);
     table_heading("Rows", TABLE_CSV, file);
     table_heading("Rows", TABLE_MARKDOWN, file);
     fclose(file);
-    expect_text(folder->path, "\nRows:\n\n\n# Rows\n\n## Rows\n\n");
+    expect_text(folder.path, "\nRows:\n\n\n# Rows\n\n## Rows\n\n");
     assert_string_equal(table_remark(TABLE_PLAIN), "");
     assert_string_equal(table_remark(TABLE_CSV), "# ");
     assert_string_equal(table_remark(TABLE_MARKDOWN), "");
@@ -359,22 +353,21 @@ TEST_WITH(headings, set_up, tear_down)
 /* On a stream and in a file: the same. */
 TEST_WITH(json_on_stream, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     char *text = NULL;
     size_t length = 0;
     FILE *stream = open_memstream(&text, &length);
     c205_error error;
-    struct json *json = json_open_stream(stream, folder->path, &error);
+    struct json *json = json_open_stream(stream, folder.path, &error);
     json_count(json, "one", 1);
     assert_true(json_close(json, &error));
-    expect_text(folder->path, "{\n  \"one\": 1\n}\n");
+    expect_text(folder.path, "{\n  \"one\": 1\n}\n");
     json = json_open_stream(stream, NULL, &error);
     json_count(json, "two", 2);
     assert_true(json_close(json, &error));
-    json = json_open_stream(stream, folder->path, &error);
+    json = json_open_stream(stream, folder.path, &error);
     json_count(json, "three", 3);
     json_discard(json);
-    expect_text(folder->path, "{\n  \"one\": 1\n}\n");
+    expect_text(folder.path, "{\n  \"one\": 1\n}\n");
     assert_null(json_open_stream(stream, "/nonexistent/file", &error));
     fclose(stream);
     assert_string_equal(text, "{\n  \"one\": 1\n}\n{\n  \"two\": 2\n}\n");
@@ -383,9 +376,8 @@ TEST_WITH(json_on_stream, set_up, tear_down)
 
 TEST_WITH(json_values, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     c205_error error;
-    struct json *json = json_open(folder->path, &error);
+    struct json *json = json_open(folder.path, &error);
     json_text(json, "text", "line\n\ttab \\ \x01");
     json_number(json, "tenth", 0.1);
     json_number(json, "third", 1.0 / 3.0);
@@ -394,7 +386,7 @@ TEST_WITH(json_values, set_up, tear_down)
     json_array(json, "empty");
     json_end(json);
     assert_true(json_close(json, &error));
-    expect_text(folder->path,
+    expect_text(folder.path,
                 "{\n  \"text\": \"line\\u000a\\u0009tab \\\\ \\u0001\",\n"
                 "  \"tenth\": 0.1,\n"
                 "  \"third\": 0.33333333333333331,\n"
@@ -405,48 +397,45 @@ TEST_WITH(json_values, set_up, tear_down)
 
 TEST_WITH(old_file_stays, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     c205_error error;
-    struct whole *whole = whole_open(folder->path, &error);
+    struct whole *whole = whole_open(folder.path, &error);
     fputs("old", whole->file);
     assert_true(whole_commit(whole, &error));
-    whole = whole_open(folder->path, &error);
+    whole = whole_open(folder.path, &error);
     fputs("new", whole->file);
-    expect_text(folder->path, "old");
+    expect_text(folder.path, "old");
     whole_discard(whole);
-    expect_text(folder->path, "old");
-    assert_true(whole_check(folder->path, &error));
-    expect_text(folder->path, "old");
+    expect_text(folder.path, "old");
+    assert_true(whole_check(folder.path, &error));
+    expect_text(folder.path, "old");
 }
 
 /* Of a file that cannot take the place of what has its name now. */
 TEST_WITH(nothing_is_left, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     c205_error error;
-    struct whole *whole = whole_open(folder->path, &error);
+    struct whole *whole = whole_open(folder.path, &error);
     fputs("lost", whole->file);
-    assert_int_equal(mkdir(folder->path, 0700), 0);
+    assert_int_equal(mkdir(folder.path, 0700), 0);
     assert_false(whole_commit(whole, &error));
-    assert_non_null(strstr(error.message, folder->path));
-    assert_int_equal(rmdir(folder->path), 0);
+    assert_non_null(strstr(error.message, folder.path));
+    assert_int_equal(rmdir(folder.path), 0);
 }
 
 /* A file of somebody else may have the temporary name. */
 TEST_WITH(other_file_stays, set_up, tear_down)
 {
-    struct folder *folder = *test_state;
     char beside[80];
     c205_error error;
-    snprintf(beside, sizeof beside, "%s.new0", folder->path);
+    snprintf(beside, sizeof beside, "%s.new0", folder.path);
     FILE *file = fopen(beside, "w");
     assert_non_null(file);
     fputs("theirs", file);
     fclose(file);
-    struct whole *whole = whole_open(folder->path, &error);
+    struct whole *whole = whole_open(folder.path, &error);
     fputs("ours", whole->file);
     assert_true(whole_commit(whole, &error));
-    expect_text(folder->path, "ours");
+    expect_text(folder.path, "ours");
     expect_text(beside, "theirs");
     assert_int_equal(unlink(beside), 0);
 }
