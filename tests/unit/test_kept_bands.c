@@ -157,10 +157,7 @@ TEST(stopped)
 }
 
 /* What is reflected waits in queues for others. */
-TEST(stopped_with_mirrors)
-{
-    check_stops(mirrors, false);
-}
+TEST_CALL(stopped_with_mirrors, check_stops(mirrors, false))
 
 /* ---- Kept ---------------------------------------------------------------- */
 

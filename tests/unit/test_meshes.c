@@ -41,10 +41,7 @@ static void add_mesh(char *to, size_t size)
     add_text(to, size, " ");
 }
 
-TEST(random_scenes)
-{
-    check_random_scenes(add_mesh, 2 * scene_count);
-}
+TEST_CALL(random_scenes, check_random_scenes(add_mesh, 2 * scene_count))
 
 /* ---- Shadows and mirrors ------------------------------------------------- */
 

@@ -150,15 +150,8 @@ static void compare_forms(bool lattice)
     }
 }
 
-TEST(stream_words)
-{
-    compare_forms(false);
-}
-
-TEST(lattice_words)
-{
-    compare_forms(true);
-}
+TEST_CALL(stream_words, compare_forms(false))
+TEST_CALL(lattice_words, compare_forms(true))
 
 /* Exactly t 2^-47, normalised, and neither 0 nor 1. */
 static void compare_numbers(bool lattice)
@@ -188,15 +181,8 @@ static void compare_numbers(bool lattice)
     }
 }
 
-TEST(stream_numbers)
-{
-    compare_numbers(false);
-}
-
-TEST(lattice_numbers)
-{
-    compare_numbers(true);
-}
+TEST_CALL(stream_numbers, compare_numbers(false))
+TEST_CALL(lattice_numbers, compare_numbers(true))
 
 /* ---- Cuts ---------------------------------------------------------------- */
 

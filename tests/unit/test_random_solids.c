@@ -112,25 +112,10 @@ static void check_scenes(bool gridded, bool clear)
 
 /* --- tests --------------------------------------------------------------- */
 
-TEST(opaque)
-{
-    check_scenes(false, false);
-}
-
-TEST(clear)
-{
-    check_scenes(false, true);
-}
-
-TEST(coincident)
-{
-    check_scenes(true, false);
-}
-
-TEST(coincident_clear)
-{
-    check_scenes(true, true);
-}
+TEST_CALL(opaque, check_scenes(false, false))
+TEST_CALL(clear, check_scenes(false, true))
+TEST_CALL(coincident, check_scenes(true, false))
+TEST_CALL(coincident_clear, check_scenes(true, true))
 
 ARGUMENTS(argc, argv)
 {

@@ -128,16 +128,10 @@ static void check_scene(const char *text, int times)
     scene_free(scene);
 }
 
-TEST(linear)
-{
-    check_scene(linear, 6);
-}
+TEST_CALL(linear, check_scene(linear, 6))
 
 /* Where the scene's colours are not linear, their powers are averaged. */
-TEST(gamma)
-{
-    check_scene(curved, 4);
-}
+TEST_CALL(gamma, check_scene(curved, 4))
 
 /* One is none. */
 TEST(one)
