@@ -5,7 +5,7 @@
 # make check-quick  the tests that the changed files can affect
 # make fit        fits the timing model, writes the fitted ones and docs/
 # make all | docs | card | slides | web | web-tracer | mpi | bench | san | fuzz | cover |
-#      check-long | check-web | wasm-check | format | lint | install | clean
+#      check-long | check-web | check-mutants | wasm-check | format | lint | install | clean
 
 BUILD ?= build
 OPT ?= -O3
@@ -415,6 +415,7 @@ check-rooms: $(engine) $(libraries)
 	sh tests/check_rooms.sh
 	sh tests/check_state.sh $(BUILD)
 	sh tests/check_names.sh $(BUILD)
+	sh tests/mutants/check.sh
 
 check-programs: $(BUILD)/c205
 	sh tests/run_programs.sh $(BUILD)/c205
@@ -492,11 +493,23 @@ check-mpi: $(programs) $(adapter)
 	@$(MAKE) --no-print-directory mpi
 	sh tests/check_mpi.sh $(BUILD)
 
-# Not a part of check: every fault planted must be found; ONLY=text: those of
-# which the list says so.
+# Not a part of check: N random faults in the sources, drawn with SEED, that the parts of
+# check should find, in all rooms or in ONLY one (tests/mutants/run.sh).
+N ?= 100
+SEED ?= 1
+covered_parts = $(UNITS:%=check-unit:UNITS=%) $(SCENES:%=check-scenes:SCENES=%) \
+	$(filter-out check-unit check-scenes check-hosts check-web-% check-language \
+		check-install check-rooms,$(check_parts))
+check-mutants:
+	@sh .ci/need $(test_packages)
+	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) $(N) $(SEED) "$(ONLY)" \
+		$(covered_parts)
+
+# Not a part of check: faults that the project has had; ONLY=text: those of which the list
+# says so.
 check-planted:
 	@sh .ci/need $(test_packages)
-	sh tests/planted/run.sh $(BUILD) "$(MAKE)" $(JOBS) "$(ONLY)"
+	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) planted 0 "$(ONLY)"
 
 # The same bits and clocks from every compiler.
 check-hosts: $(BUILD)/tests/bench_lanes
@@ -768,9 +781,10 @@ install: all $(installed) $(installed_pc) $(pages)
 clean:
 	rm -rf $(BUILD)
 
-.PHONY: $(check_parts) all mpi demo tests check check-quick check-long check-planted check-mpi \
+.PHONY: $(check_parts) all mpi demo tests check check-quick check-long check-planted \
+	check-mutants check-mpi \
 	check-samples check-poison check-points check-stream check-emission check-timing \
 	check-site check-card check-slides check-web fit cover cover-tests web web-engine \
 	web-tracer docs site card slides san bench fuzz fuzz-targets format lint install clean
 .SECONDARY:
--include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILD) -path $(BUILD)/mutants -prune -o -type f -name '*.d' -print 2>/dev/null)

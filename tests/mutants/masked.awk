@@ -1,0 +1,40 @@
+# masked.awk - the code of a line of C, or of the assembler where `assembly` is set.  Before
+# the first line of a file `commented` is 0.
+
+function repeated(c, n,    text) {
+    for (text = c; length(text) < n; text = text text)
+        ;
+    return substr(text, 1, n)
+}
+
+# The line without comments, the first lines of directives and what is in quotes, of the
+# same length.
+function masked(line,    done, found, n) {
+    if (!assembly && !commented && line ~ /^#/)
+        return repeated(" ", length(line))
+    while (line != "") {
+        if (commented) {
+            n = index(line, "*/")
+            commented = n == 0
+            n = n ? n + 1 : length(line)
+            done = done repeated(" ", n)
+        } else if (match(line, assembly ? ";|[\"']" : "/[*]|//|[\"']")) {
+            found = substr(line, RSTART, RLENGTH)
+            done = done substr(line, 1, RSTART - 1)
+            line = substr(line, RSTART)
+            if (found ~ /["']/) {
+                match(line, "^" found "([^\\\\" found "]|\\\\.)*" found "?")
+                done = done repeated("\"", RLENGTH)
+            } else if (found == "/*") {
+                commented = 1
+                RLENGTH = 2
+                done = done "  "
+            } else
+                return done repeated(" ", length(line))
+            n = RLENGTH
+        } else
+            return done line
+        line = substr(line, n + 1)
+    }
+    return done
+}

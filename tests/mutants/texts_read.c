@@ -1,0 +1,29 @@
+/* texts_read.c - which texts the assembler reads.
+ *
+ * Linked into the programs of cover.sh with --wrap=source_find.  The name of each text
+ * is appended to the file that the environment's TEXTS_READ names. */
+#include "asm/source.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+bool __real_source_find(struct assembler *assembler, const char *name,
+                        const char *from, struct asm_source *source,
+                        c205_error *error);
+bool __wrap_source_find(struct assembler *assembler, const char *name,
+                        const char *from, struct asm_source *source,
+                        c205_error *error);
+
+bool __wrap_source_find(struct assembler *assembler, const char *name,
+                        const char *from, struct asm_source *source,
+                        c205_error *error)
+{
+    const char *path = getenv("TEXTS_READ");
+    FILE *file = path ? fopen(path, "a") : NULL;
+
+    if (file) {
+        fprintf(file, "%s\n", name);
+        fclose(file);
+    }
+    return __real_source_find(assembler, name, from, source, error);
+}
