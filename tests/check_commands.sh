@@ -103,6 +103,10 @@ names() { # what the help of the command names: every option and operand
         [ "$what" != command ] || continue
         [ "$its_command" = "$command" ] || continue
         tells help.txt "$name"
+        case $what$kind in
+        optionflag | operand*) ;;
+        *) tells help.txt "$name [^ ]" ;; # its value
+        esac
         [ "$letter" = - ] || tells help.txt "^  -$letter, $name"
         for choice in $choices; do
             tells help.txt "$choice"
