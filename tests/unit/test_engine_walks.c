@@ -88,8 +88,10 @@ static void check_last(const struct json_value *view,
     assert_int_equal(last != NULL, fresh->has_last);
     if (!last)
         return;
-    for (; piece; piece = piece->next)
+    for (; piece; piece = piece->next) {
         clocks += number_of(piece, "clocks");
+        assert_true(number_of(piece, "line") >= 0);
+    }
     assert_true(clocks == (double)fresh->last.clocks);
     assert_true(number_of(last, "clocks") == clocks);
     assert_true(number_of(last, "issued") == (double)fresh->last.issued);
@@ -467,6 +469,9 @@ static void check_timeline(struct walk *walk)
         assert_int_equal(by_cause[cause], 0);
     }
     fresh_end(&fresh);
+    reply = talk_ask(&walk->talk,
+                     "{\"do\": \"timeline\", \"file\": \"x.svg\"}");
+    assert_non_null(strstr(text_of(reply, "file"), "<svg"));
 }
 
 /* They leave the program where it stood, whether they are done or not. */
