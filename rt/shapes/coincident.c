@@ -585,29 +585,12 @@ static bool same_shape(const struct face *a, const struct face *b)
            <= COINCIDENT * fmax(one.radius, 1);
 }
 
-/* Parts of one object that look alike are one surface. */
-static bool is_one_surface(const struct primitive *a,
-                           const struct primitive *b)
-{
-    const struct pigment *one = &a->pigment, *other = &b->pigment;
-
-    return a->object == b->object
-           && (one->kind == PIGMENT_COLOR && other->kind == PIGMENT_COLOR
-                   ? memcmp(one->color[0], other->color[0],
-                            sizeof one->color[0])
-                         == 0
-                   : memcmp(one, other, sizeof *one) == 0)
-           && memcmp(&a->finish, &b->finish, sizeof a->finish) == 0
-           && a->ior == b->ior && !a->bumps.list && !b->bumps.list;
-}
-
 static bool coincide(const struct face *a, const struct face *b)
 {
     double low[3], high[3], center[3], reach;
     int sense;
 
-    if (a->region == b->region || !overlap(a, b, low, high)
-        || is_one_surface(a->primitive, b->primitive))
+    if (a->region == b->region || !overlap(a, b, low, high))
         return false;
     reach = middle_of(low, high, center);
     switch (a->sort) {

@@ -1,15 +1,12 @@
-/* test_coincident.c - which regions of a scene may coincide with a later one. */
+/* test_coincident.c - which regions of a scene may coincide with a later one.
+ *
+ * The yields that the reader gives regions are compared with expected ones, for pairs
+ * of all kinds of faces: in one place, resting on each other, and apart.  A pair that
+ * is missed leaves its faces to rounding; one too many costs clocks.
+ */
 #include "rt/scene/scene.h"
 #include "tests/oracle/many_scenes.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
+#include "tests/unit/unit.h"
 
 /* Yields of the regions, a digit for each, in tenths. */
 static void expect(const char *yields, const char *objects)
@@ -27,12 +24,12 @@ static void expect(const char *yields, const char *objects)
     scene_free(scene);
 }
 
-static void coincident_faces_give_earlier_regions_a_yield(void **state)
+TEST(coincident_faces_give_earlier_regions_a_yield)
 {
-    (void)state;
     expect("50", "box { 0, 1 } box { <.5, 0, .5>, <2, 1, 2> }");
     expect("630", "box { 0, 1 } box { <.5, .1, .5>, <2, 1, 2> } "
                   "cylinder { <1, .5, 1>, <1, 1, 1>, .9 }");
+    expect("50", "union { box { 0, 1 } box { <.5, 0, .5>, <2, 1, 2> } }");
     expect("50", "disc { 0, y, 1 } plane { y, 0 }");
     expect("50", "plane { y, 0 } triangle { 0, x, z }");
     expect("50", "sphere { 0, 1 } sphere { 0, 1 pigment { rgb 1 } }");
@@ -50,9 +47,8 @@ static void coincident_faces_give_earlier_regions_a_yield(void **state)
 }
 
 /* The camera is within the room in the last scene. */
-static void faces_that_rest_on_each_other_need_none(void **state)
+TEST(faces_that_rest_on_each_other_need_none)
 {
-    (void)state;
     expect("00", "plane { y, 0 } box { 0, 1 }");
     expect("000",
            "box { 0, 1 } cylinder { y, 2*y, .5 } cone { 2*y, .5, 3*y, 0 }");
@@ -63,24 +59,12 @@ static void faces_that_rest_on_each_other_need_none(void **state)
     expect("50", "plane { y, 0 } box { <-20, 0, -20>, 20 }");
 }
 
-static void apart_faces_have_none(void **state)
+TEST(apart_faces_have_none)
 {
-    (void)state;
     expect("00", "box { 0, 1 } box { <1, 0, 0>, <2, 1, 1> }");
     expect("00", "disc { 0, y, 1 } disc { 1e-5*y, y, 1 }");
     expect("00", "sphere { 0, 1 } sphere { 0, 1.00001 }");
     expect("00", "sphere { 0, 1 pigment { rgbt 1 } } sphere { 0, 1 }");
-    expect("00", "union { box { 0, 1 } box { <.5, 0, .5>, <2, 1, 2> } }");
     expect("00", "difference { box { 0, 1 } box { <-1, .5, -1>, 2 } } "
                  "box { <3, 0, 0>, <4, 2, 1> }");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(coincident_faces_give_earlier_regions_a_yield),
-        cmocka_unit_test(faces_that_rest_on_each_other_need_none),
-        cmocka_unit_test(apart_faces_have_none),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }
