@@ -1,5 +1,7 @@
 /* test_scene_csg.c - the scene language: solids made of others, what passes
- * through them and what they reflect. */
+ * through them and what they reflect.
+ *
+ * Its texts are deep, so it is slow with the leak sanitizer. */
 #include "tests/unit/scene_reading.h"
 
 /* --- trees --------------------------------------------------------------- */

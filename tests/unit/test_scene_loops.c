@@ -1,5 +1,7 @@
 /* test_scene_loops.c - directives at every place of every list: random nests
- * of them read to the same scene as the text without any. */
+ * of them read to the same scene as the text without any.
+ *
+ * It reads thousands of scenes, so it is slow with the leak sanitizer. */
 #include "tests/unit/scene_reading.h"
 
 #include "tests/random.h"

@@ -1,5 +1,7 @@
 /* test_scene_reports.c - the scene language: what is reported, what is an
- * error, what is too much. */
+ * error, what is too much.
+ *
+ * Its texts are large, so it is slow with the leak sanitizer. */
 #include "tests/unit/scene_reading.h"
 
 /* Each text has this one error. */
