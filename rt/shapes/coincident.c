@@ -427,8 +427,23 @@ static void add_swept(struct search *search)
     }
 }
 
+/* One without height has no inside, so it cannot be traced as a solid. */
+static bool is_flat_prism(const struct primitive *primitive)
+{
+    switch (primitive->kind) {
+    case PRIMITIVE_PRISM:
+        return primitive->shape.prism.low >= primitive->shape.prism.high;
+    case PRIMITIVE_QUADRATIC_PRISM:
+        return primitive->shape.quadratic_prism.low
+               >= primitive->shape.quadratic_prism.high;
+    default: return false;
+    }
+}
+
 static void add_faces(struct search *search)
 {
+    if (is_flat_prism(search->primitive))
+        return;
     add_flats(search);
     add_swept(search);
     if (search->primitive->kind != PRIMITIVE_PLANE

@@ -197,12 +197,12 @@ TEST(regions)
 
     raise_curtain(
         &stage,
-        "sphere { 0, 1 } box { 0, 1 no_shadow }\n"
+        "sphere { 0, 1.2 } box { .1, .9 no_shadow }\n"
         "plane { y, 0 pigment { checker rgb 1, rgbf 1 } }\n"
         "merge { sphere { 0, 1 } box { 0, 1 no_shadow } }\n"
         "merge { sphere { 0, 1 } box { 0, 1 } pigment { rgbt 1 } }\n"
         "merge { sphere { 0, 1 } box { 0, <9, 1, 1> } no_shadow }\n"
-        "sphere { 0, 1 inverse }",
+        "sphere { 0, 1.5 inverse }",
         BOUNDING_FLAT);
     assert_integer(scene_word(&stage, "scene_region_count"), COUNT(rows));
     for (size_t i = 0; i < COUNT(rows); i++) {

@@ -109,8 +109,8 @@ TEST(ahead)
         { "cylinder { -y, y, 1 open }", 1, 4 },
         { "cylinder { -y, y, 1 open rotate 45*x translate -y }", 1,
           5 + 1 - sqrt(2) },
-        /* nearest of equals is the first */
-        { "box { -1, 1 } box { -1, 1 } plane { z, 9 }", 1, 4 },
+        /* Of two coincident faces the later one is nearer. */
+        { "box { -1, 1 } box { -1, 1 } plane { z, 9 }", 2, 4 },
         { "plane { z, 9 } sphere { 0, 1 } box { -1, 1 }", 2, 4 },
         /* ---- cones and quadrics */
         /* cones */

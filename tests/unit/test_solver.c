@@ -22,6 +22,7 @@ struct lanes {
 
 static const char vector_program[] =
     "        .equ    INTERIORS, 0\n"
+    "        .equ    KEYS, 0\n"
     "        .include \"frame/queue.s\"\n"
     "        .include \"roots/quartic_vector.s\"\n"
     "        .data\n"
