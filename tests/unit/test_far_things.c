@@ -212,7 +212,7 @@ TEST(random_scenes)
         diagnostics_free(&reports);
         scene_free(scene);
     }
-    assert_true(scenes > SCENES / 2);
+    assert_true(scenes > share_of(SCENES) / 2);
 }
 
 GROUP(set_up_frames, tear_down_model);
