@@ -43,11 +43,11 @@ struct face {
     double low[3], high[3];
 };
 
-struct pair {
+struct face_pair {
     uint32_t earlier, later; /* regions */
 };
 
-struct search {
+struct face_search {
     const struct scene *scene;
     size_t region; /* whose faces are added */
     const struct primitive *primitive;
@@ -56,12 +56,12 @@ struct search {
     size_t face_count, face_room;
     struct face *faces;
     size_t pair_count, pair_room;
-    struct pair *pairs;
+    struct face_pair *pairs;
     bool failed; /* no memory */
 };
 
 /* The list with room for one more element, or NULL. */
-static void *make_room(struct search *search, void *list, size_t count,
+static void *make_room(struct face_search *search, void *list, size_t count,
                        size_t *room, size_t size)
 {
     void *more = list;
@@ -74,7 +74,7 @@ static void *make_room(struct search *search, void *list, size_t count,
     return more;
 }
 
-static struct face *add_face(struct search *search, enum face_sort sort,
+static struct face *add_face(struct face_search *search, enum face_sort sort,
                              const struct bound *box)
 {
     struct face *more, *face;
@@ -109,7 +109,7 @@ static double mix3(const double numbers[3])
 /* ---- Flat faces ---------------------------------------------------------- */
 
 /* The normal is the primitive's own, of any length; box bounds the face. */
-static void add_flat(struct search *search, const double normal[3],
+static void add_flat(struct face_search *search, const double normal[3],
                      const double point[3], bool outward,
                      const struct bound *box)
 {
@@ -135,7 +135,7 @@ static void add_flat(struct search *search, const double normal[3],
 }
 
 /* A face that is the hull of points, whose first is on it. */
-static void add_hull(struct search *search, const double normal[3],
+static void add_hull(struct face_search *search, const double normal[3],
                      const double point[3], bool outward,
                      const struct hull *hull)
 {
@@ -145,7 +145,7 @@ static void add_hull(struct search *search, const double normal[3],
     add_flat(search, normal, point, outward, &box);
 }
 
-static void add_ring(struct search *search, const double center[3],
+static void add_ring(struct face_search *search, const double center[3],
                      const double axis[3], double radius, bool outward)
 {
     struct hull hull = { .count = 0 };
@@ -156,7 +156,8 @@ static void add_ring(struct search *search, const double center[3],
     add_hull(search, axis, center, outward, &hull);
 }
 
-static void add_triangle(struct search *search, const double (*corners)[3])
+static void add_triangle(struct face_search *search,
+                         const double (*corners)[3])
 {
     struct hull hull = { .count = 0 };
     double u[3], v[3], normal[3];
@@ -169,7 +170,7 @@ static void add_triangle(struct search *search, const double (*corners)[3])
     add_hull(search, normal, corners[0], false, &hull);
 }
 
-static void add_plane(struct search *search)
+static void add_plane(struct face_search *search)
 {
     const double *normal = search->primitive->shape.plane.normal;
     double point[3];
@@ -179,7 +180,7 @@ static void add_plane(struct search *search)
     add_flat(search, normal, point, true, &bound_none);
 }
 
-static void add_box(struct search *search)
+static void add_box(struct face_search *search)
 {
     const double(*corner)[3] = search->primitive->shape.box.corner;
 
@@ -199,7 +200,7 @@ static void add_box(struct search *search)
     }
 }
 
-static void add_disks(struct search *search, const double base[3],
+static void add_disks(struct face_search *search, const double base[3],
                       double base_radius, const double cap[3],
                       double cap_radius)
 {
@@ -211,7 +212,7 @@ static void add_disks(struct search *search, const double base[3],
     add_ring(search, cap, up, cap_radius, true);
 }
 
-static void add_caps(struct search *search, const struct outline *path,
+static void add_caps(struct face_search *search, const struct outline *path,
                      double low, double high)
 {
     const double up[3] = { 0, 1, 0 }, down[3] = { 0, -1, 0 };
@@ -224,7 +225,7 @@ static void add_caps(struct search *search, const struct outline *path,
     add_flat(search, up, top, true, &box);
 }
 
-static void add_sides(struct search *search)
+static void add_sides(struct face_search *search)
 {
     const struct primitive *primitive = search->primitive;
     double ends[2] = { primitive->shape.prism.low,
@@ -270,7 +271,7 @@ static bool is_solid_above(const struct outline *path, size_t edge)
 }
 
 /* Rings across the axis. */
-static void add_rings(struct search *search)
+static void add_rings(struct face_search *search)
 {
     const struct outline *path = &search->primitive->shape.lathe.path;
 
@@ -286,7 +287,7 @@ static void add_rings(struct search *search)
 
 /* ---- All faces ----------------------------------------------------------- */
 
-static void add_curved(struct search *search)
+static void add_curved(struct face_search *search)
 {
     bool quadric = quadric_face_is_there(search->primitive);
     struct face *face;
@@ -337,7 +338,7 @@ static double middle_of(const double low[3], const double high[3],
 }
 
 /* Triangles of one plane become one face. */
-static void join_triangles(struct search *search, size_t first)
+static void join_triangles(struct face_search *search, size_t first)
 {
     struct face *faces = search->faces;
     size_t kept = first;
@@ -363,7 +364,7 @@ static void join_triangles(struct search *search, size_t first)
     search->face_count = kept;
 }
 
-static void add_mesh(struct search *search)
+static void add_mesh(struct face_search *search)
 {
     const struct triangles *triangles = &search->primitive->shape.mesh
                                              .triangles;
@@ -374,7 +375,7 @@ static void add_mesh(struct search *search)
     join_triangles(search, first);
 }
 
-static void add_flats(struct search *search)
+static void add_flats(struct face_search *search)
 {
     const struct primitive *primitive = search->primitive;
 
@@ -404,7 +405,7 @@ static void add_flats(struct search *search)
     }
 }
 
-static void add_swept(struct search *search)
+static void add_swept(struct face_search *search)
 {
     const struct primitive *primitive = search->primitive;
 
@@ -440,7 +441,7 @@ static bool is_flat_prism(const struct primitive *primitive)
     }
 }
 
-static void add_faces(struct search *search)
+static void add_faces(struct face_search *search)
 {
     if (is_flat_prism(search->primitive))
         return;
@@ -518,7 +519,8 @@ static bool is_closed(const struct primitive *primitive)
 
 /* A solid is within those of its primitives that are not taken away.  No ray enters
  * it if all of it is closed, seen and opaque. */
-static void find_limit(struct search *search, const struct region *region)
+static void find_limit(struct face_search *search,
+                       const struct region *region)
 {
     const struct primitive
         *first = &search->scene->primitives[region->first_primitive];
@@ -544,7 +546,7 @@ static void find_limit(struct search *search, const struct region *region)
     }
 }
 
-static void add_region(struct search *search, size_t i)
+static void add_region(struct face_search *search, size_t i)
 {
     const struct region *region = &search->scene->regions[i];
 
@@ -619,16 +621,17 @@ static bool coincide(const struct face *a, const struct face *b)
     }
 }
 
-static void add_pair(struct search *search, const struct face *a,
+static void add_pair(struct face_search *search, const struct face *a,
                      const struct face *b)
 {
-    struct pair *more = make_room(search, search->pairs, search->pair_count,
-                                  &search->pair_room, sizeof *more);
+    struct face_pair *more = make_room(search, search->pairs,
+                                       search->pair_count, &search->pair_room,
+                                       sizeof *more);
 
     if (!more)
         return;
     search->pairs = more;
-    more[search->pair_count++] = (struct pair){
+    more[search->pair_count++] = (struct face_pair){
         (uint32_t)(a->region < b->region ? a->region : b->region),
         (uint32_t)(a->region < b->region ? b->region : a->region),
     };
@@ -642,7 +645,7 @@ static int compare_places(const void *a, const void *b)
 }
 
 /* Faces of one key, from left to right. */
-static void pair_group(struct search *search, struct face *faces,
+static void pair_group(struct face_search *search, struct face *faces,
                        size_t count)
 {
     qsort(faces, count, sizeof *faces, compare_places);
@@ -662,7 +665,7 @@ static bool is_near(const struct face *a, const struct face *b)
                   <= 4 * COINCIDENT + ROUNDING * (fabs(a->key) + 1);
 }
 
-static void pair_faces(struct search *search)
+static void pair_faces(struct face_search *search)
 {
     struct face *faces = search->faces;
 
@@ -679,13 +682,13 @@ static void pair_faces(struct search *search)
 
 static int compare_pairs(const void *a, const void *b)
 {
-    const struct pair *one = a, *other = b;
+    const struct face_pair *one = a, *other = b;
 
     return (one->earlier < other->earlier) - (one->earlier > other->earlier);
 }
 
 /* The last regions first: yields are depths until the greatest is known. */
-static void put_yields(struct search *search, struct region *regions,
+static void put_yields(struct face_search *search, struct region *regions,
                        size_t count)
 {
     double most = 0;
@@ -707,7 +710,7 @@ static void put_yields(struct search *search, struct region *regions,
 
 bool coincident_find(struct scene *scene)
 {
-    struct search search = { .scene = scene };
+    struct face_search search = { .scene = scene };
 
     if (scene->region_count < 2)
         return true;

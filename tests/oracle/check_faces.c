@@ -6,8 +6,8 @@
  * number SHARE on: in scalar form, in vector form and in the way of 1984, with
  * several queues, both ways to what is seen of a solid, with and without
  * bounding spheres.  All give one frame, bit for bit.  Parts in another order
- * are as far away, bit for bit, or, if some are clear, nearly: order decides which of
- * two faces in one place is seen, and nothing else.  Where the eye looks aslant, the plain tracer sees
+ * are as far away, bit for bit, or, where faces of two regions may coincide, nearly: order
+ * decides which of the two is seen, and nothing else.  Where the eye looks aslant, the plain tracer sees
  * the same things as far away.  A scene that fails is made smaller as long as it
  * fails, printed, and written to faces_N.pov; after --first nothing more is done, not
  * even that.  Exit code 1: some failed.
@@ -232,7 +232,7 @@ static bool same_in_all_forms(const struct scene *scene,
     return true;
 }
 
-/* Of clear faces in one place the later is seen: they are not as far away to the bit. */
+/* Of two faces in one place the later is seen: they are not as far away to the bit. */
 static size_t first_apart(const c205_word *depth, const c205_word *expected)
 {
     size_t i = 0;
@@ -241,6 +241,14 @@ static size_t first_apart(const c205_word *depth, const c205_word *expected)
                   <= 2e-7)
         i++;
     return i;
+}
+
+static bool has_offsets(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->region_count; i++)
+        if (scene->regions[i].yield > 0)
+            return true;
+    return scene_has_interiors(scene);
 }
 
 static bool same_in_any_order(const struct grid_scene *grid,
@@ -253,7 +261,7 @@ static bool same_in_any_order(const struct grid_scene *grid,
     struct scene *scene = scene_of(text);
     trace_form(&forms[ANY_ORDER], scene, words);
     size_t depth = (size_t)CHANNEL_DEPTH * PIXELS;
-    size_t other = scene_has_interiors(scene)
+    size_t other = has_offsets(scene)
                        ? first_apart(words + depth, expected + depth)
                        : first_other(words + depth, expected + depth, PIXELS);
     if (other < PIXELS)
