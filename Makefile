@@ -369,7 +369,7 @@ $(BUILD)/tests/unit/test_allocation: override LDFLAGS += \
 	-Wl,--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=free
 # A unit test that leaks memory fails if a program with a leak does when it is linked so.
 # Tests that run machines, and those that say so, are linked without: their large blocks are
-# mapped anew each time, which takes up to ten times as long.
+# mapped again each time, which takes up to ten times as long.
 leaks = $(if $(shell grep -lE "traced_frame|machine|model|debugger|session|engine|lesson|leak sanitizer" $(@:$(BUILD)/%=%.c)),,$(file <$(BUILD)/leaks))
 $(BUILD)/leaks:
 	@mkdir -p $(@D)

@@ -185,7 +185,7 @@ static void check_scenes(const struct swept *shape)
     check_random_scenes(add_tangled, scene_count);
     for (size_t i = 0; i < 2 * scene_count; i++) {
         /* Through clear quadratic prisms the plain tracer has other colours in some
-         * scenes (.007 at the most); the reason is not known. */
+         * scenes, by .007 or less; the reason is not known. */
         solids.clear = i % 2 && shape != &quadratic;
         check_solids_with(add_plain);
     }
