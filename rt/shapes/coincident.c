@@ -322,7 +322,9 @@ static int compare_keys(const void *a, const void *b)
         return one->sort < other->sort ? -1 : 1;
     if (one->key != other->key)
         return one->key < other->key ? -1 : 1;
-    return (one->low[0] > other->low[0]) - (one->low[0] < other->low[0]);
+    if (one->low[0] != other->low[0])
+        return one->low[0] > other->low[0] ? 1 : -1;
+    return (one->region > other->region) - (one->region < other->region);
 }
 
 static double middle_of(const double low[3], const double high[3],
@@ -644,18 +646,29 @@ static int compare_places(const void *a, const void *b)
     return (one->low[0] > other->low[0]) - (one->low[0] < other->low[0]);
 }
 
+/* A face is compared with no more others than these whose boxes overlap with its own: of
+ * thousands of things in one place all pairs would take minutes. */
+enum { COMPARED_MAX = 64 };
+
 /* Faces of one key, from left to right. */
 static void pair_group(struct face_search *search, struct face *faces,
                        size_t count)
 {
     qsort(faces, count, sizeof *faces, compare_places);
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count; i++) {
+        size_t compared = 0;
+
         for (size_t k = i + 1;
-             k < count && !search->failed
+             k < count && !search->failed && compared < COMPARED_MAX
              && faces[k].low[0] <= faces[i].high[0] + COINCIDENT;
-             k++)
+             k++) {
+            double low[3], high[3];
+
+            compared += overlap(&faces[i], &faces[k], low, high);
             if (coincide(&faces[i], &faces[k]))
                 add_pair(search, &faces[i], &faces[k]);
+        }
+    }
 }
 
 static bool is_near(const struct face *a, const struct face *b)
