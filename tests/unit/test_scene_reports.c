@@ -125,7 +125,7 @@ TEST(reports)
           "the sphere is too large or too small" },
         { "cylinder { 0, 1e-200*x, 1 } sphere { 0, 1 }", 1,
           "the cylinder is too large" },
-        { "cone { 0, -1, y, 1 } sphere { 0, 1 }", 6,
+        { "cone { 0, -1, y, 1 } sphere { 0, 1 }", 8,
           "a radius of the cone is below 0" },
         { "sphere { 0, 1 normal { bozo normal_map { [0 gradient x] } } }", 24,
           "a normal of the pattern 'bozo'" },
