@@ -24,14 +24,13 @@ static const char *name_fault(const char *name)
                                                   : NULL;
 }
 
-static bool check_name(struct assembler *assembler, const char *file,
-                       const char *name)
+static bool check_name(struct assembler *assembler, const char *file, const char *name)
 {
     const char *fault = name_fault(name);
     char message[160];
 
-    snprintf(message, sizeof message, "'%.100s' cannot be defined: it %s",
-             name, fault ? fault : "");
+    snprintf(message, sizeof message, "'%.100s' cannot be defined: it %s", name,
+             fault ? fault : "");
     return !fault || report_file(assembler->diagnostics, file, message);
 }
 
@@ -57,10 +56,8 @@ static bool define(struct assembler *assembler, const char *file)
 
 static void start(struct assembler *assembler)
 {
-    static const struct section sections[] = {
-        { .name = ".code", .at = CODE_ORIGIN },
-        { .name = ".data", .at = DATA_ORIGIN }
-    };
+    static const struct section sections[] = { { .name = ".code", .at = CODE_ORIGIN },
+                                               { .name = ".data", .at = DATA_ORIGIN } };
 
     memcpy(assembler->sections, sections, sizeof sections);
     assembler->section = &assembler->sections[0];
@@ -76,15 +73,13 @@ static bool take_text(struct assembler *assembler, struct asm_source *source)
     if (!text)
         return false;
     if (!text_clean(text, &length, &error))
-        return report_file(assembler->diagnostics, source->name,
-                           error.message);
+        return report_file(assembler->diagnostics, source->name, error.message);
     source->text = text;
     source->end = text + length;
     return true;
 }
 
-static struct object *run_passes(struct assembler *assembler,
-                                 struct asm_source *source)
+static struct object *run_passes(struct assembler *assembler, struct asm_source *source)
 {
     const struct line *line;
     bool halted;
@@ -129,8 +124,7 @@ static struct object *assemble(struct asm_source *source,
     return object;
 }
 
-struct object *assemble_bytes(const char *name, const char *text,
-                              size_t length,
+struct object *assemble_bytes(const char *name, const char *text, size_t length,
                               const struct asm_options *options,
                               struct diagnostics *diagnostics)
 {
@@ -149,8 +143,7 @@ struct object *assemble_text(const char *name, const char *text,
     return assemble_bytes(name, text, strlen(text), options, diagnostics);
 }
 
-struct object *assemble_file(const char *path,
-                             const struct asm_options *options,
+struct object *assemble_file(const char *path, const struct asm_options *options,
                              struct diagnostics *diagnostics)
 {
     struct object *object;

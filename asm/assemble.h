@@ -29,8 +29,8 @@ struct asm_symbol {
     const char *name;
     int64_t value; /* labels: bit address */
     bool is_label;
-    bool is_word; /* value holds the bits of a 205 word, not an integer */
-    bool is_used; /* an expression or a condition of the text has it */
+    bool is_word;               /* value holds the bits of a 205 word, not an integer */
+    bool is_used;               /* an expression or a condition of the text has it */
     enum asm_contents contents; /* of a label, up to the next one .. */
     bool counted;               /* by a length that was given to it */
     uint64_t count; /* .. and how many; what .vector and its kin make has the
@@ -74,10 +74,10 @@ struct asm_expectation;
 struct object {
     c205_program program;
     size_t symbol_count;
-    const struct asm_symbol *symbols; /* sorted by name */
-    size_t line_count;                /* 0 when read from an object file */
-    const struct asm_line *lines;     /* sorted by address */
-    size_t register_count;            /* likewise */
+    const struct asm_symbol *symbols;     /* sorted by name */
+    size_t line_count;                    /* 0 when read from an object file */
+    const struct asm_line *lines;         /* sorted by address */
+    size_t register_count;                /* likewise */
     const struct asm_register *registers; /* as the text has them */
     size_t mention_count;                 /* likewise */
     const struct asm_mention *mentions;   /* by address, then as written */
@@ -107,15 +107,13 @@ struct asm_options {
 
 /* NULL: there are errors; a file that cannot be read is one.  options may be
  * NULL. */
-struct object *assemble_file(const char *path,
-                             const struct asm_options *options,
+struct object *assemble_file(const char *path, const struct asm_options *options,
                              struct diagnostics *diagnostics);
 struct object *assemble_text(const char *name, const char *text,
                              const struct asm_options *options,
                              struct diagnostics *diagnostics);
 /* The same of so many bytes, NULs among them or not, and a NUL behind them. */
-struct object *assemble_bytes(const char *name, const char *text,
-                              size_t length,
+struct object *assemble_bytes(const char *name, const char *text, size_t length,
                               const struct asm_options *options,
                               struct diagnostics *diagnostics);
 void object_free(struct object *object);
@@ -124,8 +122,7 @@ void object_free(struct object *object);
 bool asm_is_redefined(const struct diagnostic *diagnostic, const char *name);
 
 /* The line whose words lie at an address; NULL: none is known. */
-const struct asm_line *object_line(const struct object *object,
-                                   uint64_t address);
+const struct asm_line *object_line(const struct object *object, uint64_t address);
 /* The region that it belongs to; "": none. */
 const char *object_region(const struct object *object, uint64_t address);
 /* Of its first word. */
@@ -135,8 +132,7 @@ struct position asm_line_position(const struct asm_line *line);
 const char *asm_directive(size_t i);
 
 /* NULL: no such symbol. */
-const struct asm_symbol *object_symbol(const struct object *object,
-                                       const char *name);
+const struct asm_symbol *object_symbol(const struct object *object, const char *name);
 /* The first of the names, ended by a NULL name, that none of the programs uses; NULL: all are
  * used.  The object of a file uses none, its constants are fixed. */
 const char *asm_unused_define(const struct asm_define *defines,

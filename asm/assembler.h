@@ -64,9 +64,9 @@ struct symbol {
     const char *name;
     size_t length;
     enum symbol_kind kind;
-    struct value value; /* register: its number */
-    size_t naming;      /* register: the last one of this name, from 1 */
-    const struct macro *macro; /* of this name; macros have their own space */
+    struct value value;         /* register: its number */
+    size_t naming;              /* register: the last one of this name, from 1 */
+    const struct macro *macro;  /* of this name; macros have their own space */
     const struct line *defined; /* NULL: given by the caller */
     bool used;                  /* an expression or a condition has it */
     bool counted;               /* label: it was given a length, of what: */
@@ -100,7 +100,7 @@ struct naming {
     size_t owner;                       /* the first naming of what this is */
     const struct register_share *share; /* the block it stands in, or NULL */
     bool ended;                         /* the name has moved on */
-    size_t below; /* the one of this register before it, from 1 */
+    size_t below;                       /* the one of this register before it, from 1 */
 };
 
 struct registers {
@@ -228,15 +228,15 @@ struct assembler {
 
 /* error.c.  at points into the line, or to its beginning if the whole of it is
  * meant; all return false. */
-bool report(struct assembler *assembler, const struct line *line,
-            const char *at, const char *format, ...)
+bool report(struct assembler *assembler, const struct line *line, const char *at,
+            const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 4, 5)))
 #endif
     ;
 /* The same for what is no error; told at the end, if at all. */
-void warn(struct assembler *assembler, enum warning warning,
-          const struct line *line, const char *at, const char *format, ...)
+void warn(struct assembler *assembler, enum warning warning, const struct line *line,
+          const char *at, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 5, 6)))
 #endif
@@ -251,14 +251,12 @@ bool too_many_errors(const struct assembler *assembler);
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length);
 /* NULL: never heard of. */
-struct symbol *symbol_find(const struct assembler *assembler,
-                           const char *name, size_t length);
+struct symbol *symbol_find(const struct assembler *assembler, const char *name,
+                           size_t length);
 /* False: neither r0 .. r255 nor h0 .. h255. */
-bool register_named(const char *name, size_t length,
-                    struct register_name *found);
-bool symbol_define(struct assembler *assembler, const struct line *line,
-                   const char *at, struct symbol *symbol,
-                   enum symbol_kind kind, struct value value);
+bool register_named(const char *name, size_t length, struct register_name *found);
+bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
+                   struct symbol *symbol, enum symbol_kind kind, struct value value);
 
 /* parse.c */
 bool parse_line(struct assembler *assembler, const struct line *line);

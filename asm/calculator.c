@@ -20,46 +20,45 @@ static const struct calculator_function functions[] = {
     { "float", 1, false, "real" },
 };
 
-static const char program[] =
-    "        .include \"atan2.s\"\n"
-    "        .include \"power.s\"\n"
-    "        .include \"log.s\"\n"
-    "        .include \"sin.s\"\n"
-    "        .macro  do routine\n"
-    "do_\\routine: call \\routine, f_link, f_target\n"
-    "        EXIT\n"
-    "        .endm\n"
-    "plus:   ADDN    f_x, f_y, f_r\n"
-    "        EXIT\n"
-    "minus:  SUBN    f_x, f_y, f_r\n"
-    "        EXIT\n"
-    "times:  MPYS    f_x, f_y, f_r\n"
-    "        EXIT\n"
-    "over:   DIVS    f_x, f_y, f_r\n"
-    "        EXIT\n"
-    "        .macro  compare name, branch\n"
-    "\\name:  ES      f_r, 1\n"
-    "        \\branch f_x, f_y, done\n"
-    "        ES      f_r, 0\n"
-    "        EXIT\n"
-    "        .endm\n"
-    "        compare less, CFPLT\n"
-    "        compare not_less, CFPGE\n"
-    "        compare equal, CFPEQ\n"
-    "        compare not_equal, CFPNE\n"
-    "done:   EXIT\n"
-    "root:   SQRT    f_x, f_r\n"
-    "        EXIT\n"
-    "whole:  FLR     f_x, f_r\n"
-    "        EXIT\n"
-    "real:   ADDN    f_x, r0, f_r\n"
-    "        EXIT\n"
-    "        do      exp\n"
-    "        do      log\n"
-    "        do      sin\n"
-    "        do      cos\n"
-    "        do      atan2\n"
-    "        do      power\n";
+static const char program[] = "        .include \"atan2.s\"\n"
+                              "        .include \"power.s\"\n"
+                              "        .include \"log.s\"\n"
+                              "        .include \"sin.s\"\n"
+                              "        .macro  do routine\n"
+                              "do_\\routine: call \\routine, f_link, f_target\n"
+                              "        EXIT\n"
+                              "        .endm\n"
+                              "plus:   ADDN    f_x, f_y, f_r\n"
+                              "        EXIT\n"
+                              "minus:  SUBN    f_x, f_y, f_r\n"
+                              "        EXIT\n"
+                              "times:  MPYS    f_x, f_y, f_r\n"
+                              "        EXIT\n"
+                              "over:   DIVS    f_x, f_y, f_r\n"
+                              "        EXIT\n"
+                              "        .macro  compare name, branch\n"
+                              "\\name:  ES      f_r, 1\n"
+                              "        \\branch f_x, f_y, done\n"
+                              "        ES      f_r, 0\n"
+                              "        EXIT\n"
+                              "        .endm\n"
+                              "        compare less, CFPLT\n"
+                              "        compare not_less, CFPGE\n"
+                              "        compare equal, CFPEQ\n"
+                              "        compare not_equal, CFPNE\n"
+                              "done:   EXIT\n"
+                              "root:   SQRT    f_x, f_r\n"
+                              "        EXIT\n"
+                              "whole:  FLR     f_x, f_r\n"
+                              "        EXIT\n"
+                              "real:   ADDN    f_x, r0, f_r\n"
+                              "        EXIT\n"
+                              "        do      exp\n"
+                              "        do      log\n"
+                              "        do      sin\n"
+                              "        do      cos\n"
+                              "        do      atan2\n"
+                              "        do      power\n";
 
 struct calculator {
     struct object *object;
@@ -67,8 +66,7 @@ struct calculator {
     c205 *machine;
 };
 
-const struct calculator_function *calculator_find(const char *name,
-                                                  size_t length)
+const struct calculator_function *calculator_find(const char *name, size_t length)
 {
     for (size_t i = 0; i < sizeof functions / sizeof *functions; i++)
         if (strlen(functions[i].name) == length
@@ -91,8 +89,7 @@ struct calculator *calculator_new(void)
     if (calculator->object && calculator->model)
         calculator->machine = c205_new(calculator->model, &error);
     if (calculator->machine
-        && c205_load(calculator->machine, &calculator->object->program,
-                     &error))
+        && c205_load(calculator->machine, &calculator->object->program, &error))
         return calculator;
     calculator_free(calculator);
     return NULL;
@@ -109,16 +106,15 @@ void calculator_free(struct calculator *calculator)
 }
 
 c205_word calculator_compute(struct calculator *calculator,
-                             const struct calculator_function *function,
-                             c205_word x, c205_word y)
+                             const struct calculator_function *function, c205_word x,
+                             c205_word y)
 {
     c205 *machine = calculator->machine;
 
     c205_set_register(machine, X, x);
     c205_set_register(machine, Y, y);
     c205_set_pc(machine,
-                (uint64_t)object_symbol(calculator->object, function->label)
-                    ->value);
+                (uint64_t)object_symbol(calculator->object, function->label)->value);
     c205_run(machine, C205_NO_LIMIT);
     return c205_register(machine, RESULT);
 }

@@ -20,8 +20,7 @@ struct calculator_function {
 };
 
 /* NULL: there is none. */
-const struct calculator_function *calculator_find(const char *name,
-                                                  size_t length);
+const struct calculator_function *calculator_find(const char *name, size_t length);
 
 /* NULL: the host has no memory. */
 struct calculator *calculator_new(void);
@@ -29,7 +28,7 @@ void calculator_free(struct calculator *calculator);
 
 /* y counts where there are two arguments. */
 c205_word calculator_compute(struct calculator *calculator,
-                             const struct calculator_function *function,
-                             c205_word x, c205_word y);
+                             const struct calculator_function *function, c205_word x,
+                             c205_word y);
 
 #endif

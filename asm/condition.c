@@ -17,8 +17,7 @@ void condition_close(struct expander *expander, unsigned depth)
         const struct line *line;
 
         line = expander->conditions[--expander->condition_depth].line;
-        report(expander->assembler, line, line->begin,
-               "this .if has no .endif");
+        report(expander->assembler, line, line->begin, "this .if has no .endif");
     }
 }
 
@@ -28,8 +27,7 @@ static bool holds(struct cursor *cursor)
     int64_t integer = 0;
 
     return expression && expect_end(cursor)
-           && evaluate_integer(cursor->assembler, cursor->line, expression,
-                               &integer)
+           && evaluate_integer(cursor->assembler, cursor->line, expression, &integer)
            && integer != 0;
 }
 
@@ -73,8 +71,7 @@ static void open(struct expander *expander, struct cursor *cursor,
     expander->condition_depth++;
 }
 
-static struct asm_condition *innermost(struct expander *expander,
-                                       struct cursor *cursor)
+static struct asm_condition *innermost(struct expander *expander, struct cursor *cursor)
 {
     const struct expansion *frame = &expander->frames[expander->depth - 1];
 
@@ -111,8 +108,7 @@ static void close_one(struct expander *expander, struct cursor *cursor,
 
 static const struct {
     const char *name;
-    void (*obey)(struct expander *, struct cursor *,
-                 bool (*)(struct cursor *));
+    void (*obey)(struct expander *, struct cursor *, bool (*)(struct cursor *));
     bool (*test)(struct cursor *);
 } directives[] = { { ".if", open, holds },
                    { ".ifdef", open, is_defined },

@@ -21,8 +21,7 @@ static int compare_addresses(const void *a, const void *b)
 }
 
 /* The first of some rising addresses that is not below one. */
-static size_t find_address(const uint64_t *addresses, size_t count,
-                           uint64_t address)
+static size_t find_address(const uint64_t *addresses, size_t count, uint64_t address)
 {
     size_t low = 0, high = count;
 
@@ -56,9 +55,8 @@ static void tell(const struct assembler *assembler, struct asm_symbol *symbol,
     symbol->count = count_of(symbol->contents, halves);
 }
 
-static void tell_all(const struct assembler *assembler,
-                     struct asm_symbol *symbols, size_t count,
-                     uint64_t *labels, uint64_t *items)
+static void tell_all(const struct assembler *assembler, struct asm_symbol *symbols,
+                     size_t count, uint64_t *labels, uint64_t *items)
 {
     size_t label_count = 0;
 
@@ -79,8 +77,8 @@ static void tell_all(const struct assembler *assembler,
     }
 }
 
-bool contents_tell(const struct assembler *assembler,
-                   struct asm_symbol *symbols, size_t count)
+bool contents_tell(const struct assembler *assembler, struct asm_symbol *symbols,
+                   size_t count)
 {
     uint64_t *labels = malloc((count + 1) * sizeof *labels);
     uint64_t *items = malloc((assembler->item_count + 1) * sizeof *items);

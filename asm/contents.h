@@ -6,7 +6,7 @@
 
 /* Tells it to the labels among so many symbols; the items are in the order of their
  * addresses.  False: no memory. */
-bool contents_tell(const struct assembler *assembler,
-                   struct asm_symbol *symbols, size_t count);
+bool contents_tell(const struct assembler *assembler, struct asm_symbol *symbols,
+                   size_t count);
 
 #endif

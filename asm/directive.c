@@ -45,14 +45,13 @@ static bool parse_org(struct cursor *cursor)
     const char *at = cursor->token.begin;
     int64_t address;
 
-    if (!parse_integer(cursor, 0, ((int64_t)1 << ADDRESS_BITS) - 1,
-                       "a bit address", &address))
+    if (!parse_integer(cursor, 0, ((int64_t)1 << ADDRESS_BITS) - 1, "a bit address",
+                       &address))
         return false;
     if (address % HALF_BITS)
-        return report(assembler, cursor->line, at,
-                      "expected a multiple of %d", HALF_BITS);
-    if (assembler->open_region.line
-        && assembler->region_section == assembler->section)
+        return report(assembler, cursor->line, at, "expected a multiple of %d",
+                      HALF_BITS);
+    if (assembler->open_region.line && assembler->region_section == assembler->section)
         return report(assembler, cursor->line, at,
                       "a .kernel cannot be torn apart by .org");
     assembler->section->at = (uint64_t)address;
@@ -70,8 +69,8 @@ static bool parse_align(struct cursor *cursor)
                        "a number of bits", &bits))
         return false;
     if (bits % HALF_BITS)
-        return report(cursor->assembler, cursor->line, at,
-                      "expected a multiple of %d", HALF_BITS);
+        return report(cursor->assembler, cursor->line, at, "expected a multiple of %d",
+                      HALF_BITS);
     layout_align(cursor->assembler, (uint64_t)bits);
     return true;
 }
@@ -83,8 +82,7 @@ static bool parse_entry(struct cursor *cursor)
     if (assembler->entry)
         return report(assembler, cursor->line, cursor->line->begin,
                       "there is an .entry already, in %s:%zu",
-                      assembler->entry_line->file,
-                      assembler->entry_line->number);
+                      assembler->entry_line->file, assembler->entry_line->number);
     assembler->entry = parse_expression(cursor);
     assembler->entry_line = cursor->line;
     return assembler->entry != NULL;
@@ -108,8 +106,7 @@ static const char *parse_region_name(struct cursor *cursor)
 
         name = expect_string(cursor, &length);
         if (name && !*name)
-            report(cursor->assembler, cursor->line, at,
-                   "a kernel has a name");
+            report(cursor->assembler, cursor->line, at, "a kernel has a name");
         return name && *name ? name : NULL;
     }
     if (!expect_name(cursor, "the kernel's name", &name, &length))
@@ -124,8 +121,8 @@ static bool parse_kernel(struct cursor *cursor)
 
     if (open->line)
         return report(assembler, cursor->line, cursor->line->begin,
-                      "expected .endkernel first, for that of %s:%zu",
-                      open->line->file, open->line->number);
+                      "expected .endkernel first, for that of %s:%zu", open->line->file,
+                      open->line->number);
     open->name = parse_region_name(cursor);
     if (!open->name)
         return false;
@@ -139,9 +136,8 @@ static bool add_region(struct assembler *assembler, struct asm_region region)
 {
     struct asm_region *regions;
 
-    regions = arena_grow(assembler->arena, assembler->regions,
-                         assembler->region_count, &assembler->region_capacity,
-                         sizeof *regions);
+    regions = arena_grow(assembler->arena, assembler->regions, assembler->region_count,
+                         &assembler->region_capacity, sizeof *regions);
     if (!regions)
         return false;
     assembler->regions = regions;
@@ -164,8 +160,8 @@ static bool parse_endkernel(struct cursor *cursor)
 
 /* ---- Data ---- */
 
-static bool add_values(struct cursor *cursor, enum item_kind kind,
-                       uint64_t halves, uint64_t *count)
+static bool add_values(struct cursor *cursor, enum item_kind kind, uint64_t halves,
+                       uint64_t *count)
 {
     bool good = true;
 
@@ -234,8 +230,7 @@ static bool add_half_space(struct cursor *cursor, uint64_t halves)
     uint64_t first = odd < halves ? odd : halves;
     uint64_t last = (halves - first) % WORD_HALVES;
 
-    return add_space(cursor, first)
-           && add_space(cursor, halves - first - last)
+    return add_space(cursor, first) && add_space(cursor, halves - first - last)
            && add_space(cursor, last);
 }
 
@@ -267,8 +262,8 @@ static bool parse_head(struct cursor *cursor, uint64_t most, int64_t *count)
 }
 
 /* NAME, n, values: how many elements are without a value. */
-static bool parse_elements(struct cursor *cursor, enum item_kind kind,
-                           uint64_t halves, uint64_t *rest)
+static bool parse_elements(struct cursor *cursor, enum item_kind kind, uint64_t halves,
+                           uint64_t *rest)
 {
     const char *at;
     int64_t length;
@@ -283,8 +278,7 @@ static bool parse_elements(struct cursor *cursor, enum item_kind kind,
     return given <= (uint64_t)length
            || report(cursor->assembler, cursor->line, at,
                      "%lu value%s: more than the vector holds, %lu",
-                     (unsigned long)given, plural(given),
-                     (unsigned long)length);
+                     (unsigned long)given, plural(given), (unsigned long)length);
 }
 
 static bool parse_vector(struct cursor *cursor)
@@ -340,8 +334,7 @@ static bool parse_bitvector(struct cursor *cursor)
     if (!parse_head(cursor, MAX_WORDS, &size))
         return false;
     length = ((uint64_t)size + WORD_BITS - 1) / WORD_BITS;
-    words = arena_take(cursor->assembler->arena,
-                       (size_t)length * sizeof *words);
+    words = arena_take(cursor->assembler->arena, (size_t)length * sizeof *words);
     if (!words)
         return false;
     while (cursor_take(cursor, ','))
@@ -365,8 +358,7 @@ static bool parse_text(struct cursor *cursor)
     if (!text)
         return false;
     count = ((uint64_t)length + 7) / 8;
-    words = arena_take(cursor->assembler->arena,
-                       (size_t)count * sizeof *words);
+    words = arena_take(cursor->assembler->arena, (size_t)count * sizeof *words);
     if (!words)
         return false;
     for (i = 0; i < length; i++)
@@ -381,8 +373,7 @@ static bool parse_error(struct cursor *cursor)
     const char *text = expect_string(cursor, &length);
 
     return text
-           && report(cursor->assembler, cursor->line, cursor->line->begin,
-                     "%s", text);
+           && report(cursor->assembler, cursor->line, cursor->line->begin, "%s", text);
 }
 
 static const struct directive directives[] = {
@@ -418,8 +409,7 @@ static const struct directive directives[] = {
 
 const char *directive_name(size_t i)
 {
-    return i < sizeof directives / sizeof *directives ? directives[i].name
-                                                      : NULL;
+    return i < sizeof directives / sizeof *directives ? directives[i].name : NULL;
 }
 
 const struct directive *find_directive(const struct token *token)

@@ -45,11 +45,10 @@ struct disassembler {
 
 /* ---- Addresses ---- */
 
-static void add_address(struct disassembler *disassembler,
-                        struct addresses *addresses, uint64_t address)
+static void add_address(struct disassembler *disassembler, struct addresses *addresses,
+                        uint64_t address)
 {
-    uint64_t *items = array_grow(addresses->items, addresses->count,
-                                 sizeof *items);
+    uint64_t *items = array_grow(addresses->items, addresses->count, sizeof *items);
 
     if (!items) {
         disassembler->failed = true;
@@ -73,12 +72,11 @@ static void sort(struct addresses *addresses)
               compare_addresses);
 }
 
-static bool addresses_hold(const struct addresses *addresses,
-                           uint64_t address)
+static bool addresses_hold(const struct addresses *addresses, uint64_t address)
 {
     return addresses->count > 0
-           && bsearch(&address, addresses->items, addresses->count,
-                      sizeof address, compare_addresses);
+           && bsearch(&address, addresses->items, addresses->count, sizeof address,
+                      compare_addresses);
 }
 
 /* ---- Code ---- */
@@ -104,8 +102,8 @@ static bool is_code(const c205_program *program, const c205_segment *segment)
 }
 
 /* No instruction is read across this address. */
-static uint64_t next_stop(const c205_program *program,
-                          const c205_segment *segment, uint64_t address)
+static uint64_t next_stop(const c205_program *program, const c205_segment *segment,
+                          uint64_t address)
 {
     uint64_t stop = end_of(segment);
     size_t i;
@@ -137,12 +135,12 @@ static c205_word word_at(const c205_segment *segment, uint64_t address)
     return word;
 }
 
-typedef void visit(struct disassembler *, const c205_segment *,
-                   uint64_t address, unsigned halves, const char *text);
+typedef void visit(struct disassembler *, const c205_segment *, uint64_t address,
+                   unsigned halves, const char *text);
 
 /* Every instruction of a segment, with its text. */
-static void walk(struct disassembler *disassembler,
-                 const c205_segment *segment, visit *visitor)
+static void walk(struct disassembler *disassembler, const c205_segment *segment,
+                 visit *visitor)
 {
     uint64_t address = segment->address;
 
@@ -150,10 +148,8 @@ static void walk(struct disassembler *disassembler,
         struct text_line line = { "", 0 };
         struct sink sink = text_line_sink(&line);
         uint64_t stop = next_stop(disassembler->program, segment, address);
-        unsigned halves = instruction_write(word_at(segment, address),
-                                            address,
-                                            stop - address < WORD_BITS ? 1
-                                                                       : 2,
+        unsigned halves = instruction_write(word_at(segment, address), address,
+                                            stop - address < WORD_BITS ? 1 : 2,
                                             &disassembler->labels, &sink);
 
         visitor(disassembler, segment, address, halves, line.text);
@@ -161,9 +157,8 @@ static void walk(struct disassembler *disassembler,
     }
 }
 
-static void note(struct disassembler *disassembler,
-                 const c205_segment *segment, uint64_t address,
-                 unsigned halves, const char *text)
+static void note(struct disassembler *disassembler, const c205_segment *segment,
+                 uint64_t address, unsigned halves, const char *text)
 {
     uint64_t target;
 
@@ -183,8 +178,7 @@ static bool is_name(const char *text)
     return *text == '\0';
 }
 
-static void open_region(struct disassembler *disassembler,
-                        const c205_region *region)
+static void open_region(struct disassembler *disassembler, const c205_region *region)
 {
     const struct sink *sink = disassembler->sink;
     const char *at = region->name;
@@ -202,8 +196,8 @@ static void open_region(struct disassembler *disassembler,
 
 /* Regions that end and begin here.  One that overlaps another or leaves its
  * segment has no place in the text. */
-static void turn_region(struct disassembler *disassembler,
-                        const c205_segment *segment, uint64_t address)
+static void turn_region(struct disassembler *disassembler, const c205_segment *segment,
+                        uint64_t address)
 {
     const c205_program *program = disassembler->program;
     size_t i;
@@ -216,14 +210,12 @@ static void turn_region(struct disassembler *disassembler,
         const c205_region *region = &program->regions[i];
 
         if (region->begin == address && address < end_of(segment)
-            && region->end > address && region->end <= end_of(segment)
-            && *region->name)
+            && region->end > address && region->end <= end_of(segment) && *region->name)
             open_region(disassembler, region);
     }
 }
 
-static void put_label(const struct disassembler *disassembler,
-                      uint64_t address)
+static void put_label(const struct disassembler *disassembler, uint64_t address)
 {
     if (!label_at(&disassembler->labels, address))
         return;
@@ -231,9 +223,8 @@ static void put_label(const struct disassembler *disassembler,
     sink_put(disassembler->sink, ":\n");
 }
 
-static void show(struct disassembler *disassembler,
-                 const c205_segment *segment, uint64_t address,
-                 unsigned halves, const char *text)
+static void show(struct disassembler *disassembler, const c205_segment *segment,
+                 uint64_t address, unsigned halves, const char *text)
 {
     (void)halves;
     turn_region(disassembler, segment, address);
@@ -252,8 +243,7 @@ static size_t count_zeros(const c205_word *words, size_t count)
     return i;
 }
 
-static size_t put_row(const struct sink *sink, const c205_word *words,
-                      size_t count)
+static size_t put_row(const struct sink *sink, const c205_word *words, size_t count)
 {
     char text[C205_TEXT_SIZE];
     size_t i;
@@ -269,8 +259,8 @@ static size_t put_row(const struct sink *sink, const c205_word *words,
 }
 
 /* How many of the words from an address on come before the next label. */
-static size_t words_together(const struct disassembler *disassembler,
-                             uint64_t address, size_t most)
+static size_t words_together(const struct disassembler *disassembler, uint64_t address,
+                             size_t most)
 {
     const struct labels *labels = &disassembler->labels;
     size_t low = 0, high = labels->count;
@@ -351,18 +341,15 @@ static void sort_labels(struct labels *labels)
     size_t i, count = 0;
 
     if (labels->count > 0)
-        qsort(labels->items, labels->count, sizeof *labels->items,
-              compare_labels);
+        qsort(labels->items, labels->count, sizeof *labels->items, compare_labels);
     for (i = 0; i < labels->count; i++)
-        if (count == 0
-            || labels->items[i].address != labels->items[count - 1].address)
+        if (count == 0 || labels->items[i].address != labels->items[count - 1].address)
             labels->items[count++] = labels->items[i];
     labels->count = count;
 }
 
 /* Whether a line of the text begins there. */
-static bool can_be_labelled(const struct disassembler *disassembler,
-                            uint64_t address)
+static bool can_be_labelled(const struct disassembler *disassembler, uint64_t address)
 {
     const c205_program *program = disassembler->program;
     size_t i;
@@ -403,19 +390,16 @@ static void collect(struct disassembler *disassembler)
     add_address(disassembler, &disassembler->targets, program->entry);
     sort(&disassembler->boundaries);
     for (i = 0; i < disassembler->targets.count; i++)
-        if (addresses_hold(&disassembler->boundaries,
-                           disassembler->targets.items[i]))
+        if (addresses_hold(&disassembler->boundaries, disassembler->targets.items[i]))
             add_label(disassembler, disassembler->targets.items[i], NULL);
     for (i = 0; i < disassembler->object->symbol_count; i++)
         if (has_own_name(disassembler, i))
-            add_label(disassembler,
-                      (uint64_t)disassembler->object->symbols[i].value,
+            add_label(disassembler, (uint64_t)disassembler->object->symbols[i].value,
                       disassembler->object->symbols[i].name);
     sort_labels(&disassembler->labels);
 }
 
-static void show_segment(struct disassembler *disassembler,
-                         const c205_segment *segment)
+static void show_segment(struct disassembler *disassembler, const c205_segment *segment)
 {
     bool code = is_code(disassembler->program, segment);
 

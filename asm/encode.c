@@ -18,17 +18,14 @@ enum {
 /* ---- Instructions ---- */
 
 /* The distance of a branch is counted in half words from itself. */
-static bool encode_target(struct assembler *assembler,
-                          const struct layout_item *item,
-                          const struct instruction *instruction,
-                          c205_fields *fields)
+static bool encode_target(struct assembler *assembler, const struct layout_item *item,
+                          const struct instruction *instruction, c205_fields *fields)
 {
     uint64_t target;
 
     if (!evaluate_address(assembler, item->line, instruction->value, &target))
         return false;
-    fields->immediate = ((int64_t)target - (int64_t)item->address)
-                        / HALF_BITS;
+    fields->immediate = ((int64_t)target - (int64_t)item->address) / HALF_BITS;
     if (target % HALF_BITS)
         return report(assembler, item->line, item->line->begin,
                       "expected a branch target on a half word, found"
@@ -45,8 +42,7 @@ static bool encode_target(struct assembler *assembler,
 
 static bool encode_immediate(struct assembler *assembler,
                              const struct layout_item *item,
-                             const struct instruction *instruction,
-                             c205_fields *fields)
+                             const struct instruction *instruction, c205_fields *fields)
 {
     struct operand operands[MAX_OPERANDS];
     size_t i, count = syntax_operands(instruction->insn, false, operands);
@@ -55,8 +51,7 @@ static bool encode_immediate(struct assembler *assembler,
         if (operands[i].kind == OPERAND_IMMEDIATE)
             return evaluate_range(assembler, item->line, instruction->value,
                                   operands[i].low, operands[i].high,
-                                  instruction->insn
-                                          == c205_insn_named("ELEN", 4)
+                                  instruction->insn == c205_insn_named("ELEN", 4)
                                       ? "a length, of at most 65535 elements,"
                                       : "an integer",
                                   &fields->immediate);
@@ -84,8 +79,7 @@ static c205_word encode_descriptor(struct assembler *assembler,
     int64_t length = 0;
     uint64_t address = 0;
 
-    if (evaluate_range(assembler, item->line, item->of.values[0], 0,
-                       C205_MAX_LENGTH,
+    if (evaluate_range(assembler, item->line, item->of.values[0], 0, C205_MAX_LENGTH,
                        "a length, of at most 65535 elements,", &length))
         evaluate_address(assembler, item->line, item->of.values[1], &address);
     return (c205_word)length << ADDRESS_BITS | address;
@@ -97,14 +91,13 @@ static c205_word encode_half(struct assembler *assembler,
 {
     int64_t integer = 0;
 
-    evaluate_range(assembler, item->line, item->of.values[0], INT32_MIN,
-                   UINT32_MAX, "an integer of 32 bits", &integer);
+    evaluate_range(assembler, item->line, item->of.values[0], INT32_MIN, UINT32_MAX,
+                   "an integer of 32 bits", &integer);
     return (c205_word)integer << HALF_BITS;
 }
 
 /* In the high half, if it is one half long. */
-static c205_word encode_one(struct assembler *assembler,
-                            const struct layout_item *item)
+static c205_word encode_one(struct assembler *assembler, const struct layout_item *item)
 {
     c205_word word = 0;
 
@@ -128,9 +121,8 @@ static void put_half(c205_word *words, uint64_t bits, c205_word half)
     words[bits / WORD_BITS] |= bits % WORD_BITS ? half : half << HALF_BITS;
 }
 
-static void encode_item(struct assembler *assembler,
-                        const struct layout_item *item, c205_word *words,
-                        uint64_t origin)
+static void encode_item(struct assembler *assembler, const struct layout_item *item,
+                        c205_word *words, uint64_t origin)
 {
     uint64_t bits = item->address - origin;
     c205_word word;
@@ -239,8 +231,7 @@ static bool add_segments(struct assembler *assembler, struct storage *storage)
     size_t i, count;
 
     for (i = 0; i < assembler->item_count; i += count) {
-        count = count_together(&assembler->items[i],
-                               assembler->item_count - i);
+        count = count_together(&assembler->items[i], assembler->item_count - i);
         if (!add_segment(assembler, storage, &assembler->items[i], count))
             return false;
     }
@@ -297,8 +288,7 @@ static bool add_symbols(struct assembler *assembler, struct storage *storage)
     size_t i;
 
     for (i = 0; i < SYMBOL_BUCKETS; i++)
-        for (symbol = assembler->symbols.buckets[i]; symbol;
-             symbol = symbol->next)
+        for (symbol = assembler->symbols.buckets[i]; symbol; symbol = symbol->next)
             if (!add_symbol(storage, symbol))
                 return false;
     storage_sort_symbols(storage);
@@ -329,8 +319,7 @@ static const struct line *call_of(const struct line *line)
     return call;
 }
 
-static const char *keep_source(struct storage *storage,
-                               const struct line *line)
+static const char *keep_source(struct storage *storage, const struct line *line)
 {
     return arena_text(&storage->arena, line->text,
                       (size_t)(line->text_end - line->text));
@@ -376,8 +365,7 @@ static bool add_lines(struct assembler *assembler, struct storage *storage)
     return true;
 }
 
-static bool add_registers(struct assembler *assembler,
-                          struct storage *storage)
+static bool add_registers(struct assembler *assembler, struct storage *storage)
 {
     size_t i;
 
@@ -418,13 +406,11 @@ static bool add_mentions(struct assembler *assembler, struct storage *storage)
     return true;
 }
 
-static void grant_tolerance(struct assembler *assembler,
-                            const struct wish *wish,
+static void grant_tolerance(struct assembler *assembler, const struct wish *wish,
                             struct asm_expectation *made)
 {
     if (wish->tolerance
-        && evaluate_word(assembler, wish->line, wish->tolerance,
-                         &made->tolerance)
+        && evaluate_word(assembler, wish->line, wish->tolerance, &made->tolerance)
         && !(c205_to_double(made->tolerance) >= 0))
         report(assembler, wish->line, wish->line->begin,
                "a tolerance is a number that is not negative");
@@ -438,8 +424,7 @@ static bool grant(struct assembler *assembler, struct storage *storage,
 {
     struct asm_expectation *made = storage_add_expectation(storage);
     size_t i, size = wish->bits ? wish->count / WORD_BITS + 1 : wish->count;
-    bool half = wish->kind == EXPECT_HALF_REGISTER
-                || wish->kind == EXPECT_HALVES;
+    bool half = wish->kind == EXPECT_HALF_REGISTER || wish->kind == EXPECT_HALVES;
     evaluator *value = half ? evaluate_half : evaluate_word;
     c205_word *words = arena_take(&storage->arena, size * sizeof *words);
 
@@ -455,8 +440,7 @@ static bool grant(struct assembler *assembler, struct storage *storage,
     made->has_tolerance = wish->tolerance != NULL;
     grant_tolerance(assembler, wish, made);
     if (wish->address)
-        evaluate_address(assembler, wish->line, wish->address,
-                         &made->address);
+        evaluate_address(assembler, wish->line, wish->address, &made->address);
     for (i = 0; i < size; i++) {
         if (wish->bits)
             words[i] = wish->bits[i];
@@ -466,8 +450,7 @@ static bool grant(struct assembler *assembler, struct storage *storage,
     return true;
 }
 
-static bool add_expectations(struct assembler *assembler,
-                             struct storage *storage)
+static bool add_expectations(struct assembler *assembler, struct storage *storage)
 {
     size_t i;
 
@@ -483,8 +466,7 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
     size_t i, first = assembler->item_count;
 
     if (assembler->entry) {
-        evaluate_address(assembler, assembler->entry_line, assembler->entry,
-                         &entry);
+        evaluate_address(assembler, assembler->entry_line, assembler->entry, &entry);
         storage->object.program.entry = entry;
         return;
     }
@@ -502,11 +484,9 @@ static void set_entry(struct assembler *assembler, struct storage *storage)
 static bool fill(struct assembler *assembler, struct storage *storage)
 {
     return check_overlap(assembler) && add_segments(assembler, storage)
-           && add_regions(assembler, storage)
-           && add_symbols(assembler, storage) && add_lines(assembler, storage)
-           && add_registers(assembler, storage)
-           && add_mentions(assembler, storage)
-           && add_expectations(assembler, storage);
+           && add_regions(assembler, storage) && add_symbols(assembler, storage)
+           && add_lines(assembler, storage) && add_registers(assembler, storage)
+           && add_mentions(assembler, storage) && add_expectations(assembler, storage);
 }
 
 struct object *encode_program(struct assembler *assembler)
@@ -524,15 +504,13 @@ struct object *encode_program(struct assembler *assembler)
                "this .kernel has no .endkernel");
     if (assembler->registers.share)
         report(assembler, assembler->registers.share->line,
-               assembler->registers.share->line->begin,
-               "this .share has no .endshare");
+               assembler->registers.share->line->begin, "this .share has no .endshare");
     if (assembler->record.line)
-        report(assembler, assembler->record.line,
-               assembler->record.line->begin,
+        report(assembler, assembler->record.line, assembler->record.line->begin,
                "this .record has no .endrecord");
     if (assembler->item_count > 0)
-        qsort(assembler->items, assembler->item_count,
-              sizeof *assembler->items, compare_items);
+        qsort(assembler->items, assembler->item_count, sizeof *assembler->items,
+              compare_items);
     set_entry(assembler, storage);
     storage->object.program.warm = assembler->warm;
     good = fill(assembler, storage)

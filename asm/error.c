@@ -5,8 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-bool report_file(struct diagnostics *diagnostics, const char *file,
-                 const char *message)
+bool report_file(struct diagnostics *diagnostics, const char *file, const char *message)
 {
     const struct position position = { .file = file };
 
@@ -34,10 +33,9 @@ static size_t column_of(const struct line *line, const char *at)
 
 static struct position position_of(const struct line *line, const char *at)
 {
-    const struct position position = {
-        line->file, line->number, column_of(line, at), line->text,
-        (size_t)(line->text_end - line->text)
-    };
+    const struct position position = { line->file, line->number, column_of(line, at),
+                                       line->text,
+                                       (size_t)(line->text_end - line->text) };
 
     return position;
 }
@@ -57,8 +55,8 @@ static void say_form(char *message, size_t size, struct assembler *assembler)
     snprintf(message + used, size - used, "; its form: %s", form.text);
 }
 
-bool report(struct assembler *assembler, const struct line *line,
-            const char *at, const char *format, ...)
+bool report(struct assembler *assembler, const struct line *line, const char *at,
+            const char *format, ...)
 {
     char message[512];
     struct position position = position_of(line, at);
@@ -71,19 +69,17 @@ bool report(struct assembler *assembler, const struct line *line,
     va_end(arguments);
     say_form(message, sizeof message, assembler);
     say_caller(message, sizeof message, line);
-    diagnostics_add(assembler->diagnostics, SEVERITY_ERROR, &position,
-                    message);
+    diagnostics_add(assembler->diagnostics, SEVERITY_ERROR, &position, message);
     return false;
 }
 
 bool too_many_errors(const struct assembler *assembler)
 {
-    return assembler->diagnostics->errors - assembler->first_error
-           >= MAX_ERRORS;
+    return assembler->diagnostics->errors - assembler->first_error >= MAX_ERRORS;
 }
 
-void warn(struct assembler *assembler, enum warning warning,
-          const struct line *line, const char *at, const char *format, ...)
+void warn(struct assembler *assembler, enum warning warning, const struct line *line,
+          const char *at, const char *format, ...)
 {
     char message[512];
     struct caution *cautions;
@@ -92,8 +88,8 @@ void warn(struct assembler *assembler, enum warning warning,
     if (assembler->caution_count >= MAX_ERRORS)
         return;
     cautions = arena_grow(assembler->arena, assembler->cautions,
-                          assembler->caution_count,
-                          &assembler->caution_capacity, sizeof *cautions);
+                          assembler->caution_count, &assembler->caution_capacity,
+                          sizeof *cautions);
     if (!cautions)
         return;
     assembler->cautions = cautions;
@@ -104,8 +100,7 @@ void warn(struct assembler *assembler, enum warning warning,
     say_caller(message, sizeof message, line);
     cautions->warning = warning;
     cautions->position = position_of(line, at);
-    cautions->message = arena_text(assembler->arena, message,
-                                   strlen(message));
+    cautions->message = arena_text(assembler->arena, message, strlen(message));
     assembler->caution_count += cautions->message != NULL;
 }
 

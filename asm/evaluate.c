@@ -36,8 +36,7 @@ static const char *shift(int code, int64_t a, int64_t b, uint64_t *result)
     return NULL;
 }
 
-const char *integer_operation(int code, int64_t a, int64_t b,
-                              uint64_t *result)
+const char *integer_operation(int code, int64_t a, int64_t b, uint64_t *result)
 {
     uint64_t ua = (uint64_t)a, ub = (uint64_t)b;
 
@@ -75,25 +74,19 @@ uint64_t integer_negation(int code, uint64_t a)
 
 /* ---- Evaluation ---- */
 
-static bool report_undefined(struct assembler *assembler,
-                             const struct line *line,
+static bool report_undefined(struct assembler *assembler, const struct line *line,
                              const struct expression *expression)
 {
     const struct symbol *symbol = expression->symbol;
-    const char *meant = suggest(assembler, SUGGEST_VALUE, symbol->name,
-                                symbol->length);
+    const char *meant = suggest(assembler, SUGGEST_VALUE, symbol->name, symbol->length);
 
-    return report(assembler, line, expression->at,
-                  "'%s' is not defined%s%s%s%s", symbol->name,
-                  assembler->expander ? " before this line" : "",
-                  meant ? "; did you mean " : "", meant ? meant : "",
-                  meant ? "?" : "");
+    return report(assembler, line, expression->at, "'%s' is not defined%s%s%s%s",
+                  symbol->name, assembler->expander ? " before this line" : "",
+                  meant ? "; did you mean " : "", meant ? meant : "", meant ? "?" : "");
 }
 
-static bool value_of_symbol(struct assembler *assembler,
-                            const struct line *line,
-                            const struct expression *expression,
-                            struct value *value)
+static bool value_of_symbol(struct assembler *assembler, const struct line *line,
+                            const struct expression *expression, struct value *value)
 {
     const struct symbol *symbol = expression->symbol;
 
@@ -110,8 +103,8 @@ static bool value_of_symbol(struct assembler *assembler,
 
 /* As a word of memory. */
 static bool word_of(struct assembler *assembler, const struct line *line,
-                    const struct expression *expression,
-                    const struct value *value, c205_word *word)
+                    const struct expression *expression, const struct value *value,
+                    c205_word *word)
 {
     int64_t integer = (int64_t)value->bits;
 
@@ -144,8 +137,8 @@ static bool operand(struct assembler *assembler, const struct line *line,
 
 /* A value as what an operation of the machine is given: integers normalised. */
 static bool number_of(struct assembler *assembler, const struct line *line,
-                      const struct expression *expression,
-                      const struct value *value, c205_word *word)
+                      const struct expression *expression, const struct value *value,
+                      c205_word *word)
 {
     if (!word_of(assembler, line, expression, value, word))
         return false;
@@ -173,20 +166,16 @@ static bool compute(struct assembler *assembler, const struct line *line,
     if (!function->is_integer)
         return true;
     if (fabs(c205_to_double(value->bits)) >= 0x1p47)
-        return report(assembler, line, expression->at,
-                      "expected less than 2^47");
+        return report(assembler, line, expression->at, "expected less than 2^47");
     value->kind = VALUE_INTEGER;
     value->bits = (uint64_t)c205_to_integer(value->bits);
     return true;
 }
 
-static bool evaluate_function(struct assembler *assembler,
-                              const struct line *line,
-                              const struct expression *expression,
-                              struct value *result)
+static bool evaluate_function(struct assembler *assembler, const struct line *line,
+                              const struct expression *expression, struct value *result)
 {
-    const struct expression *argument[] = { expression->left,
-                                            expression->right };
+    const struct expression *argument[] = { expression->left, expression->right };
     c205_word word[] = { 0, 0 };
     bool good = true;
 
@@ -194,12 +183,11 @@ static bool evaluate_function(struct assembler *assembler,
         struct value value;
 
         good = evaluate(assembler, line, argument[i], &value)
-               && number_of(assembler, line, argument[i], &value, &word[i])
-               && good;
+               && number_of(assembler, line, argument[i], &value, &word[i]) && good;
     }
     return good
-           && compute(assembler, line, expression, expression->function,
-                      word[0], word[1], result);
+           && compute(assembler, line, expression, expression->function, word[0],
+                      word[1], result);
 }
 
 /* a > b is b < a, a <= b is b >= a. */
@@ -230,11 +218,10 @@ static const struct number_operator *number_operator(int code)
     return NULL;
 }
 
-static bool calculate_numbers(struct assembler *assembler,
-                              const struct line *line,
+static bool calculate_numbers(struct assembler *assembler, const struct line *line,
                               const struct expression *expression,
-                              const struct value *left,
-                              const struct value *right, struct value *result)
+                              const struct value *left, const struct value *right,
+                              struct value *result)
 {
     const struct number_operator *rule = number_operator(expression->code);
     c205_word x, y;
@@ -253,27 +240,22 @@ static bool calculate_numbers(struct assembler *assembler,
 /* ---- Operators ---- */
 
 /* && and ||: the right side counts where the left one does not tell. */
-static bool evaluate_logical(struct assembler *assembler,
-                             const struct line *line,
-                             const struct expression *expression,
-                             uint64_t *result)
+static bool evaluate_logical(struct assembler *assembler, const struct line *line,
+                             const struct expression *expression, uint64_t *result)
 {
     bool is_and = expression->code == OPERATOR('&', '&');
     int64_t left = 0, right = 0;
 
     if (!operand(assembler, line, expression->left, &left))
         return false;
-    if (is_and == (left != 0)
-        && !operand(assembler, line, expression->right, &right))
+    if (is_and == (left != 0) && !operand(assembler, line, expression->right, &right))
         return false;
     *result = is_and ? left && right : left || right;
     return true;
 }
 
-static bool evaluate_binary(struct assembler *assembler,
-                            const struct line *line,
-                            const struct expression *expression,
-                            struct value *result)
+static bool evaluate_binary(struct assembler *assembler, const struct line *line,
+                            const struct expression *expression, struct value *result)
 {
     struct value left, right;
     const char *problem;
@@ -282,17 +264,14 @@ static bool evaluate_binary(struct assembler *assembler,
     if (!evaluate(assembler, line, expression->right, &right) || !good)
         return false;
     if (left.kind == VALUE_FLOATING || right.kind == VALUE_FLOATING)
-        return calculate_numbers(assembler, line, expression, &left, &right,
-                                 result);
+        return calculate_numbers(assembler, line, expression, &left, &right, result);
     problem = integer_operation(expression->code, (int64_t)left.bits,
                                 (int64_t)right.bits, &result->bits);
     return !problem || report(assembler, line, expression->at, "%s", problem);
 }
 
-static bool evaluate_unary(struct assembler *assembler,
-                           const struct line *line,
-                           const struct expression *expression,
-                           struct value *result)
+static bool evaluate_unary(struct assembler *assembler, const struct line *line,
+                           const struct expression *expression, struct value *result)
 {
     struct value value;
 
@@ -318,21 +297,18 @@ bool evaluate(struct assembler *assembler, const struct line *line,
     switch (expression->operation) {
     case VALUE: *value = expression->value; return true;
     case SYMBOL: return value_of_symbol(assembler, line, expression, value);
-    case BITS:
-        return evaluate_word(assembler, line, expression->left, &value->bits);
+    case BITS: return evaluate_word(assembler, line, expression->left, &value->bits);
     case WORD:
         value->kind = VALUE_WORD;
         if (!operand(assembler, line, expression->left, &integer))
             return false;
         value->bits = (uint64_t)integer;
         return true;
-    case FUNCTION:
-        return evaluate_function(assembler, line, expression, value);
+    case FUNCTION: return evaluate_function(assembler, line, expression, value);
     case UNARY: return evaluate_unary(assembler, line, expression, value);
     default:
         return is_logical(expression->code)
-                   ? evaluate_logical(assembler, line, expression,
-                                      &value->bits)
+                   ? evaluate_logical(assembler, line, expression, &value->bits)
                    : evaluate_binary(assembler, line, expression, value);
     }
 }
@@ -344,15 +320,14 @@ bool evaluate_integer(struct assembler *assembler, const struct line *line,
 }
 
 bool evaluate_range(struct assembler *assembler, const struct line *line,
-                    const struct expression *expression, int64_t low,
-                    int64_t high, const char *what, int64_t *integer)
+                    const struct expression *expression, int64_t low, int64_t high,
+                    const char *what, int64_t *integer)
 {
     if (!evaluate_integer(assembler, line, expression, integer))
         return false;
     if (*integer < low || *integer > high)
         return report(assembler, line, expression->at,
-                      "expected %s from %" PRId64 " to %" PRId64
-                      ", found %" PRId64,
+                      "expected %s from %" PRId64 " to %" PRId64 ", found %" PRId64,
                       what, low, high, *integer);
     return true;
 }
@@ -386,8 +361,7 @@ bool evaluate_half(struct assembler *assembler, const struct line *line,
                          "expected a half word, of 8 hex digits");
     default:
         good = evaluate_range(assembler, line, expression, -HALF_INTEGERS / 2,
-                              HALF_INTEGERS - 1, "an integer of 24 bits",
-                              &integer);
+                              HALF_INTEGERS - 1, "an integer of 24 bits", &integer);
         *half = (c205_word)(integer & (HALF_INTEGERS - 1)) << HALF_BITS;
         return good;
     }
@@ -399,8 +373,7 @@ bool evaluate_address(struct assembler *assembler, const struct line *line,
     int64_t integer = 0;
 
     if (!evaluate_range(assembler, line, expression, 0,
-                        ((int64_t)1 << ADDRESS_BITS) - 1, "a bit address",
-                        &integer))
+                        ((int64_t)1 << ADDRESS_BITS) - 1, "a bit address", &integer))
         return false;
     *address = (uint64_t)integer;
     return true;

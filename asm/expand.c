@@ -15,8 +15,8 @@ static bool halt(struct expander *expander, const struct line *line,
     return report(expander->assembler, line, line->begin, message, limit);
 }
 
-static struct expansion *push(struct expander *expander,
-                              const struct line *line, enum frame_kind kind)
+static struct expansion *push(struct expander *expander, const struct line *line,
+                              enum frame_kind kind)
 {
     static const struct expansion empty;
     struct expansion *frame;
@@ -67,20 +67,17 @@ static bool repeat_or_pop(struct expander *expander)
 /* What a line of a body is read for. */
 enum purpose { TO_PARSE, FOR_REPEAT, FOR_MACRO };
 
-static bool spend(struct expander *expander, const struct line *line,
-                  size_t bytes)
+static bool spend(struct expander *expander, const struct line *line, size_t bytes)
 {
     expander->expansion += bytes + sizeof(struct line);
     if (expander->expansion <= MAX_EXPANSION)
         return true;
-    return halt(
-        expander, line,
-        "macros and repetitions make too much text: at most %zu bytes",
-        MAX_EXPANSION);
+    return halt(expander, line,
+                "macros and repetitions make too much text: at most %zu bytes",
+                MAX_EXPANSION);
 }
 
-static struct line *file_line(struct expander *expander,
-                              struct expansion *frame)
+static struct line *file_line(struct expander *expander, struct expansion *frame)
 {
     struct line *line = NULL;
     const char *newline;
@@ -100,16 +97,15 @@ static struct line *file_line(struct expander *expander,
     frame->at = newline + (newline < frame->end);
     if ((size_t)(line->end - line->begin) > MAX_LINE) {
         line->text_end = line->end = line->begin + 40;
-        halt(expander, line,
-             "this line is too long: a line has at most %zu bytes", MAX_LINE);
+        halt(expander, line, "this line is too long: a line has at most %zu bytes",
+             MAX_LINE);
     }
     return line;
 }
 
 /* Inside a definition of a macro, \@ is that of its own expansions; what is
  * inside .rept keeps its \+ and is left alone. */
-static struct substitution rules(const struct expansion *frame,
-                                 enum purpose purpose)
+static struct substitution rules(const struct expansion *frame, enum purpose purpose)
 {
     struct substitution rules = { NULL, NULL, NULL, NULL };
 
@@ -123,8 +119,8 @@ static struct substitution rules(const struct expansion *frame,
     return rules;
 }
 
-static struct line *body_line(struct expander *expander,
-                              struct expansion *frame, enum purpose purpose)
+static struct line *body_line(struct expander *expander, struct expansion *frame,
+                              enum purpose purpose)
 {
     struct substitution substitution = rules(frame, purpose);
     const struct line *model;
@@ -140,14 +136,13 @@ static struct line *body_line(struct expander *expander,
         return NULL;
     *line = *model;
     if (length > MAX_LINE) {
-        halt(expander, model,
-             "this line expands to too long a line: at most %zu bytes",
+        halt(expander, model, "this line expands to too long a line: at most %zu bytes",
              MAX_LINE);
         return NULL;
     }
     line->caller = frame->caller;
-    line->text = line->begin = arena_text(expander->assembler->arena,
-                                          expander->scratch, length);
+    line->text = line->begin = arena_text(expander->assembler->arena, expander->scratch,
+                                          length);
     if (!line->text)
         return NULL;
     line->text_end = line->end = line->text + length;
@@ -191,8 +186,7 @@ static int nesting(struct expander *expander, const struct line *line,
     skip_labels(&cursor, &end);
     if (cursor.token.kind != TOKEN_DIRECTIVE)
         return 0;
-    return token_is(&cursor.token, opening)
-           - token_is(&cursor.token, closing);
+    return token_is(&cursor.token, opening) - token_is(&cursor.token, closing);
 }
 
 /* Lines up to the closing directive that belongs to this one. */
@@ -204,16 +198,15 @@ static bool capture(struct expander *expander, const struct line *start,
     const struct line *line;
     int depth = 1;
 
-    while ((line = read_line(expander, purpose)) != NULL
-           && !expander->halted) {
+    while ((line = read_line(expander, purpose)) != NULL && !expander->halted) {
         depth += nesting(expander, line, opening, closing);
         if (depth == 0)
             return true;
         if (!macro_add_line(expander->assembler, body, line))
             return false;
     }
-    return report(expander->assembler, start, start->begin,
-                  "this %s has no %s", opening, closing);
+    return report(expander->assembler, start, start->begin, "this %s has no %s",
+                  opening, closing);
 }
 
 /* ---- Directives ---- */
@@ -228,11 +221,10 @@ static void define_macro(struct expander *expander, struct cursor *cursor)
     body = macro ? macro : &unnamed; /* read past the body in any case */
     if (!capture(expander, cursor->line, body, FOR_MACRO) || !macro)
         return;
-    symbol = symbol_intern(expander->assembler, macro->name,
-                           strlen(macro->name));
+    symbol = symbol_intern(expander->assembler, macro->name, strlen(macro->name));
     if (symbol && symbol->macro)
-        report(expander->assembler, cursor->line, at,
-               "there is a macro '%s' already", symbol->name);
+        report(expander->assembler, cursor->line, at, "there is a macro '%s' already",
+               symbol->name);
     else if (symbol)
         symbol->macro = macro;
 }
@@ -246,10 +238,9 @@ static void repeat(struct expander *expander, struct cursor *cursor)
 
     if (!body)
         return;
-    good = parse_integer(cursor, 0, MAX_WORDS, "a count", &count)
-           && expect_end(cursor);
-    if (!capture(expander, cursor->line, body, FOR_REPEAT) || !good
-        || count == 0 || body->line_count == 0)
+    good = parse_integer(cursor, 0, MAX_WORDS, "a count", &count) && expect_end(cursor);
+    if (!capture(expander, cursor->line, body, FOR_REPEAT) || !good || count == 0
+        || body->line_count == 0)
         return;
     frame = push(expander, cursor->line, FRAME_REPEAT);
     if (frame) {
@@ -275,8 +266,8 @@ static void include(struct expander *expander, struct cursor *cursor)
     if (source_find(expander->assembler, name, from, &source, &error))
         push_source(expander, cursor->line, &source);
     else
-        report(expander->assembler, cursor->line, at,
-               "'%.200s' cannot be read: %.200s", name, error.message);
+        report(expander->assembler, cursor->line, at, "'%.200s' cannot be read: %.200s",
+               name, error.message);
 }
 
 static void stray(struct expander *expander, struct cursor *cursor)
@@ -314,8 +305,7 @@ static const struct {
 
 const char *expand_name(size_t i)
 {
-    return i < sizeof directives / sizeof *directives ? directives[i].name
-                                                      : NULL;
+    return i < sizeof directives / sizeof *directives ? directives[i].name : NULL;
 }
 
 static directive *find_directive(const struct token *token)
@@ -323,8 +313,7 @@ static directive *find_directive(const struct token *token)
     size_t i;
 
     for (i = 0; i < sizeof directives / sizeof *directives; i++)
-        if (token->kind == TOKEN_DIRECTIVE
-            && token_is(token, directives[i].name))
+        if (token->kind == TOKEN_DIRECTIVE && token_is(token, directives[i].name))
             return directives[i].obey;
     return NULL;
 }
@@ -345,8 +334,8 @@ static const struct macro *find_macro(const struct expander *expander,
 
 /* Hand out the labels before a directive of this pass as a line of their
  * own, and keep the rest for the next turn. */
-static const struct line *split(struct expander *expander,
-                                const struct line *line, const char *at)
+static const struct line *split(struct expander *expander, const struct line *line,
+                                const char *at)
 {
     struct line *halves;
 
@@ -360,8 +349,7 @@ static const struct line *split(struct expander *expander,
 }
 
 /* The line if it is the parser's; NULL if it was obeyed here. */
-static const struct line *obey(struct expander *expander,
-                               const struct line *line)
+static const struct line *obey(struct expander *expander, const struct line *line)
 {
     struct cursor cursor = cursor_start(expander->assembler, line);
     const char *end = NULL;
@@ -420,8 +408,7 @@ const struct line *expander_next(struct expander *expander)
 struct expander *expander_new(struct assembler *assembler,
                               const struct asm_source *source)
 {
-    struct expander *expander = arena_take(assembler->arena,
-                                           sizeof *expander);
+    struct expander *expander = arena_take(assembler->arena, sizeof *expander);
 
     if (expander) {
         expander->assembler = assembler;

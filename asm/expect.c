@@ -39,8 +39,7 @@ static void say_where(const struct outcome *outcome,
 }
 
 /* A half word stands at the left of a word; it is told with 8 digits. */
-static void say_value(const struct outcome *outcome, bool half,
-                      c205_word word)
+static void say_value(const struct outcome *outcome, bool half, c205_word word)
 {
     enum { HALF_DIGITS = 9 }; /* and the blank among them */
     char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
@@ -82,21 +81,19 @@ static void say_why(const struct outcome *outcome,
 {
     if (expectation->kind != EXPECT_FLAGS
         && number_of(half, wanted) == number_of(half, found))
-        sink_put(outcome->report,
-                 ": equal numbers in other words: 5 is an integer, 5.0"
-                 " normalised, and with ~ 0 both will do");
+        sink_put(outcome->report, ": equal numbers in other words: 5 is an integer, 5.0"
+                                  " normalised, and with ~ 0 both will do");
 }
 
 static bool compare(const struct outcome *outcome,
-                    const struct asm_expectation *expectation,
-                    const char *place, c205_word wanted, c205_word found)
+                    const struct asm_expectation *expectation, const char *place,
+                    c205_word wanted, c205_word found)
 {
     bool half = expectation->kind == EXPECT_HALF_REGISTER
                 || expectation->kind == EXPECT_HALVES;
 
     if (wanted == found
-        || (expectation->has_tolerance
-            && is_near(expectation, half, wanted, found)))
+        || (expectation->has_tolerance && is_near(expectation, half, wanted, found)))
         return true;
     say_where(outcome, expectation);
     sink_print(outcome->report, "%s = ", place);
@@ -111,30 +108,27 @@ static bool compare(const struct outcome *outcome,
 }
 
 static bool compare_register(struct outcome *outcome,
-                             const struct asm_expectation *expectation,
-                             char letter, c205_word found)
+                             const struct asm_expectation *expectation, char letter,
+                             c205_word found)
 {
     struct text_line place = { "", 0 };
     struct sink sink = text_line_sink(&place);
 
     sink_print(&sink, "%c%u", letter, expectation->number);
-    return compare(outcome, expectation, place.text, expectation->words[0],
-                   found);
+    return compare(outcome, expectation, place.text, expectation->words[0], found);
 }
 
 static bool check_register(struct outcome *outcome,
                            const struct asm_expectation *expectation)
 {
     return compare_register(outcome, expectation, 'r',
-                            c205_register(outcome->machine,
-                                          expectation->number));
+                            c205_register(outcome->machine, expectation->number));
 }
 
 /* The half of a word that holds the bit with a number or an address. */
 static c205_word half_of(c205_word word, uint64_t bit)
 {
-    return word << bit % WORD_BITS / HALF_BITS * HALF_BITS
-           & ~(c205_word)UINT32_MAX;
+    return word << bit % WORD_BITS / HALF_BITS * HALF_BITS & ~(c205_word)UINT32_MAX;
 }
 
 static bool check_half_register(struct outcome *outcome,
@@ -156,26 +150,23 @@ static bool check_flags(struct outcome *outcome,
 /* ---- Memory ---- */
 
 static bool unmapped(const struct outcome *outcome,
-                     const struct asm_expectation *expectation,
-                     uint64_t address)
+                     const struct asm_expectation *expectation, uint64_t address)
 {
     say_where(outcome, expectation);
-    sink_print(outcome->report,
-               "a value at %" PRIX64 ", found no memory there\n", address);
+    sink_print(outcome->report, "a value at %" PRIX64 ", found no memory there\n",
+               address);
     return false;
 }
 
 static bool compare_element(const struct outcome *outcome,
-                            const struct asm_expectation *expectation,
-                            const char *what, size_t i, uint64_t address,
-                            c205_word found)
+                            const struct asm_expectation *expectation, const char *what,
+                            size_t i, uint64_t address, c205_word found)
 {
     struct text_line place = { "", 0 };
     struct sink sink = text_line_sink(&place);
 
     sink_print(&sink, "%s %zu, at %" PRIX64 ",", what, i, address);
-    return compare(outcome, expectation, place.text, expectation->words[i],
-                   found);
+    return compare(outcome, expectation, place.text, expectation->words[i], found);
 }
 
 static bool check_words(struct outcome *outcome,
@@ -190,9 +181,7 @@ static bool check_words(struct outcome *outcome,
 
         if (!c205_read(outcome->machine, address, &found, 1))
             return unmapped(outcome, expectation, address);
-        good = compare_element(outcome, expectation, "word", i, address,
-                               found)
-               && good;
+        good = compare_element(outcome, expectation, "word", i, address, found) && good;
     }
     return good;
 }
@@ -207,8 +196,7 @@ static bool check_halves(struct outcome *outcome,
         uint64_t address = expectation->address + HALF_BITS * (uint64_t)i;
         c205_word found;
 
-        if (!c205_read(outcome->machine, address / WORD_BITS * WORD_BITS,
-                       &found, 1))
+        if (!c205_read(outcome->machine, address / WORD_BITS * WORD_BITS, &found, 1))
             return unmapped(outcome, expectation, address);
         good = compare_element(outcome, expectation, "half", i, address,
                                half_of(found, address))
@@ -234,9 +222,8 @@ static bool check_bits(struct outcome *outcome,
         if (wanted == found)
             continue;
         say_where(outcome, expectation);
-        sink_print(outcome->report,
-                   "bit %zu, at %" PRIX64 ", = %u, found %u\n", i, address,
-                   wanted, found);
+        sink_print(outcome->report, "bit %zu, at %" PRIX64 ", = %u, found %u\n", i,
+                   address, wanted, found);
         return false;
     }
     return true;
@@ -253,8 +240,8 @@ static bool check_clocks(struct outcome *outcome,
     if (found == (uint64_t)wanted || outcome->other_model)
         return true;
     say_where(outcome, expectation);
-    sink_print(outcome->report, "%" PRId64 " clock%s, found %" PRIu64 "\n",
-               wanted, plural((uint64_t)wanted), found);
+    sink_print(outcome->report, "%" PRId64 " clock%s, found %" PRIu64 "\n", wanted,
+               plural((uint64_t)wanted), found);
     return false;
 }
 
@@ -284,8 +271,8 @@ static bool check_print(struct outcome *outcome,
         && memcmp(expectation->text, line, length) == 0)
         return true;
     say_where(outcome, expectation);
-    sink_print(outcome->report, "'%s' printed, found '%.*s'\n",
-               expectation->text, length < 400 ? (int)length : 400, line);
+    sink_print(outcome->report, "'%s' printed, found '%.*s'\n", expectation->text,
+               length < 400 ? (int)length : 400, line);
     return false;
 }
 
@@ -354,12 +341,10 @@ bool expect_other_model(const struct object *object, const c205 *machine)
     const char *named = expect_model(object);
 
     return named && find(object, EXPECT_CLOCKS)
-           && strcmp(named, c205_model_name(c205_machine_model(machine)))
-                  != 0;
+           && strcmp(named, c205_model_name(c205_machine_model(machine))) != 0;
 }
 
-static bool check_end(const struct outcome *outcome,
-                      const struct object *object)
+static bool check_end(const struct outcome *outcome, const struct object *object)
 {
     c205_error found;
 
@@ -372,8 +357,7 @@ static bool check_end(const struct outcome *outcome,
 }
 
 /* Who expects lines expects all of them. */
-static bool check_rest(const struct outcome *outcome,
-                       const struct object *object)
+static bool check_rest(const struct outcome *outcome, const struct object *object)
 {
     size_t length = strcspn(outcome->printed, "\n");
 
@@ -387,12 +371,11 @@ static bool check_rest(const struct outcome *outcome,
 }
 
 bool expect_check(const struct object *object, const c205 *machine,
-                  const c205_stop *stop, const char *printed,
-                  warning_set warned, const struct sink *report)
+                  const c205_stop *stop, const char *printed, warning_set warned,
+                  const struct sink *report)
 {
     static bool (*const checks[EXPECT_KINDS])(struct outcome *,
-                                              const struct asm_expectation
-                                                  *) = {
+                                              const struct asm_expectation *) = {
         [EXPECT_REGISTER] = check_register,
         [EXPECT_HALF_REGISTER] = check_half_register,
         [EXPECT_WORDS] = check_words,

@@ -69,7 +69,7 @@ warning_set expect_warnings(const struct object *object);
  * is all that it printed, and warned what it was warned of.  Each failure is
  * a line put to the report. */
 bool expect_check(const struct object *object, const c205 *machine,
-                  const c205_stop *stop, const char *printed,
-                  warning_set warned, const struct sink *report);
+                  const c205_stop *stop, const char *printed, warning_set warned,
+                  const struct sink *report);
 
 #endif

@@ -38,8 +38,7 @@ static int precedence(const struct cursor *cursor)
 static struct expression *new_node(struct cursor *cursor, const char *at,
                                    enum operation operation)
 {
-    struct expression *node = arena_take(cursor->assembler->arena,
-                                         sizeof *node);
+    struct expression *node = arena_take(cursor->assembler->arena, sizeof *node);
 
     if (node) {
         node->operation = operation;
@@ -58,8 +57,7 @@ static void fold(struct expression *node)
         return;
     if (node->operation == UNARY) {
         bits = integer_negation(node->code, left->value.bits);
-    } else if (right->operation != VALUE
-               || right->value.kind == VALUE_FLOATING
+    } else if (right->operation != VALUE || right->value.kind == VALUE_FLOATING
                || integer_operation(node->code, (int64_t)left->value.bits,
                                     (int64_t)right->value.bits, &bits)) {
         return;
@@ -70,8 +68,8 @@ static void fold(struct expression *node)
     node->depth = 0;
 }
 
-static struct expression *join(struct cursor *cursor, struct expression *node,
-                               int code, const struct expression *left,
+static struct expression *join(struct cursor *cursor, struct expression *node, int code,
+                               const struct expression *left,
                                const struct expression *right)
 {
     if (!node)
@@ -92,8 +90,7 @@ static struct expression *join(struct cursor *cursor, struct expression *node,
     return node;
 }
 
-static const struct expression *parse_binary(struct cursor *cursor,
-                                             int level);
+static const struct expression *parse_binary(struct cursor *cursor, int level);
 
 static const struct expression *parse_symbol(struct cursor *cursor)
 {
@@ -128,8 +125,7 @@ static const struct expression *parse_brackets(struct cursor *cursor)
 static const struct expression *parse_function(struct cursor *cursor,
                                                enum operation operation)
 {
-    struct expression *node = new_node(cursor, cursor->token.begin,
-                                       operation);
+    struct expression *node = new_node(cursor, cursor->token.begin, operation);
 
     cursor_next(cursor);
     if (!node || !(node->left = parse_brackets(cursor)))
@@ -140,8 +136,7 @@ static const struct expression *parse_function(struct cursor *cursor,
 
 /* sin(x), atan2(y, x) .. */
 static const struct expression *
-parse_computed(struct cursor *cursor,
-               const struct calculator_function *function)
+parse_computed(struct cursor *cursor, const struct calculator_function *function)
 {
     struct expression *node = new_node(cursor, cursor->token.begin, FUNCTION);
 
@@ -168,8 +163,7 @@ static const struct expression *parse_length(struct cursor *cursor)
     size_t length;
 
     cursor_next(cursor);
-    if (!node || !expect_operator(cursor, '(', "'('")
-        || !expect_string(cursor, &length)
+    if (!node || !expect_operator(cursor, '(', "'('") || !expect_string(cursor, &length)
         || !expect_operator(cursor, ')', "')'"))
         return NULL;
     node->value.bits = length;
@@ -216,8 +210,7 @@ static bool is_function(const struct token *token, const char *name)
 static const struct calculator_function *computed(const struct token *token)
 {
     return is_call(token)
-               ? calculator_find(token->begin,
-                                 (size_t)(token->end - token->begin))
+               ? calculator_find(token->begin, (size_t)(token->end - token->begin))
                : NULL;
 }
 
@@ -258,8 +251,7 @@ static const struct expression *parse_negative_number(struct cursor *cursor,
         return NULL;
     if (length > sizeof text - 2) {
         report(cursor->assembler, cursor->line, at,
-               "a negative number has at most %zu characters",
-               sizeof text - 2);
+               "a negative number has at most %zu characters", sizeof text - 2);
         return NULL;
     }
     memcpy(text + 1, cursor->token.begin, length);
@@ -276,8 +268,7 @@ static const struct expression *parse_unary(struct cursor *cursor)
     struct expression *node;
     int code = cursor->token.code;
 
-    if (!cursor_at(cursor, '-') && !cursor_at(cursor, '~')
-        && !cursor_at(cursor, '!'))
+    if (!cursor_at(cursor, '-') && !cursor_at(cursor, '~') && !cursor_at(cursor, '!'))
         return parse_primary(cursor);
     cursor_next(cursor);
     if (code == '-' && cursor->token.kind == TOKEN_NUMBER
@@ -295,8 +286,7 @@ static const struct expression *parse_chain(struct cursor *cursor, int level)
 
     while (left && (found = precedence(cursor)) >= level && found) {
         int code = cursor->token.code;
-        struct expression *node = new_node(cursor, cursor->token.begin,
-                                           BINARY);
+        struct expression *node = new_node(cursor, cursor->token.begin, BINARY);
 
         cursor_next(cursor);
         right = parse_binary(cursor, found + 1);
@@ -331,16 +321,15 @@ bool parse_value(struct cursor *cursor, struct value *value)
 {
     const struct expression *expression = parse_expression(cursor);
 
-    return expression
-           && evaluate(cursor->assembler, cursor->line, expression, value);
+    return expression && evaluate(cursor->assembler, cursor->line, expression, value);
 }
 
-bool parse_integer(struct cursor *cursor, int64_t low, int64_t high,
-                   const char *what, int64_t *integer)
+bool parse_integer(struct cursor *cursor, int64_t low, int64_t high, const char *what,
+                   int64_t *integer)
 {
     const struct expression *expression = parse_expression(cursor);
 
     return expression
-           && evaluate_range(cursor->assembler, cursor->line, expression, low,
-                             high, what, integer);
+           && evaluate_range(cursor->assembler, cursor->line, expression, low, high,
+                             what, integer);
 }

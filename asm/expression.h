@@ -22,8 +22,8 @@ bool evaluate_integer(struct assembler *assembler, const struct line *line,
                       const struct expression *expression, int64_t *integer);
 /* An integer from low to high; what names it in the error. */
 bool evaluate_range(struct assembler *assembler, const struct line *line,
-                    const struct expression *expression, int64_t low,
-                    int64_t high, const char *what, int64_t *integer);
+                    const struct expression *expression, int64_t low, int64_t high,
+                    const char *what, int64_t *integer);
 /* As a word of memory: an integer has exponent 0. */
 bool evaluate_word(struct assembler *assembler, const struct line *line,
                    const struct expression *expression, c205_word *word);
@@ -36,7 +36,7 @@ bool evaluate_address(struct assembler *assembler, const struct line *line,
 
 /* Parse and evaluate with the symbols known so far. */
 bool parse_value(struct cursor *cursor, struct value *value);
-bool parse_integer(struct cursor *cursor, int64_t low, int64_t high,
-                   const char *what, int64_t *integer);
+bool parse_integer(struct cursor *cursor, int64_t low, int64_t high, const char *what,
+                   int64_t *integer);
 
 #endif

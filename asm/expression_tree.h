@@ -21,8 +21,7 @@ struct expression {
 };
 
 /* Of integers.  NULL, or what is wrong. */
-const char *integer_operation(int code, int64_t a, int64_t b,
-                              uint64_t *result);
+const char *integer_operation(int code, int64_t a, int64_t b, uint64_t *result);
 /* - ~ ! */
 uint64_t integer_negation(int code, uint64_t a);
 

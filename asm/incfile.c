@@ -92,13 +92,12 @@ static bool is_named(const struct csv_field *field, const char *name)
     return strlen(name) == length && memcmp(field->begin, name, length) == 0;
 }
 
-static bool fault(const struct number_file *file, const char *at,
-                  const char *what)
+static bool fault(const struct number_file *file, const char *at, const char *what)
 {
     const struct line *by = file->cursor->line;
 
-    return report(file->cursor->assembler, &file->line, at,
-                  "%s (.incfile of %s:%zu)", what, by->file, by->number);
+    return report(file->cursor->assembler, &file->line, at, "%s (.incfile of %s:%zu)",
+                  what, by->file, by->number);
 }
 
 /* ---- Lines ---------------------------------------------------------------- */
@@ -127,12 +126,10 @@ static bool find_column(struct number_file *file)
             file->column = i;
             return true;
         }
-    return fault(file, file->line.begin,
-                 "this heading has no column of that name");
+    return fault(file, file->line.begin, "this heading has no column of that name");
 }
 
-static bool add_number(struct number_file *file,
-                       const struct csv_field *field)
+static bool add_number(struct number_file *file, const struct csv_field *field)
 {
     c205_word word, *grown;
     double value;
@@ -143,14 +140,13 @@ static bool add_number(struct number_file *file,
         return fault(file, field->begin, "this is not a number");
     value = c205_to_double(word);
     if (file->integers && (fabs(value) >= 0x1p47 || value != floor(value)))
-        return fault(file, field->begin,
-                     "expected an integer of less than 2^47");
+        return fault(file, field->begin, "expected an integer of less than 2^47");
     if (word == C205_INDEFINITE)
         return fault(file, field->begin, "the machine has no such number");
     if (file->integers)
         word = c205_from_integer((int64_t)value);
-    grown = arena_grow(file->cursor->assembler->arena, file->words,
-                       file->count, &file->capacity, sizeof *grown);
+    grown = arena_grow(file->cursor->assembler->arena, file->words, file->count,
+                       &file->capacity, sizeof *grown);
     if (!grown)
         return false;
     file->words = grown;
@@ -165,12 +161,10 @@ static bool read_numbers(struct number_file *file)
     size_t i = 0;
 
     while (next_field(file, &at, &field))
-        if ((++i == file->column || file->column == 0)
-            && !add_number(file, &field))
+        if ((++i == file->column || file->column == 0) && !add_number(file, &field))
             return false;
     return i == 0 || i >= file->column
-           || fault(file, file->line.begin,
-                    "this line has not so many columns");
+           || fault(file, file->line.begin, "this line has not so many columns");
 }
 
 static bool read_line(struct number_file *file)
@@ -179,9 +173,7 @@ static bool read_line(struct number_file *file)
     struct csv_field field;
     const char *comment = memchr(at, '#', (size_t)(file->line.end - at));
 
-    file->commas = memchr(at, ',',
-                          (size_t)((comment ? comment : file->line.end)
-                                   - at));
+    file->commas = memchr(at, ',', (size_t)((comment ? comment : file->line.end) - at));
     if (!next_field(file, &at, &field))
         return true;
     if (!file->begun) {
@@ -195,8 +187,7 @@ static bool read_line(struct number_file *file)
     return read_numbers(file);
 }
 
-static bool read_lines(struct number_file *file,
-                       const struct asm_source *source)
+static bool read_lines(struct number_file *file, const struct asm_source *source)
 {
     const char *at = source->text;
 
@@ -215,8 +206,7 @@ static bool read_lines(struct number_file *file,
     return file->begun || !file->wanted
            || report(file->cursor->assembler, file->cursor->line,
                      file->cursor->line->begin,
-                     "'%.200s' has no heading with names of columns",
-                     source->name);
+                     "'%.200s' has no heading with names of columns", source->name);
 }
 
 /* ---- The directive -------------------------------------------------------- */
@@ -254,8 +244,7 @@ static bool read_wishes(struct number_file *file)
     struct cursor *cursor = file->cursor;
 
     while (cursor_take(cursor, ',')) {
-        if (cursor->token.kind == TOKEN_NAME
-            && token_is(&cursor->token, "integers")) {
+        if (cursor->token.kind == TOKEN_NAME && token_is(&cursor->token, "integers")) {
             cursor_next(cursor);
             file->integers = true;
         } else if (!read_column(file)) {
@@ -277,10 +266,8 @@ bool parse_incfile(struct cursor *cursor)
     layout_align(cursor->assembler, 64);
     if (!name || !read_wishes(&file))
         return false;
-    if (!source_find(cursor->assembler, name, file_of(cursor->line), &source,
-                     &error))
+    if (!source_find(cursor->assembler, name, file_of(cursor->line), &source, &error))
         return report(cursor->assembler, cursor->line, at,
                       "'%.200s' cannot be read: %.200s", name, error.message);
-    return read_lines(&file, &source)
-           && layout_known(cursor, file.words, file.count);
+    return read_lines(&file, &source) && layout_known(cursor, file.words, file.count);
 }

@@ -30,14 +30,12 @@ static int compare_addresses(const void *a, const void *b)
 
 const struct label *label_at(const struct labels *labels, uint64_t address)
 {
-    return labels->count == 0
-               ? NULL
-               : bsearch(&address, labels->items, labels->count,
-                         sizeof *labels->items, compare_addresses);
+    return labels->count == 0 ? NULL
+                              : bsearch(&address, labels->items, labels->count,
+                                        sizeof *labels->items, compare_addresses);
 }
 
-void label_write(const struct labels *labels, uint64_t address,
-                 const struct sink *sink)
+void label_write(const struct labels *labels, uint64_t address, const struct sink *sink)
 {
     const struct label *label = label_at(labels, address);
 
@@ -92,9 +90,8 @@ static void write_source(struct writer *writer, const struct operand *operand)
                 || tell_bit(writer, operand->broadcast);
     uint8_t number = tell_field(writer, operand->field);
 
-    sink_print(&writer->sink, "%s%s%s%c%u", negate ? "-" : "",
-               magnitude ? "|" : "", bare ? "" : "[",
-               bare && operand->half ? 'h' : 'r', number);
+    sink_print(&writer->sink, "%s%s%s%c%u", negate ? "-" : "", magnitude ? "|" : "",
+               bare ? "" : "[", bare && operand->half ? 'h' : 'r', number);
     if (!bare)
         write_second(writer, operand, number);
     sink_print(&writer->sink, "%s%s", bare ? "" : "]", magnitude ? "|" : "");
@@ -104,8 +101,7 @@ static void write_source(struct writer *writer, const struct operand *operand)
  * distance stays untold. */
 static void write_target(struct writer *writer)
 {
-    uint64_t target = writer->address
-                      + (uint64_t)writer->fields.immediate * HALF_BITS;
+    uint64_t target = writer->address + (uint64_t)writer->fields.immediate * HALF_BITS;
     uint8_t y, b;
 
     if (tell_bit(writer, C205_G_RELATIVE)) {
@@ -126,8 +122,7 @@ static bool holds_address(const struct operand *operand)
 }
 
 /* Those that can hold an address are in hex; one out of range stays untold. */
-static void write_immediate(struct writer *writer,
-                            const struct operand *operand)
+static void write_immediate(struct writer *writer, const struct operand *operand)
 {
     int64_t value = writer->fields.immediate;
 
@@ -139,16 +134,13 @@ static void write_immediate(struct writer *writer,
         sink_print(&writer->sink, "%" PRId64, value);
 }
 
-static void write_control(struct writer *writer,
-                          const struct operand *operand)
+static void write_control(struct writer *writer, const struct operand *operand)
 {
-    sink_put(&writer->sink,
-             tell_bit(writer, C205_G_ZEROS) ? " ?! [" : " ? [");
+    sink_put(&writer->sink, tell_bit(writer, C205_G_ZEROS) ? " ?! [" : " ? [");
     sink_print(&writer->sink, "r%u]", tell_field(writer, operand->field));
 }
 
-static void write_operand(struct writer *writer,
-                          const struct operand *operand)
+static void write_operand(struct writer *writer, const struct operand *operand)
 {
     switch (operand->kind) {
     case OPERAND_IMMEDIATE: write_immediate(writer, operand); break;
@@ -159,8 +151,7 @@ static void write_operand(struct writer *writer,
 }
 
 /* A control vector that is not there: no register and no sense. */
-static bool is_absent(const struct writer *writer,
-                      const struct operand *operand)
+static bool is_absent(const struct writer *writer, const struct operand *operand)
 {
     return operand->kind == OPERAND_CONTROL && operand->may_be_left_out
            && writer->fields.z == 0 && !(writer->fields.g & C205_G_ZEROS);
@@ -178,8 +169,7 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
     writer->told.g = insn->subop;
     half = insn->flags & C205_INSN_HALF && tell_bit(writer, C205_G_HALF);
     count = syntax_operands(insn, half, operands);
-    sink_print(&writer->sink, "%s%s", insn->mnemonic,
-               half ? SYNTAX_HALF : "");
+    sink_print(&writer->sink, "%s%s", insn->mnemonic, half ? SYNTAX_HALF : "");
     for (i = 0; i < count; i++) {
         if (is_absent(writer, &operands[i]))
             continue;
@@ -190,13 +180,11 @@ static bool write_instruction(struct writer *writer, const c205_insn *insn,
         write_operand(writer, &operands[i]);
     }
     return c205_encode(insn, &writer->told) == word
-           && !syntax_refusal(insn, operands, count, &writer->fields,
-                              &blamed);
+           && !syntax_refusal(insn, operands, count, &writer->fields, &blamed);
 }
 
-unsigned instruction_write(c205_word word, uint64_t address,
-                           unsigned available, const struct labels *labels,
-                           const struct sink *sink)
+unsigned instruction_write(c205_word word, uint64_t address, unsigned available,
+                           const struct labels *labels, const struct sink *sink)
 {
     static const struct writer empty;
     struct writer writer = empty;
@@ -211,8 +199,7 @@ unsigned instruction_write(c205_word word, uint64_t address,
     writer.sink = text_line_sink(&line);
     writer.labels = labels;
     writer.address = address;
-    if (insn && halves <= available
-        && write_instruction(&writer, insn, word)) {
+    if (insn && halves <= available && write_instruction(&writer, insn, word)) {
         sink_put(sink, line.text);
     } else {
         sink_print(sink, ".half X'%08" PRIX64 "'", word >> HALF_BITS);
@@ -238,8 +225,7 @@ bool instruction_address(c205_word word, uint64_t address, uint64_t *target)
         if (holds_address(&operands[i]) && fields.immediate >= 0)
             return true;
         *target = address + *target * HALF_BITS;
-        if (operands[i].kind == OPERAND_TARGET
-            && (fields.g & C205_G_RELATIVE))
+        if (operands[i].kind == OPERAND_TARGET && (fields.g & C205_G_RELATIVE))
             return true;
     }
     return false;

@@ -25,9 +25,8 @@ void label_write(const struct labels *labels, uint64_t address,
 
 /* Write the instruction in the high part of word, of which available half
  * words may be used; addresses that have labels are called by them.  Returns how many half words were used. */
-unsigned instruction_write(c205_word word, uint64_t address,
-                           unsigned available, const struct labels *labels,
-                           const struct sink *sink);
+unsigned instruction_write(c205_word word, uint64_t address, unsigned available,
+                           const struct labels *labels, const struct sink *sink);
 /* The address that it branches to or enters; false: none. */
 bool instruction_address(c205_word word, uint64_t address, uint64_t *target);
 

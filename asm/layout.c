@@ -11,8 +11,7 @@ static bool report_full(struct cursor *cursor, const char *message)
     struct section *section = cursor->assembler->section;
 
     if (!section->full)
-        report(cursor->assembler, cursor->line, cursor->line->begin, "%s",
-               message);
+        report(cursor->assembler, cursor->line, cursor->line->begin, "%s", message);
     section->full = true;
     return false;
 }
@@ -41,8 +40,8 @@ static bool check_room(struct cursor *cursor, uint64_t halves)
         return false;
     if (end > (uint64_t)1 << ADDRESS_BITS)
         return report_full(cursor, "this lies beyond the last address");
-    if (section == &assembler->sections[0] && !section->moved
-        && end > DATA_ORIGIN && section->at <= DATA_ORIGIN)
+    if (section == &assembler->sections[0] && !section->moved && end > DATA_ORIGIN
+        && section->at <= DATA_ORIGIN)
         return report_full(cursor, "the code outgrows its page and runs into "
                                    "the data; move it with .org");
     return true;
@@ -56,16 +55,14 @@ struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
 
     if (!check_room(cursor, halves))
         return NULL;
-    item = arena_grow(assembler->arena, assembler->items,
-                      assembler->item_count, &assembler->item_capacity,
-                      sizeof *item);
+    item = arena_grow(assembler->arena, assembler->items, assembler->item_count,
+                      &assembler->item_capacity, sizeof *item);
     if (!item)
         return NULL;
     assembler->items = item;
     item += assembler->item_count;
     item->kind = kind;
-    item->contents = kind == ITEM_INSTRUCTION ? ASM_CODE
-                                              : assembler->contents;
+    item->contents = kind == ITEM_INSTRUCTION ? ASM_CODE : assembler->contents;
     item->line = cursor->line;
     item->address = assembler->section->at;
     item->halves = halves;
@@ -95,11 +92,9 @@ bool layout_label(struct cursor *cursor, const char *name, size_t length,
     struct value value = { VALUE_INTEGER, 0 };
 
     value.bits = assembler->section->at;
-    if (!symbol_define(assembler, cursor->line, at, symbol, SYMBOL_LABEL,
-                       value))
+    if (!symbol_define(assembler, cursor->line, at, symbol, SYMBOL_LABEL, value))
         return false;
-    waiting = arena_grow(assembler->arena, assembler->waiting,
-                         assembler->waiting_count,
+    waiting = arena_grow(assembler->arena, assembler->waiting, assembler->waiting_count,
                          &assembler->waiting_capacity, sizeof *waiting);
     if (!waiting)
         return false;
@@ -113,8 +108,7 @@ void layout_settle(struct assembler *assembler)
     assembler->waiting_count = 0;
 }
 
-bool layout_known(struct cursor *cursor, const c205_word *words,
-                  uint64_t count)
+bool layout_known(struct cursor *cursor, const c205_word *words, uint64_t count)
 {
     struct layout_item *item;
 

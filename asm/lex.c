@@ -115,8 +115,7 @@ static void lex_any_number(struct token *token, const char *end)
         lex_hex(token, end);
     else
         lex_number(token, end);
-    if (token->kind == TOKEN_NUMBER && token->end < end
-        && is_name_part(*token->end))
+    if (token->kind == TOKEN_NUMBER && token->end < end && is_name_part(*token->end))
         bad(token, token->end + 1,
             strchr("fFlLuU", *token->end)
                     && !(token->end + 1 < end && is_name_part(token->end[1]))
@@ -135,8 +134,7 @@ static void lex_word(struct token *token, const char *end)
     token->value.kind = VALUE_WORD;
     for (; at < end && (hex_digit(*at) >= 0 || *at == ' '); at++)
         if (*at != ' ' && digits++ < 16)
-            token->value.bits = token->value.bits << 4
-                                | (uint64_t)hex_digit(*at);
+            token->value.bits = token->value.bits << 4 | (uint64_t)hex_digit(*at);
     token->end = at + 1;
     if (at == end || *at != '\'')
         bad(token, at, "a word X'..' has hex digits and ends with '");
@@ -180,8 +178,7 @@ static void lex_operator(struct token *token, const char *end)
                        : "this character has no meaning here");
 }
 
-static void lex_name(struct token *token, const char *end,
-                     enum token_kind kind)
+static void lex_name(struct token *token, const char *end, enum token_kind kind)
 {
     const char *at = token->begin + 1;
 
@@ -218,8 +215,7 @@ static struct token lex(const char *at, const char *end)
     return token;
 }
 
-struct cursor cursor_start(struct assembler *assembler,
-                           const struct line *line)
+struct cursor cursor_start(struct assembler *assembler, const struct line *line)
 {
     struct cursor cursor;
 
@@ -280,8 +276,8 @@ bool expected(struct cursor *cursor, const char *what)
         return report(cursor->assembler, cursor->line, token->begin,
                       "expected %s, found the end of the statement", what);
     return report(cursor->assembler, cursor->line, token->begin,
-                  "expected %s, found '%.*s'", what,
-                  length < 40 ? length : 40, token->begin);
+                  "expected %s, found '%.*s'", what, length < 40 ? length : 40,
+                  token->begin);
 }
 
 bool expect_operator(struct cursor *cursor, int code, const char *what)
@@ -291,8 +287,7 @@ bool expect_operator(struct cursor *cursor, int code, const char *what)
 
 bool expect_end(struct cursor *cursor)
 {
-    return cursor_at_end(cursor)
-           || expected(cursor, "the end of the statement");
+    return cursor_at_end(cursor) || expected(cursor, "the end of the statement");
 }
 
 bool expect_name(struct cursor *cursor, const char *what, const char **name,

@@ -33,8 +33,7 @@ struct cursor {
     unsigned depth; /* of the expression being parsed */
 };
 
-struct cursor cursor_start(struct assembler *assembler,
-                           const struct line *line);
+struct cursor cursor_start(struct assembler *assembler, const struct line *line);
 void cursor_next(struct cursor *cursor);
 bool cursor_at(const struct cursor *cursor, int code);
 /* Take this operator if it is the next token. */

@@ -16,7 +16,7 @@ struct line_profile {
     size_t row_count;
     struct profile_row *rows;    /* [row_count + ROWS_BESIDES] */
     const struct asm_line *last; /* that was found */
-    bool cut; /* the run was stopped within an instruction */
+    bool cut;                    /* the run was stopped within an instruction */
 };
 
 /* ---- Rows ----------------------------------------------------------------- */
@@ -38,13 +38,11 @@ static int compare_places(const void *a, const void *b)
                 - (one->line->call_number < other->line->call_number);
     if (order == 0)
         order = strcmp(one->region, other->region);
-    return order != 0
-               ? order
-               : (one->index > other->index) - (one->index < other->index);
+    return order != 0 ? order
+                      : (one->index > other->index) - (one->index < other->index);
 }
 
-static bool is_same_call(const struct called_line *a,
-                         const struct called_line *b)
+static bool is_same_call(const struct called_line *a, const struct called_line *b)
 {
     return a->line->call_number == b->line->call_number
            && strcmp(a->line->call_file, b->line->call_file) == 0
@@ -52,8 +50,7 @@ static bool is_same_call(const struct called_line *a,
 }
 
 /* Of each line the first one of its call. */
-static void find_firsts(const struct called_line *places, size_t count,
-                        size_t *first)
+static void find_firsts(const struct called_line *places, size_t count, size_t *first)
 {
     size_t i, begin = 0;
 
@@ -113,8 +110,7 @@ struct line_profile *line_profile_new(const struct object *object)
     profile->object = object;
     profile->row_of = calloc(count + 1, sizeof *profile->row_of);
     profile->rows = calloc(count + ROWS_BESIDES, sizeof *profile->rows);
-    if (profile->row_of && profile->rows
-        && sort_places(object, profile->row_of)) {
+    if (profile->row_of && profile->rows && sort_places(object, profile->row_of)) {
         make_rows(profile);
         for (size_t i = 0; i < ROWS_BESIDES; i++)
             profile->rows[profile->row_count + i].region = "";
@@ -133,8 +129,7 @@ void line_profile_free(struct line_profile *profile)
     free(profile);
 }
 
-void line_profile_add(struct line_profile *profile,
-                      const struct line_profile *more)
+void line_profile_add(struct line_profile *profile, const struct line_profile *more)
 {
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         struct profile_row *row = &profile->rows[i];
@@ -151,8 +146,7 @@ size_t line_profile_count(const struct line_profile *profile)
     return profile->row_count + ROWS_BESIDES;
 }
 
-const struct profile_row *line_profile_row(const struct line_profile *profile,
-                                           size_t i)
+const struct profile_row *line_profile_row(const struct line_profile *profile, size_t i)
 {
     return &profile->rows[i];
 }
@@ -165,14 +159,12 @@ static bool holds(const struct asm_line *line, uint64_t address)
            && address - line->address < 32 * line->halves;
 }
 
-static struct profile_row *row_at(struct line_profile *profile,
-                                  uint64_t address)
+static struct profile_row *row_at(struct line_profile *profile, uint64_t address)
 {
     if (!holds(profile->last, address))
         profile->last = object_line(profile->object, address);
     return profile->last
-               ? &profile->rows[profile->row_of[profile->last
-                                                - profile->object->lines]]
+               ? &profile->rows[profile->row_of[profile->last - profile->object->lines]]
                : &profile->rows[profile->row_count + ROW_UNKNOWN];
 }
 
@@ -214,8 +206,7 @@ static void forget_end(struct line_profile *profile)
     profile->cut = false;
 }
 
-void line_profile_listen(void *context, const c205 *machine,
-                         const c205_event *event)
+void line_profile_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct line_profile *profile = context;
     struct profile_row *row;
@@ -228,8 +219,7 @@ void line_profile_listen(void *context, const c205 *machine,
     if (profile->cut)
         forget_end(profile);
     add_pieces(profile, event->record);
-    if (event->kind != C205_EVENT_INSTRUCTION
-        && event->kind != C205_EVENT_REQUEST)
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     row = row_at(profile, event->pc);
     row->executions++;
@@ -279,8 +269,8 @@ static void put_name(struct table *table, const struct line_profile *profile,
     const char *slash = row->file ? strrchr(row->file, '/') : NULL;
 
     if (row->file)
-        snprintf(name, sizeof name, "%.280s:%zu",
-                 slash ? slash + 1 : row->file, row->number);
+        snprintf(name, sizeof name, "%.280s:%zu", slash ? slash + 1 : row->file,
+                 row->number);
     else
         snprintf(name, sizeof name, "%s",
                  row == &profile->rows[profile->row_count + ROW_END]
@@ -309,15 +299,14 @@ static void put_causes(struct table *table, const struct profile_row *row)
         int found = -1;
 
         for (cause = 0; cause < C205_CAUSES; cause++)
-            if (!told[cause] && row->clocks[cause] > 0
-                && row->clocks[cause] * 10 >= all
+            if (!told[cause] && row->clocks[cause] > 0 && row->clocks[cause] * 10 >= all
                 && (found < 0 || row->clocks[cause] > row->clocks[found]))
                 found = cause;
         if (found < 0)
             break;
         told[found] = true;
-        used += (size_t)snprintf(text + used, sizeof text - used,
-                                 "%s%s %" PRIu64, used > 0 ? ", " : "",
+        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s %" PRIu64,
+                                 used > 0 ? ", " : "",
                                  c205_cause_name((c205_cause)found),
                                  row->clocks[found]);
     }
@@ -331,8 +320,7 @@ static struct table *new_columns(size_t first)
     struct table_column columns[BEFORE + C205_CAUSES + 1];
 
     memcpy(columns, before, sizeof before);
-    memcpy(columns + BEFORE, accounts_cause_columns,
-           sizeof accounts_cause_columns);
+    memcpy(columns + BEFORE, accounts_cause_columns, sizeof accounts_cause_columns);
     columns[BEFORE + C205_CAUSES] = (struct table_column){ "source", "source",
                                                            TABLE_TEXT, 0 };
     return table_new(columns + first, BEFORE + C205_CAUSES + 1 - first);
@@ -345,8 +333,7 @@ static void put_row(struct table *table, const struct line_profile *profile,
 
     put_name(table, profile, row);
     table_count(table, clocks_of(row));
-    table_number(table,
-                 all > 0 ? 100 * (double)clocks_of(row) / (double)all : 0);
+    table_number(table, all > 0 ? 100 * (double)clocks_of(row) / (double)all : 0);
     table_count(table, row->executions);
     table_count(table, row->elements);
     for (cause = 0; !words && cause < C205_CAUSES; cause++)
@@ -371,13 +358,11 @@ struct shown_rows {
 };
 
 /* False: no memory. */
-static bool choose_rows(const struct line_profile *profile,
-                        struct shown_rows *shown)
+static bool choose_rows(const struct line_profile *profile, struct shown_rows *shown)
 {
     size_t count = line_profile_count(profile);
 
-    *shown = (struct shown_rows){ .rows = malloc(count
-                                                 * sizeof *shown->rows) };
+    *shown = (struct shown_rows){ .rows = malloc(count * sizeof *shown->rows) };
     for (size_t i = 0; shown->rows && i < count; i++) {
         const struct profile_row *row = &profile->rows[i];
         uint64_t clocks = clocks_of(row);
@@ -405,9 +390,8 @@ static void add_up_regions(struct shown_rows *shown)
     for (size_t i = 0; i < shown->count; i = end) {
         uint64_t sum = 0;
 
-        for (end = i;
-             end < shown->count
-             && compare_regions(&shown->rows[i], &shown->rows[end]) == 0;
+        for (end = i; end < shown->count
+                      && compare_regions(&shown->rows[i], &shown->rows[end]) == 0;
              end++)
             sum += shown->rows[end].clocks;
         for (size_t k = i; k < end; k++)
@@ -425,8 +409,7 @@ static int compare_hottest(const void *a, const void *b)
         order = compare_regions(one, other);
     if (order == 0)
         order = (one->clocks < other->clocks) - (one->clocks > other->clocks);
-    return order != 0 ? order
-                      : (one->row > other->row) - (one->row < other->row);
+    return order != 0 ? order : (one->row > other->row) - (one->row < other->row);
 }
 
 static void put_rows(struct table *table, const struct line_profile *profile,
@@ -460,8 +443,8 @@ struct table *line_profile_table(const struct line_profile *profile,
 }
 
 /* For the eye with causes in words. */
-int line_profile_show(const struct line_profile *profile,
-                      struct profile_view view, const struct results *results)
+int line_profile_show(const struct line_profile *profile, struct profile_view view,
+                      const struct results *results)
 {
     struct results shown = *results, kept = *results;
     bool words = results->file
@@ -470,15 +453,14 @@ int line_profile_show(const struct line_profile *profile,
     int code;
 
     if (!words)
-        return results_show(results, line_profile_table(profile, view, false),
-                            "lines", "Lines");
+        return results_show(results, line_profile_table(profile, view, false), "lines",
+                            "Lines");
     shown.json = NULL;
     kept.file = NULL;
     results_gap(results);
-    code = results_show(&shown, line_profile_table(profile, view, true), NULL,
-                        "Lines");
+    code = results_show(&shown, line_profile_table(profile, view, true), NULL, "Lines");
     return code != CMD_DONE || !results->json
                ? code
-               : results_show(&kept, line_profile_table(profile, view, false),
-                              "lines", NULL);
+               : results_show(&kept, line_profile_table(profile, view, false), "lines",
+                              NULL);
 }

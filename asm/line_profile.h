@@ -22,8 +22,7 @@ void line_profile_free(struct line_profile *profile);
 c205_listener line_profile_listen;
 
 /* Add what another one of the same object has. */
-void line_profile_add(struct line_profile *profile,
-                      const struct line_profile *more);
+void line_profile_add(struct line_profile *profile, const struct line_profile *more);
 
 struct profile_row {
     const char *region; /* "": none */
@@ -49,8 +48,7 @@ struct profile_view {
 struct table *line_profile_table(const struct line_profile *profile,
                                  struct profile_view view, bool in_words);
 /* What suits the format of the results; in JSON "lines".  The exit code. */
-int line_profile_show(const struct line_profile *profile,
-                      struct profile_view view,
+int line_profile_show(const struct line_profile *profile, struct profile_view view,
                       const struct results *results);
 
 #endif

@@ -2,8 +2,7 @@
 
 #include <inttypes.h>
 
-static const c205_segment *find_segment(const c205_program *program,
-                                        uint64_t address)
+static const c205_segment *find_segment(const c205_program *program, uint64_t address)
 {
     size_t i;
 
@@ -29,8 +28,7 @@ static bool put_half(const c205_program *program, uint64_t address,
         return false;
     offset = address - segment->address;
     word = segment->words[offset / 64];
-    sink_print(sink, "%08" PRIX32,
-               (uint32_t)(offset % 64 ? word : word >> 32));
+    sink_print(sink, "%08" PRIX32, (uint32_t)(offset % 64 ? word : word >> 32));
     return true;
 }
 
@@ -48,8 +46,7 @@ static void put_line(const c205_program *program, const struct asm_line *line,
         shown = put_half(program, address, sink);
         if (!shown)
             sink_put(sink, "...             ");
-        else if (at + 1 == line->halves
-                 || !put_half(program, address + 32, sink))
+        else if (at + 1 == line->halves || !put_half(program, address + 32, sink))
             sink_put(sink, "        ");
         if (at == 0)
             sink_print(sink, "  %5zu  %s", line->number, line->source);

@@ -63,11 +63,9 @@ static struct span take_argument(struct cursor *cursor)
 
 static bool parse_parameter(struct cursor *cursor, struct macro *macro)
 {
-    struct parameter *grown = arena_grow(cursor->assembler->arena,
-                                         macro->parameters,
+    struct parameter *grown = arena_grow(cursor->assembler->arena, macro->parameters,
                                          macro->parameter_count,
-                                         &macro->parameter_capacity,
-                                         sizeof *grown);
+                                         &macro->parameter_capacity, sizeof *grown);
     struct parameter *parameter;
     size_t length;
 
@@ -75,8 +73,7 @@ static bool parse_parameter(struct cursor *cursor, struct macro *macro)
         return false;
     macro->parameters = grown;
     parameter = &grown[macro->parameter_count++];
-    if (!expect_name(cursor, "a parameter's name", &parameter->name.begin,
-                     &length))
+    if (!expect_name(cursor, "a parameter's name", &parameter->name.begin, &length))
         return false;
     parameter->name.end = parameter->name.begin + length;
     if (cursor_take(cursor, '='))
@@ -93,8 +90,8 @@ struct macro *macro_parse(struct cursor *cursor)
     if (!macro || !expect_name(cursor, "the macro's name", &name, &length))
         return NULL;
     if (c205_insn_named(name, length)) {
-        report(cursor->assembler, cursor->line, name,
-               "'%.*s' is an instruction", (int)length, name);
+        report(cursor->assembler, cursor->line, name, "'%.*s' is an instruction",
+               (int)length, name);
         return NULL;
     }
     macro->name = arena_text(cursor->assembler->arena, name, length);
@@ -112,9 +109,8 @@ struct macro *macro_parse(struct cursor *cursor)
 bool macro_add_line(struct assembler *assembler, struct macro *macro,
                     const struct line *line)
 {
-    struct line *grown = arena_grow(assembler->arena, macro->lines,
-                                    macro->line_count, &macro->line_capacity,
-                                    sizeof *grown);
+    struct line *grown = arena_grow(assembler->arena, macro->lines, macro->line_count,
+                                    &macro->line_capacity, sizeof *grown);
 
     if (!grown)
         return false;
@@ -137,8 +133,7 @@ static bool fill_defaults(struct cursor *cursor, const struct macro *macro,
             continue;
         arguments[i] = parameter->otherwise;
         if (!parameter->otherwise.begin)
-            return report(cursor->assembler, cursor->line,
-                          cursor->token.begin,
+            return report(cursor->assembler, cursor->line, cursor->token.begin,
                           "expected argument '%.*s' of macro %s",
                           (int)(parameter->name.end - parameter->name.begin),
                           parameter->name.begin, macro->name);
@@ -146,8 +141,7 @@ static bool fill_defaults(struct cursor *cursor, const struct macro *macro,
     return true;
 }
 
-const struct span *macro_arguments(struct cursor *cursor,
-                                   const struct macro *macro)
+const struct span *macro_arguments(struct cursor *cursor, const struct macro *macro)
 {
     struct span *arguments;
     size_t i = 0;
@@ -159,8 +153,7 @@ const struct span *macro_arguments(struct cursor *cursor,
     while (!cursor_at_end(cursor)) {
         if (i == macro->parameter_count) {
             report(cursor->assembler, cursor->line, cursor->token.begin,
-                   "macro %s has %zu parameter%s, not more", macro->name, i,
-                   plural(i));
+                   "macro %s has %zu parameter%s, not more", macro->name, i, plural(i));
             return NULL;
         }
         arguments[i++] = take_argument(cursor);
@@ -194,9 +187,8 @@ static void append_number(struct macro_text *output, uint64_t number)
     append(output, text, strlen(text));
 }
 
-static const struct span *
-find_argument(const struct substitution *substitution, const char *name,
-              size_t length)
+static const struct span *find_argument(const struct substitution *substitution,
+                                        const char *name, size_t length)
 {
     const struct macro *macro = substitution->macro;
     size_t i;
@@ -232,24 +224,22 @@ static const char *substitute_one(const struct substitution *substitution,
     const struct span *argument = find_argument(substitution, at + 1, length);
 
     if (length && argument) {
-        append(output, argument->begin,
-               (size_t)(argument->end - argument->begin));
+        append(output, argument->begin, (size_t)(argument->end - argument->begin));
         return at + 1 + length;
     }
     if (next == '@' && substitution->unique)
         append_number(output, *substitution->unique);
     else if (next == '+' && substitution->count)
         append_number(output, *substitution->count);
-    else if (next == '(' && end - at > 2 && at[2] == ')'
-             && substitution->macro)
+    else if (next == '(' && end - at > 2 && at[2] == ')' && substitution->macro)
         return at + 3; /* \() only ends a name */
     else
         append(output, at, next ? 2 : 1);
     return at + (next ? 2 : 1);
 }
 
-size_t substitute(const struct substitution *substitution,
-                  const struct line *line, char text[MAX_LINE])
+size_t substitute(const struct substitution *substitution, const struct line *line,
+                  char text[MAX_LINE])
 {
     struct macro_text output = { NULL, 0, false };
     const char *at = line->text, *next;

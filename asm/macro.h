@@ -33,10 +33,9 @@ struct macro *macro_parse(struct cursor *cursor);
 bool macro_add_line(struct assembler *assembler, struct macro *macro,
                     const struct line *line);
 /* After the macro's name: one span for each parameter; NULL: reported. */
-const struct span *macro_arguments(struct cursor *cursor,
-                                   const struct macro *macro);
+const struct span *macro_arguments(struct cursor *cursor, const struct macro *macro);
 /* The length of the new text; above MAX_LINE: it is too long. */
-size_t substitute(const struct substitution *substitution,
-                  const struct line *line, char text[MAX_LINE]);
+size_t substitute(const struct substitution *substitution, const struct line *line,
+                  char text[MAX_LINE]);
 
 #endif

@@ -54,8 +54,7 @@ static bool same(const char *name, size_t length, const char *text)
 static bool take_suffix(const char *name, size_t *length)
 {
     size_t suffix = strlen(SYNTAX_HALF);
-    if (*length < suffix
-        || !same(name + *length - suffix, suffix, SYNTAX_HALF)) {
+    if (*length < suffix || !same(name + *length - suffix, suffix, SYNTAX_HALF)) {
         return false;
     }
     *length -= suffix;
@@ -71,8 +70,7 @@ static bool find_subject(const char *name, struct subject *subject)
     if (!insn) {
         return same(name, length, measure_triad);
     }
-    return c205_timing_is_vector(insn->timing)
-           && insn->timing != C205_TIMING_vlink
+    return c205_timing_is_vector(insn->timing) && insn->timing != C205_TIMING_vlink
            && (!subject->half || (insn->flags & C205_INSN_HALF));
 }
 
@@ -109,8 +107,8 @@ static bool is_half(const struct subject *subject, char field)
 /* A letter of the syntax: "a" and "[A]" are vectors, a source outside
  * brackets is the scalar; the left half of it is the half register of twice
  * its number. */
-static int write_letter(const struct subject *subject, char letter,
-                        bool in_brackets, char *text, size_t size)
+static int write_letter(const struct subject *subject, char letter, bool in_brackets,
+                        char *text, size_t size)
 {
     unsigned number = register_of(operand_of(letter));
     if (islower((unsigned char)letter)) {
@@ -126,8 +124,7 @@ static int write_letter(const struct subject *subject, char letter,
 
 /* The syntax of insn.def with registers for its letters; offsets and an
  * optional control vector are left out. */
-static void write_operands(const struct subject *subject, char *text,
-                           size_t size)
+static void write_operands(const struct subject *subject, char *text, size_t size)
 {
     const char *syntax = c205_format_syntax(subject->insn->format);
     size_t used = 0;
@@ -136,8 +133,7 @@ static void write_operands(const struct subject *subject, char *text,
         if (*at == '+') {
             at++;
         } else if (*at == '!') {
-            length = snprintf(text + used, size - used, "? [r%u]",
-                              register_of(Z));
+            length = snprintf(text + used, size - used, "? [r%u]", register_of(Z));
             at++;
         } else if (isalpha((unsigned char)*at)) {
             length = write_letter(subject, *at, at > syntax && at[-1] == '[',
@@ -156,8 +152,8 @@ static int write_triad(bool half, char *text)
     return snprintf(text, TEXT_SIZE,
                     "\tLINKV\n\tMPYSV%s [r%u], %c%d, [r%u]\n"
                     "\tADDNV%s [r%u], [r%u], [r%u]\n",
-                    suffix, a, half ? 'h' : 'r', half ? 2 * SCALAR : SCALAR,
-                    c, suffix, c, b, c);
+                    suffix, a, half ? 'h' : 'r', half ? 2 * SCALAR : SCALAR, c, suffix,
+                    c, b, c);
 }
 
 /* The load waits until the vector unit is done, so that nothing of the end
@@ -168,8 +164,7 @@ static void write_program(const struct subject *subject, char text[TEXT_SIZE])
     int length;
     if (subject->insn) {
         write_operands(subject, operands, sizeof operands);
-        length = snprintf(text, TEXT_SIZE, "\t%s%s %s\n",
-                          subject->insn->mnemonic,
+        length = snprintf(text, TEXT_SIZE, "\t%s%s %s\n", subject->insn->mnemonic,
                           subject->half ? SYNTAX_HALF : "", operands);
     } else {
         length = write_triad(subject->half, text);
@@ -202,12 +197,11 @@ static c205_word next_numbers(uint64_t *state, bool half)
 /* Indices of a table of one page. */
 static c205_word next_index(uint64_t *state)
 {
-    return c205_from_integer((int64_t)(next_bits(state) >> 18)
-                             % C205_PAGE_WORDS);
+    return c205_from_integer((int64_t)(next_bits(state) >> 18) % C205_PAGE_WORDS);
 }
 
-static c205_word next_word(const struct subject *subject,
-                           enum operand_place operand, uint64_t *state)
+static c205_word next_word(const struct subject *subject, enum operand_place operand,
+                           uint64_t *state)
 {
     const c205_insn *insn = subject->insn;
     bool indexed = insn
@@ -220,22 +214,19 @@ static c205_word next_word(const struct subject *subject,
                                    : next_numbers(state, subject->half);
 }
 
-static bool fill(c205 *machine, const struct subject *subject,
-                 c205_error *error)
+static bool fill(c205 *machine, const struct subject *subject, c205_error *error)
 {
     enum { PIECE = 1024 };
     uint64_t state = UINT64_C(0x9E3779B97F4A7C15);
     c205_word words[PIECE];
     for (int operand = A; operand < OPERANDS; operand++) {
         uint64_t address = address_of((enum operand_place)operand);
-        if (!c205_map(machine, address, C205_PAGE_WORDS, C205_READ_WRITE,
-                      error)) {
+        if (!c205_map(machine, address, C205_PAGE_WORDS, C205_READ_WRITE, error)) {
             return false;
         }
         for (size_t at = 0; at < C205_PAGE_WORDS; at += PIECE) {
             for (size_t i = 0; i < PIECE; i++) {
-                words[i] = next_word(subject, (enum operand_place)operand,
-                                     &state);
+                words[i] = next_word(subject, (enum operand_place)operand, &state);
             }
             c205_write(machine, address + at * 64, words, PIECE);
         }
@@ -296,9 +287,8 @@ static uint64_t operations_of(const c205 *machine)
 }
 
 /* The flops stay those of the longest one. */
-static bool measure_points(const struct rig *rig, uint64_t entry,
-                           uint64_t last, struct measurement *result,
-                           c205_error *error)
+static bool measure_points(const struct rig *rig, uint64_t entry, uint64_t last,
+                           struct measurement *result, c205_error *error)
 {
     for (size_t i = 0; i < MEASURE_POINTS; i++) {
         uint64_t whole, empty, operations;
@@ -340,32 +330,28 @@ static c205_word one_for(const struct subject *subject)
     bool period = subject->insn
                   && (subject->insn->format == C205_FORMAT_PERIODIC
                       || subject->insn->format == C205_FORMAT_SPACED);
-    return period          ? c205_from_integer(1)
-           : subject->half ? C205_HALF_ONE
-                           : C205_ONE;
+    return period ? c205_from_integer(1) : subject->half ? C205_HALF_ONE : C205_ONE;
 }
 
-static bool measure_object(const c205_model *model,
-                           const struct object *object,
-                           const struct subject *subject,
-                           struct measurement *result, c205_error *error)
+static bool measure_object(const c205_model *model, const struct object *object,
+                           const struct subject *subject, struct measurement *result,
+                           c205_error *error)
 {
     const struct asm_symbol *last = object_symbol(object, "last");
     c205 *machine = c205_new(model, error);
     struct rig rig = { machine,
-                       subject->insn
-                           && subject->insn->format == C205_FORMAT_SCAN,
+                       subject->insn && subject->insn->format == C205_FORMAT_SCAN,
                        one_for(subject) };
     bool good = machine && c205_load(machine, &object->program, error)
                 && fill(machine, subject, error)
-                && measure_points(&rig, object->program.entry,
-                                  (uint64_t)last->value, result, error);
+                && measure_points(&rig, object->program.entry, (uint64_t)last->value,
+                                  result, error);
     c205_free(machine);
     return good;
 }
 
-bool measure(const c205_model *model, const char *name,
-             struct measurement *result, c205_error *error)
+bool measure(const c205_model *model, const char *name, struct measurement *result,
+             c205_error *error)
 {
     struct subject subject = { NULL, false };
     struct diagnostics errors = { 0 };
@@ -373,14 +359,12 @@ bool measure(const c205_model *model, const char *name,
     find_subject(name, &subject);
     write_program(&subject, text);
     struct object *object = assemble_text(name, text, NULL, &errors);
-    c205_timing timing = subject.insn ? subject.insn->timing
-                                      : C205_TIMING_vlink;
+    c205_timing timing = subject.insn ? subject.insn->timing : C205_TIMING_vlink;
     snprintf(result->name, sizeof result->name, "%s%s",
              subject.insn ? subject.insn->mnemonic : measure_triad,
              subject.half ? SYNTAX_HALF : "");
     result->timing = c205_timing_name(timing);
-    bool good = object
-                && measure_object(model, object, &subject, result, error);
+    bool good = object && measure_object(model, object, &subject, result, error);
     if (good) {
         fit_line(result);
     } else if (!object) {
@@ -392,14 +376,11 @@ bool measure(const c205_model *model, const char *name,
     return good;
 }
 
-double measure_rate(const struct measurement *measurement,
-                    const c205_model *model)
+double measure_rate(const struct measurement *measurement, const c205_model *model)
 {
     const c205_constant *period = c205_model_lookup(model, "clock.period");
     double results = measurement->flops > 0 ? measurement->flops : 1;
-    return period
-               ? 1000 * results / (measurement->per_element * period->value)
-               : NAN;
+    return period ? 1000 * results / (measurement->per_element * period->value) : NAN;
 }
 
 double measure_half_length(const struct measurement *measurement)

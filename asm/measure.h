@@ -40,12 +40,11 @@ extern const char measure_triad[];
 bool measure_knows(const char *name);
 
 /* name: one that measure_knows. */
-bool measure(const c205_model *model, const char *name,
-             struct measurement *result, c205_error *error);
+bool measure(const c205_model *model, const char *name, struct measurement *result,
+             c205_error *error);
 
 /* Millions a second of flops, or of results, by the model's clock. */
-double measure_rate(const struct measurement *measurement,
-                    const c205_model *model);
+double measure_rate(const struct measurement *measurement, const c205_model *model);
 double measure_half_length(const struct measurement *measurement);
 
 #endif

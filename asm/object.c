@@ -17,13 +17,11 @@
 static void put_name(const struct sink *sink, const char *name)
 {
     for (; *name; name++)
-        sink->put(sink->context, iscntrl((unsigned char)*name) ? "?" : name,
-                  1);
+        sink->put(sink->context, iscntrl((unsigned char)*name) ? "?" : name, 1);
     sink_put(sink, "\n");
 }
 
-static void write_words(const struct sink *sink, const c205_word *words,
-                        size_t count)
+static void write_words(const struct sink *sink, const c205_word *words, size_t count)
 {
     size_t i;
 
@@ -31,18 +29,15 @@ static void write_words(const struct sink *sink, const c205_word *words,
         sink_print(sink, "%016" PRIX64 "\n", words[i]);
 }
 
-static void write_segment(const struct sink *sink,
-                          const c205_segment *segment)
+static void write_segment(const struct sink *sink, const c205_segment *segment)
 {
-    sink_print(sink, "%s %" PRIX64 " %zu\n",
-               segment->words ? "segment" : "zeros", segment->address,
-               segment->length);
+    sink_print(sink, "%s %" PRIX64 " %zu\n", segment->words ? "segment" : "zeros",
+               segment->address, segment->length);
     if (segment->words)
         write_words(sink, segment->words, segment->length);
 }
 
-static void write_symbol(const struct sink *sink,
-                         const struct asm_symbol *symbol)
+static void write_symbol(const struct sink *sink, const struct asm_symbol *symbol)
 {
     const char *kind = symbol->is_word ? "word" : "integer";
 
@@ -84,8 +79,7 @@ void object_write(const struct object *object, const struct sink *sink)
     for (i = 0; i < program->region_count; i++) {
         const c205_region *region = &program->regions[i];
 
-        sink_print(sink, "region %" PRIX64 " %" PRIX64 " ", region->begin,
-                   region->end);
+        sink_print(sink, "region %" PRIX64 " %" PRIX64 " ", region->begin, region->end);
         put_name(sink, region->name);
     }
     for (i = 0; i < object->symbol_count; i++)
@@ -95,8 +89,7 @@ void object_write(const struct object *object, const struct sink *sink)
     sink_put(sink, "end\n");
 }
 
-bool object_save(const struct object *object, const char *path,
-                 c205_error *error)
+bool object_save(const struct object *object, const char *path, c205_error *error)
 {
     struct whole *whole = whole_open(path, error);
     struct sink sink;
@@ -142,6 +135,5 @@ bool object_recognise(const char *text, size_t length)
 {
     static const char magic[] = "c205-object ";
 
-    return length >= sizeof magic - 1
-           && memcmp(text, magic, sizeof magic - 1) == 0;
+    return length >= sizeof magic - 1 && memcmp(text, magic, sizeof magic - 1) == 0;
 }

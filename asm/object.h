@@ -26,13 +26,11 @@
 #include "asm/assemble.h"
 
 /* Written whole or not at all. */
-bool object_save(const struct object *object, const char *path,
-                 c205_error *error);
+bool object_save(const struct object *object, const char *path, c205_error *error);
 struct object *object_load(const char *path, c205_error *error);
 
 void object_write(const struct object *object, const struct sink *sink);
-struct object *object_read(const char *text, size_t length,
-                           c205_error *error);
+struct object *object_read(const char *text, size_t length, c205_error *error);
 /* Whether a program can begin.  False: it is empty. */
 bool object_check(const struct object *object, c205_error *error);
 /* Whether a text begins as object files do. */

@@ -24,11 +24,9 @@ static bool wrong(struct object_reader *reader, const char *problem)
     return false;
 }
 
-static bool wrong_limit(struct object_reader *reader, const char *what,
-                        uint64_t most)
+static bool wrong_limit(struct object_reader *reader, const char *what, uint64_t most)
 {
-    snprintf(reader->limit, sizeof reader->limit, "%s: at most %" PRIu64,
-             what, most);
+    snprintf(reader->limit, sizeof reader->limit, "%s: at most %" PRIu64, what, most);
     return wrong(reader, reader->limit);
 }
 
@@ -64,8 +62,7 @@ static bool take_hex(struct object_reader *reader, uint64_t *number)
     const char *at = reader->field, *found;
 
     *number = 0;
-    while (at < reader->line_end && *at
-           && (found = strchr(digits, *at)) != NULL) {
+    while (at < reader->line_end && *at && (found = strchr(digits, *at)) != NULL) {
         *number = *number << 4 | (uint64_t)(found - digits);
         at++;
     }
@@ -74,8 +71,7 @@ static bool take_hex(struct object_reader *reader, uint64_t *number)
     return end_field(reader, at);
 }
 
-static bool take_count(struct object_reader *reader, uint64_t most,
-                       size_t *count)
+static bool take_count(struct object_reader *reader, uint64_t most, size_t *count)
 {
     const char *at = reader->field;
     uint64_t number = 0;
@@ -161,8 +157,7 @@ static bool read_extent(struct object_reader *reader, c205_segment *segment)
         return wrong(reader, "a segment begins on a word");
     if (reader->words > MAX_WORDS)
         return wrong_limit(reader, "these are too many words", MAX_WORDS);
-    if (segment->address + 64 * (uint64_t)segment->length
-        > (uint64_t)1 << ADDRESS_BITS)
+    if (segment->address + 64 * (uint64_t)segment->length > (uint64_t)1 << ADDRESS_BITS)
         return wrong(reader, "this segment ends beyond the last address");
     return true;
 }
@@ -195,8 +190,7 @@ static bool read_region(struct object_reader *reader)
     return region->name != NULL;
 }
 
-static bool read_symbol(struct object_reader *reader, bool is_label,
-                        bool is_word)
+static bool read_symbol(struct object_reader *reader, bool is_label, bool is_word)
 {
     struct asm_symbol *symbol = storage_add_symbol(reader->storage);
     uint64_t value;
@@ -225,8 +219,7 @@ static bool read_word(struct object_reader *reader)
     return read_symbol(reader, false, true);
 }
 
-static bool take_kind(struct object_reader *reader,
-                      enum expectation_kind *kind)
+static bool take_kind(struct object_reader *reader, enum expectation_kind *kind)
 {
     unsigned i;
 
@@ -249,8 +242,7 @@ static bool read_text(struct object_reader *reader, const char **text)
 }
 
 /* Only where the next line says so. */
-static bool read_tolerance(struct object_reader *reader,
-                           struct asm_expectation *made)
+static bool read_tolerance(struct object_reader *reader, struct asm_expectation *made)
 {
     static const char keyword[] = "within ";
     size_t length = sizeof keyword - 1;
@@ -279,8 +271,7 @@ static bool check_count(struct object_reader *reader,
                                                  [EXPECT_FLAGS] = 1,
                                                  [EXPECT_CLOCKS] = 1 };
 
-    return expectation->kind == EXPECT_WORDS
-           || expectation->kind == EXPECT_HALVES
+    return expectation->kind == EXPECT_WORDS || expectation->kind == EXPECT_HALVES
            || expectation->kind == EXPECT_BITS
            || expectation->count == counts[expectation->kind]
            || wrong(reader, "this expectation has another number of words");
@@ -300,8 +291,7 @@ static bool read_expectation(struct object_reader *reader)
         || !take_count(reader, C205_REGISTERS - 1, &number)
         || !take_address(reader, &made->address)
         || !take_count(reader, 64 * MAX_WORDS, &made->count)
-        || !take_count(reader, INT32_MAX, &made->line)
-        || !check_count(reader, made))
+        || !take_count(reader, INT32_MAX, &made->line) || !check_count(reader, made))
         return false;
     made->number = (unsigned)number;
     made->file = take_rest(reader);
@@ -358,8 +348,7 @@ struct object *object_read(const char *text, size_t length, c205_error *error)
         storage_sort_symbols(reader.storage);
         return &reader.storage->object;
     }
-    snprintf(error->message, sizeof error->message, "line %zu: %s",
-             reader.line,
+    snprintf(error->message, sizeof error->message, "line %zu: %s", reader.line,
              reader.problem ? reader.problem : "the host has no memory left");
     if (reader.storage)
         object_free(&reader.storage->object);

@@ -30,8 +30,7 @@ bool parse_any_register(struct cursor *cursor, struct register_name *found)
     length = (size_t)(token->end - token->begin);
     symbol = symbol_find(cursor->assembler, token->begin, length);
     if (symbol
-        && (symbol->kind == SYMBOL_REGISTER
-            || symbol->kind == SYMBOL_HALF_REGISTER)) {
+        && (symbol->kind == SYMBOL_REGISTER || symbol->kind == SYMBOL_HALF_REGISTER)) {
         found->half = symbol->kind == SYMBOL_HALF_REGISTER;
         found->number = (uint8_t)symbol->value.bits;
         found->naming = symbol->naming;
@@ -97,18 +96,17 @@ static bool parse_second(struct cursor *cursor, const struct operand *operand,
     return true;
 }
 
-static bool parse_bracket(struct cursor *cursor,
-                          const struct operand *operand, c205_fields *fields)
+static bool parse_bracket(struct cursor *cursor, const struct operand *operand,
+                          c205_fields *fields)
 {
     return expect_operator(cursor, '[', "'['")
            && parse_register(cursor, syntax_field(fields, operand->field))
-           && (!cursor_at(cursor, ',')
-               || parse_second(cursor, operand, fields))
+           && (!cursor_at(cursor, ',') || parse_second(cursor, operand, fields))
            && expect_operator(cursor, ']', "']'");
 }
 
-static bool parse_unsigned(struct cursor *cursor,
-                           const struct operand *operand, c205_fields *fields)
+static bool parse_unsigned(struct cursor *cursor, const struct operand *operand,
+                           c205_fields *fields)
 {
     if (operand->kind == OPERAND_BRACKET
         || (operand->kind == OPERAND_SOURCE && cursor_at(cursor, '[')))
@@ -118,8 +116,7 @@ static bool parse_unsigned(struct cursor *cursor,
     if (operand->kind == OPERAND_SOURCE && cursor->token.kind != TOKEN_NAME)
         return expected(cursor, "a vector [..] or a register");
     fields->g |= operand->broadcast;
-    return parse_sized(cursor, operand->half,
-                       syntax_field(fields, operand->field));
+    return parse_sized(cursor, operand->half, syntax_field(fields, operand->field));
 }
 
 /* -[A], |[A]|, -|[A]|, |[B]| */
@@ -130,9 +127,8 @@ static bool parse_signed(struct cursor *cursor, const struct operand *operand,
 
     if (cursor_at(cursor, '-') && !operand->negate)
         return report(cursor->assembler, cursor->line, cursor->token.begin,
-                      operand->magnitude
-                          ? "only the first source can be negated"
-                          : "this operand has no sign control");
+                      operand->magnitude ? "only the first source can be negated"
+                                         : "this operand has no sign control");
     if (cursor_at(cursor, '|') && !operand->magnitude)
         return report(cursor->assembler, cursor->line, cursor->token.begin,
                       "this operand has no sign control");
@@ -147,8 +143,7 @@ static bool parse_signed(struct cursor *cursor, const struct operand *operand,
 
 /* ---- The other kinds ---- */
 
-static bool parse_target(struct cursor *cursor,
-                         struct instruction *instruction)
+static bool parse_target(struct cursor *cursor, struct instruction *instruction)
 {
     c205_fields *fields = &instruction->fields;
 
@@ -159,13 +154,12 @@ static bool parse_target(struct cursor *cursor,
         return instruction->value != NULL;
     }
     return parse_register(cursor, &fields->y)
-           && (!cursor_take(cursor, ',')
-               || parse_register(cursor, &fields->b))
+           && (!cursor_take(cursor, ',') || parse_register(cursor, &fields->b))
            && expect_operator(cursor, ']', "']'");
 }
 
-static bool parse_control(struct cursor *cursor,
-                          const struct operand *operand, c205_fields *fields)
+static bool parse_control(struct cursor *cursor, const struct operand *operand,
+                          c205_fields *fields)
 {
     const char *at;
 
@@ -177,12 +171,10 @@ static bool parse_control(struct cursor *cursor,
     if (!parse_bracket(cursor, operand, fields))
         return false;
     return fields->z != 0
-           || report(cursor->assembler, cursor->line, at,
-                     "r0 is no control vector");
+           || report(cursor->assembler, cursor->line, at, "r0 is no control vector");
 }
 
-static bool parse_operand(struct cursor *cursor,
-                          const struct operand *operand,
+static bool parse_operand(struct cursor *cursor, const struct operand *operand,
                           struct instruction *instruction)
 {
     switch (operand->kind) {
@@ -190,14 +182,12 @@ static bool parse_operand(struct cursor *cursor,
         instruction->value = parse_expression(cursor);
         return instruction->value != NULL;
     case OPERAND_TARGET: return parse_target(cursor, instruction);
-    case OPERAND_CONTROL:
-        return parse_control(cursor, operand, &instruction->fields);
+    case OPERAND_CONTROL: return parse_control(cursor, operand, &instruction->fields);
     default: return parse_signed(cursor, operand, &instruction->fields);
     }
 }
 
-static bool check_operands(struct cursor *cursor,
-                           struct instruction *instruction,
+static bool check_operands(struct cursor *cursor, struct instruction *instruction,
                            const struct operand *operands, size_t count,
                            const char *const *at)
 {
@@ -206,25 +196,22 @@ static bool check_operands(struct cursor *cursor,
                                          &instruction->fields, &blamed);
 
     return !problem
-           || report(cursor->assembler, cursor->line, at[blamed], "%s",
-                     problem);
+           || report(cursor->assembler, cursor->line, at[blamed], "%s", problem);
 }
 
 /* What stands before an operand that is not the first. */
-static bool parse_between(struct cursor *cursor,
-                          const struct operand *operand, c205_fields *fields)
+static bool parse_between(struct cursor *cursor, const struct operand *operand,
+                          c205_fields *fields)
 {
     if (operand->kind == OPERAND_CONTROL)
         return true;
     if (!operand->given || !cursor_take(cursor, '?'))
-        return expect_operator(cursor, ',',
-                               operand->given ? "',' or '?'" : "','");
+        return expect_operator(cursor, ',', operand->given ? "',' or '?'" : "','");
     fields->g |= operand->given;
     return true;
 }
 
-static bool parse_operands(struct cursor *cursor,
-                           struct instruction *instruction)
+static bool parse_operands(struct cursor *cursor, struct instruction *instruction)
 {
     struct operand operands[MAX_OPERANDS];
     const char *at[MAX_OPERANDS] = { NULL };
@@ -238,8 +225,7 @@ static bool parse_operands(struct cursor *cursor,
 
         if ((operands[i].may_be_left_out || !good) && cursor_at_end(cursor))
             break;
-        if (i > 0
-            && !parse_between(cursor, &operands[i], &instruction->fields)) {
+        if (i > 0 && !parse_between(cursor, &operands[i], &instruction->fields)) {
             good = false;
             cursor_skip(cursor, cursor);
             cursor_take(cursor, ',');
@@ -271,8 +257,7 @@ static bool parse_size(struct cursor *cursor, struct instruction *instruction)
         return expected(cursor, "H, for 32-bit operands");
     if (!(instruction->insn->flags & C205_INSN_HALF))
         return report(cursor->assembler, cursor->line, at,
-                      "%s has no form with " SYNTAX_HALF,
-                      instruction->insn->mnemonic);
+                      "%s has no form with " SYNTAX_HALF, instruction->insn->mnemonic);
     instruction->fields.g |= C205_G_HALF;
     cursor_next(cursor);
     return true;
@@ -292,8 +277,7 @@ bool parse_instruction(struct cursor *cursor, const c205_insn *insn)
     instruction->fields.f = insn->opcode;
     instruction->fields.g = insn->subop;
     instruction->mention = cursor->assembler->registers.mention_count;
-    good = parse_size(cursor, instruction)
-           && parse_operands(cursor, instruction);
+    good = parse_size(cursor, instruction) && parse_operands(cursor, instruction);
     instruction->mentions = cursor->assembler->registers.mention_count
                             - instruction->mention;
     item = layout_add(cursor, ITEM_INSTRUCTION, halves); /* errors or not */

@@ -13,8 +13,7 @@ c205_word view_word_at(const c205 *machine, uint64_t address)
 
     if (!c205_read(machine, first, pair, 2))
         c205_read(machine, first, pair, 1);
-    return first == address ? pair[0]
-                            : pair[0] << HALF_BITS | pair[1] >> HALF_BITS;
+    return first == address ? pair[0] : pair[0] << HALF_BITS | pair[1] >> HALF_BITS;
 }
 
 /* ---- Decode ---- */
@@ -36,8 +35,7 @@ static uint8_t field_of(const c205_fields *fields, char field)
 
 static bool is_broadcast(const c205_fields *fields, char field)
 {
-    return fields->g
-           & (field == 'A' ? C205_G_BROADCAST_A : C205_G_BROADCAST_B);
+    return fields->g & (field == 'A' ? C205_G_BROADCAST_A : C205_G_BROADCAST_B);
 }
 
 /* Of 64 bits unless the letter is a capital. */
@@ -51,13 +49,11 @@ static unsigned width_of(char letter)
 /* "a" and "[A+X]" have it in X; a result and the control vector in the register
  * after the result, unless that bit says that Z is given. */
 static void add_offset(struct operand_view *operand,
-                       const struct instruction_view *view,
-                       const char *syntax)
+                       const struct instruction_view *view, const char *syntax)
 {
     const c205_fields *fields = &view->fields;
     bool after = strchr("cdeqoz", tolower((unsigned char)operand->letter))
-                 && fields->g & C205_G_OFFSET
-                 && !strchr(view->insn->operands, 'g');
+                 && fields->g & C205_G_OFFSET && !strchr(view->insn->operands, 'g');
 
     if (syntax[1] == '+')
         operand->offset = field_of(fields, syntax[2]);
@@ -68,11 +64,11 @@ static void add_offset(struct operand_view *operand,
 }
 
 static void decode_one(struct operand_view *operand,
-                       const struct instruction_view *view,
-                       const char *syntax, char letter)
+                       const struct instruction_view *view, const char *syntax,
+                       char letter)
 {
-    bool half = view->insn->flags & C205_INSN_HALF
-                && view->fields.g & C205_G_HALF && strchr("fwpvudcx", letter);
+    bool half = view->insn->flags & C205_INSN_HALF && view->fields.g & C205_G_HALF
+                && strchr("fwpvudcx", letter);
 
     memset(operand, 0, sizeof *operand);
     if (letter == 'g')
@@ -86,8 +82,7 @@ static void decode_one(struct operand_view *operand,
     operand->is_vector = strchr("lbdeqcoxz", letter)
                          || (strchr("vu", letter)
                              && !(islower((unsigned char)*syntax)
-                                  && is_broadcast(&view->fields,
-                                                  operand->field)));
+                                  && is_broadcast(&view->fields, operand->field)));
     operand->width = width_of(operand->letter);
     operand->is_half = !operand->is_vector && operand->width == HALF_BITS;
     if (operand->is_vector)
@@ -104,20 +99,17 @@ static void decode_operands(struct instruction_view *view)
         if (*syntax == '+')
             syntax++;
         else if (isalpha((unsigned char)*syntax) || *syntax == '@')
-            decode_one(&view->operands[view->count++], view, syntax,
-                       *letter++);
+            decode_one(&view->operands[view->count++], view, syntax, *letter++);
     }
 }
 
-void view_decode(struct instruction_view *view, const c205 *machine,
-                 uint64_t pc)
+void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc)
 {
     c205_word word = view_word_at(machine, pc);
 
     memset(view, 0, sizeof *view);
     view->pc = pc;
-    view->insn = c205_insn_coded((uint8_t)(word >> 56),
-                                 (uint8_t)(word >> 48));
+    view->insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
     view->halves = 1;
     if (!view->insn)
         return;
@@ -161,9 +153,8 @@ void view_fill(struct instruction_view *view, const c205 *machine)
 
         if (!operand->field)
             continue;
-        operand->word = c205_register(machine, operand->is_half
-                                                   ? operand->number / 2u
-                                                   : operand->number);
+        operand->word = c205_register(machine, operand->is_half ? operand->number / 2u
+                                                                : operand->number);
         if (operand->is_half)
             operand->word = operand->word << operand->number % 2 * HALF_BITS
                             & ~(c205_word)UINT32_MAX;
@@ -174,8 +165,7 @@ void view_fill(struct instruction_view *view, const c205 *machine)
     }
 }
 
-size_t view_next(struct instruction_view views[VIEW_NEXT],
-                 const c205 *machine)
+size_t view_next(struct instruction_view views[VIEW_NEXT], const c205 *machine)
 {
     uint64_t pc = c205_pc(machine);
     size_t count = 1, i;
@@ -207,8 +197,7 @@ const struct operand_view *view_find(const struct instruction_view *view,
 
 /* ---- Elements ---- */
 
-static void pick(const struct operand_view *operand, uint64_t bit,
-                 c205_word *element)
+static void pick(const struct operand_view *operand, uint64_t bit, c205_word *element)
 {
     if (operand->width == HALF_BITS)
         *element = *element << bit & ~(c205_word)UINT32_MAX;
@@ -216,8 +205,8 @@ static void pick(const struct operand_view *operand, uint64_t bit,
         *element = *element >> (WORD_BITS - 1 - bit) & 1;
 }
 
-bool view_read(const c205 *machine, const struct operand_view *operand,
-               size_t first, size_t n, c205_word *words)
+bool view_read(const c205 *machine, const struct operand_view *operand, size_t first,
+               size_t n, c205_word *words)
 {
     uint64_t at = operand->address + (uint64_t)first * operand->width;
     size_t i;

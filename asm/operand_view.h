@@ -35,16 +35,14 @@ struct instruction_view {
 };
 
 /* What does not depend on registers. */
-void view_decode(struct instruction_view *view, const c205 *machine,
-                 uint64_t pc);
+void view_decode(struct instruction_view *view, const c205 *machine, uint64_t pc);
 /* What does: again before each execution. */
 void view_fill(struct instruction_view *view, const c205 *machine);
 
 /* The next instruction with what its registers hold, or the two that a LINKV links: how many
  * these are.  What is none has no insn. */
 enum { VIEW_NEXT = 2 };
-size_t view_next(struct instruction_view views[VIEW_NEXT],
-                 const c205 *machine);
+size_t view_next(struct instruction_view views[VIEW_NEXT], const c205 *machine);
 
 /* The operand with one of these letters; NULL: it has none. */
 const struct operand_view *view_find(const struct instruction_view *view,
@@ -52,8 +50,8 @@ const struct operand_view *view_find(const struct instruction_view *view,
 
 /* n elements from the first on, those of 32 bits at the left of words, bits at
  * the right.  False: not all lie in mapped memory. */
-bool view_read(const c205 *machine, const struct operand_view *operand,
-               size_t first, size_t n, c205_word *words);
+bool view_read(const c205 *machine, const struct operand_view *operand, size_t first,
+               size_t n, c205_word *words);
 
 /* The word at an address on a half word; what is not mapped is zero. */
 c205_word view_word_at(const c205 *machine, uint64_t address);

@@ -39,8 +39,7 @@ static bool parse_mnemonic(struct cursor *cursor)
     const c205_insn *insn = c205_insn_named(name, length);
 
     if (!insn)
-        return expected_name(cursor, "an instruction or a macro",
-                             SUGGEST_MNEMONIC);
+        return expected_name(cursor, "an instruction or a macro", SUGGEST_MNEMONIC);
     cursor_next(cursor);
     return parse_instruction(cursor, insn);
 }

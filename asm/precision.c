@@ -8,14 +8,10 @@ static const struct {
     const char *stem;
     enum precision_rule rule;
 } rules[] = {
-    { "MPYS", PRECISION_PRODUCT },
-    { "DIVS", PRECISION_QUOTIENT },
-    { "SQRT", PRECISION_ROOT },
-    { "ADDU", PRECISION_UPPER_SUM },
-    { "INTVL", PRECISION_UPPER_SUM },
-    { "SUBU", PRECISION_UPPER_DIFFERENCE },
-    { "MPYU", PRECISION_UPPER_PRODUCT },
-    { "DIVU", PRECISION_UPPER_QUOTIENT },
+    { "MPYS", PRECISION_PRODUCT },       { "DIVS", PRECISION_QUOTIENT },
+    { "SQRT", PRECISION_ROOT },          { "ADDU", PRECISION_UPPER_SUM },
+    { "INTVL", PRECISION_UPPER_SUM },    { "SUBU", PRECISION_UPPER_DIFFERENCE },
+    { "MPYU", PRECISION_UPPER_PRODUCT }, { "DIVU", PRECISION_UPPER_QUOTIENT },
 };
 
 enum precision_rule precision_rule(const c205_insn *insn)
@@ -103,8 +99,8 @@ static int greatest(int a, int b)
 }
 
 /* The exponent of the last bit that the result keeps. */
-static int last_bit(enum precision_rule rule, bool half, c205_word a,
-                    c205_word b, double exact)
+static int last_bit(enum precision_rule rule, bool half, c205_word a, c205_word b,
+                    double exact)
 {
     int ea = exponent_of(a, half), eb = exponent_of(b, half);
     int bits = coefficient_bits(half), s = significant_bits(a, half);
@@ -126,16 +122,15 @@ static double cut(enum precision_rule rule, double exact, int last,
                   int last_of_quotient)
 {
     if (rule == PRECISION_QUOTIENT || rule == PRECISION_UPPER_QUOTIENT)
-        exact = ldexp(trunc(ldexp(exact, -last_of_quotient)),
-                      last_of_quotient);
+        exact = ldexp(trunc(ldexp(exact, -last_of_quotient)), last_of_quotient);
     return ldexp(floor(ldexp(exact, -last)), last);
 }
 
 /* A result with so many bits less than a normalised one is good enough. */
 enum { SPARE = 7 };
 
-bool precision_is_lost(enum precision_rule rule, bool half, c205_word a,
-                       c205_word b, struct precision *precision)
+bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,
+                       struct precision *precision)
 {
     double exact = exact_result(rule, value_of(a, half), value_of(b, half));
     int last;
@@ -146,8 +141,7 @@ bool precision_is_lost(enum precision_rule rule, bool half, c205_word a,
     last = last_bit(rule, half, a, b, exact);
     precision->exact = exact;
     precision->kept = cut(rule, exact, last,
-                          last_bit(PRECISION_UPPER_QUOTIENT, half, a, b,
-                                   exact));
+                          last_bit(PRECISION_UPPER_QUOTIENT, half, a, b, exact));
     return fabs(exact - precision->kept)
            > ldexp(fabs(exact), SPARE - coefficient_bits(half));
 }

@@ -35,7 +35,7 @@ struct precision {
 
 /* Whether more than a few bits are lost that normalised operands would have
  * kept. */
-bool precision_is_lost(enum precision_rule rule, bool half, c205_word a,
-                       c205_word b, struct precision *precision);
+bool precision_is_lost(enum precision_rule rule, bool half, c205_word a, c205_word b,
+                       struct precision *precision);
 
 #endif

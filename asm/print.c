@@ -16,8 +16,7 @@ static unsigned length_of(c205_word descriptor)
 /* Element i of a vector of elements of 1, 8 or 64 bits, at the right end of
  * *element.  False after telling that it lies where nothing is. */
 static bool fetch(const struct printer *printer, const c205 *machine,
-                  c205_word descriptor, unsigned i, unsigned bits,
-                  c205_word *element)
+                  c205_word descriptor, unsigned i, unsigned bits, c205_word *element)
 {
     uint64_t address = address_of(descriptor) / bits * bits;
     c205_word word;
@@ -41,11 +40,10 @@ struct number_columns {
 
 static struct number_columns columns_of(c205_word word)
 {
-    return (
-        struct number_columns){ .notation = (unsigned)(word >> 32 & 0xFF),
-                                .width = (unsigned)(word >> 8 & 0xFF),
-                                .digits = (unsigned)(word & 0xFF),
-                                .in_line = (unsigned)(word >> 16 & 0xFFFF) };
+    return (struct number_columns){ .notation = (unsigned)(word >> 32 & 0xFF),
+                                    .width = (unsigned)(word >> 8 & 0xFF),
+                                    .digits = (unsigned)(word & 0xFF),
+                                    .in_line = (unsigned)(word >> 16 & 0xFFFF) };
 }
 
 static void put_number(const struct printer *printer, c205_word word,
@@ -123,8 +121,7 @@ static void print_vector(const struct printer *printer, const c205 *machine,
     for (i = 0; i < length_of(event->r); i++) {
         if (i > 0)
             sink_put(&printer->sink,
-                     columns.in_line && i % columns.in_line == 0 ? "\n"
-                                                                 : " ");
+                     columns.in_line && i % columns.in_line == 0 ? "\n" : " ");
         if (!fetch(printer, machine, event->r, i, 64, &word))
             return;
         put_number(printer, word, &columns);
@@ -144,8 +141,7 @@ static void print_bits(const struct printer *printer, const c205 *machine,
     }
 }
 
-void printer_listen(void *context, const c205 *machine,
-                    const c205_event *event)
+void printer_listen(void *context, const c205 *machine, const c205_event *event)
 {
     static void (*const requests[])(const struct printer *, const c205 *,
                                     const c205_event *) = {

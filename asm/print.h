@@ -22,7 +22,6 @@ struct printer {
 };
 
 /* A c205_listener whose context is a struct printer. */
-void printer_listen(void *printer, const c205 *machine,
-                    const c205_event *event);
+void printer_listen(void *printer, const c205 *machine, const c205_event *event);
 
 #endif

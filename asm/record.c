@@ -14,8 +14,8 @@ static bool is_open(struct cursor *cursor)
                      "there is no .record open");
 }
 
-static bool define_place(struct cursor *cursor, const char *at,
-                         const char *name, size_t length, int64_t place)
+static bool define_place(struct cursor *cursor, const char *at, const char *name,
+                         size_t length, int64_t place)
 {
     struct value value = { VALUE_INTEGER, (uint64_t)place };
 
@@ -40,8 +40,8 @@ bool parse_record(struct cursor *cursor)
 
     if (open->line)
         return report(assembler, cursor->line, cursor->line->begin,
-                      "expected .endrecord first, for that of %s:%zu",
-                      open->line->file, open->line->number);
+                      "expected .endrecord first, for that of %s:%zu", open->line->file,
+                      open->line->number);
     memset(open, 0, sizeof *open);
     if (!expect_name(cursor, "the record's name", &name, &length))
         return false;
@@ -58,8 +58,7 @@ bool parse_field(struct cursor *cursor)
     size_t length;
     int64_t count = 1;
 
-    if (!is_open(cursor)
-        || !expect_name(cursor, "the field's name", &name, &length)
+    if (!is_open(cursor) || !expect_name(cursor, "the field's name", &name, &length)
         || (cursor_take(cursor, ',')
             && !parse_integer(cursor, 0, (int64_t)MAX_WORDS - open->next,
                               "how many words the field has", &count))
@@ -75,8 +74,7 @@ bool parse_at(struct cursor *cursor)
     int64_t place;
 
     if (!is_open(cursor)
-        || !parse_integer(cursor, 0, MAX_WORDS, "a place in the record",
-                          &place))
+        || !parse_integer(cursor, 0, MAX_WORDS, "a place in the record", &place))
         return false;
     go_to(&cursor->assembler->record, place);
     return true;
@@ -98,6 +96,5 @@ bool parse_endrecord(struct cursor *cursor)
         return false;
     memcpy(name, open->name, length);
     memcpy(name + length, suffix, sizeof suffix);
-    return define_place(cursor, cursor->line->begin, name, strlen(name),
-                        open->size);
+    return define_place(cursor, cursor->line->begin, name, strlen(name), open->size);
 }

@@ -16,13 +16,11 @@ static unsigned whole_number(struct register_name named)
 
 static bool overlap(struct register_name a, struct register_name b)
 {
-    return a.half && b.half ? a.number == b.number
-                            : whole_number(a) == whole_number(b);
+    return a.half && b.half ? a.number == b.number : whole_number(a) == whole_number(b);
 }
 
 /* The naming that stands behind an index as registers keep it, from 1. */
-static struct naming *naming_at(const struct registers *registers,
-                                size_t index)
+static struct naming *naming_at(const struct registers *registers, size_t index)
 {
     return index > 0 ? &registers->namings[index - 1] : NULL;
 }
@@ -61,8 +59,7 @@ static bool says_so(const struct register_share *share,
 
 static bool may_share(const struct naming *naming, const struct naming *other)
 {
-    return naming->owner == other->owner
-           || !overlap(naming->named, other->named)
+    return naming->owner == other->owner || !overlap(naming->named, other->named)
            || says_so(naming->share, other->share)
            || says_so(other->share, naming->share);
 }
@@ -97,12 +94,11 @@ static void check_owner(struct cursor *cursor, const struct naming *naming)
         return;
     other = other_owner(&cursor->assembler->registers, naming);
     if (other)
-        warn(cursor->assembler, WARNING_SHARED_REGISTER, cursor->line,
-             naming->at,
+        warn(cursor->assembler, WARNING_SHARED_REGISTER, cursor->line, naming->at,
              "%c%u is '%s' already, of %s:%zu; names that are to share a"
              " register say so by .share",
-             naming->named.half ? 'h' : 'r', naming->named.number,
-             other->symbol->name, other->line->file, other->line->number);
+             naming->named.half ? 'h' : 'r', naming->named.number, other->symbol->name,
+             other->line->file, other->line->number);
 }
 
 static bool same_register(struct register_name a, struct register_name b)
@@ -111,8 +107,7 @@ static bool same_register(struct register_name a, struct register_name b)
 }
 
 /* What the symbol named before ends here. */
-static size_t owner_of(struct registers *registers,
-                       const struct symbol *symbol,
+static size_t owner_of(struct registers *registers, const struct symbol *symbol,
                        struct register_name named)
 {
     struct naming *before = naming_at(registers, symbol->naming);
@@ -126,8 +121,8 @@ static size_t owner_of(struct registers *registers,
                                                          : registers->count;
 }
 
-static bool add_naming(struct cursor *cursor, const char *at,
-                       struct symbol *symbol, struct register_name named)
+static bool add_naming(struct cursor *cursor, const char *at, struct symbol *symbol,
+                       struct register_name named)
 {
     struct registers *registers = &cursor->assembler->registers;
     size_t *newest = &registers->newest[whole_number(named)];
@@ -143,8 +138,8 @@ static bool add_naming(struct cursor *cursor, const char *at,
     if (named.naming > 0)
         naming.share = naming_at(registers, named.naming)->share;
     check_owner(cursor, &naming);
-    grown = arena_grow(cursor->assembler->arena, registers->namings,
-                       registers->count, &registers->capacity, sizeof *grown);
+    grown = arena_grow(cursor->assembler->arena, registers->namings, registers->count,
+                       &registers->capacity, sizeof *grown);
     if (!grown)
         return false;
     naming.below = *newest;
@@ -154,15 +149,14 @@ static bool add_naming(struct cursor *cursor, const char *at,
     return true;
 }
 
-static bool name_register(struct cursor *cursor, const char *name,
-                          size_t length, struct register_name named)
+static bool name_register(struct cursor *cursor, const char *name, size_t length,
+                          struct register_name named)
 {
     struct value value = { VALUE_INTEGER, named.number };
     struct symbol *symbol = symbol_intern(cursor->assembler, name, length);
 
     return symbol_define(cursor->assembler, cursor->line, name, symbol,
-                         named.half ? SYMBOL_HALF_REGISTER : SYMBOL_REGISTER,
-                         value)
+                         named.half ? SYMBOL_HALF_REGISTER : SYMBOL_REGISTER, value)
            && add_naming(cursor, name, symbol, named);
 }
 
@@ -173,8 +167,7 @@ bool parse_reg(struct cursor *cursor)
     struct register_name named;
 
     return expect_name(cursor, "a name", &name, &length)
-           && expect_operator(cursor, ',', "','")
-           && parse_any_register(cursor, &named)
+           && expect_operator(cursor, ',', "','") && parse_any_register(cursor, &named)
            && name_register(cursor, name, length, named);
 }
 
@@ -208,13 +201,11 @@ bool parse_regs(struct cursor *cursor)
             return false;
         if (number >= C205_REGISTERS)
             return report(cursor->assembler, cursor->line, name,
-                          "there is no register after %c255",
-                          named.half ? 'h' : 'r');
+                          "there is no register after %c255", named.half ? 'h' : 'r');
         named.number = (uint8_t)number;
         if (!name_register(cursor, name, length, named))
             return false;
-        named.naming = naming_behind(&cursor->assembler->registers,
-                                     named.naming);
+        named.naming = naming_behind(&cursor->assembler->registers, named.naming);
     }
     return true;
 }
@@ -223,8 +214,7 @@ bool parse_regs(struct cursor *cursor)
 bool parse_share(struct cursor *cursor)
 {
     struct registers *registers = &cursor->assembler->registers;
-    struct register_share *share = arena_take(cursor->assembler->arena,
-                                              sizeof *share);
+    struct register_share *share = arena_take(cursor->assembler->arena, sizeof *share);
     const struct symbol *symbol;
     const char *name;
     size_t length;
@@ -266,9 +256,8 @@ bool mention_register(struct assembler *assembler, struct register_name named)
 
     if (named.naming == 0)
         return true;
-    grown = arena_grow(assembler->arena, registers->mentions,
-                       registers->mention_count, &registers->mention_capacity,
-                       sizeof *grown);
+    grown = arena_grow(assembler->arena, registers->mentions, registers->mention_count,
+                       &registers->mention_capacity, sizeof *grown);
     if (!grown)
         return false;
     registers->mentions = grown;

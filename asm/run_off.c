@@ -6,8 +6,7 @@
 enum { HALF_BITS = 32 };
 
 /* EXIT with request 0, which may be left out. */
-static bool ends_program(struct assembler *assembler,
-                         const struct layout_item *item)
+static bool ends_program(struct assembler *assembler, const struct layout_item *item)
 {
     const struct instruction *instruction = item->of.instruction;
     struct value value = { VALUE_INTEGER, 0 };
@@ -27,8 +26,7 @@ static bool always_branches(const c205_insn *insn)
 }
 
 /* .half makes instructions, too. */
-static bool goes_on_with(const struct layout_item *next,
-                         const struct layout_item *item)
+static bool goes_on_with(const struct layout_item *next, const struct layout_item *item)
 {
     return next->address == item->address + item->halves * HALF_BITS
            && (next->kind == ITEM_INSTRUCTION || next->kind == ITEM_HALF);
@@ -55,8 +53,7 @@ void check_ends(struct assembler *assembler)
             && !always_branches(items[i].of.instruction->insn)
             && !(i + 1 < count && goes_on_with(&items[i + 1], &items[i]))
             && !ends_program(assembler, &items[i]))
-            warn(assembler, WARNING_RUN_OFF, items[i].line,
-                 items[i].line->begin,
+            warn(assembler, WARNING_RUN_OFF, items[i].line, items[i].line->begin,
                  "the program can run on behind this, where there is no"
                  " code; let it end with EXIT or a branch");
 }

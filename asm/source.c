@@ -19,17 +19,16 @@ static bool join_lines(struct assembler *assembler, const struct text *text,
     for (line = text->lines; *line; line++)
         sink_put(&sink, *line);
     source->name = text->name;
-    source->text = buffer.failed ? NULL
-                                 : arena_text(assembler->arena, buffer.text,
-                                              buffer.length);
+    source->text = buffer.failed
+                       ? NULL
+                       : arena_text(assembler->arena, buffer.text, buffer.length);
     if (source->text)
         source->end = source->text + buffer.length;
     text_buffer_free(&buffer);
     return source->text != NULL;
 }
 
-static const struct text *find_text(const struct text *table,
-                                    const char *name)
+static const struct text *find_text(const struct text *table, const char *name)
 {
     for (; table->name; table++)
         if (strcmp(table->name, name) == 0)
@@ -75,23 +74,20 @@ static bool read_source(struct assembler *assembler, const char *path,
 }
 
 /* folder is not NUL-terminated. */
-static bool read_from(struct assembler *assembler, const char *folder,
-                      size_t length, const char *name,
-                      struct asm_source *source, c205_error *error)
+static bool read_from(struct assembler *assembler, const char *folder, size_t length,
+                      const char *name, struct asm_source *source, c205_error *error)
 {
     char path[4096];
     const char *slash = length && folder[length - 1] != '/' ? "/" : "";
     int used;
 
-    used = snprintf(path, sizeof path, "%.*s%s%s", (int)length, folder, slash,
-                    name);
+    used = snprintf(path, sizeof path, "%.*s%s%s", (int)length, folder, slash, name);
     return used > 0 && (size_t)used < sizeof path
            && read_source(assembler, path, source, error);
 }
 
-bool source_find(struct assembler *assembler, const char *name,
-                 const char *from, struct asm_source *source,
-                 c205_error *error)
+bool source_find(struct assembler *assembler, const char *name, const char *from,
+                 struct asm_source *source, c205_error *error)
 {
     const struct asm_options *options = assembler->options;
     const struct text *carried = find_carried(options, name);
@@ -106,12 +102,11 @@ bool source_find(struct assembler *assembler, const char *name,
         return false;
     if (*name == '/')
         return read_source(assembler, name, source, error);
-    if (read_from(assembler, from, slash ? (size_t)(slash - from) + 1 : 0,
-                  name, source, error))
+    if (read_from(assembler, from, slash ? (size_t)(slash - from) + 1 : 0, name, source,
+                  error))
         return true;
     for (; folder && *folder && errno != ETXTBSY; folder++)
-        if (read_from(assembler, *folder, strlen(*folder), name, source,
-                      error))
+        if (read_from(assembler, *folder, strlen(*folder), name, source, error))
             return true;
     return false;
 }

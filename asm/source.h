@@ -12,8 +12,7 @@ struct asm_source {
 /* A text that the caller or the library carries under this name; else a file
  * in the folder of the file from; else one in the folders to search.  False: the error has the
  * reason. */
-bool source_find(struct assembler *assembler, const char *name,
-                 const char *from, struct asm_source *source,
-                 c205_error *error);
+bool source_find(struct assembler *assembler, const char *name, const char *from,
+                 struct asm_source *source, c205_error *error);
 
 #endif

@@ -10,8 +10,7 @@
 
 static void tell(c205_error *error, const char *path, const char *why)
 {
-    snprintf(error->message, sizeof error->message, "%.100s: %.150s", path,
-             why);
+    snprintf(error->message, sizeof error->message, "%.100s: %.150s", path, why);
 }
 
 /* A saved machine is read again by file_read, so it may be no larger. */
@@ -42,8 +41,7 @@ bool state_save(const c205 *machine, const char *path, c205_error *error)
         return whole_commit(whole, error);
     }
     if (output.left < sizeof(c205_word)) {
-        error_say(&reason, "the saved machine has more than %d bytes",
-                  FILE_LARGEST);
+        error_say(&reason, "the saved machine has more than %d bytes", FILE_LARGEST);
     }
     tell(error, path, reason.message);
     whole_discard(whole);
@@ -55,8 +53,7 @@ c205 *state_load(const char *path, const c205_model *model, c205_error *error)
     size_t length;
     c205_error reason = { "" };
     char *bytes = file_read(path, FILE_LARGEST, &length, &reason);
-    c205 *machine = bytes ? c205_restore(bytes, length, model, &reason)
-                          : NULL;
+    c205 *machine = bytes ? c205_restore(bytes, length, model, &reason) : NULL;
     if (!machine) {
         tell(error, path, reason.message);
     }

@@ -7,7 +7,6 @@
 /* Written whole or not at all. */
 bool state_save(const c205 *machine, const char *path, c205_error *error);
 /* NULL: it cannot be read, or is refused. */
-c205 *state_load(const char *path, const c205_model *model,
-                 c205_error *error);
+c205 *state_load(const char *path, const c205_model *model, c205_error *error);
 
 #endif

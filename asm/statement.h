@@ -8,8 +8,7 @@
 struct layout_item *layout_add(struct cursor *cursor, enum item_kind kind,
                                uint64_t halves);
 /* Words that are known already. */
-bool layout_known(struct cursor *cursor, const c205_word *words,
-                  uint64_t count);
+bool layout_known(struct cursor *cursor, const c205_word *words, uint64_t count);
 /* Data begin on words; labels that wait for them go along. */
 void layout_align(struct assembler *assembler, uint64_t bits);
 bool layout_label(struct cursor *cursor, const char *name, size_t length,
@@ -27,8 +26,7 @@ typedef bool directive_parser(struct cursor *cursor);
 struct directive {
     const char *name;
     directive_parser *parse;
-    enum asm_contents
-        contents; /* of what it puts, before which labels wait for its
+    enum asm_contents contents; /* of what it puts, before which labels wait for its
                                    alignment; or NOTHING */
 };
 const struct directive *find_directive(const struct token *token);
@@ -36,8 +34,7 @@ const struct directive *find_directive(const struct token *token);
 /* register.c */
 directive_parser parse_reg, parse_regs, parse_share, parse_endshare;
 /* An instruction has it. */
-bool mention_register(struct assembler *assembler,
-                      struct register_name named);
+bool mention_register(struct assembler *assembler, struct register_name named);
 
 /* record.c */
 directive_parser parse_record, parse_field, parse_at, parse_endrecord;

@@ -23,8 +23,8 @@ void object_free(struct object *object)
 static void *grow(struct storage *storage, const void *items, size_t *count,
                   size_t *capacity, size_t size)
 {
-    void *grown = arena_grow(&storage->arena, (void *)(uintptr_t)items,
-                             *count, capacity, size);
+    void *grown = arena_grow(&storage->arena, (void *)(uintptr_t)items, *count,
+                             capacity, size);
 
     *count += grown != NULL;
     return grown;
@@ -33,8 +33,7 @@ static void *grow(struct storage *storage, const void *items, size_t *count,
 c205_segment *storage_add_segment(struct storage *storage)
 {
     c205_program *program = &storage->object.program;
-    c205_segment *grown = grow(storage, program->segments,
-                               &program->segment_count,
+    c205_segment *grown = grow(storage, program->segments, &program->segment_count,
                                &storage->segment_capacity, sizeof *grown);
 
     if (!grown)
@@ -46,8 +45,7 @@ c205_segment *storage_add_segment(struct storage *storage)
 c205_region *storage_add_region(struct storage *storage)
 {
     c205_program *program = &storage->object.program;
-    c205_region *grown = grow(storage, program->regions,
-                              &program->region_count,
+    c205_region *grown = grow(storage, program->regions, &program->region_count,
                               &storage->region_capacity, sizeof *grown);
 
     if (!grown)
@@ -59,8 +57,7 @@ c205_region *storage_add_region(struct storage *storage)
 struct asm_symbol *storage_add_symbol(struct storage *storage)
 {
     struct object *object = &storage->object;
-    struct asm_symbol *grown = grow(storage, object->symbols,
-                                    &object->symbol_count,
+    struct asm_symbol *grown = grow(storage, object->symbols, &object->symbol_count,
                                     &storage->symbol_capacity, sizeof *grown);
 
     if (!grown)
@@ -86,8 +83,7 @@ struct asm_register *storage_add_register(struct storage *storage)
     struct object *object = &storage->object;
     struct asm_register *grown = grow(storage, object->registers,
                                       &object->register_count,
-                                      &storage->register_capacity,
-                                      sizeof *grown);
+                                      &storage->register_capacity, sizeof *grown);
 
     if (!grown)
         return NULL;
@@ -98,10 +94,8 @@ struct asm_register *storage_add_register(struct storage *storage)
 struct asm_mention *storage_add_mention(struct storage *storage)
 {
     struct object *object = &storage->object;
-    struct asm_mention *grown = grow(storage, object->mentions,
-                                     &object->mention_count,
-                                     &storage->mention_capacity,
-                                     sizeof *grown);
+    struct asm_mention *grown = grow(storage, object->mentions, &object->mention_count,
+                                     &storage->mention_capacity, sizeof *grown);
 
     if (!grown)
         return NULL;
@@ -114,8 +108,7 @@ struct asm_expectation *storage_add_expectation(struct storage *storage)
     struct object *object = &storage->object;
     struct asm_expectation *grown = grow(storage, object->expectations,
                                          &object->expectation_count,
-                                         &storage->expectation_capacity,
-                                         sizeof *grown);
+                                         &storage->expectation_capacity, sizeof *grown);
 
     if (!grown)
         return NULL;
@@ -138,8 +131,7 @@ void storage_sort_symbols(struct storage *storage)
               sizeof *object->symbols, compare_symbols);
 }
 
-const struct asm_line *object_line(const struct object *object,
-                                   uint64_t address)
+const struct asm_line *object_line(const struct object *object, uint64_t address)
 {
     const struct asm_line *lines = object->lines;
     size_t low = 0, high = object->line_count;
@@ -172,22 +164,21 @@ const char *object_region(const struct object *object, uint64_t address)
 struct position asm_line_position(const struct asm_line *line)
 {
     const struct position position = { line->file, line->number,
-                                       strspn(line->source, " \t") + 1,
-                                       line->source, strlen(line->source) };
+                                       strspn(line->source, " \t") + 1, line->source,
+                                       strlen(line->source) };
 
     return position;
 }
 
-const struct asm_symbol *object_symbol(const struct object *object,
-                                       const char *name)
+const struct asm_symbol *object_symbol(const struct object *object, const char *name)
 {
     struct asm_symbol key = { .name = NULL };
 
     key.name = name;
     if (object->symbol_count == 0)
         return NULL;
-    return bsearch(&key, object->symbols, object->symbol_count,
-                   sizeof *object->symbols, compare_symbols);
+    return bsearch(&key, object->symbols, object->symbol_count, sizeof *object->symbols,
+                   compare_symbols);
 }
 
 static bool is_used(const struct object *object, const char *name)

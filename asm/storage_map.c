@@ -50,8 +50,8 @@ static uint64_t end_of_data(const c205_program *program, uint64_t address)
 
 struct storage_map *storage_map_new(const struct object *object)
 {
-    struct storage_map *map = malloc(
-        sizeof *map + (object->symbol_count + 1) * sizeof *map->spans);
+    struct storage_map *map = malloc(sizeof *map
+                                     + (object->symbol_count + 1) * sizeof *map->spans);
     size_t i;
 
     if (!map)
@@ -70,8 +70,7 @@ struct storage_map *storage_map_new(const struct object *object)
         struct storage_span *span = &map->spans[i];
         uint64_t end = end_of_data(&object->program, span->begin);
 
-        span->end = i + 1 < map->count && span[1].begin < end ? span[1].begin
-                                                              : end;
+        span->end = i + 1 < map->count && span[1].begin < end ? span[1].begin : end;
     }
     return map;
 }
@@ -81,8 +80,7 @@ void storage_map_free(struct storage_map *map)
     free(map);
 }
 
-const char *storage_at(const struct storage_map *map, uint64_t address,
-                       uint64_t *end)
+const char *storage_at(const struct storage_map *map, uint64_t address, uint64_t *end)
 {
     size_t low = 0, high = map->count;
 

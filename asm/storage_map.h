@@ -16,7 +16,6 @@ void storage_map_free(struct storage_map *map);
 
 /* The name of the storage that an address lies in, and where that ends; NULL:
  * the address belongs to no name. */
-const char *storage_at(const struct storage_map *map, uint64_t address,
-                       uint64_t *end);
+const char *storage_at(const struct storage_map *map, uint64_t address, uint64_t *end);
 
 #endif

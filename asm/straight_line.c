@@ -2,8 +2,8 @@
 #include "asm/straight_line.h"
 
 /* From the middle of the points, so that nothing large is taken from nearly the same. */
-struct straight_line
-straight_line_through(const struct weighted_point *points, size_t count)
+struct straight_line straight_line_through(const struct weighted_point *points,
+                                           size_t count)
 {
     double weight = 0, x = 0, y = 0, xx = 0, xy = 0;
     struct straight_line line;

@@ -14,8 +14,8 @@ struct straight_line {
 };
 
 /* Of points with two different x and weights above 0 at least. */
-struct straight_line
-straight_line_through(const struct weighted_point *points, size_t count);
+struct straight_line straight_line_through(const struct weighted_point *points,
+                                           size_t count);
 double straight_line_at(const struct straight_line *line, double x);
 
 #endif

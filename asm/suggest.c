@@ -7,24 +7,21 @@ static bool is_kind(const struct symbol *symbol, enum suggestion kind)
     switch (kind) {
     case SUGGEST_MNEMONIC: return symbol->macro != NULL;
     case SUGGEST_REGISTER:
-        return symbol->kind == SYMBOL_REGISTER
-               || symbol->kind == SYMBOL_HALF_REGISTER;
+        return symbol->kind == SYMBOL_REGISTER || symbol->kind == SYMBOL_HALF_REGISTER;
     case SUGGEST_VALUE:
-        return symbol->kind == SYMBOL_LABEL
-               || symbol->kind == SYMBOL_CONSTANT;
+        return symbol->kind == SYMBOL_LABEL || symbol->kind == SYMBOL_CONSTANT;
     default: return false;
     }
 }
 
-static void try_symbols(const struct assembler *assembler,
-                        enum suggestion kind, struct nearest *nearest)
+static void try_symbols(const struct assembler *assembler, enum suggestion kind,
+                        struct nearest *nearest)
 {
     const struct symbol *symbol;
     size_t i;
 
     for (i = 0; i < SYMBOL_BUCKETS; i++)
-        for (symbol = assembler->symbols.buckets[i]; symbol;
-             symbol = symbol->next)
+        for (symbol = assembler->symbols.buckets[i]; symbol; symbol = symbol->next)
             if (is_kind(symbol, kind))
                 nearest_try(nearest, symbol->name);
 }
@@ -34,8 +31,7 @@ typedef const char *name_list(size_t i);
 /* One list after another. */
 const char *asm_directive(size_t i)
 {
-    static name_list *const lists[] = { directive_name, expand_name,
-                                        condition_name };
+    static name_list *const lists[] = { directive_name, expand_name, condition_name };
 
     for (size_t list = 0; list < sizeof lists / sizeof *lists; list++) {
         size_t count = 0;
@@ -49,11 +45,10 @@ const char *asm_directive(size_t i)
     return NULL;
 }
 
-const char *suggest(struct assembler *assembler, enum suggestion kind,
-                    const char *name, size_t length)
+const char *suggest(struct assembler *assembler, enum suggestion kind, const char *name,
+                    size_t length)
 {
-    struct nearest nearest = { .word = arena_text(assembler->arena, name,
-                                                  length) };
+    struct nearest nearest = { .word = arena_text(assembler->arena, name, length) };
     size_t i;
 
     if (!nearest.word)
@@ -67,8 +62,7 @@ const char *suggest(struct assembler *assembler, enum suggestion kind,
     return nearest.name;
 }
 
-bool expected_name(struct cursor *cursor, const char *what,
-                   enum suggestion kind)
+bool expected_name(struct cursor *cursor, const char *what, enum suggestion kind)
 {
     const struct token *token = &cursor->token;
     size_t length = (size_t)(token->end - token->begin);

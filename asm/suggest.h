@@ -12,13 +12,12 @@ enum suggestion {
 };
 
 /* NULL: nothing is near. */
-const char *suggest(struct assembler *assembler, enum suggestion kind,
-                    const char *name, size_t length);
+const char *suggest(struct assembler *assembler, enum suggestion kind, const char *name,
+                    size_t length);
 
 /* Report what was expected in place of the next token, and what was meant by
  * it; false. */
-bool expected_name(struct cursor *cursor, const char *what,
-                   enum suggestion kind);
+bool expected_name(struct cursor *cursor, const char *what, enum suggestion kind);
 
 /* directive.c, expand.c, condition.c: the names of those that each obeys, NULL behind the last. */
 const char *directive_name(size_t i);

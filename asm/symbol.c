@@ -8,19 +8,17 @@
 
 static size_t bucket_of(const char *name, size_t length)
 {
-    return hash_bytes(HASH_START, (const unsigned char *)name, length)
-           % SYMBOL_BUCKETS;
+    return hash_bytes(HASH_START, (const unsigned char *)name, length) % SYMBOL_BUCKETS;
 }
 
-struct symbol *symbol_find(const struct assembler *assembler,
-                           const char *name, size_t length)
+struct symbol *symbol_find(const struct assembler *assembler, const char *name,
+                           size_t length)
 {
     struct symbol *symbol;
 
     symbol = assembler->symbols.buckets[bucket_of(name, length)];
     while (symbol
-           && (symbol->length != length
-               || memcmp(symbol->name, name, length) != 0))
+           && (symbol->length != length || memcmp(symbol->name, name, length) != 0))
         symbol = symbol->next;
     return symbol;
 }
@@ -28,8 +26,7 @@ struct symbol *symbol_find(const struct assembler *assembler,
 struct symbol *symbol_intern(struct assembler *assembler, const char *name,
                              size_t length)
 {
-    struct symbol **bucket = &assembler->symbols
-                                  .buckets[bucket_of(name, length)];
+    struct symbol **bucket = &assembler->symbols.buckets[bucket_of(name, length)];
     struct symbol *symbol = symbol_find(assembler, name, length);
 
     if (symbol)
@@ -48,8 +45,7 @@ struct symbol *symbol_intern(struct assembler *assembler, const char *name,
 }
 
 /* Without leading zeros. */
-bool register_named(const char *name, size_t length,
-                    struct register_name *found)
+bool register_named(const char *name, size_t length, struct register_name *found)
 {
     int letter = length > 0 ? tolower((unsigned char)*name) : 0, number = 0;
     size_t i;
@@ -79,33 +75,27 @@ static bool is_same(const struct symbol *symbol, enum symbol_kind kind,
     if (is_register(kind)) /* a new name list for the code below */
         return is_register(symbol->kind);
     return kind == SYMBOL_CONSTANT && symbol->kind == kind
-           && symbol->value.kind == value.kind
-           && symbol->value.bits == value.bits;
+           && symbol->value.kind == value.kind && symbol->value.bits == value.bits;
 }
 
-static const char defined_by_command[] =
-    "'%s' is defined by the command already";
+static const char defined_by_command[] = "'%s' is defined by the command already";
 
 /* A name means one thing in a program; but registers are named anew by each
  * routine, and a constant may be given the same value twice. */
-bool symbol_define(struct assembler *assembler, const struct line *line,
-                   const char *at, struct symbol *symbol,
-                   enum symbol_kind kind, struct value value)
+bool symbol_define(struct assembler *assembler, const struct line *line, const char *at,
+                   struct symbol *symbol, enum symbol_kind kind, struct value value)
 {
     struct register_name named;
 
     if (!symbol)
         return false;
     if (register_named(symbol->name, symbol->length, &named))
-        return report(assembler, line, at, "'%s' is a register",
-                      symbol->name);
+        return report(assembler, line, at, "'%s' is a register", symbol->name);
     if (symbol->kind != SYMBOL_UNDEFINED && !is_same(symbol, kind, value)) {
         if (!symbol->defined)
-            return report(assembler, line, at, defined_by_command,
-                          symbol->name);
-        return report(assembler, line, at,
-                      "'%s' is defined already, in %s:%zu", symbol->name,
-                      symbol->defined->file, symbol->defined->number);
+            return report(assembler, line, at, defined_by_command, symbol->name);
+        return report(assembler, line, at, "'%s' is defined already, in %s:%zu",
+                      symbol->name, symbol->defined->file, symbol->defined->number);
     }
     symbol->kind = kind;
     symbol->value = value;

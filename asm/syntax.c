@@ -28,23 +28,22 @@ static const struct format_rule {
     int64_t low, high;
     size_t left_out;
     bool needs_vector;
-} format_rules[] = { { C205_FORMAT_SHIFT, -64, 63, 0, false },
-                     { C205_FORMAT_REQUEST, 0, 255, 3, false },
-                     { C205_FORMAT_I16, -32768, 65535, 0, false },
-                     { C205_FORMAT_I24, -((int64_t)1 << 23),
-                       ((int64_t)1 << 24) - 1, 0, false },
-                     { C205_FORMAT_I48, -((int64_t)1 << 47),
-                       ((int64_t)1 << 48) - 1, 0, false },
-                     { C205_FORMAT_JUMP, 0, ((int64_t)1 << 48) - 1, 1,
-                       false },
-                     { C205_FORMAT_ALTER, 0, 15, 0, false },
-                     { C205_FORMAT_ALTERB, 0, 15, 0, false },
-                     { C205_FORMAT_ALTERF, 0, 15, 0, false },
-                     { C205_FORMAT_INDEX, 0, 0, 1, false },
-                     { C205_FORMAT_REDUCE, 0, 0, 0, true },
-                     { C205_FORMAT_REDUCE2, 0, 0, 0, true },
-                     { C205_FORMAT_EXTREME, 0, 0, 0, true },
-                     { C205_FORMAT_SIEVE, 0, 0, 0, true } };
+} format_rules[] = {
+    { C205_FORMAT_SHIFT, -64, 63, 0, false },
+    { C205_FORMAT_REQUEST, 0, 255, 3, false },
+    { C205_FORMAT_I16, -32768, 65535, 0, false },
+    { C205_FORMAT_I24, -((int64_t)1 << 23), ((int64_t)1 << 24) - 1, 0, false },
+    { C205_FORMAT_I48, -((int64_t)1 << 47), ((int64_t)1 << 48) - 1, 0, false },
+    { C205_FORMAT_JUMP, 0, ((int64_t)1 << 48) - 1, 1, false },
+    { C205_FORMAT_ALTER, 0, 15, 0, false },
+    { C205_FORMAT_ALTERB, 0, 15, 0, false },
+    { C205_FORMAT_ALTERF, 0, 15, 0, false },
+    { C205_FORMAT_INDEX, 0, 0, 1, false },
+    { C205_FORMAT_REDUCE, 0, 0, 0, true },
+    { C205_FORMAT_REDUCE2, 0, 0, 0, true },
+    { C205_FORMAT_EXTREME, 0, 0, 0, true },
+    { C205_FORMAT_SIEVE, 0, 0, 0, true }
+};
 
 static const struct format_rule *find_rule(c205_format format)
 {
@@ -57,8 +56,7 @@ static const struct format_rule *find_rule(c205_format format)
 }
 
 /* The G bits go by the field: sources are A and B, and only A has a minus. */
-static void add_sign(struct operand *operand, const c205_insn *insn,
-                     char letter)
+static void add_sign(struct operand *operand, const c205_insn *insn, char letter)
 {
     if (!(insn->flags & C205_INSN_SIGN)
         || !strchr("vuf", tolower((unsigned char)letter)))
@@ -104,8 +102,8 @@ static void read_source(struct operand *operand, char field)
 
 /* Whether a bare register is a half one; with ",H" the letters named in
  * insn.def are as if they were capitals. */
-static bool is_half(const struct operand *operand, const c205_insn *insn,
-                    char letter, bool half)
+static bool is_half(const struct operand *operand, const c205_insn *insn, char letter,
+                    bool half)
 {
     if (half && (insn->flags & C205_INSN_HALF) && strchr("fwpvu", letter))
         letter = (char)toupper((unsigned char)letter);
@@ -172,8 +170,7 @@ size_t syntax_operands(const c205_insn *insn, bool half,
 
 /* ---- What no machine executes ---- */
 
-static const char *refuse_one(const struct operand *operand,
-                              c205_fields *fields)
+static const char *refuse_one(const struct operand *operand, c205_fields *fields)
 {
     uint8_t number = *syntax_field(fields, operand->field);
 
@@ -190,9 +187,8 @@ static const char *refuse_one(const struct operand *operand,
     return NULL;
 }
 
-const char *syntax_refusal(const c205_insn *insn,
-                           const struct operand *operands, size_t count,
-                           c205_fields *fields, size_t *blamed)
+const char *syntax_refusal(const c205_insn *insn, const struct operand *operands,
+                           size_t count, c205_fields *fields, size_t *blamed)
 {
     const struct format_rule *rule = find_rule(insn->format);
     bool vector = !rule || !rule->needs_vector;
@@ -214,16 +210,14 @@ const char *syntax_refusal(const c205_insn *insn,
 
 /* ---- The form, as it is told -------------------------------------------- */
 
-static void write_operand(const struct operand *operand,
-                          const struct sink *sink)
+static void write_operand(const struct operand *operand, const struct sink *sink)
 {
     const char *letter = operand->half ? "h" : "r";
 
     switch (operand->kind) {
     case OPERAND_REGISTER: sink_put(sink, letter); break;
     case OPERAND_BRACKET:
-        sink_put(sink, operand->second && operand->second != SECOND_IS_NEXT
-                           ? "[r, r]"
+        sink_put(sink, operand->second && operand->second != SECOND_IS_NEXT ? "[r, r]"
                        : operand->given ? "[r] or ? [r]"
                                         : "[r]");
         break;

@@ -54,8 +54,7 @@ uint8_t *syntax_field(c205_fields *fields, char letter);
 /* Why no machine executes it, whatever its registers hold, and which operand
  * is to blame; NULL: one does.  A control vector that may be left out is
  * taken to be if it is r0. */
-const char *syntax_refusal(const c205_insn *insn,
-                           const struct operand *operands, size_t count,
-                           c205_fields *fields, size_t *blamed);
+const char *syntax_refusal(const c205_insn *insn, const struct operand *operands,
+                           size_t count, c205_fields *fields, size_t *blamed);
 
 #endif

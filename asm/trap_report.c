@@ -6,32 +6,27 @@
 
 #include "asm/operand_view.h"
 
-static void put_number(const struct sink *sink,
-                       const struct operand_view *operand)
+static void put_number(const struct sink *sink, const struct operand_view *operand)
 {
     char hex[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
 
     c205_to_hex(operand->word, hex);
     if (operand->is_half)
         hex[9] = '\0'; /* 8 digits and a blank */
-    (operand->is_half ? c205_half_to_text : c205_to_text)(operand->word,
-                                                          text);
+    (operand->is_half ? c205_half_to_text : c205_to_text)(operand->word, text);
     sink_print(sink, "X'%s' (%s)\n", hex, text);
 }
 
 /* Addresses are not known by their decimals. */
-static void put_integer(const struct sink *sink,
-                        const struct operand_view *operand)
+static void put_integer(const struct sink *sink, const struct operand_view *operand)
 {
     char hex[C205_TEXT_SIZE];
 
     c205_to_hex(operand->word, hex);
-    sink_print(sink, "X'%s' (%" PRId64 ")\n", hex,
-               c205_to_integer(operand->word));
+    sink_print(sink, "X'%s' (%" PRId64 ")\n", hex, c205_to_integer(operand->word));
 }
 
-static void put_vector(const struct sink *sink,
-                       const struct operand_view *operand)
+static void put_vector(const struct sink *sink, const struct operand_view *operand)
 {
     const char *elements = operand->width == 64   ? "words"
                            : operand->width == 32 ? "half words"
@@ -46,12 +41,11 @@ static void put_vector(const struct sink *sink,
     else if (letter == 'z')
         sink_print(sink, "bits from %" PRIX64 " on\n", operand->address);
     else
-        sink_print(sink, "%zu %s from %" PRIX64 " on\n", operand->length,
-                   elements, operand->address);
+        sink_print(sink, "%zu %s from %" PRIX64 " on\n", operand->length, elements,
+                   operand->address);
 }
 
-static void put_operand(const struct sink *sink,
-                        const struct operand_view *operand)
+static void put_operand(const struct sink *sink, const struct operand_view *operand)
 {
     bool number = strchr("fFvV", operand->letter) != NULL;
     char name = operand->is_half ? 'h' : 'r';
@@ -61,8 +55,7 @@ static void put_operand(const struct sink *sink,
         return;
     if (!operand->is_vector) {
         sink_print(sink, "    %c%u = ", name, operand->number);
-        (number || operand->is_half ? put_number : put_integer)(sink,
-                                                                operand);
+        (number || operand->is_half ? put_number : put_integer)(sink, operand);
         return;
     }
     sink_print(sink, "    [r%u", operand->number);
@@ -72,8 +65,7 @@ static void put_operand(const struct sink *sink,
     put_vector(sink, operand);
 }
 
-void trap_report_operands(const c205 *machine, uint64_t pc,
-                          const struct sink *sink)
+void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *sink)
 {
     struct instruction_view view;
     size_t i, n = 1;
@@ -95,12 +87,10 @@ void trap_report_operands(const c205 *machine, uint64_t pc,
     }
 }
 
-void trap_report(const struct object *object, const char *name,
-                 const c205 *machine, const c205_stop *stop,
-                 const struct sink *sink)
+void trap_report(const struct object *object, const char *name, const c205 *machine,
+                 const c205_stop *stop, const struct sink *sink)
 {
-    const struct asm_line *line = object ? object_line(object, stop->pc)
-                                         : NULL;
+    const struct asm_line *line = object ? object_line(object, stop->pc) : NULL;
     struct position position = { .file = name };
     struct diagnostics diagnostics = { 0 };
     c205_error text;

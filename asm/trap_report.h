@@ -8,13 +8,11 @@
 
 /* Of a machine that a trap has stopped.  The object may be NULL; name is that
  * of the program, for objects that do not know their source lines. */
-void trap_report(const struct object *object, const char *name,
-                 const c205 *machine, const c205_stop *stop,
-                 const struct sink *sink);
+void trap_report(const struct object *object, const char *name, const c205 *machine,
+                 const c205_stop *stop, const struct sink *sink);
 
 /* What the operands of the instruction at an address hold, a line each; of a linked pair
  * those of both. */
-void trap_report_operands(const c205 *machine, uint64_t pc,
-                          const struct sink *sink);
+void trap_report_operands(const c205 *machine, uint64_t pc, const struct sink *sink);
 
 #endif

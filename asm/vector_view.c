@@ -15,8 +15,7 @@ struct vector_view vector_described(c205_word word, unsigned width)
                                  .width = width };
 }
 
-bool vector_recognise(const c205 *machine, c205_word word,
-                      struct vector_view *vector)
+bool vector_recognise(const c205 *machine, c205_word word, struct vector_view *vector)
 {
     *vector = vector_described(word, 64);
     if (vector_is_mapped(machine, vector))
@@ -48,8 +47,7 @@ struct vector_view vector_of_operand(const struct instruction_view *view,
 /* ---- Elements ---------------------------------------------------------------- */
 
 /* As operands are read. */
-static struct operand_view elements_at(uint64_t address, size_t length,
-                                       unsigned width)
+static struct operand_view elements_at(uint64_t address, size_t length, unsigned width)
 {
     return (struct operand_view){ .letter = 'v',
                                   .is_vector = true,
@@ -58,11 +56,11 @@ static struct operand_view elements_at(uint64_t address, size_t length,
                                   .length = length };
 }
 
-bool vector_get(const c205 *machine, const struct vector_view *vector,
-                size_t first, size_t count, c205_word *words)
+bool vector_get(const c205 *machine, const struct vector_view *vector, size_t first,
+                size_t count, c205_word *words)
 {
-    struct operand_view elements = elements_at(vector->address,
-                                               vector->length, vector->width);
+    struct operand_view elements = elements_at(vector->address, vector->length,
+                                               vector->width);
 
     return vector->address % vector->width == 0
            && view_read(machine, &elements, first, count, words);
@@ -77,11 +75,10 @@ bool vector_is_mapped(const c205 *machine, const struct vector_view *vector)
            && vector_get(machine, vector, vector->length - 1, 1, &word);
 }
 
-bool vector_control(const c205 *machine, const struct vector_view *vector,
-                    size_t i, bool *bit)
+bool vector_control(const c205 *machine, const struct vector_view *vector, size_t i,
+                    bool *bit)
 {
-    struct operand_view bits = elements_at(vector->control, vector->length,
-                                           1);
+    struct operand_view bits = elements_at(vector->control, vector->length, 1);
     c205_word word;
 
     if (!vector->controlled || !view_read(machine, &bits, i, 1, &word))

@@ -64,15 +64,13 @@ bool warning_any(const struct warning_choice *choice)
     return ~choice->off & (WARNING_BIT(WARNINGS) - 1);
 }
 
-void warning_add(struct diagnostics *diagnostics,
-                 const struct warning_choice *choice, enum warning warning,
-                 const struct position *position, const char *message)
+void warning_add(struct diagnostics *diagnostics, const struct warning_choice *choice,
+                 enum warning warning, const struct position *position,
+                 const char *message)
 {
     char text[640];
 
-    snprintf(text, sizeof text, "%.560s [-W%s]", message,
-             warning_name(warning));
-    diagnostics_add(diagnostics,
-                    choice->errors ? SEVERITY_ERROR : SEVERITY_WARNING,
+    snprintf(text, sizeof text, "%.560s [-W%s]", message, warning_name(warning));
+    diagnostics_add(diagnostics, choice->errors ? SEVERITY_ERROR : SEVERITY_WARNING,
                     position, text);
 }

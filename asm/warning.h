@@ -43,8 +43,8 @@ bool warning_choose(struct warning_choice *choice, const char *text);
 bool warning_any(const struct warning_choice *choice);
 
 /* "message [-Wrun-off]" at a place, as a warning or as an error. */
-void warning_add(struct diagnostics *diagnostics,
-                 const struct warning_choice *choice, enum warning warning,
-                 const struct position *position, const char *message);
+void warning_add(struct diagnostics *diagnostics, const struct warning_choice *choice,
+                 enum warning warning, const struct position *position,
+                 const char *message);
 
 #endif

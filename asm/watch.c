@@ -78,15 +78,14 @@ static void put(struct program_watch *watch, enum warning warning,
 }
 
 /* Without source lines the instruction is told by its address. */
-static void put_at_address(struct program_watch *watch,
-                           const struct spot *spot, enum warning warning,
-                           const char *message)
+static void put_at_address(struct program_watch *watch, const struct spot *spot,
+                           enum warning warning, const char *message)
 {
     const struct position position = { .file = watch->name };
     char text[700];
 
-    snprintf(text, sizeof text, "%s at %" PRIX64 ": %.500s",
-             spot->view.insn->mnemonic, spot->view.pc, message);
+    snprintf(text, sizeof text, "%s at %" PRIX64 ": %.500s", spot->view.insn->mnemonic,
+             spot->view.pc, message);
     put(watch, warning, &position, text);
 }
 
@@ -120,8 +119,7 @@ void watch_tell(struct program_watch *watch, const struct spot *spot,
 
 /* ---- The instructions --------------------------------------------------- */
 
-struct spot *watch_spot(struct program_watch *watch, const c205 *machine,
-                        uint64_t pc)
+struct spot *watch_spot(struct program_watch *watch, const c205 *machine, uint64_t pc)
 {
     static const struct spot empty;
     struct spot *spot = &watch->spots[pc / 32 % SPOTS];
@@ -145,8 +143,7 @@ static void look_ahead(struct program_watch *watch, const c205 *machine)
         watch->quick[i].pc = pc;
     }
     if (watch->quick[i].before)
-        watch->quick[i].before(watch, machine,
-                               watch_spot(watch, machine, pc));
+        watch->quick[i].before(watch, machine, watch_spot(watch, machine, pc));
 }
 
 /* CPSV and its kin give their result a length, 0 among them. */
@@ -172,8 +169,7 @@ void watch_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct program_watch *watch = context;
 
-    if (event->kind != C205_EVENT_INSTRUCTION
-        && event->kind != C205_EVENT_REQUEST)
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     if (c205_unit_is_vector(event->insn->unit)) {
         struct spot *spot = watch_spot(watch, machine, event->pc);

@@ -23,13 +23,11 @@ static bool is_due(struct spot *spot)
  * in Z, which gets a bit for each that was compared. */
 static bool has_length(const struct operand_view *operand)
 {
-    return operand->is_vector
-           && (operand->field != 'Z' || operand->letter == 'b')
+    return operand->is_vector && (operand->field != 'Z' || operand->letter == 'b')
            && strchr("vubldeq", tolower((unsigned char)operand->letter));
 }
 
-static void look_at_length(struct program_watch *watch,
-                           const struct spot *spot,
+static void look_at_length(struct program_watch *watch, const struct spot *spot,
                            const struct operand_view *operand)
 {
     unsigned r = operand->number;
@@ -45,14 +43,13 @@ static void look_at_length(struct program_watch *watch,
                    " the macro descriptor gives it one",
                    r, operand->word);
     else if (watch->is_emptied[r] && watch->emptied[r] == operand->word)
-        watch_tell(watch, spot, WARNING_ZERO_LENGTH,
-                   "the length of [r%u] was set to 0", r);
+        watch_tell(watch, spot, WARNING_ZERO_LENGTH, "the length of [r%u] was set to 0",
+                   r);
 }
 
 /* ---- Storage ------------------------------------------------------------ */
 
-static void look_at_storage(struct program_watch *watch,
-                            const struct spot *spot,
+static void look_at_storage(struct program_watch *watch, const struct spot *spot,
                             const struct operand_view *result)
 {
     uint64_t base = result->word & ADDRESS_MASK, end, past;
@@ -67,9 +64,8 @@ static void look_at_storage(struct program_watch *watch,
 }
 
 /* One element, at an index from the base on. */
-static void look_at_store(struct program_watch *watch,
-                          const struct spot *spot, uint64_t base,
-                          int64_t index, unsigned width)
+static void look_at_store(struct program_watch *watch, const struct spot *spot,
+                          uint64_t base, int64_t index, unsigned width)
 {
     uint64_t end;
     const char *name = storage_at(watch->storage, base, &end);
@@ -89,13 +85,12 @@ static bool is_float(c205_word word)
 {
     unsigned field = (unsigned)(word >> LENGTH_SHIFT);
 
-    return field != 0 && (field & 0xF000) != 0x7000
-           && (field & 0xF000) != 0x8000 && ((word >> 47 ^ word >> 46) & 1);
+    return field != 0 && (field & 0xF000) != 0x7000 && (field & 0xF000) != 0x8000
+           && ((word >> 47 ^ word >> 46) & 1);
 }
 
-static void tell_float_index(struct program_watch *watch,
-                             const struct spot *spot, const char *which,
-                             c205_word word)
+static void tell_float_index(struct program_watch *watch, const struct spot *spot,
+                             const char *which, c205_word word)
 {
     char text[C205_TEXT_SIZE];
 
@@ -106,8 +101,7 @@ static void tell_float_index(struct program_watch *watch,
                which, text);
 }
 
-static void look_at_index(struct program_watch *watch,
-                          const struct spot *spot,
+static void look_at_index(struct program_watch *watch, const struct spot *spot,
                           const struct operand_view *index, const char *what)
 {
     struct text_line which = { "", 0 };
@@ -126,13 +120,11 @@ static size_t least(size_t a, size_t b)
 
 /* Of a gather or a scatter; the table of a scatter is written. */
 static void look_at_indices(struct program_watch *watch, const c205 *machine,
-                            const struct spot *spot,
-                            const struct operand_view *list)
+                            const struct spot *spot, const struct operand_view *list)
 {
     const struct operand_view *table = view_find(&spot->view, "xX");
     bool scatters = spot->view.insn->operands[0] == 'l'
-                    && tolower((unsigned char)spot->view.insn->operands[2])
-                           == 'x';
+                    && tolower((unsigned char)spot->view.insn->operands[2]) == 'x';
     c205_word words[CHUNK];
     size_t first, n, i;
 
@@ -145,8 +137,8 @@ static void look_at_indices(struct program_watch *watch, const c205 *machine,
             struct sink sink = text_line_sink(&which);
 
             if (is_float(words[i])) {
-                sink_print(&sink, "element %zu of the index list [r%u]",
-                           first + i, list->number);
+                sink_print(&sink, "element %zu of the index list [r%u]", first + i,
+                           list->number);
                 tell_float_index(watch, spot, which.text, words[i]);
                 return;
             }
@@ -158,8 +150,7 @@ static void look_at_indices(struct program_watch *watch, const c205 *machine,
 }
 
 /* Of a periodic gather or scatter; a scatter goes as far as its source is long. */
-static void look_at_period(struct program_watch *watch,
-                           const struct spot *spot,
+static void look_at_period(struct program_watch *watch, const struct spot *spot,
                            const struct operand_view *period)
 {
     const struct operand_view *source = view_find(&spot->view, "uU");
@@ -186,8 +177,7 @@ static void tell_integer(struct program_watch *watch, const struct spot *spot,
     bool half = operand->width == 32;
 
     if (operand->is_vector)
-        sink_print(&sink, "element %" PRId64 " of [r%u]", element,
-                   operand->number);
+        sink_print(&sink, "element %" PRId64 " of [r%u]", element, operand->number);
     else
         sink_print(&sink, "%c%u", half ? 'h' : 'r', operand->number);
     (half ? c205_half_to_text : c205_to_text)(word, number);
@@ -199,9 +189,8 @@ static void tell_integer(struct program_watch *watch, const struct spot *spot,
 
 /* b NULL: there is one source. */
 static bool look_at_pair(struct program_watch *watch, const struct spot *spot,
-                         const struct operand_view *a,
-                         const struct operand_view *b, int64_t element,
-                         c205_word word_a, c205_word word_b)
+                         const struct operand_view *a, const struct operand_view *b,
+                         int64_t element, c205_word word_a, c205_word word_b)
 {
     struct precision precision;
     bool half = a->width == 32;
@@ -216,8 +205,8 @@ static bool look_at_pair(struct program_watch *watch, const struct spot *spot,
 }
 
 /* The words of a source: one for all if it is no vector. */
-static bool fetch(const c205 *machine, const struct operand_view *source,
-                  size_t first, size_t n, c205_word *words)
+static bool fetch(const c205 *machine, const struct operand_view *source, size_t first,
+                  size_t n, c205_word *words)
 {
     size_t i;
 
@@ -229,8 +218,7 @@ static bool fetch(const c205 *machine, const struct operand_view *source,
 }
 
 /* How many elements have a source of their own and a place to go. */
-static size_t count_elements(const struct spot *spot,
-                             const struct operand_view *a,
+static size_t count_elements(const struct spot *spot, const struct operand_view *a,
                              const struct operand_view *b)
 {
     const struct operand_view *result = view_find(&spot->view, "dDcC");
@@ -244,15 +232,14 @@ static size_t count_elements(const struct spot *spot,
     return a->is_vector || (b && b->is_vector) ? n : least(n, 1);
 }
 
-static bool is_permitted(const struct spot *spot,
-                         const struct operand_view *control, c205_word bit)
+static bool is_permitted(const struct spot *spot, const struct operand_view *control,
+                         c205_word bit)
 {
     return !control || bit != ((spot->view.fields.g & C205_G_ZEROS) != 0);
 }
 
 static void look_at_integers(struct program_watch *watch, const c205 *machine,
-                             const struct spot *spot,
-                             const struct operand_view *a,
+                             const struct spot *spot, const struct operand_view *a,
                              const struct operand_view *b)
 {
     const struct operand_view *control = view_find(&spot->view, "z");
@@ -269,8 +256,8 @@ static void look_at_integers(struct program_watch *watch, const c205 *machine,
             return;
         for (i = 0; i < n; i++)
             if (is_permitted(spot, control, bits[i])
-                && look_at_pair(watch, spot, a, b, (int64_t)(first + i),
-                                words_a[i], words_b[i]))
+                && look_at_pair(watch, spot, a, b, (int64_t)(first + i), words_a[i],
+                                words_b[i]))
                 return;
     }
 }
@@ -336,12 +323,10 @@ static void before_vector(struct program_watch *watch, const c205 *machine,
     view_fill(&spot->view, machine);
     for (i = 0; i < spot->view.count; i++) {
         const struct operand_view *operand = &spot->view.operands[i];
-        bool result = operand->field != 'Z'
-                      && strchr("dDeq", operand->letter);
+        bool result = operand->field != 'Z' && strchr("dDeq", operand->letter);
 
         if (!operand->is_vector || operand->is_bad
-            || (spot->is_handed && operand->number == spot->is_handed
-                && !result))
+            || (spot->is_handed && operand->number == spot->is_handed && !result))
             continue;
         if (has_length(operand))
             look_at_length(watch, spot, operand);
@@ -370,13 +355,11 @@ static void after_vector(struct program_watch *watch, const c205 *machine,
             look_at_storage(watch, spot, &spot->view.operands[i]);
 }
 
-static bool recurs(const struct operand_view *read,
-                   const struct operand_view *written)
+static bool recurs(const struct operand_view *read, const struct operand_view *written)
 {
     return strchr("vVuU", read->letter) && read->is_vector && !read->is_bad
            && read->address < written->address
-           && written->address
-                  < read->address + (uint64_t)read->length * read->width;
+           && written->address < read->address + (uint64_t)read->length * read->width;
 }
 
 /* Of a linked pair the prefix is told, but the two are not looked into. */
@@ -398,8 +381,7 @@ void watch_recurrence(struct program_watch *watch, const c205 *machine,
                    " nothing here",
                    elements, plural(elements), read->number,
                    elements == 1 ? "is a result" : "are results",
-                   elements == 1 ? "waits for it"
-                                 : "wait for them one by one");
+                   elements == 1 ? "waits for it" : "wait for them one by one");
     else
         watch_tell(watch, spot, WARNING_RECURRENCE,
                    "%zu element%s of a source %s of this %s, and"
@@ -407,10 +389,8 @@ void watch_recurrence(struct program_watch *watch, const c205 *machine,
                    " nothing here",
                    elements, plural(elements),
                    elements == 1 ? "is a result" : "are results",
-                   view->insn->timing == C205_TIMING_vlink ? "pair"
-                                                           : "instruction",
-                   elements == 1 ? "waits for it"
-                                 : "wait for them one by one");
+                   view->insn->timing == C205_TIMING_vlink ? "pair" : "instruction",
+                   elements == 1 ? "waits for it" : "wait for them one by one");
 }
 
 /* The two after the prefix run as one stream. */

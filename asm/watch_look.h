@@ -59,8 +59,7 @@ void watch_recurrence(struct program_watch *watch, const c205 *machine,
                       struct spot *spot, size_t elements);
 
 /* watch.c */
-struct spot *watch_spot(struct program_watch *watch, const c205 *machine,
-                        uint64_t pc);
+struct spot *watch_spot(struct program_watch *watch, const c205 *machine, uint64_t pc);
 void watch_tell(struct program_watch *watch, const struct spot *spot,
                 enum warning warning, const char *format, ...)
 #if defined(__GNUC__)

@@ -5,13 +5,13 @@
 #include "asm/statement.h"
 #include "base/nearest.h"
 
-static const struct expression **
-add_value(struct cursor *cursor, struct wish *wish, size_t *capacity)
+static const struct expression **add_value(struct cursor *cursor, struct wish *wish,
+                                           size_t *capacity)
 {
     const struct expression **values;
 
-    values = arena_grow(cursor->assembler->arena, wish->values, wish->count,
-                        capacity, sizeof *values);
+    values = arena_grow(cursor->assembler->arena, wish->values, wish->count, capacity,
+                        sizeof *values);
     if (values)
         wish->values = values;
     return values;
@@ -28,8 +28,7 @@ static bool parse_values(struct cursor *cursor, struct wish *wish)
             return false;
         wish->values[wish->count++] = value;
     } while (cursor_take(cursor, ','));
-    if (cursor_take(cursor, '~')
-        && !(wish->tolerance = parse_expression(cursor)))
+    if (cursor_take(cursor, '~') && !(wish->tolerance = parse_expression(cursor)))
         return false;
     return expect_end(cursor);
 }
@@ -57,8 +56,7 @@ static bool parse_expect(struct cursor *cursor, struct wish *wish)
         wish->kind = EXPECT_WORDS;
         return parse_memory(cursor, wish);
     }
-    if (!parse_any_register(cursor, &named)
-        || !expect_operator(cursor, '=', "'='")
+    if (!parse_any_register(cursor, &named) || !expect_operator(cursor, '=', "'='")
         || !parse_values(cursor, wish))
         return false;
     wish->kind = named.half ? EXPECT_HALF_REGISTER : EXPECT_REGISTER;
@@ -89,8 +87,7 @@ static bool parse_bits(struct cursor *cursor, struct wish *wish)
         if (*at != '0' && *at != '1')
             return report(cursor->assembler, cursor->line, at,
                           "expected the digits 0 and 1");
-        bits[wish->count / 64] |= (c205_word)(*at == '1')
-                                  << (63 - wish->count % 64);
+        bits[wish->count / 64] |= (c205_word)(*at == '1') << (63 - wish->count % 64);
         wish->count++;
     }
     wish->bits = bits;
@@ -101,8 +98,7 @@ static bool parse_one(struct cursor *cursor, struct wish *wish)
 {
     wish->values = arena_take(cursor->assembler->arena, sizeof *wish->values);
     wish->count = 1;
-    return wish->values
-           && (wish->values[0] = parse_expression(cursor)) != NULL
+    return wish->values && (wish->values[0] = parse_expression(cursor)) != NULL
            && expect_end(cursor);
 }
 
@@ -113,8 +109,7 @@ static bool parse_rest(struct cursor *cursor, struct wish *wish)
     begin += begin < end && *begin == ' ';
     while (begin < end && isspace((unsigned char)end[-1]))
         end--;
-    wish->text = arena_text(cursor->assembler->arena, begin,
-                            (size_t)(end - begin));
+    wish->text = arena_text(cursor->assembler->arena, begin, (size_t)(end - begin));
     return wish->text != NULL;
 }
 
@@ -149,8 +144,7 @@ static bool parse_model(struct cursor *cursor, struct wish *wish)
 
     for (i = 0; i < assembler->wish_count; i++)
         if (assembler->wishes[i].kind == EXPECT_MODEL)
-            return report(cursor->assembler, cursor->line,
-                          cursor->token.begin,
+            return report(cursor->assembler, cursor->line, cursor->token.begin,
                           "there is an expect-model already, in %s:%zu",
                           assembler->wishes[i].line->file,
                           assembler->wishes[i].line->number);
@@ -163,9 +157,8 @@ static bool add_wish(struct assembler *assembler, struct wish wish)
 {
     struct wish *wishes;
 
-    wishes = arena_grow(assembler->arena, assembler->wishes,
-                        assembler->wish_count, &assembler->wish_capacity,
-                        sizeof *wishes);
+    wishes = arena_grow(assembler->arena, assembler->wishes, assembler->wish_count,
+                        &assembler->wish_capacity, sizeof *wishes);
     if (!wishes)
         return false;
     assembler->wishes = wishes;
@@ -173,8 +166,8 @@ static bool add_wish(struct assembler *assembler, struct wish wish)
     return true;
 }
 
-static bool parse_named(struct cursor *cursor, const char *name,
-                        size_t length, const char *rest)
+static bool parse_named(struct cursor *cursor, const char *name, size_t length,
+                        const char *rest)
 {
     static const struct {
         const char *name;
@@ -206,8 +199,7 @@ static bool parse_named(struct cursor *cursor, const char *name,
             continue;
         wish.line = line;
         wish.kind = wishes[i].kind;
-        return wishes[i].parse(&inside, &wish)
-               && add_wish(cursor->assembler, wish);
+        return wishes[i].parse(&inside, &wish) && add_wish(cursor->assembler, wish);
     }
     return report(cursor->assembler, cursor->line, name,
                   "expected expect: or expect-halves: -bits: -flags: -clocks:"
@@ -222,8 +214,7 @@ static bool resembles(const char *name, const char *end)
     enum { NEAR = 2 };
     const char *dash = memchr(name, '-', (size_t)(end - name));
 
-    return nearest_distance(name, (size_t)((dash ? dash : end) - name),
-                            "expect", 6)
+    return nearest_distance(name, (size_t)((dash ? dash : end) - name), "expect", 6)
            <= NEAR;
 }
 
@@ -270,8 +261,8 @@ bool parse_wish(struct cursor *cursor)
     while (at < end && (isalpha((unsigned char)*at) || *at == '-'))
         at++;
     length = (size_t)(at - name);
-    if (at < end && *at == ':' && length >= 6
-        && memcmp(name, "expect", 6) == 0 && (length == 6 || name[6] == '-'))
+    if (at < end && *at == ':' && length >= 6 && memcmp(name, "expect", 6) == 0
+        && (length == 6 || name[6] == '-'))
         return parse_named(cursor, name, length, at + 1);
     if (resembles(name, at) && goes_on(at, end, memchr(name, '-', length)))
         warn(cursor->assembler, WARNING_MISSPELT_EXPECT, cursor->line, name,

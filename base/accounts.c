@@ -8,10 +8,8 @@
 #include <string.h>
 
 static const struct table_column by_cause[] = {
-    { "region", "region", TABLE_TEXT, 0 },
-    { "cause", "cause", TABLE_TEXT, 0 },
-    { "clocks", "clocks", TABLE_COUNT, 0 },
-    { "seconds", "seconds", TABLE_NUMBER, 8 },
+    { "region", "region", TABLE_TEXT, 0 },  { "cause", "cause", TABLE_TEXT, 0 },
+    { "clocks", "clocks", TABLE_COUNT, 0 }, { "seconds", "seconds", TABLE_NUMBER, 8 },
     { "percent", "%", TABLE_NUMBER, 1 },
 };
 
@@ -33,14 +31,11 @@ const struct table_column accounts_cause_columns[C205_CAUSES] = {
     [C205_UNIT_BUSY] = { "unit_busy", "unit busy", TABLE_COUNT, 0 },
     [C205_BRANCH] = { "branch", "branch", TABLE_COUNT, 0 },
     [C205_MEMORY_WAIT] = { "memory_wait", "memory wait", TABLE_COUNT, 0 },
-    [C205_VECTOR_STARTUP] = { "vector_startup", "vector start-up",
-                              TABLE_COUNT, 0 },
-    [C205_VECTOR_STREAM] = { "vector_stream", "vector stream", TABLE_COUNT,
-                             0 },
-    [C205_BANK_CONFLICT] = { "bank_conflict", "bank conflict", TABLE_COUNT,
-                             0 },
-    [C205_TRANSLATION_MISS] = { "translation_miss", "translation miss",
-                                TABLE_COUNT, 0 },
+    [C205_VECTOR_STARTUP] = { "vector_startup", "vector start-up", TABLE_COUNT, 0 },
+    [C205_VECTOR_STREAM] = { "vector_stream", "vector stream", TABLE_COUNT, 0 },
+    [C205_BANK_CONFLICT] = { "bank_conflict", "bank conflict", TABLE_COUNT, 0 },
+    [C205_TRANSLATION_MISS] = { "translation_miss", "translation miss", TABLE_COUNT,
+                                0 },
     [C205_PAGE_FAULT] = { "page_fault", "page fault", TABLE_COUNT, 0 },
 };
 
@@ -59,13 +54,12 @@ const struct accounts_unit *accounts_unit(double seconds)
     return seconds < 10e-3 ? &us : seconds < 10 ? &ms : &s;
 }
 
-void accounts_time(const c205_model *model, uint64_t clocks,
-                   char text[ACCOUNTS_TIME])
+void accounts_time(const c205_model *model, uint64_t clocks, char text[ACCOUNTS_TIME])
 {
     double seconds = accounts_seconds(model, clocks);
     const struct accounts_unit *unit = accounts_unit(seconds);
-    snprintf(text, ACCOUNTS_TIME, "%.*f %s", unit->decimals,
-             seconds * unit->per_second, unit->name);
+    snprintf(text, ACCOUNTS_TIME, "%.*f %s", unit->decimals, seconds * unit->per_second,
+             unit->name);
 }
 
 uint64_t accounts_clocks(const c205_account *account)
@@ -79,14 +73,11 @@ uint64_t accounts_clocks(const c205_account *account)
 
 double accounts_rate(const c205_model *model, const c205_account *account)
 {
-    double operations = account->operations > 0 ? (double)account->operations
-                                                : NAN;
-    return operations / accounts_seconds(model, accounts_clocks(account))
-           / 1e6;
+    double operations = account->operations > 0 ? (double)account->operations : NAN;
+    return operations / accounts_seconds(model, accounts_clocks(account)) / 1e6;
 }
 
-const c205_account *accounts_find(const struct accounts *accounts,
-                                  const char *region)
+const c205_account *accounts_find(const struct accounts *accounts, const char *region)
 {
     for (size_t i = 0; i < accounts->count; i++) {
         if (strcmp(accounts->items[i].name, region) == 0) {
@@ -107,8 +98,7 @@ size_t accounts_regions(const struct accounts *accounts)
 
 static c205_account *new_account(struct accounts *accounts, const char *name)
 {
-    c205_account *items = array_grow(accounts->items, accounts->count,
-                                     sizeof *items);
+    c205_account *items = array_grow(accounts->items, accounts->count, sizeof *items);
     char *copy = malloc(strlen(name) + 1);
     if (items) {
         accounts->items = items;
@@ -133,8 +123,7 @@ static void add_account(c205_account *sum, const c205_account *account)
     sum->entries += account->entries;
 }
 
-bool accounts_add_account(struct accounts *accounts,
-                          const c205_account *account)
+bool accounts_add_account(struct accounts *accounts, const c205_account *account)
 {
     const c205_account *found = accounts_find(accounts, account->name);
     c205_account *sum = found ? &accounts->items[found - accounts->items]

@@ -15,13 +15,11 @@ struct accounts {
 
 /* Begin with { .model = ... }.  False: no memory. */
 bool accounts_add(struct accounts *accounts, const c205 *machine);
-bool accounts_add_account(struct accounts *accounts,
-                          const c205_account *account);
+bool accounts_add_account(struct accounts *accounts, const c205_account *account);
 /* All of another list. */
 bool accounts_add_all(struct accounts *accounts, const struct accounts *more);
 /* NULL: there is no such region. */
-const c205_account *accounts_find(const struct accounts *accounts,
-                                  const char *region);
+const c205_account *accounts_find(const struct accounts *accounts, const char *region);
 void accounts_free(struct accounts *accounts);
 
 /* By the model's clock.period. */
@@ -29,8 +27,7 @@ double accounts_seconds(const c205_model *model, uint64_t clocks);
 uint64_t accounts_clocks(const c205_account *account);
 /* Clocks as a time that is read easily: "22.78 us". */
 enum { ACCOUNTS_TIME = 48 };
-void accounts_time(const c205_model *model, uint64_t clocks,
-                   char text[ACCOUNTS_TIME]);
+void accounts_time(const c205_model *model, uint64_t clocks, char text[ACCOUNTS_TIME]);
 /* Millions of floating-point operations a second; NaN: none was done. */
 double accounts_rate(const c205_model *model, const c205_account *account);
 /* What a region is called in print. */

@@ -13,8 +13,7 @@ static double or_nothing(uint64_t count)
     return count > 0 ? (double)count : NAN;
 }
 
-static double instructions(const c205_model *model,
-                           const c205_account *account)
+static double instructions(const c205_model *model, const c205_account *account)
 {
     (void)model;
     return or_nothing(account->instructions);
@@ -26,8 +25,7 @@ static double vectors(const c205_model *model, const c205_account *account)
     return or_nothing(account->vector_instructions);
 }
 
-static double mean_length(const c205_model *model,
-                          const c205_account *account)
+static double mean_length(const c205_model *model, const c205_account *account)
 {
     return (double)account->elements / vectors(model, account);
 }
@@ -63,18 +61,15 @@ struct matrix {
     int lines[LINES]; /* those that have anything */
 };
 
-static double value(const struct matrix *matrix, int line,
-                    const c205_account *account)
+static double value(const struct matrix *matrix, int line, const c205_account *account)
 {
     const c205_model *model = matrix->accounts->model;
-    uint64_t clocks = line < ALL ? account->clocks[line]
-                                 : accounts_clocks(account);
+    uint64_t clocks = line < ALL ? account->clocks[line] : accounts_clocks(account);
     if (line >= FIRST_FIGURE) {
         return figures[line - FIRST_FIGURE].of(model, account);
     }
-    return line == SHARE
-               ? 100 * (double)clocks / (double)matrix->accounts->clocks
-               : accounts_seconds(model, clocks) * matrix->unit->per_second;
+    return line == SHARE ? 100 * (double)clocks / (double)matrix->accounts->clocks
+                         : accounts_seconds(model, clocks) * matrix->unit->per_second;
 }
 
 static const char *line_name(int line)
@@ -85,14 +80,13 @@ static const char *line_name(int line)
                                 : c205_cause_name((c205_cause)line);
 }
 
-static void add_value(struct table *table, const struct matrix *matrix,
-                      int line, const c205_account *account)
+static void add_value(struct table *table, const struct matrix *matrix, int line,
+                      const c205_account *account)
 {
     double number = value(matrix, line, account);
-    int decimals = line >= FIRST_FIGURE
-                       ? figures[line - FIRST_FIGURE].decimals
-                   : line == SHARE ? 1
-                                   : matrix->unit->decimals;
+    int decimals = line >= FIRST_FIGURE ? figures[line - FIRST_FIGURE].decimals
+                   : line == SHARE      ? 1
+                                        : matrix->unit->decimals;
     table_rounded(table, number > 0 ? number : NAN, decimals);
 }
 
@@ -100,8 +94,7 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
 {
     matrix->accounts = accounts;
     matrix->sum = accounts_together(accounts);
-    matrix->unit = accounts_unit(
-        accounts_seconds(accounts->model, accounts->clocks));
+    matrix->unit = accounts_unit(accounts_seconds(accounts->model, accounts->clocks));
     matrix->regions = malloc((accounts->count + 1) * sizeof *matrix->regions);
     for (size_t i = 0; matrix->regions && i < accounts->count; i++) {
         if (accounts_clocks(&accounts->items[i]) > 0) {
@@ -120,8 +113,8 @@ static bool matrix_of(struct matrix *matrix, const struct accounts *accounts)
 
 /* The share stands beside the sum, not below it, and both in the first part
  * alone. */
-static void add_cause(struct table *table, const struct matrix *matrix,
-                      int line, size_t first, size_t count)
+static void add_cause(struct table *table, const struct matrix *matrix, int line,
+                      size_t first, size_t count)
 {
     double all = value(matrix, ALL, &matrix->sum);
     double here = value(matrix, line, &matrix->sum);
@@ -142,14 +135,13 @@ static struct table *causes_down(const struct matrix *matrix, size_t first,
     struct table_column *columns = calloc(3 + count, sizeof *columns);
     struct table *table = NULL;
     if (columns) {
-        columns[0] = (struct table_column){ "cause", matrix->unit->heading,
-                                            TABLE_TEXT, 0 };
+        columns[0] = (struct table_column){ "cause", matrix->unit->heading, TABLE_TEXT,
+                                            0 };
         columns[1] = (struct table_column){ "all", "all", TABLE_NUMBER, 0 };
         columns[2] = (struct table_column){ "percent", "%", TABLE_NUMBER, 1 };
         for (size_t i = 0; i < count; i++) {
             const char *name = accounts_region(matrix->regions[first + i]);
-            columns[before + i] = (struct table_column){ name, name,
-                                                         TABLE_NUMBER, 0 };
+            columns[before + i] = (struct table_column){ name, name, TABLE_NUMBER, 0 };
         }
         table = table_new(columns, before + count);
     }
@@ -176,9 +168,8 @@ static void add_region(struct table *table, const struct matrix *matrix,
 static struct table *regions_down(const struct matrix *matrix, size_t first,
                                   size_t count)
 {
-    struct table_column columns[1 + LINES] = {
-        { "region", matrix->unit->heading, TABLE_TEXT, 0 }
-    };
+    struct table_column columns[1 + LINES] = { { "region", matrix->unit->heading,
+                                                 TABLE_TEXT, 0 } };
     struct table *table;
     for (size_t i = 0; i < matrix->line_count; i++) {
         const char *name = line_name(matrix->lines[i]);
@@ -195,16 +186,14 @@ static struct table *regions_down(const struct matrix *matrix, size_t first,
     return table;
 }
 
-struct table *accounts_matrix(const struct accounts *accounts,
-                              enum accounts_rows rows, size_t first,
-                              size_t count)
+struct table *accounts_matrix(const struct accounts *accounts, enum accounts_rows rows,
+                              size_t first, size_t count)
 {
     struct matrix matrix = { .accounts = accounts };
     struct table *table = NULL;
     if (matrix_of(&matrix, accounts)) {
-        size_t there = matrix.count > 1 && first < matrix.count
-                           ? matrix.count - first
-                           : 0;
+        size_t there = matrix.count > 1 && first < matrix.count ? matrix.count - first
+                                                                : 0;
         size_t shown = count < there ? count : there;
         table = rows == ACCOUNTS_CAUSES ? causes_down(&matrix, first, shown)
                                         : regions_down(&matrix, first, shown);
@@ -224,8 +213,7 @@ static bool fits(const struct table *table)
 static struct table *widest(const struct accounts *accounts, size_t first,
                             size_t *count)
 {
-    struct table *table = accounts_matrix(accounts, ACCOUNTS_CAUSES, first,
-                                          *count);
+    struct table *table = accounts_matrix(accounts, ACCOUNTS_CAUSES, first, *count);
     while (!fits(table) && *count > 1) {
         table_free(table);
         --*count;
@@ -235,8 +223,7 @@ static struct table *widest(const struct accounts *accounts, size_t first,
 }
 
 /* One matrix, or several below one another. */
-static int show_parts(const struct accounts *accounts,
-                      const struct results *results)
+static int show_parts(const struct accounts *accounts, const struct results *results)
 {
     size_t first = 0, all = accounts_regions(accounts), count;
     int code = CMD_DONE;
@@ -252,13 +239,11 @@ static int show_parts(const struct accounts *accounts,
     return code;
 }
 
-static int show_matrix(const struct accounts *accounts,
-                       const struct results *results)
+static int show_matrix(const struct accounts *accounts, const struct results *results)
 {
     bool narrow = results->format == RESULTS_TEXT;
     for (int rows = ACCOUNTS_CAUSES; rows <= ACCOUNTS_REGIONS; rows++) {
-        struct table *table = accounts_matrix(accounts,
-                                              (enum accounts_rows)rows, 0,
+        struct table *table = accounts_matrix(accounts, (enum accounts_rows)rows, 0,
                                               accounts->count);
         if (!narrow || fits(table)) {
             return results_show(results, table, NULL, "Clocks");
@@ -268,19 +253,16 @@ static int show_matrix(const struct accounts *accounts,
     return show_parts(accounts, results);
 }
 
-static int show_exact(const struct accounts *accounts,
-                      const struct results *results)
+static int show_exact(const struct accounts *accounts, const struct results *results)
 {
     int code = results_show(results, accounts_by_cause(accounts), "causes",
                             "Clocks by cause");
-    return code != CMD_DONE
-               ? code
-               : results_show(results, accounts_by_region(accounts),
-                              "regions", "By region");
+    return code != CMD_DONE ? code
+                            : results_show(results, accounts_by_region(accounts),
+                                           "regions", "By region");
 }
 
-int accounts_show(const struct accounts *accounts,
-                  const struct results *results)
+int accounts_show(const struct accounts *accounts, const struct results *results)
 {
     struct results exact = *results, matrix = *results;
     int code;

@@ -11,8 +11,7 @@
 #include "base/results.h"
 
 /* The exit code, after telling what is wrong. */
-int accounts_show(const struct accounts *accounts,
-                  const struct results *results);
+int accounts_show(const struct accounts *accounts, const struct results *results);
 
 /* The matrix; causes are rows, or regions are, which is narrower where there
  * are many of them. */
@@ -21,8 +20,7 @@ enum accounts_rows { ACCOUNTS_CAUSES, ACCOUNTS_REGIONS };
  * them, if that is 0, all (beyond
  * the last of them there are none); where only one took time, its figures are
  * those of all.  NULL: no memory. */
-struct table *accounts_matrix(const struct accounts *accounts,
-                              enum accounts_rows rows, size_t first,
-                              size_t count);
+struct table *accounts_matrix(const struct accounts *accounts, enum accounts_rows rows,
+                              size_t first, size_t count);
 
 #endif

@@ -68,8 +68,8 @@ char *arena_text(struct arena *arena, const char *text, size_t length)
     return copy;
 }
 
-void *arena_grow(struct arena *arena, void *items, size_t count,
-                 size_t *capacity, size_t item_size)
+void *arena_grow(struct arena *arena, void *items, size_t count, size_t *capacity,
+                 size_t item_size)
 {
     size_t larger = *capacity ? 2 * *capacity : 16;
     void *moved;

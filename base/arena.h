@@ -19,8 +19,8 @@ void *arena_take(struct arena *arena, size_t size);
 char *arena_text(struct arena *arena, const char *text, size_t length);
 /* Room for one item more in an array of count items: the array, moved when
  * *capacity had to grow, or NULL, and then the old array is still good. */
-void *arena_grow(struct arena *arena, void *items, size_t count,
-                 size_t *capacity, size_t item_size);
+void *arena_grow(struct arena *arena, void *items, size_t count, size_t *capacity,
+                 size_t item_size);
 void arena_free(struct arena *arena);
 
 #endif

@@ -15,12 +15,11 @@ static bool is_one_command(const struct command_program *program)
 }
 
 void command_full_name(const struct command_program *program,
-                       const struct command *command,
-                       char name[COMMAND_NAME_SIZE])
+                       const struct command *command, char name[COMMAND_NAME_SIZE])
 {
     bool has_name = command && command->name;
-    snprintf(name, COMMAND_NAME_SIZE, "%s%s%s", program->name,
-             has_name ? " " : "", has_name ? command->name : "");
+    snprintf(name, COMMAND_NAME_SIZE, "%s%s%s", program->name, has_name ? " " : "",
+             has_name ? command->name : "");
 }
 
 const struct command *command_named(const struct command_program *program,
@@ -49,9 +48,8 @@ static int finish(const char *name, int code)
 
 /* ---- A command ---------------------------------------------------------- */
 
-static int start(const struct command_program *program,
-                 const struct command *command, int argc, char **argv,
-                 void *arguments)
+static int start(const struct command_program *program, const struct command *command,
+                 int argc, char **argv, void *arguments)
 {
     int code = command_parse(program, command, argc, argv, arguments);
     switch (code) {
@@ -64,8 +62,8 @@ static int start(const struct command_program *program,
     }
 }
 
-static int run(const struct command_program *program,
-               const struct command *command, int argc, char **argv)
+static int run(const struct command_program *program, const struct command *command,
+               int argc, char **argv)
 {
     char name[COMMAND_NAME_SIZE];
     const char *full_name = name;
@@ -120,8 +118,7 @@ static int help(const struct command_program *program, int argc, char **argv)
 
 static bool is_option(const char *word, const struct command_option *option)
 {
-    return (word[0] == '-' && word[1] == '-'
-            && strcmp(word + 2, option->name) == 0)
+    return (word[0] == '-' && word[1] == '-' && strcmp(word + 2, option->name) == 0)
            || (option->letter && word[0] == '-' && word[1] == option->letter
                && word[2] == '\0');
 }
@@ -129,15 +126,13 @@ static bool is_option(const char *word, const struct command_option *option)
 /* "help --man" and the like, for scripts, which no help tells of. */
 static bool asks_for_page(int argc, char **argv)
 {
-    return argc > 2 && strcmp(argv[1], "help") == 0
-           && strncmp(argv[2], "--", 2) == 0;
+    return argc > 2 && strcmp(argv[1], "help") == 0 && strncmp(argv[2], "--", 2) == 0;
 }
 
 int command_main(const struct command_program *program, int argc, char **argv)
 {
     if (asks_for_page(argc, argv)) {
-        return finish(program->name,
-                      command_print_page(program, argc - 2, argv + 2));
+        return finish(program->name, command_print_page(program, argc - 2, argv + 2));
     }
     if (is_one_command(program)) {
         return run(program, program->commands[0], argc, argv);
@@ -149,8 +144,7 @@ int command_main(const struct command_program *program, int argc, char **argv)
     if (is_option(argv[1], &command_version_option)) {
         return finish(program->name, print_version(program));
     }
-    if (is_option(argv[1], &command_help_option)
-        || strcmp(argv[1], "help") == 0) {
+    if (is_option(argv[1], &command_help_option) || strcmp(argv[1], "help") == 0) {
         return finish(program->name, help(program, argc - 1, argv + 1));
     }
     const struct command *command = command_named(program, argv[1]);

@@ -55,7 +55,7 @@ struct command_option {
     bool many;     /* texts and files, any number: struct command_texts */
     bool optional; /* an operand that may be missing, as all behind it */
     double least, most;
-    double preset; /* of counts, numbers and choices; 0: none, but of a choice
+    double preset;           /* of counts, numbers and choices; 0: none, but of a choice
                       its first; -1: no choice */
     const char *preset_text; /* of texts and files, or told in help */
     command_choice *choice;  /* of a choice; of a text: for example these */
@@ -87,7 +87,7 @@ struct command {
     command_function *function;
     const struct command_option *options, *operands; /* NULL: none */
     const char *details;                             /* paragraphs, or NULL */
-    const struct command_example *examples; /* the last has no line */
+    const struct command_example *examples;          /* the last has no line */
 };
 
 struct command_program {
@@ -101,7 +101,6 @@ struct command_program {
 };
 
 /* All that main has to do: the exit code. */
-int command_main(const struct command_program *program, int argc,
-                 char **argv);
+int command_main(const struct command_program *program, int argc, char **argv);
 
 #endif

@@ -30,8 +30,7 @@ static bool is_nameless(const struct command_program *program)
     return program->commands[0]->name == NULL;
 }
 
-static void put_command_names(FILE *file,
-                              const struct command_program *program)
+static void put_command_names(FILE *file, const struct command_program *program)
 {
     const struct command *const *command = program->commands;
     for (; *command; command++) {
@@ -57,9 +56,7 @@ static void put_bash_words(FILE *file, const struct command *command)
 /* What a value may be: words, files, folders; else no words. */
 static void put_bash_values(FILE *file, const struct command_option *row)
 {
-    const char *kind = is_file(row)                  ? " -f"
-                       : row->kind == COMMAND_FOLDER ? " -d"
-                                                     : "";
+    const char *kind = is_file(row) ? " -f" : row->kind == COMMAND_FOLDER ? " -d" : "";
     if (row->choice || !*kind) {
         fputs(" -W '", file);
         put_choices(file, row);
@@ -78,8 +75,7 @@ static void put_bash_options(FILE *file, const struct command *command)
         fprintf(file, "        '%s --%s'", command->name ? command->name : "",
                 row->name);
         if (row->letter) {
-            fprintf(file, "|'%s -%c'", command->name ? command->name : "",
-                    row->letter);
+            fprintf(file, "|'%s -%c'", command->name ? command->name : "", row->letter);
         }
         fputs(") values=\"", file);
         put_bash_values(file, row);
@@ -90,8 +86,7 @@ static void put_bash_options(FILE *file, const struct command *command)
 static void put_bash_operands(FILE *file, const struct command *command)
 {
     const struct command_option *row = command->operands;
-    fprintf(file, "        %s) options='",
-            command->name ? command->name : "''");
+    fprintf(file, "        %s) options='", command->name ? command->name : "''");
     put_bash_words(file, command);
     fputs("' operands=\"", file);
     for (; command_is_row(row); row++) {
@@ -116,12 +111,11 @@ void command_print_bash(const struct command_program *program, FILE *file)
             "    fi\n",
             name, name, name);
     if (!is_nameless(program)) {
-        fputs(
-            "    command=${COMP_WORDS[1]}\n"
-            "    if [ \"$COMP_CWORD\" -eq 1 ] || { [ \"$COMP_CWORD\" -eq 2 ] "
-            "&& [ \"$command\" = help ]; }; then\n"
-            "        mapfile -t COMPREPLY < <(compgen -W '",
-            file);
+        fputs("    command=${COMP_WORDS[1]}\n"
+              "    if [ \"$COMP_CWORD\" -eq 1 ] || { [ \"$COMP_CWORD\" -eq 2 ] "
+              "&& [ \"$command\" = help ]; }; then\n"
+              "        mapfile -t COMPREPLY < <(compgen -W '",
+              file);
         put_command_names(file, program);
         fputs("' -- \"$word\")\n        return\n    fi\n", file);
     }
@@ -191,8 +185,7 @@ static void put_zsh_option(FILE *file, const struct command_option *row)
     char letter[2] = { row->letter, '\0' };
     forms[1] = row->letter ? letter : NULL;
     for (int i = 0; i < 2 && forms[i]; i++) {
-        fprintf(file, " \\\n            '%s%s%s%s[", again, i ? "-" : "--",
-                forms[i],
+        fprintf(file, " \\\n            '%s%s%s%s[", again, i ? "-" : "--", forms[i],
                 row->kind == COMMAND_FLAG ? ""
                 : i                       ? "+"
                                           : "=");
@@ -225,8 +218,7 @@ static void put_zsh_command(FILE *file, const struct command *command)
     putc('\n', file);
 }
 
-static void put_zsh_commands(FILE *file,
-                             const struct command_program *program)
+static void put_zsh_commands(FILE *file, const struct command_program *program)
 {
     const struct command *const *command = program->commands;
     fputs("    local line state\n    _arguments -C '1:command:((", file);
@@ -323,8 +315,7 @@ static void put_fish_row(FILE *file, const struct command_program *program,
     putc('\n', file);
 }
 
-static void put_fish_command(FILE *file,
-                             const struct command_program *program,
+static void put_fish_command(FILE *file, const struct command_program *program,
                              const struct command *command)
 {
     const struct command_option *row;
@@ -348,9 +339,8 @@ void command_print_fish(const struct command_program *program, FILE *file)
 {
     const struct command *const *command = program->commands;
     const char *name = program->name;
-    fprintf(file,
-            "# fish completion of %s, made by %s help --completion fish\n",
-            name, name);
+    fprintf(file, "# fish completion of %s, made by %s help --completion fish\n", name,
+            name);
     for (; *command; command++) {
         put_fish_command(file, program, *command);
     }

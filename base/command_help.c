@@ -10,8 +10,7 @@ enum { COLUMN = 23, WIDTH = 79, PARAGRAPH = 0, EXAMPLE = 6 };
 
 /* ---- Words for a row ---------------------------------------------------- */
 
-void command_option_name(const struct command_option *option,
-                         const struct sink *sink)
+void command_option_name(const struct command_option *option, const struct sink *sink)
 {
     if (option->name) {
         sink_print(sink, "--%s", option->name);
@@ -21,8 +20,7 @@ void command_option_name(const struct command_option *option,
 }
 
 /* The next number that has a name; NULL name: there is none. */
-size_t command_next_choice(command_choice *choice, size_t number,
-                           const char **name)
+size_t command_next_choice(command_choice *choice, size_t number, const char **name)
 {
     while ((*name = choice(number)) != NULL && !**name) {
         number++;
@@ -48,20 +46,17 @@ static void put_choices(command_choice *choice, const struct sink *sink)
     }
 }
 
-static void put_range(const struct command_option *option,
-                      const struct sink *sink)
+static void put_range(const struct command_option *option, const struct sink *sink)
 {
     if (option->kind == COMMAND_COUNT) {
         sink_print(sink, "a whole number from %.0f to %.0f", option->least,
                    option->most);
     } else {
-        sink_print(sink, "a number above %g, below %g", option->least,
-                   option->most);
+        sink_print(sink, "a number above %g, below %g", option->least, option->most);
     }
 }
 
-void command_option_wants(const struct command_option *option,
-                          const struct sink *sink)
+void command_option_wants(const struct command_option *option, const struct sink *sink)
 {
     switch (option->kind) {
     case COMMAND_COUNT:
@@ -77,13 +72,11 @@ void command_option_wants(const struct command_option *option,
     }
 }
 
-bool command_option_preset(const struct command_option *option,
-                           const struct sink *sink)
+bool command_option_preset(const struct command_option *option, const struct sink *sink)
 {
     if (option->preset_text) {
         sink_put(sink, option->preset_text);
-    } else if (option->kind == COMMAND_CHOICE && option->preset >= 0
-               && option->name) {
+    } else if (option->kind == COMMAND_CHOICE && option->preset >= 0 && option->name) {
         sink_put(sink, option->choice((size_t)option->preset));
     } else if (option->preset > 0) {
         sink_print(sink, "%g", option->preset);
@@ -110,8 +103,7 @@ static void new_line(struct filler *filler)
 
 static void put_word(struct filler *filler, const char *word, size_t length)
 {
-    if (filler->column > filler->indent
-        && filler->column + 1 + length > WIDTH) {
+    if (filler->column > filler->indent && filler->column + 1 + length > WIDTH) {
         new_line(filler);
     }
     if (filler->column > filler->indent) {
@@ -235,8 +227,7 @@ void command_print_help(const struct command_program *program,
 {
     char name[COMMAND_NAME_SIZE];
     command_full_name(program, command, name);
-    fprintf(file, "%s - %s\n\nusage: %s [OPTION..]", name, command->summary,
-            name);
+    fprintf(file, "%s - %s\n\nusage: %s [OPTION..]", name, command->summary, name);
     put_operands(file, command->operands);
     fputs("\n\n", file);
     if (command->details) {

@@ -6,8 +6,7 @@
 #include "base/command_rows.h"
 
 /* What make and tests ask for, as "help --man". */
-int command_print_page(const struct command_program *program, int argc,
-                       char **argv)
+int command_print_page(const struct command_program *program, int argc, char **argv)
 {
     static const struct {
         const char *option, *shell; /* shell: its argument, or NULL */
@@ -51,9 +50,9 @@ static void list_rows(FILE *file, const char *what, const char *command,
     };
     for (; command_is_row(row); row++) {
         const char *name;
-        fprintf(file, "%s %s %s%s %c %s", what, command,
-                row->name ? "--" : "", row->name ? row->name : row->value,
-                row->letter ? row->letter : '-', kinds[row->kind]);
+        fprintf(file, "%s %s %s%s %c %s", what, command, row->name ? "--" : "",
+                row->name ? row->name : row->value, row->letter ? row->letter : '-',
+                kinds[row->kind]);
         for (size_t i = 0; row->kind == COMMAND_CHOICE; i++) {
             i = command_next_choice(row->choice, i, &name);
             if (!name) {
@@ -147,14 +146,12 @@ static void put_roff_synopsis(FILE *file, const char *name,
     for (; command_is_row(row); row++) {
         fprintf(file, row->optional ? " [\\fI" : " \\fI");
         put_roff(file, row->value);
-        fprintf(file, "\\fR%s%s", row->many ? "..." : "",
-                row->optional ? "]" : "");
+        fprintf(file, "\\fR%s%s", row->many ? "..." : "", row->optional ? "]" : "");
     }
     putc('\n', file);
 }
 
-static void put_roff_examples(FILE *file,
-                              const struct command_example *example)
+static void put_roff_examples(FILE *file, const struct command_example *example)
 {
     for (; example && example->line; example++) {
         fputs(".TP\n\\fB", file);
@@ -165,8 +162,7 @@ static void put_roff_examples(FILE *file,
     }
 }
 
-static void put_roff_command(FILE *file,
-                             const struct command_program *program,
+static void put_roff_command(FILE *file, const struct command_program *program,
                              const struct command *command)
 {
     char name[COMMAND_NAME_SIZE];
@@ -192,8 +188,7 @@ static void put_roff_command(FILE *file,
 }
 
 /* Those of all commands together. */
-static void put_roff_all_examples(FILE *file,
-                                  const struct command_program *program)
+static void put_roff_all_examples(FILE *file, const struct command_program *program)
 {
     const struct command *const *command = program->commands;
     const char *heading = ".SH EXAMPLES\n";

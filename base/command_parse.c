@@ -10,14 +10,13 @@
 #include "base/nearest.h"
 #include "base/outputs.h"
 
-const struct command_option
-    command_help_option = { .name = "help",
-                            .letter = 'h',
-                            .kind = COMMAND_FLAG,
-                            .help = "tell how it is used" },
-    command_version_option = { .name = "version",
-                               .kind = COMMAND_FLAG,
-                               .help = "tell the version" };
+const struct command_option command_help_option = { .name = "help",
+                                                    .letter = 'h',
+                                                    .kind = COMMAND_FLAG,
+                                                    .help = "tell how it is used" },
+                            command_version_option = { .name = "version",
+                                                       .kind = COMMAND_FLAG,
+                                                       .help = "tell the version" };
 
 bool command_is_row(const struct command_option *option)
 {
@@ -68,8 +67,7 @@ static bool take_number(const char *text, const struct command_option *option,
     char *end;
     double value = strtod(text, &end);
     memcpy(place, &value, sizeof value);
-    return end != text && *end == '\0' && value > option->least
-           && value < option->most;
+    return end != text && *end == '\0' && value > option->least && value < option->most;
 }
 
 /* The int of an enum. */
@@ -126,8 +124,7 @@ static bool take(char *text, const struct command_option *option, void *place)
 
 /* ---- Before any is given ------------------------------------------------ */
 
-static bool prepare_row(const struct command_option *option, size_t room,
-                        void *place)
+static bool prepare_row(const struct command_option *option, size_t room, void *place)
 {
     size_t count = option->preset > 0 ? (size_t)option->preset : 0;
     if (option->many) {
@@ -140,17 +137,14 @@ static bool prepare_row(const struct command_option *option, size_t room,
     case COMMAND_CLOCKS:
     case COMMAND_OWN: break;
     case COMMAND_COUNT: memcpy(place, &count, sizeof count); break;
-    case COMMAND_NUMBER:
-        memcpy(place, &option->preset, sizeof option->preset);
-        break;
+    case COMMAND_NUMBER: memcpy(place, &option->preset, sizeof option->preset); break;
     case COMMAND_CHOICE: put_choice((int)option->preset, place); break;
     default: memcpy(place, &option->preset_text, sizeof option->preset_text);
     }
     return true;
 }
 
-static bool prepare(const struct command_option *row, size_t room,
-                    void *arguments)
+static bool prepare(const struct command_option *row, size_t room, void *arguments)
 {
     for (; command_is_row(row); row++) {
         if (!prepare_row(row, room, place_of(row, arguments))) {
@@ -199,8 +193,7 @@ static int wrong_value(const struct parsing *parsing,
 }
 
 /* Another command that takes an option of that name, or NULL. */
-static const struct command *owner_of(const struct parsing *parsing,
-                                      const char *name)
+static const struct command *owner_of(const struct parsing *parsing, const char *name)
 {
     const struct command *const *command = parsing->program->commands;
     for (; *command; command++) {
@@ -230,8 +223,7 @@ static bool find_beginnings(const struct parsing *parsing, const char *name,
 }
 
 /* What comes near a name: the command's options, help and version. */
-static const char *nearest_option(const struct parsing *parsing,
-                                  const char *name)
+static const char *nearest_option(const struct parsing *parsing, const char *name)
 {
     struct nearest nearest = { .word = name };
     const struct command_option *option = parsing->command->options;
@@ -248,17 +240,15 @@ static int no_long_option(const struct parsing *parsing, const char *word)
     char name[COMMAND_NAME_SIZE];
     struct text_line several = { { 0 }, 0 };
     struct sink sink = text_line_sink(&several);
-    snprintf(name, sizeof name, "%.*s", (int)strcspn(word + 2, "="),
-             word + 2);
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(word + 2, "="), word + 2);
     const struct command *owner = owner_of(parsing, name);
     const char *nearest = nearest_option(parsing, name);
     if (find_beginnings(parsing, name, &sink)) {
-        return cmd_usage(parsing->name, "--%s is one of %s", name,
-                         several.text);
+        return cmd_usage(parsing->name, "--%s is one of %s", name, several.text);
     }
     if (owner) {
-        return cmd_usage(parsing->name, "no such option: --%s; it is for %s",
-                         name, owner->name);
+        return cmd_usage(parsing->name, "no such option: --%s; it is for %s", name,
+                         owner->name);
     }
     return cmd_usage(parsing->name, "no such option: %s%s%s%s", word,
                      nearest ? " (--" : "", nearest ? nearest : "",
@@ -276,8 +266,7 @@ static int wrong_option(const struct parsing *parsing, const char *word)
     for (; word[2 + length] && command_is_row(option); option++) {
         if (option->kind == COMMAND_FLAG && strlen(option->name) == length
             && strncmp(option->name, word + 2, length) == 0) {
-            return cmd_usage(parsing->name, "--%s takes no argument",
-                             option->name);
+            return cmd_usage(parsing->name, "--%s takes no argument", option->name);
         }
     }
     return no_long_option(parsing, word);
@@ -310,8 +299,7 @@ static void add_option(struct getopt_tables *tables, size_t place,
     }
 }
 
-static bool make_tables(const struct command *command,
-                        struct getopt_tables *tables)
+static bool make_tables(const struct command *command, struct getopt_tables *tables)
 {
     tables->count = rows_in(command->options);
     tables->options = calloc(tables->count + 3, sizeof *tables->options);
@@ -329,9 +317,8 @@ static bool make_tables(const struct command *command,
 }
 
 /* The row that getopt speaks of: of the command's, help or version. */
-static const struct command_option *row_of(const struct command *command,
-                                           const struct getopt_tables *tables,
-                                           int value)
+static const struct command_option *
+row_of(const struct command *command, const struct getopt_tables *tables, int value)
 {
     for (size_t i = 0; i < tables->count; i++) {
         const struct command_option *option = &command->options[i];
@@ -339,9 +326,8 @@ static const struct command_option *row_of(const struct command *command,
             return option;
         }
     }
-    return value == FIRST_ROW + (int)tables->count + 1
-               ? &command_version_option
-               : &command_help_option;
+    return value == FIRST_ROW + (int)tables->count + 1 ? &command_version_option
+                                                       : &command_help_option;
 }
 
 static int take_option(const struct parsing *parsing,
@@ -359,15 +345,13 @@ static int take_option(const struct parsing *parsing,
 }
 
 static int parse_options(const struct parsing *parsing,
-                         const struct getopt_tables *tables, int argc,
-                         char **argv)
+                         const struct getopt_tables *tables, int argc, char **argv)
 {
     int code = CMD_DONE, value;
     opterr = 0;
     optind = 0;
     while (code == CMD_DONE
-           && (value = getopt_long(argc, argv, tables->letters,
-                                   tables->options, NULL))
+           && (value = getopt_long(argc, argv, tables->letters, tables->options, NULL))
                   != -1) {
         const char *word = argv[optind - 1];
         if (value == ':') {
@@ -375,8 +359,7 @@ static int parse_options(const struct parsing *parsing,
         } else if (value == '?') {
             code = wrong_option(parsing, word);
         } else {
-            code = take_option(parsing,
-                               row_of(parsing->command, tables, value));
+            code = take_option(parsing, row_of(parsing->command, tables, value));
         }
     }
     return code;
@@ -390,8 +373,8 @@ static int parse_operands(const struct parsing *parsing, char **words)
     for (; command_is_row(operand); operand++) {
         void *place = place_of(operand, parsing->arguments);
         if (!*words && !operand->optional) {
-            return cmd_usage(parsing->name, "%s is missing: %s",
-                             operand->value, operand->help);
+            return cmd_usage(parsing->name, "%s is missing: %s", operand->value,
+                             operand->help);
         }
         while (*words) {
             if (!take(*words, operand, place)) {
@@ -403,9 +386,8 @@ static int parse_operands(const struct parsing *parsing, char **words)
             }
         }
     }
-    return !*words
-               ? CMD_DONE
-               : cmd_usage(parsing->name, "too many arguments: %s", *words);
+    return !*words ? CMD_DONE
+                   : cmd_usage(parsing->name, "too many arguments: %s", *words);
 }
 
 /* ---- Files that get in each other's way --------------------------------- */
@@ -433,8 +415,8 @@ static const char *path_of(const struct parsing *parsing,
 
 /* Whether a file of the row is the one at the path.  The name of a model is no
  * file. */
-static bool names(const struct parsing *parsing,
-                  const struct command_option *row, const char *path)
+static bool names(const struct parsing *parsing, const struct command_option *row,
+                  const char *path)
 {
     const char *other;
     int number;
@@ -449,9 +431,9 @@ static bool names(const struct parsing *parsing,
 
 /* The first of these rows that names the file and is an output, or is an input;
  * NULL: none does. */
-static const struct command_option *
-row_naming(const struct parsing *parsing, const struct command_option *row,
-           bool output, const char *path)
+static const struct command_option *row_naming(const struct parsing *parsing,
+                                               const struct command_option *row,
+                                               bool output, const char *path)
 {
     while (command_is_row(row)
            && !((output ? is_output(row) : row->kind == COMMAND_INPUT)
@@ -466,11 +448,10 @@ static int check_output(const struct parsing *parsing,
                         const struct command_option *option, const char *path)
 {
     const struct command *command = parsing->command;
-    const struct command_option *other = row_naming(parsing, option + 1, true,
-                                                    path);
+    const struct command_option *other = row_naming(parsing, option + 1, true, path);
     if (other) {
-        return cmd_usage(parsing->name, "--%s and --%s name one file",
-                         option->name, other->name);
+        return cmd_usage(parsing->name, "--%s and --%s name one file", option->name,
+                         other->name);
     }
     if (!file_is_stream(path) && !outputs_add(path)) {
         return cmd_failed(parsing->name, "no memory");
@@ -507,8 +488,7 @@ static size_t streams_in(const struct parsing *parsing,
     for (; command_is_row(row); row++) {
         const char *path;
         for (size_t i = 0;
-             row->kind == COMMAND_INPUT && (path = path_of(parsing, row, i));
-             i++) {
+             row->kind == COMMAND_INPUT && (path = path_of(parsing, row, i)); i++) {
             count += file_is_stream(path);
         }
     }
@@ -519,9 +499,8 @@ static int check_inputs(const struct parsing *parsing)
 {
     size_t streams = streams_in(parsing, parsing->command->options)
                      + streams_in(parsing, parsing->command->operands);
-    return streams <= 1
-               ? CMD_DONE
-               : cmd_usage(parsing->name, "only one file can be -, stdin");
+    return streams <= 1 ? CMD_DONE
+                        : cmd_usage(parsing->name, "only one file can be -, stdin");
 }
 
 /* ---- All of it ---------------------------------------------------------- */
@@ -550,9 +529,8 @@ static int parse(struct parsing *parsing, int argc, char **argv)
     return code == CMD_DONE ? check_inputs(parsing) : code;
 }
 
-int command_parse(const struct command_program *program,
-                  const struct command *command, int argc, char **argv,
-                  void *arguments)
+int command_parse(const struct command_program *program, const struct command *command,
+                  int argc, char **argv, void *arguments)
 {
     struct parsing parsing = { program, command, "", arguments };
     command_full_name(program, command, parsing.name);

@@ -30,8 +30,8 @@ static void free_item(struct diagnostic *item)
 static struct diagnostic *keep(struct diagnostics *diagnostics,
                                const struct diagnostic *item)
 {
-    struct diagnostic *items = array_grow(diagnostics->items,
-                                          diagnostics->count, sizeof *items);
+    struct diagnostic *items = array_grow(diagnostics->items, diagnostics->count,
+                                          sizeof *items);
 
     if (!items)
         return NULL;
@@ -42,8 +42,7 @@ static struct diagnostic *keep(struct diagnostics *diagnostics,
 
 /* Where an invisible character is in the word that an error points to; 0: there
  * is none. */
-static size_t invisible_column(const struct position *position,
-                               unsigned long *code)
+static size_t invisible_column(const struct position *position, unsigned long *code)
 {
     size_t i = position->column - 1;
 
@@ -59,8 +58,7 @@ static size_t invisible_column(const struct position *position,
 
 /* A reader of a text takes an invisible character for a wrong word or number:
  * the error names it. */
-static void name_invisible(struct diagnostic *item,
-                           const struct position *position)
+static void name_invisible(struct diagnostic *item, const struct position *position)
 {
     unsigned long code;
     size_t column = position->source ? invisible_column(position, &code) : 0;
@@ -99,8 +97,7 @@ void diagnostics_add(struct diagnostics *diagnostics, enum severity severity,
     if (severity == SEVERITY_ERROR)
         name_invisible(&item, position);
     diagnostics->errors += severity == SEVERITY_ERROR;
-    if (!item.file || !item.message || !item.source
-        || !keep(diagnostics, &item))
+    if (!item.file || !item.message || !item.source || !keep(diagnostics, &item))
         free_item(&item);
 }
 
@@ -133,8 +130,8 @@ bool diagnostics_say(struct diagnostics *diagnostics, const char *text)
 }
 
 /* One character as a terminal can bear it, tabs as blanks; the new column. */
-static size_t put_character(const struct sink *sink, const char *text,
-                            size_t length, size_t column)
+static size_t put_character(const struct sink *sink, const char *text, size_t length,
+                            size_t column)
 {
     unsigned long code;
 
@@ -151,8 +148,7 @@ static size_t put_character(const struct sink *sink, const char *text,
 }
 
 /* The source line, and a caret below the column if the line has it. */
-static void put_source(const struct sink *sink,
-                       const struct diagnostic *diagnostic)
+static void put_source(const struct sink *sink, const struct diagnostic *diagnostic)
 {
     const char *source = diagnostic->source;
     size_t column = 0, caret = 0, i = 0, all = strlen(source);
@@ -172,8 +168,7 @@ static void put_source(const struct sink *sink,
         sink_print(sink, "    %*s^\n", (int)caret, "");
 }
 
-void diagnostic_put(const struct diagnostic *diagnostic,
-                    const struct sink *sink)
+void diagnostic_put(const struct diagnostic *diagnostic, const struct sink *sink)
 {
     static const char *const words[] = {
         [SEVERITY_ERROR] = "error",
@@ -196,8 +191,7 @@ void diagnostic_put(const struct diagnostic *diagnostic,
         put_source(sink, diagnostic);
 }
 
-void diagnostics_put(const struct diagnostics *diagnostics,
-                     const struct sink *sink)
+void diagnostics_put(const struct diagnostics *diagnostics, const struct sink *sink)
 {
     for (size_t i = 0; i < diagnostics->count; i++)
         diagnostic_put(&diagnostics->items[i], sink);

@@ -58,10 +58,8 @@ bool diagnostics_say(struct diagnostics *diagnostics, const char *text);
 /* An error that points to a word with an invisible character names it.  Names and
  * messages are printed with such characters escaped, source lines with a question
  * mark for each (base/visible.h). */
-void diagnostic_put(const struct diagnostic *diagnostic,
-                    const struct sink *sink);
-void diagnostics_put(const struct diagnostics *diagnostics,
-                     const struct sink *sink);
+void diagnostic_put(const struct diagnostic *diagnostic, const struct sink *sink);
+void diagnostics_put(const struct diagnostics *diagnostics, const struct sink *sink);
 void diagnostics_print(const struct diagnostics *diagnostics, FILE *out);
 void diagnostics_free(struct diagnostics *diagnostics);
 

@@ -32,8 +32,7 @@ static char *read_stream(FILE *file, size_t largest, size_t *length)
 }
 
 /* What errno says of a reading that failed or came to its end. */
-static int reason(const FILE *file, const char *text, size_t length,
-                  size_t largest)
+static int reason(const FILE *file, const char *text, size_t length, size_t largest)
 {
     if (!file || !text || errno)
         return errno ? errno : EIO;
@@ -61,16 +60,14 @@ const char *file_reason(int code)
 static bool is_output(FILE *file)
 {
     struct stat status;
-    bool refused = fstat(fileno(file), &status) == 0
-                   && outputs_refuse(&status);
+    bool refused = fstat(fileno(file), &status) == 0 && outputs_refuse(&status);
 
     if (refused)
         errno = ETXTBSY;
     return refused;
 }
 
-char *file_read(const char *path, size_t largest, size_t *length,
-                c205_error *error)
+char *file_read(const char *path, size_t largest, size_t *length, c205_error *error)
 {
     FILE *file;
     char *text = NULL;
@@ -105,8 +102,7 @@ bool file_is_plain(const char *path, c205_error *error)
     if (stat(path, &is) == 0)
         return S_ISREG(is.st_mode)
                || error_say(error, "%s",
-                            S_ISDIR(is.st_mode) ? "a folder"
-                                                : "a pipe or a device");
+                            S_ISDIR(is.st_mode) ? "a folder" : "a pipe or a device");
     error_say(error, "%s", strerror(errno));
     return lstat(path, &is) == 0 && S_ISLNK(is.st_mode)
            && error_say(error, "a broken link");
@@ -114,8 +110,7 @@ bool file_is_plain(const char *path, c205_error *error)
 
 /* The folder that a path names a file in, and the file's name there; false:
  * there is no such folder. */
-static bool find_place(const char *path, struct stat *folder,
-                       const char **name)
+static bool find_place(const char *path, struct stat *folder, const char **name)
 {
     const char *slash = strrchr(path, '/');
     char text[4096];

@@ -15,8 +15,7 @@ enum { FILE_LARGEST = (1 << 28) - 2 }; /* bytes */
  * why, without naming the file, and errno is set.  Files of more than so many
  * bytes are refused (EFBIG), endless ones among them; so is one that the command
  * writes (ETXTBSY, see outputs.h). */
-char *file_read(const char *path, size_t largest, size_t *length,
-                c205_error *error);
+char *file_read(const char *path, size_t largest, size_t *length, c205_error *error);
 /* The text of such an errno. */
 const char *file_reason(int code);
 

@@ -21,8 +21,7 @@ static size_t fold(const char *text, size_t width)
 
 void fold_put(const char *text, size_t column, const struct sink *sink)
 {
-    size_t width = column + NARROWEST <= FOLD_WIDTH ? FOLD_WIDTH - column
-                                                    : SIZE_MAX;
+    size_t width = column + NARROWEST <= FOLD_WIDTH ? FOLD_WIDTH - column : SIZE_MAX;
     for (;;) {
         size_t length = fold(text, width);
         sink->put(sink->context, text, length);

@@ -61,8 +61,7 @@ bool folder_read(struct folder *folder, const char *path, c205_error *error)
     if (reason)
         return error_say(error, "%s", strerror(reason));
     if (folder->count > 0)
-        qsort(folder->names, folder->count, sizeof *folder->names,
-              compare_names);
+        qsort(folder->names, folder->count, sizeof *folder->names, compare_names);
     return true;
 }
 

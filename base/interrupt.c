@@ -77,8 +77,7 @@ static void catch_endings(void)
 {
     struct sigaction action = { .sa_handler = end }, now;
     for (size_t i = 0; i < ENDINGS; i++) {
-        if (sigaction(endings[i], NULL, &now) == 0
-            && now.sa_handler == SIG_DFL) {
+        if (sigaction(endings[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL) {
             sigaction(endings[i], &action, NULL);
         }
     }

@@ -56,8 +56,7 @@ static size_t plain_length(const char *text)
 {
     size_t length = 0, step;
     while ((unsigned char)text[length] >= ' ' && text[length] != '"'
-           && text[length] != '\\'
-           && (step = utf8_length(text + length, UTF8_MOST)) > 0
+           && text[length] != '\\' && (step = utf8_length(text + length, UTF8_MOST)) > 0
            && !is_hidden(text + length, step)) {
         length += step;
     }
@@ -122,8 +121,7 @@ static struct json *json_new(FILE *stream, c205_error *error)
     return json;
 }
 
-struct json *json_open_stream(FILE *stream, const char *path,
-                              c205_error *error)
+struct json *json_open_stream(FILE *stream, const char *path, c205_error *error)
 {
     struct json *json = json_new(stream, error);
     if (json && path && !(json->whole = whole_open(path, error))) {

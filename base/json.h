@@ -27,8 +27,7 @@ struct text_buffer;
 struct json *json_open(const char *path, c205_error *error);
 /* The same on a stream, at the close, and in a file too unless path is NULL.
  * Write errors of the stream are left to its owner. */
-struct json *json_open_stream(FILE *stream, const char *path,
-                              c205_error *error);
+struct json *json_open_stream(FILE *stream, const char *path, c205_error *error);
 /* The same in one line, behind what a buffer holds. */
 struct json *json_open_line(struct text_buffer *line, c205_error *error);
 bool json_close(struct json *json, c205_error *error);

@@ -20,15 +20,14 @@ struct json_reading {
 
 static bool fail(struct json_reading *reading, const char *what)
 {
-    snprintf(reading->error->message, sizeof reading->error->message,
-             "%s at byte %zu", what, (size_t)(reading->at - reading->begin));
+    snprintf(reading->error->message, sizeof reading->error->message, "%s at byte %zu",
+             what, (size_t)(reading->at - reading->begin));
     return false;
 }
 
 static bool no_memory(struct json_reading *reading)
 {
-    snprintf(reading->error->message, sizeof reading->error->message,
-             "no memory");
+    snprintf(reading->error->message, sizeof reading->error->message, "no memory");
     return false;
 }
 
@@ -119,9 +118,8 @@ static bool read_character(struct json_reading *reading, char **to)
         return read_escape(reading, to);
     length = utf8_length(reading->at, (size_t)(reading->end - reading->at));
     if (length == 0)
-        return fail(reading, reading->at < reading->end
-                                 ? "a byte that is no UTF-8"
-                                 : "a text without end");
+        return fail(reading, reading->at < reading->end ? "a byte that is no UTF-8"
+                                                        : "a text without end");
     if ((unsigned char)*reading->at < ' ')
         return fail(reading, "a control character in a text");
     memcpy(*to, reading->at, length);
@@ -175,8 +173,7 @@ static bool skip_number(struct json_reading *reading)
     return skip_digits(reading);
 }
 
-static bool read_number(struct json_reading *reading,
-                        struct json_value *value)
+static bool read_number(struct json_reading *reading, struct json_value *value)
 {
     const char *from = reading->at;
     char digits[DIGITS_MOST];
@@ -186,8 +183,7 @@ static bool read_number(struct json_reading *reading,
         return fail(reading, "no value");
     length = (size_t)(reading->at - from);
     if (length >= sizeof digits)
-        return fail(reading,
-                    "a number of " LIMIT_TEXT(DIGITS_MOST) " digits or more");
+        return fail(reading, "a number of " LIMIT_TEXT(DIGITS_MOST) " digits or more");
     memcpy(digits, from, length);
     digits[length] = '\0';
     value->kind = JSON_NUMBER;
@@ -219,8 +215,7 @@ static bool read_name(struct json_reading *reading, struct json_value *value)
 
 /* ---- Values ----------------------------------------------------------------- */
 
-static bool read_value(struct json_reading *reading,
-                       struct json_value *value);
+static bool read_value(struct json_reading *reading, struct json_value *value);
 
 static bool read_key(struct json_reading *reading, struct json_value *value)
 {
@@ -234,8 +229,7 @@ static bool read_key(struct json_reading *reading, struct json_value *value)
     return take(reading, ':') || fail(reading, "no colon");
 }
 
-static struct json_value *read_item(struct json_reading *reading,
-                                    bool has_key)
+static struct json_value *read_item(struct json_reading *reading, bool has_key)
 {
     struct json_value *item = arena_take(reading->arena, sizeof *item);
 
@@ -269,8 +263,7 @@ static bool read_items(struct json_reading *reading, struct json_value *value,
     return take(reading, closing) || fail(reading, "no comma and no end");
 }
 
-static bool read_within(struct json_reading *reading,
-                        struct json_value *value)
+static bool read_within(struct json_reading *reading, struct json_value *value)
 {
     char closing = value->kind == JSON_ARRAY ? ']' : '}';
     bool good;
@@ -303,12 +296,10 @@ static bool read_value(struct json_reading *reading, struct json_value *value)
     return read_name(reading, value);
 }
 
-const struct json_value *json_read(struct arena *arena, const char *text,
-                                   size_t length, c205_error *error)
+const struct json_value *json_read(struct arena *arena, const char *text, size_t length,
+                                   c205_error *error)
 {
-    struct json_reading reading = {
-        arena, text, text, text + length, 0, error
-    };
+    struct json_reading reading = { arena, text, text, text + length, 0, error };
     struct json_value *value = read_item(&reading, false);
 
     if (value && reading.at < reading.end) {
@@ -320,8 +311,7 @@ const struct json_value *json_read(struct arena *arena, const char *text,
 
 /* ---- Members ---------------------------------------------------------------- */
 
-const struct json_value *json_member(const struct json_value *object,
-                                     const char *key)
+const struct json_value *json_member(const struct json_value *object, const char *key)
 {
     const struct json_value *member = object && object->kind == JSON_OBJECT
                                           ? object->first
@@ -347,16 +337,14 @@ const struct json_value *json_member_first(const struct json_value *object,
     return member ? member->first : NULL;
 }
 
-bool json_member_truth(const struct json_value *object, const char *key,
-                       bool otherwise)
+bool json_member_truth(const struct json_value *object, const char *key, bool otherwise)
 {
     const struct json_value *member = json_member(object, key);
 
     return member && member->kind == JSON_TRUTH ? member->truth : otherwise;
 }
 
-bool json_member_whole(const struct json_value *object, const char *key,
-                       int64_t *value)
+bool json_member_whole(const struct json_value *object, const char *key, int64_t *value)
 {
     const struct json_value *member = json_member(object, key);
 

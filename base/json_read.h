@@ -23,26 +23,22 @@ struct json_value {
     bool truth;
     double number;
     const char *text;
-    const char *key; /* of a member of an object, or NULL */
-    const struct json_value
-        *first; /* of an array or object; NULL: it is empty */
-    const struct json_value
-        *next; /* in the same one; NULL: this is the last */
+    const char *key;                /* of a member of an object, or NULL */
+    const struct json_value *first; /* of an array or object; NULL: it is empty */
+    const struct json_value *next;  /* in the same one; NULL: this is the last */
 };
 
 /* Arrays and objects lie in each other so deep at the most. */
 #define JSON_DEEPEST 64
 
 /* It lives in the arena.  NULL: the error says what is wrong, and at which byte. */
-const struct json_value *json_read(struct arena *arena, const char *text,
-                                   size_t length, c205_error *error);
+const struct json_value *json_read(struct arena *arena, const char *text, size_t length,
+                                   c205_error *error);
 
 /* NULL: there is none, it is null, or that is no object, as NULL is none. */
-const struct json_value *json_member(const struct json_value *object,
-                                     const char *key);
+const struct json_value *json_member(const struct json_value *object, const char *key);
 /* NULL: there is none, or it is another kind of value. */
-const char *json_member_text(const struct json_value *object,
-                             const char *key);
+const char *json_member_text(const struct json_value *object, const char *key);
 /* The first element or member of a member. */
 const struct json_value *json_member_first(const struct json_value *object,
                                            const char *key);

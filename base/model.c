@@ -26,8 +26,7 @@ static struct position position_of(const char *name, const char *text,
     return position;
 }
 
-static c205_model *read_model(const char *command, const char *name,
-                              const char *text)
+static c205_model *read_model(const char *command, const char *name, const char *text)
 {
     c205_error error;
     c205_place place;

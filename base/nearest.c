@@ -20,8 +20,7 @@ static bool equal(char a, char b)
 
 /* rows[i][k]: what it takes from the first i letters of a to the first k of
  * b. */
-static size_t distance(const char *a, size_t a_length, const char *b,
-                       size_t b_length)
+static size_t distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
     size_t rows[LETTERS_MOST + 1][LETTERS_MOST + 1];
     for (size_t i = 0; i <= a_length; i++) {
@@ -30,8 +29,7 @@ static size_t distance(const char *a, size_t a_length, const char *b,
                 rows[i][k] = i + k;
                 continue;
             }
-            rows[i][k] = least(rows[i - 1][k - 1]
-                                   + !equal(a[i - 1], b[k - 1]),
+            rows[i][k] = least(rows[i - 1][k - 1] + !equal(a[i - 1], b[k - 1]),
                                1 + least(rows[i - 1][k], rows[i][k - 1]));
             if (i > 1 && k > 1 && equal(a[i - 1], b[k - 2])
                 && equal(a[i - 2], b[k - 1])) {
@@ -42,8 +40,7 @@ static size_t distance(const char *a, size_t a_length, const char *b,
     return rows[a_length][b_length];
 }
 
-size_t nearest_distance(const char *a, size_t a_length, const char *b,
-                        size_t b_length)
+size_t nearest_distance(const char *a, size_t a_length, const char *b, size_t b_length)
 {
     return a_length > LETTERS_MOST || b_length > LETTERS_MOST
                ? 2 * LETTERS_MOST

@@ -16,8 +16,7 @@
 
 /* How many letters make one of the other; a long way for words of more than 40.
  * Capitals do not count. */
-size_t nearest_distance(const char *a, size_t a_length, const char *b,
-                        size_t b_length);
+size_t nearest_distance(const char *a, size_t a_length, const char *b, size_t b_length);
 
 struct nearest {
     const char *word;

@@ -34,9 +34,8 @@ void numbering_settle(struct numbering *numbering)
 
 size_t numbering_place(const struct numbering *numbering, size_t number)
 {
-    const size_t *place = bsearch(&number, numbering->numbers,
-                                  numbering->count, sizeof number,
-                                  compare_numbers);
+    const size_t *place = bsearch(&number, numbering->numbers, numbering->count,
+                                  sizeof number, compare_numbers);
 
     return place ? (size_t)(place - numbering->numbers) + 1 : 0;
 }

@@ -20,8 +20,7 @@ bool other_case_is(const char *a, const char *b, size_t length)
     return true;
 }
 
-static bool search(struct folder *found, const char *folder,
-                   const char *rest);
+static bool search(struct folder *found, const char *folder, const char *rest);
 
 /* An entry of the folder is the next part of the path. */
 static bool enter(struct folder *found, const char *folder, const char *name,
@@ -38,8 +37,7 @@ static bool enter(struct folder *found, const char *folder, const char *name,
     if (path.failed)
         good = false;
     else if (*rest)
-        good = path.length > PATH_LONGEST
-               || search(found, path.text, rest + 1);
+        good = path.length > PATH_LONGEST || search(found, path.text, rest + 1);
     else
         good = folder_is(path.text) || folder_add(found, path.text);
     text_buffer_free(&path);

@@ -45,14 +45,12 @@ bool outputs_add(const char *path)
     if (stat(path, &status) != 0) {
         return true;
     }
-    struct output *items = array_grow(outputs.items, outputs.count,
-                                      sizeof *items);
+    struct output *items = array_grow(outputs.items, outputs.count, sizeof *items);
     if (!items) {
         return false;
     }
     outputs.items = items;
-    items[outputs.count++] = (struct output){ status.st_dev, status.st_ino,
-                                              false };
+    items[outputs.count++] = (struct output){ status.st_dev, status.st_ino, false };
     return true;
 }
 

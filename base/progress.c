@@ -21,8 +21,7 @@ void progress_time(double seconds, char text[PROGRESS_TIME_SIZE])
     if (whole < 60) {
         snprintf(text, PROGRESS_TIME_SIZE, "%lu s", whole);
     } else if (whole < 3600) {
-        snprintf(text, PROGRESS_TIME_SIZE, "%lu min %lu s", whole / 60,
-                 whole % 60);
+        snprintf(text, PROGRESS_TIME_SIZE, "%lu min %lu s", whole / 60, whole % 60);
     } else {
         snprintf(text, PROGRESS_TIME_SIZE, "%lu h %lu min", whole / 3600,
                  whole / 60 % 60);
@@ -31,9 +30,7 @@ void progress_time(double seconds, char text[PROGRESS_TIME_SIZE])
 
 void progress_begin(struct progress *progress)
 {
-    *progress = (struct progress){ .file = isatty(STDERR_FILENO) == 1
-                                               ? stderr
-                                               : NULL };
+    *progress = (struct progress){ .file = isatty(STDERR_FILENO) == 1 ? stderr : NULL };
     clock_gettime(CLOCK_MONOTONIC, &progress->shown);
 }
 
@@ -49,8 +46,7 @@ static void show(struct progress *progress, size_t done, size_t all)
     char left[PROGRESS_TIME_SIZE];
     double passed = seconds_since(&progress->begin);
     size_t fresh = done > progress->first ? done - progress->first : 0;
-    if (passed < PATIENCE || fresh == 0
-        || seconds_since(&progress->shown) < PAUSE) {
+    if (passed < PATIENCE || fresh == 0 || seconds_since(&progress->shown) < PAUSE) {
         return;
     }
     clock_gettime(CLOCK_MONOTONIC, &progress->shown);

@@ -7,12 +7,10 @@
 static const struct {
     char letter;
     const char *name;
-} sources[] = { { 'P', "from a primary source" },
-                { 'S', "secondary" },
-                { 'D', "derived" },
-                { 'R', "reconstructed" },
-                { 'F', "fitted" },
-                { 0, NULL } };
+} sources[] = {
+    { 'P', "from a primary source" }, { 'S', "secondary" }, { 'D', "derived" },
+    { 'R', "reconstructed" },         { 'F', "fitted" },    { 0, NULL }
+};
 
 static size_t constants_from(const c205_model *model, char source)
 {
@@ -43,13 +41,12 @@ const char *provenance_left_out(const c205_model *model)
 static const char unknown[] = "compared with no published figure";
 
 /* Whether there is anything to tell. */
-static bool tell_belief(const char *how, c205_belief belief,
-                        char line[PROVENANCE_LINE])
+static bool tell_belief(const char *how, c205_belief belief, char line[PROVENANCE_LINE])
 {
     snprintf(line, PROVENANCE_LINE,
-             "%s %u published figure%s, the largest error %+.1f %% (%.120s)",
-             how, belief.figures, belief.figures == 1 ? "" : "s",
-             belief.largest, belief.worst ? belief.worst : "");
+             "%s %u published figure%s, the largest error %+.1f %% (%.120s)", how,
+             belief.figures, belief.figures == 1 ? "" : "s", belief.largest,
+             belief.worst ? belief.worst : "");
     return belief.figures > 0;
 }
 
@@ -61,8 +58,8 @@ void provenance_line(const c205_model *model, char line[PROVENANCE_LINE])
     }
 }
 
-static bool say_belief(const char *how, c205_belief belief,
-                       const char *before, FILE *file)
+static bool say_belief(const char *how, c205_belief belief, const char *before,
+                       FILE *file)
 {
     char line[PROVENANCE_LINE];
     bool known = tell_belief(how, belief, line);
@@ -85,44 +82,35 @@ static const c205_model *fitted_origin(const c205_model *model)
     return like;
 }
 
-static void say_origin(const c205_model *model, const char *before,
-                       FILE *file)
+static void say_origin(const c205_model *model, const char *before, FILE *file)
 {
     const c205_model *origin = fitted_origin(model);
     fprintf(file, ",\n%s%s", before, unknown);
     if (origin) {
         fprintf(file, "; it changes %s", c205_model_name(origin));
-        say_belief("which was fitted to", c205_model_fitted(origin), before,
-                   file);
+        say_belief("which was fitted to", c205_model_fitted(origin), before, file);
     }
 }
 
-static void print_claim(const c205_model *model, const char *before,
-                        FILE *file)
+static void print_claim(const c205_model *model, const char *before, FILE *file)
 {
     fprintf(file, "%s%s on the model %s", before,
-            c205_model_is_projection(model)
-                ? "Projected, not emulated,"
-                : "Cycle-accounted, not cycle-accurate,",
+            c205_model_is_projection(model) ? "Projected, not emulated,"
+                                            : "Cycle-accounted, not cycle-accurate,",
             c205_model_name(model));
 }
 
-static void print_belief(const c205_model *model, const char *before,
-                         FILE *file)
+static void print_belief(const c205_model *model, const char *before, FILE *file)
 {
-    bool said = say_belief("fitted to", c205_model_fitted(model), before,
-                           file);
-    said |= say_belief("compared with", c205_model_compared(model), before,
-                       file);
+    bool said = say_belief("fitted to", c205_model_fitted(model), before, file);
+    said |= say_belief("compared with", c205_model_compared(model), before, file);
     if (!said) {
         say_origin(model, before, file);
     }
-    fprintf(file, ".\n%sNot modelled: %s.\n", before,
-            provenance_left_out(model));
+    fprintf(file, ".\n%sNot modelled: %s.\n", before, provenance_left_out(model));
 }
 
-static void print_sources(const c205_model *model, const char *before,
-                          FILE *file)
+static void print_sources(const c205_model *model, const char *before, FILE *file)
 {
     const char *before_next = "";
     fprintf(file, "%s%zu constant%s:", before, c205_model_size(model),
@@ -130,8 +118,8 @@ static void print_sources(const c205_model *model, const char *before,
     for (size_t i = 0; sources[i].letter; i++) {
         size_t count = constants_from(model, sources[i].letter);
         if (count > 0) {
-            fprintf(file, "%s %zu %s (%c)", before_next, count,
-                    sources[i].name, sources[i].letter);
+            fprintf(file, "%s %zu %s (%c)", before_next, count, sources[i].name,
+                    sources[i].letter);
             before_next = ",";
         }
     }
@@ -152,8 +140,7 @@ void provenance_print(const c205_model *model, bool whole, const char *before,
 
 /* ---- The same as JSON ---- */
 
-static void write_belief(const char *key, c205_belief belief,
-                         struct json *json)
+static void write_belief(const char *key, c205_belief belief, struct json *json)
 {
     if (belief.figures == 0) {
         json_null(json, key);

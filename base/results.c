@@ -49,8 +49,7 @@ static bool open_json(struct results *results)
     return results->json != NULL;
 }
 
-bool results_open(struct results *results, const char *command,
-                  const char *output)
+bool results_open(struct results *results, const char *command, const char *output)
 {
     results->command = command;
     settle_format(results);
@@ -79,13 +78,11 @@ int results_close(struct results *results, int code)
 
 enum table_format results_table_format(const struct results *results)
 {
-    return results->format == RESULTS_JSON
-               ? TABLE_PLAIN
-               : (enum table_format)results->format;
+    return results->format == RESULTS_JSON ? TABLE_PLAIN
+                                           : (enum table_format)results->format;
 }
 
-static void put_line(const struct results *results, const char *line,
-                     size_t length)
+static void put_line(const struct results *results, const char *line, size_t length)
 {
     const char *remark = table_remark(results_table_format(results));
     size_t mark = length > 0 ? strlen(remark) : strcspn(remark, " ");
@@ -123,14 +120,12 @@ void results_model(const struct results *results, const c205_model *model)
 {
     if (results->file) {
         provenance_print(model, results->provenance,
-                         table_remark(results_table_format(results)),
-                         results->file);
+                         table_remark(results_table_format(results)), results->file);
     }
 }
 
-static bool add_table(const struct results *results,
-                      const struct table *table, const char *key,
-                      const char *heading)
+static bool add_table(const struct results *results, const struct table *table,
+                      const char *key, const char *heading)
 {
     enum table_format format = results_table_format(results);
     if (!table) {
@@ -158,8 +153,8 @@ bool results_table(const struct results *results, const struct table *table,
     return add_table(results, table, key, headed ? heading : NULL);
 }
 
-int results_show(const struct results *results, struct table *table,
-                 const char *key, const char *heading)
+int results_show(const struct results *results, struct table *table, const char *key,
+                 const char *heading)
 {
     bool good = results_table(results, table, key, heading);
     table_free(table);

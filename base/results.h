@@ -58,8 +58,7 @@ command_choice results_format_choice;
 /* The format and the path are set, the rest is zero.  The output is another
  * file that the command writes, or NULL.  False after telling why it cannot
  * be. */
-bool results_open(struct results *results, const char *command,
-                  const char *output);
+bool results_open(struct results *results, const char *command, const char *output);
 /* Keeps the JSON if code is CMD_DONE, drops it otherwise.  The code, or
  * CMD_FAILED after telling why it cannot be kept. */
 int results_close(struct results *results, int code);
@@ -88,7 +87,7 @@ bool results_part(const struct results *results, const struct table *table,
                   const char *key, const char *heading);
 /* The same with a table that nobody needs after that: it is freed.  CMD_DONE, or
  * CMD_FAILED after telling that memory ran out. */
-int results_show(const struct results *results, struct table *table,
-                 const char *key, const char *heading);
+int results_show(const struct results *results, struct table *table, const char *key,
+                 const char *heading);
 
 #endif

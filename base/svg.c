@@ -26,8 +26,7 @@ void svg_begin(const struct sink *sink, const struct svg_sheet *sheet,
                "<style>%s</style>\n"
                "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n",
                sheet->style);
-    sink_print(sink, "<text x=\"%d\" y=\"20\" font-size=\"15\">",
-               sheet->left);
+    sink_print(sink, "<text x=\"%d\" y=\"20\" font-size=\"15\">", sheet->left);
     svg_put_escaped(sink, title);
     sink_put(sink, "</text>\n");
 }

@@ -66,8 +66,7 @@ void table_free(struct table *table)
 
 static bool make_room(struct table *table)
 {
-    struct cell *cells = array_grow(table->cells, table->cell_count,
-                                    sizeof *cells);
+    struct cell *cells = array_grow(table->cells, table->cell_count, sizeof *cells);
     if (cells) {
         table->cells = cells;
     }
@@ -170,14 +169,12 @@ const char *table_key(const struct table *table, size_t column)
 
 double table_value(const struct table *table, size_t row, size_t column)
 {
-    const struct cell
-        *cell = &table->cells[row * table->column_count + column];
+    const struct cell *cell = &table->cells[row * table->column_count + column];
     enum table_kind kind = table->columns[column].kind;
     if (cell->empty || kind == TABLE_TEXT) {
         return NAN;
     }
-    return kind == TABLE_COUNT ? (double)cell->value.count
-                               : cell->value.number;
+    return kind == TABLE_COUNT ? (double)cell->value.count : cell->value.number;
 }
 
 bool table_is_whole(const struct table *table)
@@ -221,14 +218,13 @@ size_t table_width(const struct table *table)
     return widths ? width : SIZE_MAX;
 }
 
-static void plain_cell(const struct table *table, size_t column,
-                       const size_t *widths, const char *text, FILE *file)
+static void plain_cell(const struct table *table, size_t column, const size_t *widths,
+                       const char *text, FILE *file)
 {
     bool last = column + 1 == table->column_count;
     size_t begins = 0;
     if (table->columns[column].kind != TABLE_TEXT) {
-        fprintf(file, "%*s%s", (int)widths[column], text,
-                last ? "\n" : between);
+        fprintf(file, "%*s%s", (int)widths[column], text, last ? "\n" : between);
     } else if (!last) {
         fprintf(file, "%-*s%s", (int)widths[column], text, between);
     } else {
@@ -295,8 +291,7 @@ static void markdown_cell(const struct table_column *column, size_t width,
 }
 
 /* The line under the headings: a colon at the side to which cells go. */
-static void markdown_rule(const struct table *table, const size_t *widths,
-                          FILE *file)
+static void markdown_rule(const struct table *table, const size_t *widths, FILE *file)
 {
     putc('|', file);
     for (size_t i = 0; i < table->column_count; i++) {
@@ -319,8 +314,7 @@ static bool write_markdown(const struct table *table, FILE *file)
     }
     putc('|', file);
     for (size_t i = 0; i < count; i++) {
-        markdown_cell(&table->columns[i], widths[i],
-                      table->columns[i].heading, file);
+        markdown_cell(&table->columns[i], widths[i], table->columns[i].heading, file);
     }
     putc('\n', file);
     markdown_rule(table, widths, file);
@@ -361,8 +355,8 @@ static void put_quoted(const char *text, FILE *file)
     fputs(quoted ? "\"" : "", file);
 }
 
-static void csv_cell(const struct cell *cell,
-                     const struct table_column *column, FILE *file)
+static void csv_cell(const struct cell *cell, const struct table_column *column,
+                     FILE *file)
 {
     char digits[JSON_NUMBER_SIZE];
     if (cell->empty) {
@@ -393,8 +387,7 @@ static void write_csv(const struct table *table, FILE *file)
 
 /* ---- Any of them ---- */
 
-bool table_write(const struct table *table, enum table_format format,
-                 FILE *file)
+bool table_write(const struct table *table, enum table_format format, FILE *file)
 {
     if (table->failed) {
         return false;
@@ -422,8 +415,7 @@ void table_heading(const char *heading, enum table_format format, FILE *file)
     };
     fprintf(file, "\n%s", marks[format].before);
     for (; *heading; heading++) {
-        putc(*heading == '\n' && format != TABLE_PLAIN ? ' ' : *heading,
-             file);
+        putc(*heading == '\n' && format != TABLE_PLAIN ? ' ' : *heading, file);
     }
     fputs(marks[format].after, file);
 }
@@ -435,8 +427,8 @@ const char *table_remark(enum table_format format)
 
 /* ---- JSON ---- */
 
-static void cell_json(const struct cell *cell,
-                      const struct table_column *column, struct json *json)
+static void cell_json(const struct cell *cell, const struct table_column *column,
+                      struct json *json)
 {
     if (cell->empty) {
         json_null(json, column->key);

@@ -66,13 +66,11 @@ const char *table_remark(enum table_format format);
 /* CSV quotes as RFC 4180 says, its lines end in LF; a text that a spreadsheet
  * would evaluate as a formula begins with an apostrophe.  Markdown is GitHub's.
  * False: memory ran out, now or while the table was filled. */
-bool table_write(const struct table *table, enum table_format format,
-                 FILE *file);
+bool table_write(const struct table *table, enum table_format format, FILE *file);
 /* The same, plain. */
 bool table_print(const struct table *table, FILE *file);
 /* An array of objects, one a row.  False, and nothing is written: memory ran
  * out while it was filled. */
-bool table_json(const struct table *table, struct json *json,
-                const char *key);
+bool table_json(const struct table *table, struct json *json, const char *key);
 
 #endif

@@ -68,9 +68,8 @@ static bool add(struct text_stream *stream, size_t length, int byte)
 static bool check(struct text_stream *stream, size_t length)
 {
     bool nul = memchr(stream->line, '\0', length);
-    const char *fault = stream->begun && !nul
-                            ? NULL
-                            : c205_plain_text(stream->line, &length);
+    const char *fault = stream->begun && !nul ? NULL
+                                              : c205_plain_text(stream->line, &length);
 
     stream->begun = true;
     if (fault || nul)

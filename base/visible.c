@@ -104,8 +104,7 @@ void visible_put(const struct sink *sink, const char *text, size_t length)
     }
 }
 
-void visible_put_lines(const struct sink *sink, const char *text,
-                       size_t length)
+void visible_put_lines(const struct sink *sink, const char *text, size_t length)
 {
     const char *end = text + length;
 

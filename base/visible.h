@@ -19,8 +19,7 @@ void invisible_name(const struct sink *sink, unsigned long code);
  * not UTF-8, are escaped: \x1b, \u{200b}. */
 void visible_put(const struct sink *sink, const char *text, size_t length);
 /* The same of several lines, whose ends are kept. */
-void visible_put_lines(const struct sink *sink, const char *text,
-                       size_t length);
+void visible_put_lines(const struct sink *sink, const char *text, size_t length);
 /* A sink that does so, to the stdio stream. */
 struct sink visible_stream(void *stream);
 

@@ -16,8 +16,7 @@ enum { SUFFIX_SIZE = 16, ATTEMPTS = 100, MAX_LINKS = 40, PATH_SIZE = 4096 };
 
 static void tell(c205_error *error, const char *path, const char *why)
 {
-    snprintf(error->message, sizeof error->message, "%.180s: %.60s", path,
-             why);
+    snprintf(error->message, sizeof error->message, "%.180s: %.60s", path, why);
 }
 
 static bool is_stream(const struct stat *status, int number)
@@ -69,8 +68,8 @@ static char *followed(const char *path)
     if (file) {
         strcpy(file, path);
     }
-    for (int i = 0; file && !is_special(file) && i < MAX_LINKS
-                    && (target = link_target(file));
+    for (int i = 0;
+         file && !is_special(file) && i < MAX_LINKS && (target = link_target(file));
          i++) {
         free(file);
         file = target;

@@ -119,8 +119,7 @@ BINARY(subtract, subtract_normalised, x[i] - y[i])
 BINARY(add_upper, add_upper, x[i] + y[i])
 BINARY(multiply, multiply_significant, x[i] * y[i])
 TASKS(less, lanes_less(c, a, b, LENGTH);
-      (void)flags, halves_less(c, half_a, half_b, LENGTH);
-      (void)flags, x[i] < y[i])
+      (void)flags, halves_less(c, half_a, half_b, LENGTH); (void)flags, x[i] < y[i])
 UNARY(truncate, truncate, trunc(x[i]))
 BINARY(divide, divide_significant, x[i] / y[i])
 UNARY(square_root, square_root, sqrt(x[i]))
@@ -154,8 +153,8 @@ int main(int count, char **words)
 {
     trials = count > 1 ? atoi(words[1]) : trials;
     fill(8);
-    printf("%-24s %8s %8s %8s %8s  ns per element\n", "", "lanes", "halves",
-           "words", "double");
+    printf("%-24s %8s %8s %8s %8s  ns per element\n", "", "lanes", "halves", "words",
+           "double");
     report("add normalised", &add, add_words);
     report("subtract normalised", &subtract, NULL);
     report("add upper", &add_upper, NULL);

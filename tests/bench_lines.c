@@ -23,8 +23,7 @@ static const struct asked {
     { "normals, too", true, true },
 };
 
-static void put_lines(const struct camera *camera,
-                      struct scene_line list[LINES])
+static void put_lines(const struct camera *camera, struct scene_line list[LINES])
 {
     for (size_t i = 0; i < LINES; i++) {
         double u = ((double)(i % ACROSS) + .5) / ACROSS - .5;
@@ -44,8 +43,7 @@ static void put_lines(const struct camera *camera,
 /* Clocks a line. */
 static double follow(const struct scene *scene, const c205_model *model,
                      enum trace_mode mode, const struct asked *what,
-                     const struct scene_line list[LINES],
-                     struct seen_crossings *found)
+                     const struct scene_line list[LINES], struct seen_crossings *found)
 {
     const struct lines_options options = { .mode = mode,
                                            .queue = TRACE_QUEUE,
@@ -61,8 +59,7 @@ static double follow(const struct scene *scene, const c205_model *model,
     return (double)found->accounts.clocks / LINES;
 }
 
-static bool are_same(const struct seen_crossings *a,
-                     const struct seen_crossings *b)
+static bool are_same(const struct seen_crossings *a, const struct seen_crossings *b)
 {
     bool same = a->first[LINES] == b->first[LINES];
 
@@ -97,10 +94,9 @@ int main(int count, char **paths)
 
     if (!model)
         stop_bench(error.message);
-    printf("%-38s %15s %9s %9s %8s\n", "", "crossings", "scalar,", "vector,",
-           "");
-    printf("%-24s %-13s %15s %9s %9s %8s\n", "scene", "asked", "a line",
-           "clocks", "clocks", "speedup");
+    printf("%-38s %15s %9s %9s %8s\n", "", "crossings", "scalar,", "vector,", "");
+    printf("%-24s %-13s %15s %9s %9s %8s\n", "scene", "asked", "a line", "clocks",
+           "clocks", "speedup");
     for (int i = 1; i < count; i++) {
         struct scene *scene = scene_to_time(paths[i], ACROSS, DOWN);
 

@@ -123,8 +123,7 @@ static const struct bench {
     loop *doubles; /* NULL: counted in instructions */
 } benches[] = {
     { "add, 64 bits, n = 2,000", VECTOR_PROGRAM("ADDNV"), add_doubles },
-    { "multiply, 64 bits, n = 2,000", VECTOR_PROGRAM("MPYSV"),
-      multiply_doubles },
+    { "multiply, 64 bits, n = 2,000", VECTOR_PROGRAM("MPYSV"), multiply_doubles },
     { "scalar, a loop with a call", scalar_program, NULL },
 };
 
@@ -137,31 +136,26 @@ static const struct table_column columns[] = {
     { "times_the_machine", "x 50 MHz", TABLE_NUMBER, 1 },
 };
 
-static void add_row(struct table *table, const struct bench *bench,
-                    const c205 *machine, double seconds)
+static void add_row(struct table *table, const struct bench *bench, const c205 *machine,
+                    double seconds)
 {
     const c205_account *account = c205_account_at(machine, 0);
-    double period =
-        c205_model_lookup(c205_machine_model(machine), "clock.period")->value;
+    double period = c205_model_lookup(c205_machine_model(machine), "clock.period")
+                        ->value;
     double rate = (double)c205_clock(machine) / seconds;
     bool vector = bench->doubles != NULL;
     table_text(table, bench->name);
-    table_number(table,
-                 vector ? seconds / (double)account->elements * 1e9 : NAN);
+    table_number(table, vector ? seconds / (double)account->elements * 1e9 : NAN);
     table_number(table, vector ? time_doubles(bench->doubles) * 1e9 : NAN);
-    table_number(table, vector
-                            ? NAN
-                            : (double)account->instructions / seconds / 1e6);
+    table_number(table, vector ? NAN : (double)account->instructions / seconds / 1e6);
     table_number(table, rate / 1e6);
     table_number(table, rate * period / 1e9);
 }
 
-static void run_bench(struct table *table, const struct bench *bench,
-                      c205 *machine)
+static void run_bench(struct table *table, const struct bench *bench, c205 *machine)
 {
     struct object *object = program_to_time(bench->program);
-    add_row(table, bench, machine,
-            time_program(machine, &object->program, trials));
+    add_row(table, bench, machine, time_program(machine, &object->program, trials));
     object_free(object);
 }
 
@@ -171,8 +165,7 @@ int main(int count, char **words)
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;
-    struct table *table = table_new(columns,
-                                    sizeof columns / sizeof *columns);
+    struct table *table = table_new(columns, sizeof columns / sizeof *columns);
     if (!machine || !table) {
         stop_bench(machine ? "no memory" : error.message);
     }

@@ -39,8 +39,8 @@ static size_t count_taken(struct load *load, size_t more)
 }
 
 /* Rank 0's own thread keeps out of it, with the last unit of all. */
-static bool run_unit(void *context, size_t job, size_t unit,
-                     struct unit_words *words, c205_error *error)
+static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *words,
+                     c205_error *error)
 {
     struct load *load = context;
     struct ranks_pause pause = { 0 };
@@ -68,11 +68,9 @@ int main(int argc, char **argv)
     struct ranks ranks = { .adapter = NULL };
     struct farm farm = { .ranks = &ranks };
     struct load load = { .ranks = &ranks, .lock = PTHREAD_MUTEX_INITIALIZER };
-    struct farm_work work = { .farm = &farm,
-                              .jobs = 1,
-                              .run = run_unit,
-                              .take = take_unit,
-                              .context = &load };
+    struct farm_work work = {
+        .farm = &farm, .jobs = 1, .run = run_unit, .take = take_unit, .context = &load
+    };
     c205_error error = { "usage: mpirun -n RANKS bench_ranks UNITS WORDS" };
     double began, worked;
     bool good;
@@ -88,8 +86,7 @@ int main(int argc, char **argv)
     worked = now(CLOCK_PROCESS_CPUTIME_ID);
     good = farm_run(&work, &error);
     if (ranks.rank == 0 && good)
-        printf("%.3e %.3e\n",
-               (now(CLOCK_MONOTONIC) - began) / (double)work.count,
+        printf("%.3e %.3e\n", (now(CLOCK_MONOTONIC) - began) / (double)work.count,
                (now(CLOCK_PROCESS_CPUTIME_ID) - worked) / (double)work.count);
     ranks_leave(&ranks, good ? NULL : error.message);
     return good ? 0 : 1;

@@ -101,8 +101,7 @@ static const struct table_column columns[] = {
     { "n_2000", "2000", TABLE_NUMBER, 1 },
 };
 
-static struct object *assemble(const char *instruction, size_t n,
-                               size_t turns)
+static struct object *assemble(const char *instruction, size_t n, size_t turns)
 {
     char text[2 * sizeof program_text];
 
@@ -142,8 +141,7 @@ int main(int count, char **words)
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
     c205 *machine = model ? c205_new(model, &error) : NULL;
-    struct table *table = table_new(columns,
-                                    sizeof columns / sizeof *columns);
+    struct table *table = table_new(columns, sizeof columns / sizeof *columns);
 
     if (!machine || !table)
         stop_bench(machine ? "no memory" : error.message);
@@ -152,8 +150,7 @@ int main(int count, char **words)
             continue;
         name_row(table, instructions[i]);
         for (size_t k = 0; k < LENGTHS; k++)
-            table_number(table,
-                         nanoseconds(machine, instructions[i], lengths[k]));
+            table_number(table, nanoseconds(machine, instructions[i], lengths[k]));
     }
     table_print(table, stdout);
     table_free(table);

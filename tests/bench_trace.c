@@ -28,13 +28,12 @@ static bool time_trace(struct trace *trace, c205_error *error)
     if (!trace_run(trace, error))
         return false;
     printf("%.4f %.4f %llu %ld\n", processor_seconds() - processor,
-           wall_seconds() - begin,
-           (unsigned long long)trace_accounts(trace)->clocks, kilobytes());
+           wall_seconds() - begin, (unsigned long long)trace_accounts(trace)->clocks,
+           kilobytes());
     return true;
 }
 
-static bool trace_scene(const struct scene *scene,
-                        const struct trace_options *options)
+static bool trace_scene(const struct scene *scene, const struct trace_options *options)
 {
     c205_error error = { "no memory" };
     struct trace *trace = trace_new(scene, options, &error);

@@ -16,8 +16,7 @@ static inline uint64_t xorshift(uint64_t *state)
 }
 
 /* low .. high, both included */
-static inline int64_t xorshift_between(uint64_t *state, int64_t low,
-                                       int64_t high)
+static inline int64_t xorshift_between(uint64_t *state, int64_t low, int64_t high)
 {
     return low + (int64_t)(xorshift(state) % (uint64_t)(high - low + 1));
 }
@@ -33,16 +32,14 @@ static inline c205_word xorshift_normalised_of(word_format f, uint64_t *state,
 {
     int32_t exponent = (int32_t)xorshift_between(state, low, high);
     uint64_t random = xorshift(state);
-    int64_t c = (int64_t)(random >> (65 - f.digits)
-                          | UINT64_C(1) << (f.digits - 1));
+    int64_t c = (int64_t)(random >> (65 - f.digits) | UINT64_C(1) << (f.digits - 1));
 
     return format_make(f, exponent, random & 1 ? c : ~c);
 }
 
 /* An unnormalised number: up to all significant bits but one. */
-static inline c205_word xorshift_unnormalised_of(word_format f,
-                                                 uint64_t *state, int32_t low,
-                                                 int32_t high)
+static inline c205_word xorshift_unnormalised_of(word_format f, uint64_t *state,
+                                                 int32_t low, int32_t high)
 {
     int32_t exponent = (int32_t)xorshift_between(state, low, high);
     int places = (int)xorshift_between(state, 64 - f.digits, 63);
@@ -50,8 +47,7 @@ static inline c205_word xorshift_unnormalised_of(word_format f,
     return format_make(f, exponent, (int64_t)xorshift(state) >> places);
 }
 
-static inline c205_word xorshift_normalised(uint64_t *state, int32_t low,
-                                            int32_t high)
+static inline c205_word xorshift_normalised(uint64_t *state, int32_t low, int32_t high)
 {
     return xorshift_normalised_of(whole_words, state, low, high);
 }

@@ -49,9 +49,9 @@ struct object *program_to_time(const char *text)
 
 struct scene *scene_to_time(const char *path, int width, int height)
 {
-    const struct scene_options options = {
-        .width = width, .height = height, .read_raster = picture_read_raster
-    };
+    const struct scene_options options = { .width = width,
+                                           .height = height,
+                                           .read_raster = picture_read_raster };
     struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(path, &options, &reports);
 

@@ -7,14 +7,12 @@
 enum { STRING_BITS = C205_MAX_LENGTH + 1, STRING_WORDS = STRING_BITS / 64 };
 
 /* A string that is too short continues with zeros. */
-static void read_string(const struct c205 *machine,
-                        const struct vector *string, size_t first, size_t n,
-                        uint64_t *bits)
+static void read_string(const struct c205 *machine, const struct vector *string,
+                        size_t first, size_t n, uint64_t *bits)
 {
     size_t left = first < string->length ? string->length - first : 0;
     size_t in_memory = left < n ? left : n;
-    memory_read_bits(&machine->memory, vector_at(string, first), bits,
-                     in_memory);
+    memory_read_bits(&machine->memory, vector_at(string, first), bits, in_memory);
     for (size_t i = (in_memory + 63) / 64; i < (n + 63) / 64; i++)
         bits[i] = 0;
 }
@@ -40,8 +38,7 @@ static c205_trap run_strings(struct c205 *machine, const struct vector *a,
 
 /* False: it is not simple (direct.h).  A result may be upon a source if it is
  * the same string. */
-static bool strings_directly(struct c205 *machine,
-                             const struct decoded *decoded)
+static bool strings_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], b = machine->slot[decoded->b];
     c205_word c = machine->slot[decoded->fields.c];
@@ -60,8 +57,7 @@ static bool strings_directly(struct c205 *machine,
         || (LOW(a) != LOW(c)
             && direct_meets(to.word, bytes, from.word, direct_bytes(from, n)))
         || (LOW(b) != LOW(c)
-            && direct_meets(to.word, bytes, other.word,
-                            direct_bytes(other, n))))
+            && direct_meets(to.word, bytes, other.word, direct_bytes(other, n))))
         return false;
     for (size_t first = 0, some; first < n; first += some) {
         some = least(n - first, CHUNK);
@@ -139,8 +135,7 @@ static void merge_bits(struct bit_choice *choice, size_t first, size_t n,
     read_string(choice->machine, &choice->a, choice->next_a, count, a);
     read_string(choice->machine, &choice->b, choice->next_b, n - count, b);
     for (size_t i = 0; i < n; i++)
-        set_bit(bits, i,
-                bit_at(from_a, i) ? bit_at(a, at_a++) : bit_at(b, at_b++));
+        set_bit(bits, i, bit_at(from_a, i) ? bit_at(a, at_a++) : bit_at(b, at_b++));
     choice->next_a += count;
     choice->next_b += n - count;
 }
@@ -178,8 +173,7 @@ static c205_trap choose(struct c205 *machine, const struct decoded *decoded,
     if (trap != C205_TRAP_NONE)
         return trap;
     machine->effect.elements = c->length;
-    bool apart = !operands_overlap(&choice.a, c)
-                 && !operands_overlap(&choice.b, c)
+    bool apart = !operands_overlap(&choice.a, c) && !operands_overlap(&choice.b, c)
                  && !operands_overlap(&choice.control.vector, c);
     size_t chunk = apart ? STRING_BITS : 1;
     struct turn turn = machine_turn(machine, c->length, machine->allowed);
@@ -197,14 +191,12 @@ static c205_trap choose(struct c205 *machine, const struct decoded *decoded,
     return trap;
 }
 
-c205_trap execute_bits_mask(struct c205 *machine,
-                            const struct decoded *decoded)
+c205_trap execute_bits_mask(struct c205 *machine, const struct decoded *decoded)
 {
     return choose(machine, decoded, mask_bits);
 }
 
-c205_trap execute_bits_merge(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_bits_merge(struct c205 *machine, const struct decoded *decoded)
 {
     return choose(machine, decoded, merge_bits);
 }
@@ -250,8 +242,7 @@ static c205_trap claim_sieve(struct bit_sieve *sieve, bool ahead)
     sieve->c.length = sieve->n;
     if (ahead)
         sieve->c.length = sieve->kept
-                          + keep_bits(sieve, turn->first,
-                                      turn->n - turn->first, kept);
+                          + keep_bits(sieve, turn->first, turn->n - turn->first, kept);
     trap = claim_vector(machine, &sieve->c, sieve->c.length, true);
     machine->effect.touch_count = touches;
     return trap;
@@ -265,8 +256,7 @@ static c205_trap store_kept(struct bit_sieve *sieve, size_t chunk)
     for (size_t first = turn->first, n; first < turn->end; first += n) {
         n = least(turn->end - first, chunk);
         size_t count = keep_bits(sieve, first, n, bits);
-        memory_write_bits(memory, vector_at(&sieve->c, sieve->kept), bits,
-                          count);
+        memory_write_bits(memory, vector_at(&sieve->c, sieve->kept), bits, count);
         sieve->kept += count;
     }
     c205_trap trap = machine_end_turn(sieve->machine, turn);
@@ -275,12 +265,10 @@ static c205_trap store_kept(struct bit_sieve *sieve, size_t chunk)
     return trap;
 }
 
-c205_trap execute_bits_compress(struct c205 *machine,
-                                const struct decoded *decoded)
+c205_trap execute_bits_compress(struct c205 *machine, const struct decoded *decoded)
 {
     struct bit_sieve sieve = { .machine = machine };
-    c205_trap trap = describe_string(&sieve.a, machine, decoded->a,
-                                     decoded->x);
+    c205_trap trap = describe_string(&sieve.a, machine, decoded->a, decoded->x);
     if (trap == C205_TRAP_NONE)
         trap = describe_result(&sieve.c, &sieve.control, machine, decoded);
     if (trap != C205_TRAP_NONE)
@@ -306,8 +294,7 @@ c205_trap execute_bits_compress(struct c205 *machine,
 /* ---- Repeated masks ---------------------------------------------------- */
 
 /* Groups of S bits, of which the first R are as told and the others not. */
-static c205_trap repeat(struct c205 *machine, const struct decoded *decoded,
-                        bool first)
+static c205_trap repeat(struct c205 *machine, const struct decoded *decoded, bool first)
 {
     struct vector c = describe_bits(machine->slot[decoded->c]);
     int64_t many = c205_to_integer(machine->slot[decoded->a]);
@@ -327,14 +314,12 @@ static c205_trap repeat(struct c205 *machine, const struct decoded *decoded,
     return machine_end_turn(machine, &turn);
 }
 
-c205_trap execute_bits_repeat_zeros(struct c205 *machine,
-                                    const struct decoded *decoded)
+c205_trap execute_bits_repeat_zeros(struct c205 *machine, const struct decoded *decoded)
 {
     return repeat(machine, decoded, false);
 }
 
-c205_trap execute_bits_repeat_ones(struct c205 *machine,
-                                   const struct decoded *decoded)
+c205_trap execute_bits_repeat_ones(struct c205 *machine, const struct decoded *decoded)
 {
     return repeat(machine, decoded, true);
 }
@@ -353,8 +338,8 @@ typedef size_t count(const uint64_t *bits, size_t n);
 
 /* Nothing is stored before the end, so that what was counted when the
  * instruction was interrupted may be counted again. */
-static c205_trap count_string(struct c205 *machine,
-                              const struct decoded *decoded, count *counted)
+static c205_trap count_string(struct c205 *machine, const struct decoded *decoded,
+                              count *counted)
 {
     struct vector string = describe_bits(machine->slot[decoded->a]);
     struct turn turn = machine_turn(machine, string.length, machine->allowed);
@@ -370,14 +355,12 @@ static c205_trap count_string(struct c205 *machine,
     return C205_TRAP_NONE;
 }
 
-c205_trap execute_bits_leading(struct c205 *machine,
-                               const struct decoded *decoded)
+c205_trap execute_bits_leading(struct c205 *machine, const struct decoded *decoded)
 {
     return count_string(machine, decoded, leading_alike);
 }
 
-c205_trap execute_bits_count(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_bits_count(struct c205 *machine, const struct decoded *decoded)
 {
     return count_string(machine, decoded, count_ones);
 }

@@ -24,15 +24,14 @@ static bool asks_for_the_time(const struct decoded *decoded)
 static bool goes_by_itself(const struct decoded *decoded)
 {
     c205_timing timing = decoded->insn->timing;
-    return c205_unit_is_vector(decoded->insn->unit)
-           || timing == C205_TIMING_monitor || asks_for_the_time(decoded);
+    return c205_unit_is_vector(decoded->insn->unit) || timing == C205_TIMING_monitor
+           || asks_for_the_time(decoded);
 }
 
 /* What stands behind other branches may be no code, and where a program has
  * stored on what was decoded, behind any.  What SWAP costs depends on its
  * operands, so that it is the last one. */
-static bool may_go_on(const struct c205 *machine,
-                      const struct decoded *decoded)
+static bool may_go_on(const struct c205 *machine, const struct decoded *decoded)
 {
     const c205_fields *fields = &decoded->fields;
     if (decoded->insn->timing == C205_TIMING_swap)
@@ -60,8 +59,7 @@ struct blocks *blocks_new(void)
 
 static void make_room(struct blocks *blocks)
 {
-    if (blocks->count < BLOCKS
-        && blocks->decoded_count + BLOCK_INSNS <= BLOCK_DECODED)
+    if (blocks->count < BLOCKS && blocks->decoded_count + BLOCK_INSNS <= BLOCK_DECODED)
         return;
     forget_all(blocks);
 }

@@ -45,8 +45,7 @@ struct blocks {
 /* NULL: no memory; the caller frees them.  What is not yet used is not cleared. */
 struct blocks *blocks_new(void);
 
-static inline struct code_block **block_place(struct blocks *blocks,
-                                              uint64_t pc)
+static inline struct code_block **block_place(struct blocks *blocks, uint64_t pc)
 {
     return &blocks->at[pc / INSTRUCTION_STEP % BLOCK_PLACES];
 }

@@ -6,8 +6,7 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
 {
     target = LOW(target);
     if (target % INSTRUCTION_STEP)
-        return machine_fault(machine,
-                             machine_refuse(machine, RULE_ALIGNED_CODE),
+        return machine_fault(machine, machine_refuse(machine, RULE_ALIGNED_CODE),
                              target);
     machine->effect.taken = machine->effect.ends = true;
     machine->effect.target = target;
@@ -39,15 +38,12 @@ static c205_trap go_to(struct c205 *machine, uint64_t target)
 #include "vm/arith.def"
 
 /* T + 32 S */
-static uint64_t item_target(const struct c205 *machine,
-                            const struct decoded *decoded)
+static uint64_t item_target(const struct c205 *machine, const struct decoded *decoded)
 {
-    return machine->slot[decoded->c]
-           + machine->slot[decoded->b] * INSTRUCTION_STEP;
+    return machine->slot[decoded->c] + machine->slot[decoded->b] * INSTRUCTION_STEP;
 }
 
-static c205_trap count_and_branch(struct c205 *machine,
-                                  const struct decoded *decoded,
+static c205_trap count_and_branch(struct c205 *machine, const struct decoded *decoded,
                                   uint64_t step)
 {
     c205_word count = machine->slot[decoded->a];
@@ -61,20 +57,17 @@ static c205_trap count_and_branch(struct c205 *machine,
     return trap;
 }
 
-c205_trap execute_increase_branch(struct c205 *machine,
-                                  const struct decoded *decoded)
+c205_trap execute_increase_branch(struct c205 *machine, const struct decoded *decoded)
 {
     return count_and_branch(machine, decoded, 1);
 }
 
-c205_trap execute_decrease_branch(struct c205 *machine,
-                                  const struct decoded *decoded)
+c205_trap execute_decrease_branch(struct c205 *machine, const struct decoded *decoded)
 {
     return count_and_branch(machine, decoded, UINT64_MAX);
 }
 
-c205_trap execute_branch_save(struct c205 *machine,
-                              const struct decoded *decoded)
+c205_trap execute_branch_save(struct c205 *machine, const struct decoded *decoded)
 {
     c205_trap trap = go_to(machine, item_target(machine, decoded));
     if (trap == C205_TRAP_NONE)
@@ -82,11 +75,10 @@ c205_trap execute_branch_save(struct c205 *machine,
     return trap;
 }
 
-c205_trap execute_branch_immediate(struct c205 *machine,
-                                   const struct decoded *decoded)
+c205_trap execute_branch_immediate(struct c205 *machine, const struct decoded *decoded)
 {
-    return go_to(machine, (uint64_t)decoded->fields.immediate
-                              + machine->slot[decoded->a]);
+    return go_to(machine,
+                 (uint64_t)decoded->fields.immediate + machine->slot[decoded->a]);
 }
 
 /* ---- Branch on a bit and alter it -------------------------------------- */
@@ -102,8 +94,7 @@ static const bool altered[4][2] = {
     { false, true }, { true, false }, { false, false }, { true, true }
 };
 
-static c205_trap branch_and_alter(struct c205 *machine,
-                                  const struct decoded *decoded,
+static c205_trap branch_and_alter(struct c205 *machine, const struct decoded *decoded,
                                   c205_word *word, uint64_t number)
 {
     int64_t how = decoded->fields.immediate;
@@ -114,8 +105,7 @@ static c205_trap branch_and_alter(struct c205 *machine,
         trap = go_to(machine, machine->slot[decoded->c]);
     if (trap != C205_TRAP_NONE)
         return trap;
-    *word = altered[how & ALTERATION_MASK][bit] ? *word | mask
-                                                : *word & ~mask;
+    *word = altered[how & ALTERATION_MASK][bit] ? *word | mask : *word & ~mask;
     return C205_TRAP_NONE;
 }
 
@@ -130,8 +120,7 @@ c205_trap execute_alter_register_bit(struct c205 *machine,
     return trap;
 }
 
-c205_trap execute_alter_flag(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_alter_flag(struct c205 *machine, const struct decoded *decoded)
 {
     uint64_t flags = machine_flags(machine);
     c205_trap trap = branch_and_alter(machine, decoded, &flags,
@@ -142,17 +131,14 @@ c205_trap execute_alter_flag(struct c205 *machine,
 }
 
 /* A bit that is left as it is may be in memory that may only be read. */
-c205_trap execute_alter_memory_bit(struct c205 *machine,
-                                   const struct decoded *decoded)
+c205_trap execute_alter_memory_bit(struct c205 *machine, const struct decoded *decoded)
 {
     struct memory *memory = &machine->memory;
-    uint64_t address = LOW(machine->slot[decoded->a]
-                           + machine->slot[decoded->b]);
+    uint64_t address = LOW(machine->slot[decoded->a] + machine->slot[decoded->b]);
     uint64_t place = address - address % WORD_BITS;
     bool alters = decoded->fields.immediate & ALTERATION_MASK;
     c205_word word = 0;
-    c205_trap trap = memory_check(memory, address, 1, alters,
-                                  &machine->fault);
+    c205_trap trap = memory_check(memory, address, 1, alters, &machine->fault);
     if (trap != C205_TRAP_NONE)
         return trap;
     memory_read_words(memory, place, &word, 1);
@@ -166,16 +152,13 @@ c205_trap execute_alter_memory_bit(struct c205 *machine,
 
 /* ---- Targets by distance, or (Y) + (B) --------------------------------- */
 
-static c205_trap go_to_near(struct c205 *machine,
-                            const struct decoded *decoded)
+static c205_trap go_to_near(struct c205 *machine, const struct decoded *decoded)
 {
     const c205_fields *fields = &decoded->fields;
     if (fields->g & C205_G_RELATIVE)
         return go_to(machine,
-                     decoded->pc
-                         + (uint64_t)fields->immediate * INSTRUCTION_STEP);
-    return go_to(machine,
-                 machine->slot[decoded->y] + machine->slot[decoded->b]);
+                     decoded->pc + (uint64_t)fields->immediate * INSTRUCTION_STEP);
+    return go_to(machine, machine->slot[decoded->y] + machine->slot[decoded->b]);
 }
 
 #define INDEX_BRANCH_IF(name, comparison) \
@@ -183,8 +166,7 @@ static c205_trap go_to_near(struct c205 *machine,
     { \
         uint64_t sum = LOW(machine->slot[d->a] + machine->slot[d->x]); \
         c205_trap trap = C205_TRAP_NONE; \
-        if (word_coefficient(sum) \
-                comparison word_coefficient(machine->slot[d->z])) \
+        if (word_coefficient(sum) comparison word_coefficient(machine->slot[d->z])) \
             trap = go_to_near(machine, d); \
         if (trap == C205_TRAP_NONE) \
             machine->slot[d->c] = sum; \
@@ -227,20 +209,16 @@ FLOAT_BRANCH_IF(float_branch_greater, greater)
  * vector.  0 ends, 1-3 print R, 4 bytes, 5 a newline, 6 words, 7 bits. */
 static const unsigned request_width[REQUESTS] = { 0, 0, 0, 0, 8, 0, 64, 1 };
 
-static c205_trap check_request(struct c205 *machine, unsigned request,
-                               c205_word r)
+static c205_trap check_request(struct c205 *machine, unsigned request, c205_word r)
 {
     uint64_t bits = (r >> LENGTH_SHIFT) * request_width[request];
     if (bits > 0 && LOW(r) % request_width[request])
-        return machine_fault(machine,
-                             machine_refuse(machine, RULE_ALIGNED_BYTES),
+        return machine_fault(machine, machine_refuse(machine, RULE_ALIGNED_BYTES),
                              LOW(r));
-    return memory_check(&machine->memory, LOW(r), bits, false,
-                        &machine->fault);
+    return memory_check(&machine->memory, LOW(r), bits, false, &machine->fault);
 }
 
-c205_trap execute_monitor_request(struct c205 *machine,
-                                  const struct decoded *decoded)
+c205_trap execute_monitor_request(struct c205 *machine, const struct decoded *decoded)
 {
     uint64_t request = (uint64_t)decoded->fields.immediate;
     if (request >= REQUESTS)

@@ -199,7 +199,7 @@ unsigned c205_operation_flops(c205_operation operation);
 typedef struct c205_fields {
     uint8_t f, g, x, a, y, b, z, c; /* VECTOR and its kin, INDEX, FLOAT */
     uint8_t r, s, t;                /* register formats */
-    int64_t immediate; /* I8 .. I48, or the branch distance in halves */
+    int64_t immediate;              /* I8 .. I48, or the branch distance in halves */
 } c205_fields;
 
 /* Take an instruction apart and put it together.  A short instruction lies
@@ -248,15 +248,14 @@ const char *c205_plain_text(char *text, size_t *length);
  * The model is read once and not changed afterwards. */
 c205_model *c205_model_find(const char *name, c205_error *error);
 bool c205_model_is_file(const char *name); /* the name is that of a file */
-c205_model *c205_model_parse(const char *name, const char *text,
-                             c205_error *error);
+c205_model *c205_model_parse(const char *name, const char *text, c205_error *error);
 /* The same for who shows the line: the error's message is without its place,
  * which is told apart; line 0: of no line. */
 typedef struct c205_place {
     unsigned line, column; /* from 1 */
 } c205_place;
-c205_model *c205_model_read(const char *name, const char *text,
-                            c205_place *place, c205_error *error);
+c205_model *c205_model_read(const char *name, const char *text, c205_place *place,
+                            c205_error *error);
 void c205_model_free(c205_model *model);
 
 const char *c205_model_name(const c205_model *model);
@@ -269,8 +268,7 @@ bool c205_model_is_projection(const c205_model *model);
 size_t c205_model_size(const c205_model *model);
 const c205_constant *c205_model_constant(const c205_model *model, size_t i);
 /* NULL: no such constant. */
-const c205_constant *c205_model_lookup(const c205_model *model,
-                                       const char *name);
+const c205_constant *c205_model_lookup(const c205_model *model, const char *name);
 /* The model whose constants it took over, or NULL. */
 const c205_model *c205_model_like(const c205_model *model);
 
@@ -285,9 +283,8 @@ typedef struct c205_setting {
  * and it was fitted to nothing and compared with nothing.  It borrows the
  * texts of the model, which must outlive it.  NULL: there is no such constant,
  * or it cannot have that value. */
-c205_model *c205_model_change(const c205_model *model,
-                              const c205_setting *settings, size_t count,
-                              c205_error *error);
+c205_model *c205_model_change(const c205_model *model, const c205_setting *settings,
+                              size_t count, c205_error *error);
 /* Names of the built-in models, NULL at the end. */
 const char *const *c205_model_names(void);
 
@@ -360,10 +357,10 @@ const char *c205_trap_name(c205_trap trap); /* "undefined-instruction" .. */
 
 /* How a run ended. */
 typedef struct c205_stop {
-    c205_trap trap;   /* NONE: the program ended itself with EXIT */
-    uint64_t pc;      /* bit address of the instruction that stopped */
-    uint64_t address; /* the operand address at fault, or 0 */
-    const char *rule; /* the one that was broken, a sentence; NULL: none */
+    c205_trap trap;        /* NONE: the program ended itself with EXIT */
+    uint64_t pc;           /* bit address of the instruction that stopped */
+    uint64_t address;      /* the operand address at fault, or 0 */
+    const char *rule;      /* the one that was broken, a sentence; NULL: none */
     const c205_insn *insn; /* NULL: undefined */
     int64_t status;        /* operand R of EXIT */
 } c205_stop;
@@ -399,10 +396,10 @@ typedef enum c205_wait {
     C205_WAIT_REGISTER, /* its number: a source that was not ready, or a result
                            on its way */
     C205_WAIT_UNIT,     /* its number, of c205_unit: it was busy */
-    C205_WAIT_LOADS,   /* all that were in flight, or the oldest of as many as
+    C205_WAIT_LOADS,    /* all that were in flight, or the oldest of as many as
                            there can be */
-    C205_WAIT_RESULTS, /* all that were in flight */
-    C205_WAIT_VECTOR,  /* the vector unit was busy */
+    C205_WAIT_RESULTS,  /* all that were in flight */
+    C205_WAIT_VECTOR,   /* the vector unit was busy */
     C205_WAITS
 } c205_wait;
 
@@ -410,8 +407,7 @@ typedef struct c205_piece {
     uint64_t clocks;
     c205_cause cause;
     size_t region; /* whose account they are in */
-    uint64_t
-        pc; /* the instruction whose work it is: a vector instruction goes
+    uint64_t pc;   /* the instruction whose work it is: a vector instruction goes
                       on while others wait */
     c205_wait wait;
     unsigned number; /* .. of what, or 0 */
@@ -424,15 +420,13 @@ typedef struct c205_piece {
 enum { C205_PIECES = 40, C205_PHASES = 5 };
 typedef struct c205_times {
     uint64_t pc;
-    uint64_t arrived; /* the clock before it */
-    uint64_t issued;  /* at which it issued */
-    uint64_t ready;   /* at which its results are */
-    uint64_t
-        unit_free; /* .. its unit takes the next one: of a vector instruction,
+    uint64_t arrived;   /* the clock before it */
+    uint64_t issued;    /* at which it issued */
+    uint64_t ready;     /* at which its results are */
+    uint64_t unit_free; /* .. its unit takes the next one: of a vector instruction,
                            one whose start-up does not overlap */
-    uint64_t
-        misses; /* pages that the associative registers did not know .. */
-    uint64_t faults; /* .. and of them those that were not in memory */
+    uint64_t misses;    /* pages that the associative registers did not know .. */
+    uint64_t faults;    /* .. and of them those that were not in memory */
     size_t piece_count, phase_count;
     c205_piece piece[C205_PIECES];
     struct {
@@ -453,8 +447,8 @@ typedef struct c205_event {
                                   the end or at a trap pieces alone; NULL: there is
                                   nothing to tell */
     size_t elements;          /* vector length, 0 for scalar instructions */
-    size_t recurrent; /* those that waited for an earlier one's result */
-    bool taken;       /* branches */
+    size_t recurrent;         /* those that waited for an earlier one's result */
+    bool taken;               /* branches */
     /* What it changed: registers that it wrote, register r as bit r % 64 of word
      * r / 64; and ranges of memory that it stored into: with a control vector into
      * parts of them, by a list of indices into parts of the least range that has
@@ -468,8 +462,7 @@ typedef struct c205_event {
     c205_trap trap;
 } c205_event;
 
-typedef void c205_listener(void *context, const c205 *machine,
-                           const c205_event *event);
+typedef void c205_listener(void *context, const c205 *machine, const c205_event *event);
 
 c205 *c205_new(const c205_model *model, c205_error *error);
 void c205_free(c205 *machine);
@@ -486,8 +479,8 @@ typedef enum c205_access {
 } c205_access;
 /* Map the pages that hold words words from a bit address on, zeroed where
  * they were not mapped before. */
-bool c205_map(c205 *machine, uint64_t address, size_t words,
-              c205_access access, c205_error *error);
+bool c205_map(c205 *machine, uint64_t address, size_t words, c205_access access,
+              c205_error *error);
 
 /* Words that machines have in common, in any threads: a page is copied before the first
  * of them writes there, for that machine.  They must stay as long as any of these runs or is
@@ -497,8 +490,8 @@ typedef struct c205_shared c205_shared;
 c205_shared *c205_shared_new(const c205_word *words, size_t count);
 void c205_shared_free(c205_shared *shared);
 /* From the address of a page on; no page must be mapped there. */
-bool c205_map_shared(c205 *machine, uint64_t address,
-                     const c205_shared *shared, c205_error *error);
+bool c205_map_shared(c205 *machine, uint64_t address, const c205_shared *shared,
+                     c205_error *error);
 
 /* The first mapped page from an address on, whether it may be written, and whether a page
  * that is mapped when it is touched was; false: there is none. */
@@ -515,10 +508,8 @@ void c205_warm(c205 *machine);
 
 /* Copy between the host and the machine's memory; costs no clocks.  Fails
  * without effect where a page is not mapped. */
-bool c205_read(const c205 *machine, uint64_t address, c205_word *words,
-               size_t count);
-bool c205_write(c205 *machine, uint64_t address, const c205_word *words,
-                size_t count);
+bool c205_read(const c205 *machine, uint64_t address, c205_word *words, size_t count);
+bool c205_write(c205 *machine, uint64_t address, const c205_word *words, size_t count);
 
 /* Run until the program ends, a trap, or the clock has reached limit: between
  * two instructions, or in the middle of a vector instruction, whose first
@@ -535,8 +526,7 @@ bool c205_step(c205 *machine, c205_stop *stop);
 c205_stop c205_run_steps(c205 *machine, uint64_t count, uint64_t limit);
 /* "trap unmapped-address at 1000: ADDNV: address 2040: no memory is mapped
  * there" */
-void c205_describe_stop(const c205 *machine, const c205_stop *stop,
-                        c205_error *text);
+void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *text);
 
 c205_word c205_register(const c205 *machine, unsigned number);
 void c205_set_register(c205 *machine, unsigned number, c205_word word);
@@ -596,17 +586,14 @@ bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set);
 typedef struct c205_projection c205_projection;
 
 /* The model must be a projection. */
-c205_projection *c205_projection_new(const c205_model *model,
-                                     c205_error *error);
+c205_projection *c205_projection_new(const c205_model *model, c205_error *error);
 void c205_projection_free(c205_projection *projection);
 /* The listener; its context is the projection. */
 c205_listener c205_project;
 /* Clocks of that machine for a region, as numbered in the accounts. */
-uint64_t c205_projected_clocks(const c205_projection *projection,
-                               size_t region);
+uint64_t c205_projected_clocks(const c205_projection *projection, size_t region);
 /* False: there were vector instructions, or memory ran out. */
-bool c205_projection_holds(const c205_projection *projection,
-                           c205_error *error);
+bool c205_projection_holds(const c205_projection *projection, c205_error *error);
 
 /* ---- What if (vm/time/recording.c) ---------------------------------
  *
@@ -658,8 +645,7 @@ typedef struct c205_history c205_history;
 /* The machine as it stands is step 0; it is the history's from then on.  Snapshots
  * take so many bytes at the most, but two are always kept, and those that c205_history_changed
  * made: with fewer of them it is farther to go.  NULL: no memory, and the machine remains the caller's. */
-c205_history *c205_history_new(c205 *machine, size_t budget,
-                               c205_error *error);
+c205_history *c205_history_new(c205 *machine, size_t budget, c205_error *error);
 void c205_history_free(c205_history *history);
 /* The machine at this step: after a way back it is another one, with the same
  * listeners. */
@@ -672,8 +658,7 @@ uint64_t c205_history_known(const c205_history *history);
 bool c205_history_forward(c205_history *history, c205_stop *stop);
 /* To a step before this one; of what is run again for that, listeners hear of the last
  * instruction alone.  False: no memory; the machine stays where it is. */
-bool c205_history_back(c205_history *history, uint64_t step,
-                       c205_error *error);
+bool c205_history_back(c205_history *history, uint64_t step, c205_error *error);
 /* Somebody has written registers or memory: from here on the run is another one.
  * False: no memory; the way back is that of before. */
 bool c205_history_changed(c205_history *history, c205_error *error);

@@ -8,8 +8,8 @@
 #include <string.h>
 
 static semantics *const functions[] = {
-#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, function, operation, provenance, effect) \
+#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, flags, \
+             function, operation, provenance, effect) \
     execute_##function,
 #include "vm/insn.def"
 };
@@ -17,8 +17,7 @@ static semantics *const functions[] = {
 /* ---- Fetch -------------------------------------------------------------- */
 
 /* An instruction that was interrupted is there already. */
-static c205_trap fetch_half(struct c205 *machine, uint64_t address,
-                            c205_word *half)
+static c205_trap fetch_half(struct c205 *machine, uint64_t address, c205_word *half)
 {
     uint64_t skip = address % WORD_BITS;
     c205_word word;
@@ -26,8 +25,7 @@ static c205_trap fetch_half(struct c205 *machine, uint64_t address,
         return C205_TRAP_NONE;
     c205_trap trap = address > ADDRESS_MASK
                          ? C205_TRAP_UNMAPPED_ADDRESS
-                         : memory_load(&machine->memory, address - skip,
-                                       &word);
+                         : memory_load(&machine->memory, address - skip, &word);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address & ADDRESS_MASK);
     memory_mark_code(&machine->memory, address);
@@ -36,13 +34,12 @@ static c205_trap fetch_half(struct c205 *machine, uint64_t address,
 }
 
 /* The word of the instruction, as c205_decode takes it. */
-static c205_trap fetch(struct c205 *machine, uint64_t pc,
-                       const c205_insn **insn, c205_word *word)
+static c205_trap fetch(struct c205 *machine, uint64_t pc, const c205_insn **insn,
+                       c205_word *word)
 {
     c205_word high, low = 0;
     if (pc % INSTRUCTION_STEP)
-        return machine_fault(machine,
-                             machine_refuse(machine, RULE_ALIGNED_CODE), pc);
+        return machine_fault(machine, machine_refuse(machine, RULE_ALIGNED_CODE), pc);
     c205_trap trap = fetch_half(machine, pc, &high);
     if (trap != C205_TRAP_NONE)
         return trap;
@@ -129,8 +126,7 @@ static uint8_t possible_g(const c205_insn *insn, const c205_fields *fields)
 static c205_trap check_coding(struct c205 *machine, const c205_insn *insn,
                               c205_word word, const c205_fields *fields)
 {
-    if (c205_encode(insn, fields) != word
-        || fields->g & ~possible_g(insn, fields))
+    if (c205_encode(insn, fields) != word || fields->g & ~possible_g(insn, fields))
         return machine_refuse(machine, RULE_CODING);
     if (has_letter(c205_format_syntax(insn->format), "!") && !fields->z)
         return machine_refuse(machine, RULE_CONTROL);
@@ -189,29 +185,25 @@ static uint8_t width_of(char letter)
 }
 
 /* A, B or C; R, S or T of the short formats. */
-static uint16_t bind_operand(struct decoded *decoded, unsigned operand,
-                             unsigned number, char letter, bool broadcast)
+static uint16_t bind_operand(struct decoded *decoded, unsigned operand, unsigned number,
+                             char letter, bool broadcast)
 {
     letter = sized(decoded, letter);
     decoded->width[operand] = width_of(letter);
-    if (is_one_of(letter, "FIWMP")
-        || (broadcast && is_one_of(letter, "VU"))) {
+    if (is_one_of(letter, "FIWMP") || (broadcast && is_one_of(letter, "VU"))) {
         bool right = number > 1 && number % 2;
         decoded->shift[operand] = right ? HALF_BITS : 0;
         number /= 2;
     }
-    return slot_of(decoded, number, (char)tolower((unsigned char)letter),
-                   broadcast);
+    return slot_of(decoded, number, (char)tolower((unsigned char)letter), broadcast);
 }
 
-static void bind_a(struct decoded *decoded, uint8_t number, char letter,
-                   bool broadcast)
+static void bind_a(struct decoded *decoded, uint8_t number, char letter, bool broadcast)
 {
     decoded->a = bind_operand(decoded, OPERAND_A, number, letter, broadcast);
 }
 
-static void bind_b(struct decoded *decoded, uint8_t number, char letter,
-                   bool broadcast)
+static void bind_b(struct decoded *decoded, uint8_t number, char letter, bool broadcast)
 {
     decoded->b = bind_operand(decoded, OPERAND_B, number, letter, broadcast);
 }
@@ -240,9 +232,7 @@ static void bind(struct decoded *decoded, char field, char letter)
     case 'C': bind_c(decoded, f->c, letter); break;
     case 'X': decoded->x = slot_of(decoded, f->x, letter, false); break;
     case 'Y': decoded->y = slot_of(decoded, f->y, letter, false); break;
-    case 'Z':
-        decoded->z = slot_of(decoded, f->z, sized(decoded, letter), false);
-        break;
+    case 'Z': decoded->z = slot_of(decoded, f->z, sized(decoded, letter), false); break;
     case 'a':
         bind_a(decoded, f->a, letter, f->g & C205_G_BROADCAST_A);
         decoded->x = slot_of(decoded, f->x, 'i', false);
@@ -315,8 +305,7 @@ c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded)
     decoded->pc = pc;
     decoded->version = machine->memory.code_changes;
     decoded->execute = functions[insn - c205_insns];
-    decoded->next = (pc + HALF_BITS * c205_format_halves(insn->format))
-                    & ADDRESS_MASK;
+    decoded->next = (pc + HALF_BITS * c205_format_halves(insn->format)) & ADDRESS_MASK;
     decoded->region = machine_region(machine, pc);
     decoded->flops = (uint8_t)c205_operation_flops(insn->operation);
     bind_all(decoded);
@@ -324,12 +313,10 @@ c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded)
     return C205_TRAP_NONE;
 }
 
-c205_trap decode_at(struct c205 *machine, uint64_t pc,
-                    const struct decoded **decoded)
+c205_trap decode_at(struct c205 *machine, uint64_t pc, const struct decoded **decoded)
 {
     const struct decoded *cached = decode_cached(machine->cache,
-                                                 machine->memory.code_changes,
-                                                 pc);
+                                                 machine->memory.code_changes, pc);
     c205_trap trap = C205_TRAP_NONE;
     if (!cached) {
         size_t i = decode_place(pc);
@@ -354,8 +341,7 @@ c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix)
             return machine_refuse(machine, RULE_PAIR);
         pc = entry->linked[i]->next;
     }
-    entry->flops = (uint8_t)(entry->linked[0]->flops
-                             + entry->linked[1]->flops);
+    entry->flops = (uint8_t)(entry->linked[0]->flops + entry->linked[1]->flops);
     entry->next = pc;
     return C205_TRAP_NONE;
 }

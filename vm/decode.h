@@ -13,21 +13,20 @@ enum { SLOT_MACHINE_ZERO = C205_REGISTERS, SLOT_SINK, SLOTS };
 
 struct c205;
 struct decoded;
-typedef c205_trap semantics(struct c205 *machine,
-                            const struct decoded *decoded);
+typedef c205_trap semantics(struct c205 *machine, const struct decoded *decoded);
 
 enum { DECODED_SOURCES = 10, DECODED_RESULTS = 3 };
 enum { OPERAND_A, OPERAND_B, OPERAND_C, OPERANDS };
 
 struct decoded {
     semantics *execute;
-    uint16_t a, b, c; /* slots; for short formats R, S, T */
-    uint16_t x, y, z; /* slots of offsets and control vector */
-    uint16_t index;   /* slot of the index of a maximum, a minimum */
+    uint16_t a, b, c;                 /* slots; for short formats R, S, T */
+    uint16_t x, y, z;                 /* slots of offsets and control vector */
+    uint16_t index;                   /* slot of the index of a maximum, a minimum */
     uint16_t result[DECODED_RESULTS]; /* slots written; register 0 is not
                                          counted but stands as SLOT_SINK */
     uint8_t width[OPERANDS];          /* of A, B, C: bits of an element */
-    uint8_t shift[OPERANDS]; /* bits of the slot left of a half register; 0
+    uint8_t shift[OPERANDS];          /* bits of the slot left of a half register; 0
                                 also for those of register 0 */
     uint8_t source_count, result_count;
     c205_fields fields; /* as written */
@@ -37,7 +36,7 @@ struct decoded {
     const c205_insn *insn;
     uint16_t source[DECODED_SOURCES]; /* slots read, register 0 left out */
     uint32_t region;
-    bool plain; /* a vector instruction of words without offsets and signs */
+    bool plain;       /* a vector instruction of words without offsets and signs */
     uint8_t flops;    /* of each element; of LINKV, those of the pair */
     uint64_t version; /* memory.code_changes when it was decoded */
     const struct decoded *linked[2]; /* LINKV: the pair */
@@ -55,8 +54,8 @@ enum { BLOCK_INSNS = 32, EFFECT_TOUCHES = BLOCK_INSNS + 1 };
 /* Filled by the semantics, read by the clock and the events.  Semantics know
  * no time: they say what happened, not what it costs. */
 struct effect {
-    size_t elements; /* vector length: results made or operands scanned */
-    size_t idle; /* those that took time with nothing done: sparse vectors */
+    size_t elements;  /* vector length: results made or operands scanned */
+    size_t idle;      /* those that took time with nothing done: sparse vectors */
     size_t recurrent; /* those that read what an earlier one stored */
     bool ends;        /* a block: a branch was taken, or code was changed */
     bool taken;       /* a branch that was taken .. */
@@ -97,8 +96,8 @@ static inline size_t decode_place(uint64_t pc)
     return pc / INSTRUCTION_STEP % DECODE_ENTRIES;
 }
 
-static inline const struct decoded *
-decode_cached(const struct decode_cache *cache, uint64_t version, uint64_t pc)
+static inline const struct decoded *decode_cached(const struct decode_cache *cache,
+                                                  uint64_t version, uint64_t pc)
 {
     size_t i = decode_place(pc);
     const struct decoded *entry = &cache->entry[i];
@@ -108,8 +107,7 @@ decode_cached(const struct decode_cache *cache, uint64_t version, uint64_t pc)
 /* Decode the instruction at pc; marks its words as code. */
 c205_trap decode(struct c205 *machine, uint64_t pc, struct decoded *decoded);
 /* The instruction at pc, decoded now or before; marks its words as code. */
-c205_trap decode_at(struct c205 *machine, uint64_t pc,
-                    const struct decoded **decoded);
+c205_trap decode_at(struct c205 *machine, uint64_t pc, const struct decoded **decoded);
 /* Decode the pair behind a LINKV and put it into its entry.  BAD_LINK: there
  * are not two instructions that may be linked. */
 c205_trap decode_pair(struct c205 *machine, const struct decoded *prefix);

@@ -36,8 +36,8 @@ struct direct_sources {
 
 /* False: it is to be read otherwise. */
 static inline bool find_source(struct place *place, struct c205 *machine,
-                               bool broadcast, uint16_t slot,
-                               c205_word *space, size_t n)
+                               bool broadcast, uint16_t slot, c205_word *space,
+                               size_t n)
 {
     place->word = machine->slot[slot];
     place->step = !broadcast;
@@ -48,10 +48,10 @@ static inline bool find_source(struct place *place, struct c205 *machine,
 }
 
 /* handed_a, handed_b: chunks that are read instead, or NULL. */
-static inline bool
-find_sources(struct direct_sources *sources, struct c205 *machine,
-             const struct decoded *decoded, const struct operation *operation,
-             size_t n, const c205_word *handed_a, const c205_word *handed_b)
+static inline bool find_sources(struct direct_sources *sources, struct c205 *machine,
+                                const struct decoded *decoded,
+                                const struct operation *operation, size_t n,
+                                const c205_word *handed_a, const c205_word *handed_b)
 {
     struct place a = { handed_a, 0, 0 }, b = { handed_b, 0, 0 };
     uint8_t g = decoded->fields.g;
@@ -70,10 +70,8 @@ find_sources(struct direct_sources *sources, struct c205 *machine,
     return found;
 }
 
-static inline bool find_result(struct direct_result *result,
-                               struct c205 *machine,
-                               const struct decoded *decoded, bool compares,
-                               size_t n)
+static inline bool find_result(struct direct_result *result, struct c205 *machine,
+                               const struct decoded *decoded, bool compares, size_t n)
 {
     c205_word c = machine->slot[decoded->fields.c];
     result->machine = machine;
@@ -84,8 +82,7 @@ static inline bool find_result(struct direct_result *result,
     result->controlled = decoded->z != 0;
     result->blocked = decoded->fields.g & C205_G_ZEROS ? UINT64_MAX : 0;
     if (result->controlled)
-        result->control = direct_bits(machine, machine->slot[decoded->z], n,
-                                      false);
+        result->control = direct_bits(machine, machine->slot[decoded->z], n, false);
     if (compares)
         result->bits = direct_bits(machine, c, n, true);
     else
@@ -104,8 +101,7 @@ static inline bool keeps_control(const struct direct_result *result)
     return !direct_meets(result->words ? result->words : result->bits.word,
                          result->words ? n * sizeof *result->words
                                        : direct_bytes(result->bits, n),
-                         result->control.word,
-                         direct_bytes(result->control, n));
+                         result->control.word, direct_bytes(result->control, n));
 }
 
 static inline bool keeps_source(const struct direct_result *result,
@@ -116,23 +112,20 @@ static inline bool keeps_source(const struct direct_result *result,
         return true;
     return result->words
                ? !direct_recurs(result->words, place->words, n)
-               : !direct_meets(result->bits.word,
-                               direct_bytes(result->bits, n), place->words,
-                               n * sizeof *place->words);
+               : !direct_meets(result->bits.word, direct_bytes(result->bits, n),
+                               place->words, n * sizeof *place->words);
 }
 
 static inline bool keeps_sources(const struct direct_result *result,
                                  const struct direct_sources *sources)
 {
-    return keeps_source(result, &sources->a)
-           && keeps_source(result, &sources->b);
+    return keeps_source(result, &sources->a) && keeps_source(result, &sources->b);
 }
 
 /* ---- Telling the clock --------------------------------------------------- */
 
 static inline void touch_sources(struct c205 *machine,
-                                 const struct direct_sources *sources,
-                                 size_t n)
+                                 const struct direct_sources *sources, size_t n)
 {
     uint64_t bits = (uint64_t)n * WORD_BITS;
     if (sources->a.step)
@@ -155,31 +148,28 @@ static inline void touch_result(const struct direct_result *result,
 
 /* ---- Elements ------------------------------------------------------------ */
 
-static inline void read_permitted(const struct direct_result *result,
-                                  size_t first, uint64_t *permitted, size_t n)
+static inline void read_permitted(const struct direct_result *result, size_t first,
+                                  uint64_t *permitted, size_t n)
 {
-    direct_read_control(result->control, result->blocked, first, permitted,
-                        n);
+    direct_read_control(result->control, result->blocked, first, permitted, n);
 }
 
 static inline void compare_chunk(const struct direct_result *result,
-                                 const struct operation *operation,
-                                 const c205_word *a, const c205_word *b,
-                                 size_t first, size_t n)
+                                 const struct operation *operation, const c205_word *a,
+                                 const c205_word *b, size_t first, size_t n)
 {
     uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
     operation->compare(bits, a, b, n);
     if (result->controlled)
         read_permitted(result, first, permitted, n);
-    direct_write_bits(result->bits, first, bits,
-                      result->controlled ? permitted : NULL, n);
+    direct_write_bits(result->bits, first, bits, result->controlled ? permitted : NULL,
+                      n);
 }
 
 /* All elements are permitted. */
-static inline void operate_all(struct c205 *machine,
-                               const struct operation *operation,
-                               c205_word *c, const c205_word *a,
-                               const c205_word *b, size_t n)
+static inline void operate_all(struct c205 *machine, const struct operation *operation,
+                               c205_word *c, const c205_word *a, const c205_word *b,
+                               size_t n)
 {
     if (operation->unary)
         operation->unary(c, a, n, &machine->data_flags);
@@ -189,9 +179,8 @@ static inline void operate_all(struct c205 *machine,
 
 /* What is only copied needs no space of its own. */
 static inline void store_chunk(const struct direct_result *result,
-                               const struct operation *operation,
-                               const c205_word *a, const c205_word *b,
-                               size_t first, size_t n)
+                               const struct operation *operation, const c205_word *a,
+                               const c205_word *b, size_t first, size_t n)
 {
     c205_word space[CHUNK], *c = result->words + first;
     uint64_t permitted[CHUNK_WORDS];
@@ -210,8 +199,8 @@ static inline void store_chunk(const struct direct_result *result,
 }
 
 static inline void take_chunk(const struct direct_result *result,
-                              const struct direct_sources *sources,
-                              size_t first, size_t n)
+                              const struct direct_sources *sources, size_t first,
+                              size_t n)
 {
     const c205_word *a = sources->a.words + first * sources->a.step;
     const c205_word *b = sources->b.words + first * sources->b.step;
@@ -230,22 +219,19 @@ struct direct_both {
 
 static inline pair_operand operand_at(struct place place, size_t first)
 {
-    pair_operand operand = { place.words + first * place.step,
-                             place.step == 0 };
+    pair_operand operand = { place.words + first * place.step, place.step == 0 };
     return operand;
 }
 
 /* False: one goes after the other. */
 static inline bool take_in_one_pass(const struct direct_result *result,
-                                    const struct direct_both *pair,
-                                    size_t first, size_t n)
+                                    const struct direct_both *pair, size_t first,
+                                    size_t n)
 {
     bool done = false;
-    struct place other = pair->two.a.words == pair->handed ? pair->two.b
-                                                           : pair->two.a;
+    struct place other = pair->two.a.words == pair->handed ? pair->two.b : pair->two.a;
     if (pair->in_one_pass)
-        pair->in_one_pass(&done, result->words + first,
-                          operand_at(pair->one.a, first),
+        pair->in_one_pass(&done, result->words + first, operand_at(pair->one.a, first),
                           operand_at(pair->one.b, first),
                           operand_at(other, first).words, n,
                           &result->machine->data_flags);
@@ -285,8 +271,8 @@ bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
     return true;
 }
 
-bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
-                 bool hand_a, bool hand_b)
+bool direct_pair(struct c205 *machine, const struct decoded *const *linked, bool hand_a,
+                 bool hand_b)
 {
     const struct operation *first_one = operation_of(linked[0]);
     const struct operation *second_one = operation_of(linked[1]);
@@ -296,17 +282,15 @@ bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
     if (!linked[0]->plain || !linked[1]->plain || !direct_turn(machine, n)
         || direct_length(machine->slot[linked[0]->fields.c]) != n
         || !find_result(&result, machine, linked[1], second_one->compare, n)
-        || !find_sources(&pair.one, machine, linked[0], first_one, n, NULL,
-                         NULL)
+        || !find_sources(&pair.one, machine, linked[0], first_one, n, NULL, NULL)
         || !find_sources(&pair.two, machine, linked[1], second_one, n,
-                         hand_a ? pair.handed : NULL,
-                         hand_b ? pair.handed : NULL)
-        || !keeps_sources(&result, &pair.one)
-        || !keeps_sources(&result, &pair.two) || !keeps_control(&result))
+                         hand_a ? pair.handed : NULL, hand_b ? pair.handed : NULL)
+        || !keeps_sources(&result, &pair.one) || !keeps_sources(&result, &pair.two)
+        || !keeps_control(&result))
         return false;
     pair.in_one_pass = result.words && !result.controlled
-                           ? lanes_pair_of(first_one->binary,
-                                           second_one->binary, hand_a, hand_b)
+                           ? lanes_pair_of(first_one->binary, second_one->binary,
+                                           hand_a, hand_b)
                            : NULL;
     touch_sources(machine, &pair.one, n);
     touch_sources(machine, &pair.two, n);

@@ -36,8 +36,8 @@ static inline bool direct_turn(const struct c205 *machine, size_t n)
 }
 
 /* NULL: not aligned, not mapped, not in one page, or not to be written so. */
-static inline c205_word *direct_place(struct memory *memory, uint64_t address,
-                                      size_t n, bool write)
+static inline c205_word *direct_place(struct memory *memory, uint64_t address, size_t n,
+                                      bool write)
 {
     size_t index = memory_word_index(address);
     const struct near_page *page = memory_near(memory, address);
@@ -48,8 +48,8 @@ static inline c205_word *direct_place(struct memory *memory, uint64_t address,
 }
 
 /* n words that a descriptor names.  NULL: they are to be read otherwise. */
-static inline const c205_word *direct_read(struct c205 *machine,
-                                           c205_word descriptor, size_t n)
+static inline const c205_word *direct_read(struct c205 *machine, c205_word descriptor,
+                                           size_t n)
 {
     if (n > direct_length(descriptor))
         return NULL;
@@ -57,15 +57,15 @@ static inline const c205_word *direct_read(struct c205 *machine,
 }
 
 /* The same, to be written; its length is not looked at. */
-static inline c205_word *direct_write(struct c205 *machine,
-                                      c205_word descriptor, size_t n)
+static inline c205_word *direct_write(struct c205 *machine, c205_word descriptor,
+                                      size_t n)
 {
     return direct_place(&machine->memory, LOW(descriptor), n, true);
 }
 
 /* n bits; the descriptor's length is not looked at. */
-static inline struct direct_bits
-direct_bits(struct c205 *machine, c205_word descriptor, size_t n, bool write)
+static inline struct direct_bits direct_bits(struct c205 *machine, c205_word descriptor,
+                                             size_t n, bool write)
 {
     unsigned skip = (unsigned)(descriptor % WORD_BITS);
     struct direct_bits bits = { NULL, skip };
@@ -77,8 +77,8 @@ direct_bits(struct c205 *machine, c205_word descriptor, size_t n, bool write)
 /* ---- Do they overlap? ---------------------------------------------------- */
 
 /* Spans of so many bytes have some in common. */
-static inline bool direct_meets(const void *one, size_t bytes,
-                                const void *other, size_t other_bytes)
+static inline bool direct_meets(const void *one, size_t bytes, const void *other,
+                                size_t other_bytes)
 {
     uintptr_t a = (uintptr_t)one, b = (uintptr_t)other;
     return a < b + other_bytes && b < a + bytes;
@@ -86,8 +86,8 @@ static inline bool direct_meets(const void *one, size_t bytes,
 
 /* Of n words each: the result begins above the source and upon it, so that
  * some elements wait for earlier ones. */
-static inline bool direct_recurs(const c205_word *result,
-                                 const c205_word *source, size_t n)
+static inline bool direct_recurs(const c205_word *result, const c205_word *source,
+                                 size_t n)
 {
     uintptr_t above = (uintptr_t)result - (uintptr_t)source;
     return above - 1 < n * sizeof *result - 1;
@@ -124,9 +124,8 @@ static inline void direct_read_bits(struct direct_bits string, size_t first,
 }
 
 /* .. of a control vector, as control_read tells them. */
-static inline void direct_read_control(struct direct_bits control,
-                                       uint64_t blocked, size_t first,
-                                       uint64_t *permitted, size_t n)
+static inline void direct_read_control(struct direct_bits control, uint64_t blocked,
+                                       size_t first, uint64_t *permitted, size_t n)
 {
     direct_read_bits(control, first, permitted, n);
     for (size_t i = 0; i < (n + WORD_BITS - 1) / WORD_BITS; i++)
@@ -142,8 +141,8 @@ static inline void direct_merge(c205_word *word, uint64_t bits, uint64_t mask)
 
 /* The same the other way, under a mask of their own (NULL: all). */
 static inline void direct_write_bits(struct direct_bits string, size_t first,
-                                     const uint64_t *bits,
-                                     const uint64_t *permitted, size_t n)
+                                     const uint64_t *bits, const uint64_t *permitted,
+                                     size_t n)
 {
     c205_word *word = string.word + first / WORD_BITS;
     unsigned skip = string.skip;
@@ -167,7 +166,7 @@ bool direct_elementwise(struct c205 *machine, const struct decoded *decoded,
                         const struct operation *operation);
 /* The two instructions of a pair that may be linked; the result of the first is
  * A or B of the second, or both. */
-bool direct_pair(struct c205 *machine, const struct decoded *const *linked,
-                 bool hand_a, bool hand_b);
+bool direct_pair(struct c205 *machine, const struct decoded *const *linked, bool hand_a,
+                 bool hand_b);
 
 #endif

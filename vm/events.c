@@ -3,12 +3,10 @@
 
 #include <string.h>
 
-static void tell_listeners(const struct c205 *machine,
-                           const c205_event *event)
+static void tell_listeners(const struct c205 *machine, const c205_event *event)
 {
     for (unsigned i = 0; i < machine->listener_count; i++)
-        machine->listener[i].call(machine->listener[i].context, machine,
-                                  event);
+        machine->listener[i].call(machine->listener[i].context, machine, event);
 }
 
 static c205_event make_event(const struct c205 *machine, c205_event_kind kind,
@@ -32,16 +30,14 @@ static c205_range indexed_range(const struct effect *effect)
 {
     uint64_t least = UINT64_MAX, greatest = 0;
     for (size_t i = 0; i < effect->index_count; i++) {
-        uint64_t at = LOW(effect->table
-                          + effect->indices[i] * effect->table_step);
+        uint64_t at = LOW(effect->table + effect->indices[i] * effect->table_step);
         least = at < least ? at : least;
         greatest = at > greatest ? at : greatest;
     }
     return (c205_range){ least, greatest - least + effect->table_step };
 }
 
-static void tell_what_changed(const struct c205 *machine,
-                              const struct decoded *decoded,
+static void tell_what_changed(const struct c205 *machine, const struct decoded *decoded,
                               c205_event *event)
 {
     const struct effect *effect = &machine->effect;
@@ -51,23 +47,20 @@ static void tell_what_changed(const struct c205 *machine,
         tell_written(event, decoded->b + (unsigned)i);
     for (unsigned i = 0; i < effect->touch_count; i++)
         if (effect->touch[i].stored && event->store_count < C205_STORES)
-            event->store[event->store_count++] = (c205_range){
-                effect->touch[i].address, effect->touch[i].bits
-            };
-    if (decoded->insn->timing == C205_TIMING_vscatter
-        && effect->index_count > 0 && event->store_count < C205_STORES)
+            event->store[event->store_count++] = (c205_range){ effect->touch[i].address,
+                                                               effect->touch[i].bits };
+    if (decoded->insn->timing == C205_TIMING_vscatter && effect->index_count > 0
+        && event->store_count < C205_STORES)
         event->store[event->store_count++] = indexed_range(effect);
 }
 
-void machine_tell_instruction(struct c205 *machine,
-                              const struct decoded *decoded, uint64_t before)
+void machine_tell_instruction(struct c205 *machine, const struct decoded *decoded,
+                              uint64_t before)
 {
     machine->executed = decoded;
-    bool request = machine->request != NO_REQUEST
-                   && machine->request != REQUEST_EXIT;
+    bool request = machine->request != NO_REQUEST && machine->request != REQUEST_EXIT;
     c205_event event = make_event(machine,
-                                  request ? C205_EVENT_REQUEST
-                                          : C205_EVENT_INSTRUCTION,
+                                  request ? C205_EVENT_REQUEST : C205_EVENT_INSTRUCTION,
                                   before);
     event.pc = decoded->pc;
     event.issued = clock_issued(machine->clock);
@@ -87,12 +80,11 @@ void machine_tell_instruction(struct c205 *machine,
     tell_listeners(machine, &event);
 }
 
-void machine_tell_stop(struct c205 *machine, const c205_stop *stop,
-                       uint64_t before, bool drained)
+void machine_tell_stop(struct c205 *machine, const c205_stop *stop, uint64_t before,
+                       bool drained)
 {
     c205_event event = make_event(machine,
-                                  stop->trap ? C205_EVENT_TRAP
-                                             : C205_EVENT_STOP,
+                                  stop->trap ? C205_EVENT_TRAP : C205_EVENT_STOP,
                                   before);
     event.pc = stop->pc;
     event.record = drained ? &machine->record : NULL;

@@ -18,18 +18,15 @@ struct transfer {
     size_t used;         /* so many of them before this turn */
 };
 
-static uint64_t table_address(const struct transfer *transfer,
-                              c205_word index)
+static uint64_t table_address(const struct transfer *transfer, c205_word index)
 {
-    return (transfer->table.address + index * transfer->table.width)
-           & ADDRESS_MASK;
+    return (transfer->table.address + index * transfer->table.width) & ADDRESS_MASK;
 }
 
 /* ---- The index list ----------------------------------------------------- */
 
 /* Those of a period are not in memory: 0, A, 2A .. */
-static const c205_word *read_indices(struct transfer *transfer, size_t first,
-                                     size_t n)
+static const c205_word *read_indices(struct transfer *transfer, size_t first, size_t n)
 {
     struct source *a = &transfer->stream.a;
     if (!transfer->periodic)
@@ -45,16 +42,14 @@ static void collect_indices(struct transfer *transfer)
 {
     struct stream *stream = &transfer->stream;
     uint64_t permitted[CHUNK_WORDS];
-    transfer->used = least(stream->machine->progress.kept,
-                           stream->turn.first);
+    transfer->used = least(stream->machine->progress.kept, stream->turn.first);
     transfer->count = transfer->used;
-    for (size_t first = stream->turn.first, n; first < stream->n;
-         first += n) {
+    for (size_t first = stream->turn.first, n; first < stream->n; first += n) {
         n = least(stream->n - first, CHUNK);
         control_read(&stream->control, first, n, permitted);
         transfer->count += compress_words(transfer->indices + transfer->count,
-                                          read_indices(transfer, first, n),
-                                          permitted, n);
+                                          read_indices(transfer, first, n), permitted,
+                                          n);
     }
 }
 
@@ -100,13 +95,12 @@ static c205_trap check_table(struct transfer *transfer)
     struct c205 *machine = transfer->stream.machine;
     c205_trap trap = C205_TRAP_NONE;
     uint64_t checked = UINT64_MAX;
-    for (size_t i = transfer->used;
-         i < transfer->count && trap == C205_TRAP_NONE; i++) {
+    for (size_t i = transfer->used; i < transfer->count && trap == C205_TRAP_NONE;
+         i++) {
         uint64_t address = table_address(transfer, transfer->indices[i]);
         if (address >> PAGE_SHIFT != checked)
-            trap = memory_check(&machine->memory, address,
-                                transfer->table.width, !transfer->gather,
-                                &machine->fault);
+            trap = memory_check(&machine->memory, address, transfer->table.width,
+                                !transfer->gather, &machine->fault);
         checked = address >> PAGE_SHIFT;
     }
     return trap;
@@ -119,8 +113,8 @@ static c205_trap load_element(const struct memory *memory, uint64_t address,
                               : memory_load(memory, address, word);
 }
 
-static c205_trap store_element(struct memory *memory, uint64_t address,
-                               unsigned width, c205_word word)
+static c205_trap store_element(struct memory *memory, uint64_t address, unsigned width,
+                               c205_word word)
 {
     return width == HALF_BITS ? memory_store_half(memory, address, word)
                               : memory_store(memory, address, word);
@@ -129,8 +123,7 @@ static c205_trap store_element(struct memory *memory, uint64_t address,
 /* ---- Whole chunks ------------------------------------------------------- */
 
 static void gather_chunk(struct transfer *transfer, size_t first, size_t n,
-                         const uint64_t *permitted,
-                         const c205_word **next_index)
+                         const uint64_t *permitted, const c205_word **next_index)
 {
     struct stream *stream = &transfer->stream;
     struct memory *memory = &stream->machine->memory;
@@ -141,13 +134,11 @@ static void gather_chunk(struct transfer *transfer, size_t first, size_t n,
             load_element(memory, table_address(transfer, *(*next_index)++),
                          stream->result.width, &words[i]);
     }
-    result_store(stream->machine, &stream->result, &stream->control, first,
-                 words, n);
+    result_store(stream->machine, &stream->result, &stream->control, first, words, n);
 }
 
 static void scatter_chunk(struct transfer *transfer, size_t first, size_t n,
-                          const uint64_t *permitted,
-                          const c205_word **next_index)
+                          const uint64_t *permitted, const c205_word **next_index)
 {
     struct stream *stream = &transfer->stream;
     struct memory *memory = &stream->machine->memory;
@@ -166,12 +157,10 @@ static c205_trap transfer_chunks(struct transfer *transfer)
     c205_trap trap = check_table(transfer);
     if (trap != C205_TRAP_NONE)
         return trap;
-    for (size_t first = stream->turn.first, n; first < stream->turn.end;
-         first += n) {
+    for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
         n = stream_next(stream, first);
         control_read(&stream->control, first, n, permitted);
-        (transfer->gather ? gather_chunk : scatter_chunk)(transfer, first, n,
-                                                          permitted,
+        (transfer->gather ? gather_chunk : scatter_chunk)(transfer, first, n, permitted,
                                                           &next_index);
     }
     transfer->count = (size_t)(next_index - transfer->indices);
@@ -203,8 +192,7 @@ static c205_trap transfer_one(struct transfer *transfer, size_t i,
         word = *source_read(&stream->b, i, 1);
     }
     if (trap == C205_TRAP_NONE)
-        trap = load_element(&machine->memory, to, width,
-                            &undo->old[transfer->count]);
+        trap = load_element(&machine->memory, to, width, &undo->old[transfer->count]);
     if (trap == C205_TRAP_NONE)
         trap = store_element(&machine->memory, to, width, word);
     if (trap != C205_TRAP_NONE)
@@ -214,13 +202,12 @@ static c205_trap transfer_one(struct transfer *transfer, size_t i,
     return C205_TRAP_NONE;
 }
 
-static void put_back(struct transfer *transfer, const struct undo *undo,
-                     size_t count)
+static void put_back(struct transfer *transfer, const struct undo *undo, size_t count)
 {
     struct memory *memory = &transfer->stream.machine->memory;
     for (; transfer->count > count; transfer->count--)
-        store_element(memory, undo->address[transfer->count - 1],
-                      transfer->table.width, undo->old[transfer->count - 1]);
+        store_element(memory, undo->address[transfer->count - 1], transfer->table.width,
+                      undo->old[transfer->count - 1]);
 }
 
 /* All elements are tried, so that one that traps does so before any is done;
@@ -235,8 +222,7 @@ static c205_trap transfer_one_by_one(struct transfer *transfer)
     if (!undo.old || !undo.address)
         return C205_TRAP_NO_MEMORY;
     size_t done = transfer->count = transfer->used;
-    for (size_t i = stream->turn.first;
-         i < stream->n && trap == C205_TRAP_NONE; i++) {
+    for (size_t i = stream->turn.first; i < stream->n && trap == C205_TRAP_NONE; i++) {
         uint64_t permitted;
         control_read(&stream->control, i, 1, &permitted);
         if (permitted)
@@ -250,8 +236,8 @@ static c205_trap transfer_one_by_one(struct transfer *transfer)
 }
 
 static struct vector describe_table(const struct c205 *machine,
-                                    const struct decoded *decoded,
-                                    unsigned operand, uint16_t slot)
+                                    const struct decoded *decoded, unsigned operand,
+                                    uint16_t slot)
 {
     struct vector table = { machine->slot[slot] & ADDRESS_MASK, 0,
                             decoded->width[operand] };
@@ -262,9 +248,9 @@ static struct vector describe_table(const struct c205 *machine,
 
 /* The elements that a list names; counted in words. */
 struct table_place {
-    uint64_t base;      /* of the table, from the beginning of all pages */
-    uint64_t low, high; /* the lowest and the highest element */
-    struct page *page;  /* that of all elements; NULL: there are several */
+    uint64_t base;             /* of the table, from the beginning of all pages */
+    uint64_t low, high;        /* the lowest and the highest element */
+    struct page *page;         /* that of all elements; NULL: there are several */
     struct page *const *pages; /* .. and then all those of a directory */
 };
 
@@ -285,8 +271,7 @@ LANEWISE void find_ends_span FIND_ENDS_PARAMETERS
 static void find_ends FIND_ENDS_PARAMETERS;
 VERSIONS(find_ends, find_ends_span, FIND_ENDS_PARAMETERS, (table, indices, n))
 
-static inline struct page *page_of(const struct table_place *table,
-                                   uint64_t word)
+static inline struct page *page_of(const struct table_place *table, uint64_t word)
 {
     return table->pages[word / C205_PAGE_WORDS % DIRECTORY_PAGES];
 }
@@ -298,8 +283,8 @@ static inline bool has_page(const struct table_place *table, uint64_t word)
 }
 
 /* Are all there from the lowest to the highest, or at least those of the list? */
-static bool has_pages(const struct table_place *table,
-                      const c205_word *indices, size_t n)
+static bool has_pages(const struct table_place *table, const c205_word *indices,
+                      size_t n)
 {
     uint64_t page = table->low / C205_PAGE_WORDS;
     uint64_t last = table->high / C205_PAGE_WORDS;
@@ -316,8 +301,7 @@ static bool has_pages(const struct table_place *table,
 
 /* False: some are in pages that are not there, or too far apart. */
 static bool find_table(struct table_place *table, const struct c205 *machine,
-                       c205_word descriptor, const c205_word *indices,
-                       size_t n)
+                       c205_word descriptor, const c205_word *indices, size_t n)
 {
     table->base = LOW(descriptor) / WORD_BITS;
     find_ends(table, indices, n);
@@ -333,22 +317,21 @@ static bool find_table(struct table_place *table, const struct c205 *machine,
     return table->page;
 }
 
-static bool meets_table(const struct table_place *table,
-                        const c205_word *words, size_t n)
+static bool meets_table(const struct table_place *table, const c205_word *words,
+                        size_t n)
 {
     const c205_word *low = table->page->word + table->low % C205_PAGE_WORDS;
     return direct_meets(words, n * sizeof *words, low,
                         (size_t)(table->high - table->low + 1) * sizeof *low);
 }
 
-static inline size_t place_in(const struct table_place *table,
-                              c205_word index)
+static inline size_t place_in(const struct table_place *table, c205_word index)
 {
     return (table->base + index) % C205_PAGE_WORDS;
 }
 
-static void tell_indices(struct c205 *machine, const c205_word *indices,
-                         size_t n, c205_word table)
+static void tell_indices(struct c205 *machine, const c205_word *indices, size_t n,
+                         c205_word table)
 {
     struct effect *effect = &machine->effect;
     effect->elements = effect->index_count = n;
@@ -375,8 +358,7 @@ static void gather_words(c205_word *c, const struct table_place *table,
 /* False: it is not simple (direct.h).  The clock reads the list afterwards, so
  * nothing may be stored upon it; upon what else is read it may, as one element
  * goes after the other. */
-static bool gather_directly(struct c205 *machine,
-                            const struct decoded *decoded)
+static bool gather_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word list = machine->slot[decoded->a];
     c205_word to = machine->slot[decoded->fields.c];
@@ -387,10 +369,8 @@ static bool gather_directly(struct c205 *machine,
         return false;
     const c205_word *indices = direct_read(machine, list, n);
     c205_word *c = direct_write(machine, to, n);
-    if (!indices || !c
-        || direct_meets(c, n * sizeof *c, indices, n * sizeof *c)
-        || !find_table(&table, machine, machine->slot[decoded->b], indices,
-                       n))
+    if (!indices || !c || direct_meets(c, n * sizeof *c, indices, n * sizeof *c)
+        || !find_table(&table, machine, machine->slot[decoded->b], indices, n))
         return false;
     gather_words(c, &table, indices, n);
     machine_touch(machine, LOW(list), bits);
@@ -399,8 +379,7 @@ static bool gather_directly(struct c205 *machine,
     return true;
 }
 
-static bool scatter_directly(struct c205 *machine,
-                             const struct decoded *decoded)
+static bool scatter_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word list = machine->slot[decoded->a];
     c205_word from = machine->slot[decoded->b];
@@ -463,8 +442,7 @@ static c205_trap execute_scatter(struct transfer *transfer)
 }
 
 /* B is no stream but the table. */
-static c205_trap describe_gather(struct transfer *transfer,
-                                 struct c205 *machine,
+static c205_trap describe_gather(struct transfer *transfer, struct c205 *machine,
                                  const struct decoded *decoded)
 {
     struct stream *stream = &transfer->stream;
@@ -476,20 +454,17 @@ static c205_trap describe_gather(struct transfer *transfer,
     return trap;
 }
 
-static c205_trap describe_scatter(struct transfer *transfer,
-                                  struct c205 *machine,
+static c205_trap describe_scatter(struct transfer *transfer, struct c205 *machine,
                                   const struct decoded *decoded)
 {
-    c205_trap trap = stream_describe_sources(&transfer->stream, machine,
-                                             decoded);
+    c205_trap trap = stream_describe_sources(&transfer->stream, machine, decoded);
     transfer->gather = transfer->periodic = false;
     transfer->table = describe_table(machine, decoded, OPERAND_C, decoded->c);
     return trap;
 }
 
 /* A is no list but the period. */
-static void take_period(struct transfer *transfer,
-                        const struct decoded *decoded)
+static void take_period(struct transfer *transfer, const struct decoded *decoded)
 {
     struct stream *stream = &transfer->stream;
     transfer->periodic = true;
@@ -497,8 +472,7 @@ static void take_period(struct transfer *transfer,
     stream->a.vector.length = 0;
 }
 
-c205_trap execute_vector_gather(struct c205 *machine,
-                                const struct decoded *decoded)
+c205_trap execute_vector_gather(struct c205 *machine, const struct decoded *decoded)
 {
     struct transfer transfer;
     struct stream *stream = &transfer.stream;
@@ -523,8 +497,7 @@ c205_trap execute_vector_gather_periodic(struct c205 *machine,
     return execute_gather(&transfer);
 }
 
-c205_trap execute_vector_scatter(struct c205 *machine,
-                                 const struct decoded *decoded)
+c205_trap execute_vector_scatter(struct c205 *machine, const struct decoded *decoded)
 {
     struct transfer transfer;
     if (scatter_directly(machine, decoded))

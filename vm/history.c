@@ -25,11 +25,11 @@ struct snapshot {
 
 struct c205_history {
     c205 *machine;
-    uint64_t step;       /* instructions since the first snapshot .. */
-    uint64_t known;      /* .. the most that there ever were */
-    bool ended;          /* behind the last of them the program has ended */
-    c205_stop end;       /* .. that way */
-    size_t budget, held; /* bytes of snapshots: at the most, now */
+    uint64_t step;          /* instructions since the first snapshot .. */
+    uint64_t known;         /* .. the most that there ever were */
+    bool ended;             /* behind the last of them the program has ended */
+    c205_stop end;          /* .. that way */
+    size_t budget, held;    /* bytes of snapshots: at the most, now */
     uint64_t steps, clocks; /* so far apart are the next */
     size_t count, capacity;
     struct snapshot *list; /* by step */
@@ -102,8 +102,8 @@ static void thin(struct c205_history *history)
         double_distances(history);
 }
 
-static bool save_state(const struct c205_history *history,
-                       struct saved *saved, c205_error *error)
+static bool save_state(const struct c205_history *history, struct saved *saved,
+                       c205_error *error)
 {
     *saved = (struct saved){ NULL, 0, 0 };
     if (c205_save(history->machine, add_bytes, saved, error))
@@ -114,14 +114,13 @@ static bool save_state(const struct c205_history *history,
 }
 
 /* There is room in the list. */
-static void append(struct c205_history *history, struct saved saved,
-                   bool changed)
+static void append(struct c205_history *history, struct saved saved, bool changed)
 {
     unsigned char *shrunk;
     shrunk = realloc(saved.bytes, saved.size);
     history->list[history->count++] = (struct snapshot){
-        history->step, clock_now(history->machine->clock), changed,
-        saved.size, shrunk ? shrunk : saved.bytes
+        history->step, clock_now(history->machine->clock), changed, saved.size,
+        shrunk ? shrunk : saved.bytes
     };
     history->held += saved.size;
     if (history->held > history->budget && history->count > 2)
@@ -174,8 +173,7 @@ static size_t find(const struct c205_history *history, uint64_t step)
 
 /* ---- To begin and to end ------------------------------------------------- */
 
-c205_history *c205_history_new(c205 *machine, size_t budget,
-                               c205_error *error)
+c205_history *c205_history_new(c205 *machine, size_t budget, c205_error *error)
 {
     struct c205_history *history = calloc(1, sizeof *history);
     if (!history) {
@@ -247,18 +245,16 @@ static void replace(struct c205_history *history, c205 *machine)
     history->machine = machine;
 }
 
-static c205 *restore(const struct c205_history *history,
-                     const struct snapshot *from, c205_error *error)
+static c205 *restore(const struct c205_history *history, const struct snapshot *from,
+                     c205_error *error)
 {
-    return c205_restore(from->bytes, from->size, history->machine->model,
-                        error);
+    return c205_restore(from->bytes, from->size, history->machine->model, error);
 }
 
 /* Where somebody has changed the machine, it is what it was made then. */
 static bool take_change(struct c205_history *history)
 {
-    const struct snapshot *here = &history
-                                       ->list[find(history, history->step)];
+    const struct snapshot *here = &history->list[find(history, history->step)];
     c205_error error;
     c205 *machine;
     if (here->step != history->step || !here->changed)
@@ -280,8 +276,7 @@ static bool forward(struct c205_history *history, c205_stop *stop)
         return false;
     }
     goes_on = c205_step(history->machine, stop);
-    if (!goes_on && stop->trap != C205_TRAP_NONE
-        && !trap_is_behind(stop->trap))
+    if (!goes_on && stop->trap != C205_TRAP_NONE && !trap_is_behind(stop->trap))
         return false;
     if (++history->step > history->known)
         history->known = history->step;
@@ -309,8 +304,8 @@ bool c205_history_forward(c205_history *history, c205_stop *stop)
 /* ---- Back ---------------------------------------------------------------- */
 
 /* The listeners hear of the last step alone. */
-static bool go_from(struct c205_history *history, c205 *machine,
-                    uint64_t first, uint64_t step)
+static bool go_from(struct c205_history *history, c205 *machine, uint64_t first,
+                    uint64_t step)
 {
     c205_stop stop;
     history->step = first;
@@ -322,8 +317,7 @@ static bool go_from(struct c205_history *history, c205 *machine,
     return history->step == step;
 }
 
-bool c205_history_back(c205_history *history, uint64_t step,
-                       c205_error *error)
+bool c205_history_back(c205_history *history, uint64_t step, c205_error *error)
 {
     const struct snapshot *from;
     c205 *machine;

@@ -65,18 +65,12 @@ static const uint8_t specials[C205_OPERATIONS] = {
 };
 
 static const char *const unit_names[C205_UNITS] = {
-    [C205_UNIT_SINGLE] = "single",
-    [C205_UNIT_ADD] = "add",
-    [C205_UNIT_MULTIPLY] = "multiply",
-    [C205_UNIT_DIVIDE] = "divide",
-    [C205_UNIT_LOGICAL] = "logical",
-    [C205_UNIT_MEMORY] = "memory",
-    [C205_UNIT_BRANCH] = "branch",
-    [C205_UNIT_VECTOR] = "vector",
-    [C205_UNIT_V_ADD] = "vector add",
-    [C205_UNIT_V_MULTIPLY] = "vector multiply",
-    [C205_UNIT_V_DIVIDE] = "vector divide",
-    [C205_UNIT_V_SHIFT] = "vector shift",
+    [C205_UNIT_SINGLE] = "single",           [C205_UNIT_ADD] = "add",
+    [C205_UNIT_MULTIPLY] = "multiply",       [C205_UNIT_DIVIDE] = "divide",
+    [C205_UNIT_LOGICAL] = "logical",         [C205_UNIT_MEMORY] = "memory",
+    [C205_UNIT_BRANCH] = "branch",           [C205_UNIT_VECTOR] = "vector",
+    [C205_UNIT_V_ADD] = "vector add",        [C205_UNIT_V_MULTIPLY] = "vector multiply",
+    [C205_UNIT_V_DIVIDE] = "vector divide",  [C205_UNIT_V_SHIFT] = "vector shift",
     [C205_UNIT_V_LOGICAL] = "vector logical"
 };
 
@@ -170,16 +164,11 @@ static const struct field_place {
     unsigned shift;
     size_t offset;
 } places[] = {
-    { 'g', 48, offsetof(c205_fields, g) },
-    { 'x', 40, offsetof(c205_fields, x) },
-    { 'a', 32, offsetof(c205_fields, a) },
-    { 'y', 24, offsetof(c205_fields, y) },
-    { 'b', 16, offsetof(c205_fields, b) },
-    { 'z', 8, offsetof(c205_fields, z) },
-    { 'c', 0, offsetof(c205_fields, c) },
-    { 'r', 48, offsetof(c205_fields, r) },
-    { 's', 40, offsetof(c205_fields, s) },
-    { 't', 32, offsetof(c205_fields, t) },
+    { 'g', 48, offsetof(c205_fields, g) }, { 'x', 40, offsetof(c205_fields, x) },
+    { 'a', 32, offsetof(c205_fields, a) }, { 'y', 24, offsetof(c205_fields, y) },
+    { 'b', 16, offsetof(c205_fields, b) }, { 'z', 8, offsetof(c205_fields, z) },
+    { 'c', 0, offsetof(c205_fields, c) },  { 'r', 48, offsetof(c205_fields, r) },
+    { 's', 40, offsetof(c205_fields, s) }, { 't', 32, offsetof(c205_fields, t) },
 };
 enum { PLACES = sizeof places / sizeof places[0], OPCODE_SHIFT = 56 };
 
@@ -191,48 +180,46 @@ static const struct format_layout {
     const char *letters;
     enum immediate immediate;
     unsigned shift, width;
-} layouts[C205_FORMATS] = {
-    [C205_FORMAT_NONE] = { "", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_RST] = { "rst", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_RT] = { "rt", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_R] = { "r", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_T] = { "t", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_MEMORY] = { "rst", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_COMPARE] = { "rst", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_CALL] = { "rst", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SWAP] = { "rst", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_REQUEST] = { "rs", UNSIGNED, 32, 8 },
-    [C205_FORMAT_SHIFT] = { "rt", SIGNED, 40, 8 },
-    [C205_FORMAT_BITS1] = { "rt", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_REPEAT] = { "rst", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_I16] = { "r", SIGNED, 32, 16 },
-    [C205_FORMAT_I24] = { "r", SIGNED, 24, 24 },
-    [C205_FORMAT_I48] = { "r", SIGNED, 0, 48 },
-    [C205_FORMAT_JUMP] = { "r", UNSIGNED, 0, 48 },
-    [C205_FORMAT_INDEX] = { "gxaybzc", IF_RELATIVE, 16, 16 },
-    [C205_FORMAT_FLOAT] = { "gaybz", IF_RELATIVE, 16, 16 },
-    [C205_FORMAT_ALTER] = { "abc", UNSIGNED, 48, 4 },
-    [C205_FORMAT_ALTERB] = { "abc", UNSIGNED, 48, 4 },
-    [C205_FORMAT_ALTERF] = { "ac", UNSIGNED, 48, 4 },
-    [C205_FORMAT_VECTOR] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_UNARY] = { "gxazc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_REDUCE2] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_REDUCE] = { "gxazc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_EXTREME] = { "gxabzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SCALARS] = { "gabzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SELECTED] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SQUEEZE] = { "gxazc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SIEVE] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SPARSE] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_TABLE] = { "gxabzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SPREAD] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_PERIODIC] = { "gabzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SPACED] = { "gaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_STRING] = { "gxaybc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SCAN] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SELECTEDB] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
-    [C205_FORMAT_SQUEEZEB] = { "gxazc", NO_IMMEDIATE, 0, 0 }
-};
+} layouts[C205_FORMATS] = { [C205_FORMAT_NONE] = { "", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_RST] = { "rst", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_RT] = { "rt", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_R] = { "r", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_T] = { "t", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_MEMORY] = { "rst", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_COMPARE] = { "rst", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_CALL] = { "rst", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SWAP] = { "rst", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_REQUEST] = { "rs", UNSIGNED, 32, 8 },
+                            [C205_FORMAT_SHIFT] = { "rt", SIGNED, 40, 8 },
+                            [C205_FORMAT_BITS1] = { "rt", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_REPEAT] = { "rst", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_I16] = { "r", SIGNED, 32, 16 },
+                            [C205_FORMAT_I24] = { "r", SIGNED, 24, 24 },
+                            [C205_FORMAT_I48] = { "r", SIGNED, 0, 48 },
+                            [C205_FORMAT_JUMP] = { "r", UNSIGNED, 0, 48 },
+                            [C205_FORMAT_INDEX] = { "gxaybzc", IF_RELATIVE, 16, 16 },
+                            [C205_FORMAT_FLOAT] = { "gaybz", IF_RELATIVE, 16, 16 },
+                            [C205_FORMAT_ALTER] = { "abc", UNSIGNED, 48, 4 },
+                            [C205_FORMAT_ALTERB] = { "abc", UNSIGNED, 48, 4 },
+                            [C205_FORMAT_ALTERF] = { "ac", UNSIGNED, 48, 4 },
+                            [C205_FORMAT_VECTOR] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_UNARY] = { "gxazc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_REDUCE2] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_REDUCE] = { "gxazc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_EXTREME] = { "gxabzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SCALARS] = { "gabzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SELECTED] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SQUEEZE] = { "gxazc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SIEVE] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SPARSE] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_TABLE] = { "gxabzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SPREAD] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_PERIODIC] = { "gabzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SPACED] = { "gaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_STRING] = { "gxaybc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SCAN] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SELECTEDB] = { "gxaybzc", NO_IMMEDIATE, 0, 0 },
+                            [C205_FORMAT_SQUEEZEB] = { "gxazc", NO_IMMEDIATE, 0, 0 } };
 
 static bool has_immediate(const struct format_layout *layout, uint8_t g)
 {
@@ -246,8 +233,7 @@ static uint64_t immediate_mask(const struct format_layout *layout)
     return (UINT64_C(1) << layout->width) - 1;
 }
 
-static int64_t take_immediate(const struct format_layout *layout,
-                              c205_word word)
+static int64_t take_immediate(const struct format_layout *layout, c205_word word)
 {
     uint64_t bits = word >> layout->shift & immediate_mask(layout);
     uint64_t sign = UINT64_C(1) << (layout->width - 1);
@@ -264,8 +250,7 @@ c205_fields c205_decode(const c205_insn *insn, c205_word word)
     fields.f = (uint8_t)(word >> OPCODE_SHIFT);
     for (size_t i = 0; i < PLACES; i++)
         if (strchr(layout->letters, places[i].letter))
-            ((uint8_t *)&fields)[places[i].offset] =
-                (uint8_t)(word >> places[i].shift);
+            ((uint8_t *)&fields)[places[i].offset] = (uint8_t)(word >> places[i].shift);
     if (has_immediate(layout, fields.g))
         fields.immediate = take_immediate(layout, word);
     return fields;

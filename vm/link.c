@@ -17,20 +17,17 @@ static bool is_vector_b(const struct decoded *decoded)
            && !(decoded->fields.g & C205_G_BROADCAST_B);
 }
 
-static bool is_linked_a(const struct decoded *first,
-                        const struct decoded *second)
+static bool is_linked_a(const struct decoded *first, const struct decoded *second)
 {
     return is_vector_a(second) && second->fields.a == first->fields.c;
 }
 
-static bool is_linked_b(const struct decoded *first,
-                        const struct decoded *second)
+static bool is_linked_b(const struct decoded *first, const struct decoded *second)
 {
     return is_vector_b(second) && second->fields.b == first->fields.c;
 }
 
-static int read_paths(const struct decoded *first,
-                      const struct decoded *second)
+static int read_paths(const struct decoded *first, const struct decoded *second)
 {
     return is_vector_a(first) + is_vector_b(first)
            + (is_vector_a(second) && !is_linked_a(first, second))
@@ -43,8 +40,7 @@ static bool makes_bits(const struct decoded *decoded)
 }
 
 /* The first rule that does not hold, or RULE_NONE. */
-static enum rule rule_against(const struct decoded *first,
-                              const struct decoded *second)
+static enum rule rule_against(const struct decoded *first, const struct decoded *second)
 {
     bool a = is_linked_a(first, second), b = is_linked_b(first, second);
     if (first->insn->unit == second->insn->unit)
@@ -104,8 +100,7 @@ static c205_trap claim_pair(struct pair *pair)
     if (trap != C205_TRAP_NONE)
         return trap;
     const struct source *const sources[] = { &pair->first.a, &pair->first.b,
-                                             &pair->second.a,
-                                             &pair->second.b };
+                                             &pair->second.a, &pair->second.b };
     tell_recurrence(pair->second.machine, result, pair->second.n, sources, 4);
     size_t chunk = pair->second.chunk;
     chunk = operand_lead(&pair->first.a.vector, result, chunk);
@@ -118,19 +113,17 @@ static c205_trap run_pair(struct pair *pair)
     struct stream *one = &pair->first, *two = &pair->second;
     bool apart = !operands_overlap(&one->a.vector, &two->result)
                  && !operands_overlap(&one->b.vector, &two->result);
-    for (size_t first = two->turn.first, n; first < two->turn.end;
-         first += n) {
+    for (size_t first = two->turn.first, n; first < two->turn.end; first += n) {
         n = stream_next(two, first);
         operate(two->machine, pair->operation_first, pair->handed,
-                source_read(&one->a, first, n),
-                source_read(&one->b, first, n), n, NULL);
+                source_read(&one->a, first, n), source_read(&one->b, first, n), n,
+                NULL);
         stream_step(two, pair->operation_second, first, n, apart);
     }
     return stream_end(two);
 }
 
-c205_trap execute_link_pair(struct c205 *machine,
-                            const struct decoded *decoded)
+c205_trap execute_link_pair(struct c205 *machine, const struct decoded *decoded)
 {
     struct pair pair;
     c205_trap trap = decode_pair(machine, decoded);

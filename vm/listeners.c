@@ -7,21 +7,17 @@
 
 static bool was_executed(const c205_event *event)
 {
-    return event->kind == C205_EVENT_INSTRUCTION
-           || event->kind == C205_EVENT_REQUEST;
+    return event->kind == C205_EVENT_INSTRUCTION || event->kind == C205_EVENT_REQUEST;
 }
 
-void c205_project(void *projection, const c205 *machine,
-                  const c205_event *event)
+void c205_project(void *projection, const c205 *machine, const c205_event *event)
 {
     if (was_executed(event))
         projection_charge(projection, machine->executed, &machine->effect);
 }
 
-void c205_record(void *recording, const c205 *machine,
-                 const c205_event *event)
+void c205_record(void *recording, const c205 *machine, const c205_event *event)
 {
     if (was_executed(event))
-        recording_add(recording, machine->executed, &machine->effect,
-                      event->region);
+        recording_add(recording, machine->executed, &machine->effect, event->region);
 }

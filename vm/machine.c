@@ -12,8 +12,7 @@
 
 static bool no_memory(c205_error *error)
 {
-    snprintf(error->message, sizeof error->message,
-             "no memory left for a machine");
+    snprintf(error->message, sizeof error->message, "no memory left for a machine");
     return false;
 }
 
@@ -142,8 +141,8 @@ static const char *broken_rule(const struct c205 *machine, c205_trap trap)
     return rule < RULES ? rule_texts[rule] : NULL;
 }
 
-static void set_trap(struct c205 *machine, c205_trap trap,
-                     const c205_insn *insn, c205_stop *stop)
+static void set_trap(struct c205 *machine, c205_trap trap, const c205_insn *insn,
+                     c205_stop *stop)
 {
     stop->trap = trap;
     stop->pc = machine->pc;
@@ -156,14 +155,13 @@ static void set_trap(struct c205 *machine, c205_trap trap,
 }
 
 /* Between two instructions, whatever the next one is. */
-static bool stop_between(struct c205 *machine, c205_trap why,
-                         uint64_t address, c205_stop *stop)
+static bool stop_between(struct c205 *machine, c205_trap why, uint64_t address,
+                         c205_stop *stop)
 {
     const struct decoded *decoded;
     c205_trap trap = decode_at(machine, machine->pc, &decoded);
     machine->fault = address;
-    set_trap(machine, why, trap == C205_TRAP_NONE ? decoded->insn : NULL,
-             stop);
+    set_trap(machine, why, trap == C205_TRAP_NONE ? decoded->insn : NULL, stop);
     machine_tell_stop(machine, stop, clock_now(machine->clock), false);
     return false;
 }
@@ -175,8 +173,8 @@ static bool stop_at_limit(struct c205 *machine, c205_stop *stop)
 
 /* At an instruction that cannot begin.  The clock shows the time when all in
  * flight is done. */
-static bool stop_before(struct c205 *machine, c205_trap trap,
-                        const c205_insn *insn, c205_stop *stop)
+static bool stop_before(struct c205 *machine, c205_trap trap, const c205_insn *insn,
+                        c205_stop *stop)
 {
     uint64_t before = clock_now(machine->clock);
     set_trap(machine, trap, insn, stop);
@@ -188,8 +186,7 @@ static bool stop_before(struct c205 *machine, c205_trap trap,
 /* In the middle of a vector instruction: at the limit, or at a trap that came
  * when it was to go on. */
 static bool stop_within(struct c205 *machine, c205_trap trap,
-                        const struct decoded *decoded, uint64_t limit,
-                        c205_stop *stop)
+                        const struct decoded *decoded, uint64_t limit, c205_stop *stop)
 {
     uint64_t before = clock_now(machine->clock);
     if (trap == C205_TRAP_CLOCK_LIMIT)
@@ -213,14 +210,13 @@ static bool go_past_stops(struct c205 *machine, c205_stop *stop)
     if (trap == C205_TRAP_NONE && machine->pausing)
         trap = C205_TRAP_PAUSED;
     machine->pausing = false;
-    return trap == C205_TRAP_NONE
-           || stop_between(machine, trap, address, stop);
+    return trap == C205_TRAP_NONE || stop_between(machine, trap, address, stop);
 }
 
 /* After an instruction that listeners hear of, or a request; false: it was
  * the request that ends the program. */
-static bool attend(struct c205 *machine, const struct decoded *decoded,
-                   uint64_t before, c205_stop *stop)
+static bool attend(struct c205 *machine, const struct decoded *decoded, uint64_t before,
+                   c205_stop *stop)
 {
     uint64_t after = clock_now(machine->clock);
     unsigned request = machine->request;
@@ -251,8 +247,8 @@ static inline void clear_effect(struct effect *effect)
 }
 
 /* A vector instruction may go on until the limit comes. */
-static void limit_elements(struct c205 *machine,
-                           const struct decoded *decoded, uint64_t limit)
+static void limit_elements(struct c205 *machine, const struct decoded *decoded,
+                           uint64_t limit)
 {
     if (decoded->insn->timing == C205_TIMING_vlink
         && decode_pair(machine, decoded) != C205_TRAP_NONE)
@@ -263,9 +259,9 @@ static void limit_elements(struct c205 *machine,
 /* One instruction; false: *stop tells why there is no next one. */
 static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
-    const struct decoded
-        *decoded = decode_cached(machine->cache, machine->memory.code_changes,
-                                 machine->pc);
+    const struct decoded *decoded = decode_cached(machine->cache,
+                                                  machine->memory.code_changes,
+                                                  machine->pc);
     uint64_t before = clock_now(machine->clock);
     c205_trap trap = C205_TRAP_NONE;
     if (before >= limit)
@@ -281,8 +277,7 @@ static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
     if (trap != C205_TRAP_NONE)
         return stop_within(machine, trap, decoded, limit, stop);
     clock_charge(machine->clock, decoded, &machine->effect);
-    machine->pc = machine->effect.taken ? machine->effect.target
-                                        : decoded->next;
+    machine->pc = machine->effect.taken ? machine->effect.target : decoded->next;
     return !machine->eventful || attend(machine, decoded, before, stop);
 }
 
@@ -290,8 +285,7 @@ static inline bool step(struct c205 *machine, uint64_t limit, c205_stop *stop)
 
 /* How many were executed: fewer, where one traps or has changed code. */
 static inline unsigned execute_block(struct c205 *machine,
-                                     const struct code_block *block,
-                                     c205_trap *trap)
+                                     const struct code_block *block, c205_trap *trap)
 {
     const struct decoded *insn = block->insn, *end = insn + block->count;
     struct effect *effect = &machine->effect;
@@ -326,15 +320,13 @@ static inline bool run_block(struct c205 *machine, struct code_block *block,
 static inline struct code_block *block_at(struct c205 *machine, uint64_t pc)
 {
     struct code_block *block = *block_place(machine->blocks, pc);
-    if (block && block->pc == pc
-        && block->version == machine->memory.code_changes)
+    if (block && block->pc == pc && block->version == machine->memory.code_changes)
         return block;
     return block_make(machine, pc);
 }
 
 /* A block, or where that cannot be one instruction. */
-static inline bool go_on(struct c205 *machine, uint64_t limit,
-                         c205_stop *stop)
+static inline bool go_on(struct c205 *machine, uint64_t limit, c205_stop *stop)
 {
     if (!machine->eventful) {
         struct code_block *block = block_at(machine, machine->pc);
@@ -444,23 +436,18 @@ static void describe_code(const c205 *machine, uint64_t pc, char text[20])
 /* It was to take room when it was touched, and there was none. */
 static bool lacks_page(const c205 *machine, const c205_stop *stop)
 {
-    return stop->trap == C205_TRAP_UNMAPPED_ADDRESS
-           && stop->address <= ADDRESS_MASK
-           && memory_is_untouched(
-               memory_peek(&machine->memory, stop->address));
+    return stop->trap == C205_TRAP_UNMAPPED_ADDRESS && stop->address <= ADDRESS_MASK
+           && memory_is_untouched(memory_peek(&machine->memory, stop->address));
 }
 
-void c205_describe_stop(const c205 *machine, const c205_stop *stop,
-                        c205_error *text)
+void c205_describe_stop(const c205 *machine, const c205_stop *stop, c205_error *text)
 {
     unsigned long long pc = stop->pc, address = stop->address;
     char code[20] = "", operand[32] = "";
-    const char *rule = lacks_page(machine, stop) ? MEMORY_NO_PAGE
-                                                 : stop->rule;
+    const char *rule = lacks_page(machine, stop) ? MEMORY_NO_PAGE : stop->rule;
     if (stop->trap == C205_TRAP_NONE) {
-        snprintf(text->message, sizeof text->message,
-                 "ended at %llX with status %lld", pc,
-                 (long long)stop->status);
+        snprintf(text->message, sizeof text->message, "ended at %llX with status %lld",
+                 pc, (long long)stop->status);
         return;
     }
     if (stop->insn)
@@ -474,14 +461,14 @@ void c205_describe_stop(const c205 *machine, const c205_stop *stop,
              rule ? rule : "");
 }
 
-bool c205_map(c205 *machine, uint64_t address, size_t words,
-              c205_access access, c205_error *error)
+bool c205_map(c205 *machine, uint64_t address, size_t words, c205_access access,
+              c205_error *error)
 {
     return memory_map(&machine->memory, address, words, access, error);
 }
 
-bool c205_map_shared(c205 *machine, uint64_t address,
-                     const c205_shared *shared, c205_error *error)
+bool c205_map_shared(c205 *machine, uint64_t address, const c205_shared *shared,
+                     c205_error *error)
 {
     return shared_map(shared, &machine->memory, address, error);
 }
@@ -496,8 +483,7 @@ void c205_warm(c205 *machine)
 
 bool c205_next_page(const c205 *machine, uint64_t from, c205_page *page)
 {
-    uint64_t address = memory_next_page(&machine->memory,
-                                        from & ~(PAGE_BITS - 1));
+    uint64_t address = memory_next_page(&machine->memory, from & ~(PAGE_BITS - 1));
     const struct page *found;
     if (from > ADDRESS_MASK || address > ADDRESS_MASK)
         return false;
@@ -513,13 +499,12 @@ static bool host_may_copy(const c205 *machine, uint64_t address, size_t count)
     uint64_t fault;
     return address % WORD_BITS == 0 && address <= ADDRESS_MASK
            && (uint64_t)count <= ADDRESS_SPACE_WORDS
-           && memory_check(&machine->memory, address,
-                           (uint64_t)count * WORD_BITS, false, &fault)
+           && memory_check(&machine->memory, address, (uint64_t)count * WORD_BITS,
+                           false, &fault)
                   == C205_TRAP_NONE;
 }
 
-bool c205_read(const c205 *machine, uint64_t address, c205_word *words,
-               size_t count)
+bool c205_read(const c205 *machine, uint64_t address, c205_word *words, size_t count)
 {
     if (!host_may_copy(machine, address, count))
         return false;
@@ -527,8 +512,7 @@ bool c205_read(const c205 *machine, uint64_t address, c205_word *words,
     return true;
 }
 
-bool c205_write(c205 *machine, uint64_t address, const c205_word *words,
-                size_t count)
+bool c205_write(c205 *machine, uint64_t address, const c205_word *words, size_t count)
 {
     if (!host_may_copy(machine, address, count))
         return false;

@@ -54,15 +54,14 @@ struct c205 {
     const struct decoded *executed; /* .. which listeners are told of */
     c205_times record;              /* .. and its time */
     struct package progress;        /* of the one that was interrupted */
-    size_t allowed;      /* elements of this one before the clock limit
+    size_t allowed;                 /* elements of this one before the clock limit
                                  comes, SIZE_MAX: any number */
-    uint64_t resumed_at; /* the clock shown when the run began */
-    uint64_t fault;      /* operand address of a trap .. */
-    enum rule rule;      /* .. and the rule that was broken, if known */
-    unsigned request;    /* that EXIT just made, or NO_REQUEST */
-    bool
-        eventful; /* EXIT was executed, somebody listens, or there are stops */
-    bool pausing; /* a listener has asked for an end of the run */
+    uint64_t resumed_at;            /* the clock shown when the run began */
+    uint64_t fault;                 /* operand address of a trap .. */
+    enum rule rule;                 /* .. and the rule that was broken, if known */
+    unsigned request;               /* that EXIT just made, or NO_REQUEST */
+    bool eventful; /* EXIT was executed, somebody listens, or there are stops */
+    bool pausing;  /* a listener has asked for an end of the run */
     struct machine_stops *stops; /* NULL: none were ever set */
     unsigned listener_count;
     struct {
@@ -100,49 +99,46 @@ static inline void machine_touch_as(struct c205 *machine, uint64_t address,
     touch->stored = stored;
 }
 
-static inline void machine_touch(struct c205 *machine, uint64_t address,
-                                 uint64_t bits)
+static inline void machine_touch(struct c205 *machine, uint64_t address, uint64_t bits)
 {
     machine_touch_as(machine, address, bits, false);
 }
 
-static inline void machine_touch_result(struct c205 *machine,
-                                        uint64_t address, uint64_t bits)
+static inline void machine_touch_result(struct c205 *machine, uint64_t address,
+                                        uint64_t bits)
 {
     machine_touch_as(machine, address, bits, true);
 }
 
 /* A half register, in the left half of a word. */
-static inline c205_word machine_half(const struct c205 *machine,
-                                     uint16_t slot, uint8_t shift)
+static inline c205_word machine_half(const struct c205 *machine, uint16_t slot,
+                                     uint8_t shift)
 {
     return machine->slot[slot] << shift & LEFT_HALF;
 }
 
 /* The other half of the register stays. */
-static inline void machine_set_half(struct c205 *machine, uint16_t slot,
-                                    uint8_t shift, c205_word half)
+static inline void machine_set_half(struct c205 *machine, uint16_t slot, uint8_t shift,
+                                    c205_word half)
 {
     c205_word other = ~(LEFT_HALF >> shift);
     machine->slot[slot] = (machine->slot[slot] & other) | half >> shift;
 }
 
 /* To C, a register or a half register. */
-static inline void machine_deliver(struct c205 *machine,
-                                   const struct decoded *decoded,
+static inline void machine_deliver(struct c205 *machine, const struct decoded *decoded,
                                    c205_word number)
 {
     if (decoded->width[OPERAND_C] == HALF_BITS)
-        machine_set_half(machine, decoded->c, decoded->shift[OPERAND_C],
-                         number);
+        machine_set_half(machine, decoded->c, decoded->shift[OPERAND_C], number);
     else
         machine->slot[decoded->c] = number;
 }
 
 /* To C and the register behind it, or the two halves of a register. */
 static inline void machine_deliver_parts(struct c205 *machine,
-                                         const struct decoded *decoded,
-                                         c205_word upper, c205_word lower)
+                                         const struct decoded *decoded, c205_word upper,
+                                         c205_word lower)
 {
     bool half = decoded->width[OPERAND_C] == HALF_BITS;
     if (decoded->c == SLOT_SINK)
@@ -172,8 +168,7 @@ static inline struct turn machine_turn(const struct c205 *machine, size_t n,
 
 /* The elements of a turn are done.  CLOCK_LIMIT: there are more, and what the
  * loop carries on to them must go to machine->progress. */
-static inline c205_trap machine_end_turn(struct c205 *machine,
-                                         const struct turn *turn)
+static inline c205_trap machine_end_turn(struct c205 *machine, const struct turn *turn)
 {
     if (turn->end == turn->n)
         return C205_TRAP_NONE;
@@ -197,8 +192,7 @@ static inline bool machine_timer_has_run_out(const struct c205 *machine)
 /* The data flags, with that of the timer when it has run out. */
 static inline uint64_t machine_flags(const struct c205 *machine)
 {
-    return machine->data_flags
-           | (machine_timer_has_run_out(machine) ? FLAG_TIMER : 0);
+    return machine->data_flags | (machine_timer_has_run_out(machine) ? FLAG_TIMER : 0);
 }
 /* The same, to be changed; a timer that has run out is off then. */
 uint64_t *machine_raise_flags(struct c205 *machine);
@@ -231,8 +225,8 @@ static inline c205_trap machine_fault(struct c205 *machine, c205_trap trap,
 }
 
 /* Every function named in insn.def. */
-#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, function, operation, provenance, effect) \
+#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, flags, \
+             function, operation, provenance, effect) \
     semantics execute_##function;
 #include "vm/insn.def"
 

@@ -12,8 +12,7 @@ static void forget_near(struct memory *memory)
         memory->near_page[i].number = UINT64_MAX;
 }
 
-const struct near_page *memory_find_near(struct memory *memory,
-                                         uint64_t address)
+const struct near_page *memory_find_near(struct memory *memory, uint64_t address)
 {
     uint64_t number = address >> PAGE_SHIFT;
     struct near_page *near = &memory->near_page[number % NEAR_PAGES];
@@ -71,8 +70,7 @@ static struct page **page_place(struct memory *memory, uint64_t address)
     struct page ***pages = &memory->directory[address >> DIRECTORY_SHIFT];
     if (!*pages)
         *pages = calloc(DIRECTORY_PAGES, sizeof **pages);
-    return *pages ? *pages + (address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1))
-                  : NULL;
+    return *pages ? *pages + (address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1)) : NULL;
 }
 
 static struct page *add_own(struct memory *memory, struct page *page)
@@ -87,8 +85,8 @@ static struct page *add_own(struct memory *memory, struct page *page)
 static struct page *new_page(struct memory *memory)
 {
     struct page *page = take_spare(memory);
-    return add_own(memory, page ? memset(page, 0, sizeof *page)
-                                : calloc(1, sizeof *page));
+    return add_own(memory,
+                   page ? memset(page, 0, sizeof *page) : calloc(1, sizeof *page));
 }
 
 const uint64_t memory_untouched = 0;
@@ -106,13 +104,11 @@ struct page *memory_touch(const struct memory *memory, uint64_t address)
     return page;
 }
 
-static bool map_page(struct memory *memory, uint64_t address,
-                     c205_access access)
+static bool map_page(struct memory *memory, uint64_t address, c205_access access)
 {
     struct page **place = page_place(memory, address);
     bool untouched = place && (!*place || memory_is_untouched(*place));
-    if (place && !untouched && (*place)->shared
-        && !memory_own(memory, address))
+    if (place && !untouched && (*place)->shared && !memory_own(memory, address))
         return false;
     if (untouched && access == C205_WHEN_TOUCHED) {
         *place = (struct page *)&memory_untouched;
@@ -133,14 +129,14 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
     if (address > ADDRESS_MASK || (uint64_t)words > ADDRESS_SPACE_WORDS
         || (words > 0 && last > ADDRESS_MASK)) {
         snprintf(error->message, sizeof error->message,
-                 "%zu word%s at %llX %s beyond the end of the address space",
-                 words, words == 1 ? "" : "s", (unsigned long long)address,
+                 "%zu word%s at %llX %s beyond the end of the address space", words,
+                 words == 1 ? "" : "s", (unsigned long long)address,
                  words == 1 ? "lies" : "lie");
         return false;
     }
     forget_near(memory);
-    for (uint64_t page = address >> PAGE_SHIFT;
-         words > 0 && page <= last >> PAGE_SHIFT; page++) {
+    for (uint64_t page = address >> PAGE_SHIFT; words > 0 && page <= last >> PAGE_SHIFT;
+         page++) {
         if (!map_page(memory, page << PAGE_SHIFT, access)) {
             snprintf(error->message, sizeof error->message, MEMORY_NO_PAGE);
             return false;
@@ -151,8 +147,8 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
 
 /* ---- Pages that are shared ------------------------------------------------ */
 
-bool memory_map_shared(struct memory *memory, uint64_t address,
-                       struct page *pages, size_t count, c205_error *error)
+bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pages,
+                       size_t count, c205_error *error)
 {
     forget_near(memory);
     for (size_t i = 0; i < count; i++, address += PAGE_BITS) {
@@ -195,26 +191,23 @@ uint64_t memory_next_page(const struct memory *memory, uint64_t address)
     return address;
 }
 
-static c205_trap check_page(const struct memory *memory, uint64_t address,
-                            bool write)
+static c205_trap check_page(const struct memory *memory, uint64_t address, bool write)
 {
     const struct page *page = write ? memory_own_page(memory, address)
                                     : memory_page(memory, address);
     if (!page)
         return C205_TRAP_UNMAPPED_ADDRESS;
-    return write && !page->writable ? C205_TRAP_PROTECTED_ADDRESS
-                                    : C205_TRAP_NONE;
+    return write && !page->writable ? C205_TRAP_PROTECTED_ADDRESS : C205_TRAP_NONE;
 }
 
-c205_trap memory_check(const struct memory *memory, uint64_t address,
-                       uint64_t bits, bool write, uint64_t *fault)
+c205_trap memory_check(const struct memory *memory, uint64_t address, uint64_t bits,
+                       bool write, uint64_t *fault)
 {
     uint64_t page_mask = PAGE_BITS - 1;
     uint64_t end = address + bits;
     while (address < end) {
-        c205_trap trap = address > ADDRESS_MASK
-                             ? C205_TRAP_UNMAPPED_ADDRESS
-                             : check_page(memory, address, write);
+        c205_trap trap = address > ADDRESS_MASK ? C205_TRAP_UNMAPPED_ADDRESS
+                                                : check_page(memory, address, write);
         if (trap != C205_TRAP_NONE) {
             *fault = address & ADDRESS_MASK;
             return trap;
@@ -237,8 +230,8 @@ void memory_mark_code(struct memory *memory, uint64_t address)
 }
 
 /* The marks are taken away: what is still code will be decoded anew. */
-void memory_change_code(struct memory *memory, struct page *page,
-                        size_t first, size_t count)
+void memory_change_code(struct memory *memory, struct page *page, size_t first,
+                        size_t count)
 {
     bool changed = false;
     for (size_t i = first, n; i < first + count; i += n) {
@@ -263,8 +256,8 @@ static void limit_to_page(size_t index, size_t *count)
         *count = C205_PAGE_WORDS - index;
 }
 
-const c205_word *memory_read_span(const struct memory *memory,
-                                  uint64_t address, size_t *count)
+const c205_word *memory_read_span(const struct memory *memory, uint64_t address,
+                                  size_t *count)
 {
     const struct page *page = memory_page(memory, address);
     size_t index = memory_word_index(address);
@@ -272,8 +265,7 @@ const c205_word *memory_read_span(const struct memory *memory,
     return page ? page->word + index : NULL;
 }
 
-c205_word *memory_write_span(struct memory *memory, uint64_t address,
-                             size_t *count)
+c205_word *memory_write_span(struct memory *memory, uint64_t address, size_t *count)
 {
     struct page *page = memory_own_page(memory, address);
     size_t index = memory_word_index(address);
@@ -285,8 +277,8 @@ c205_word *memory_write_span(struct memory *memory, uint64_t address,
     return page->word + index;
 }
 
-void memory_read_words(const struct memory *memory, uint64_t address,
-                       c205_word *words, size_t count)
+void memory_read_words(const struct memory *memory, uint64_t address, c205_word *words,
+                       size_t count)
 {
     for (size_t n; count > 0; count -= n, words += n) {
         n = count;
@@ -296,8 +288,8 @@ void memory_read_words(const struct memory *memory, uint64_t address,
     }
 }
 
-void memory_write_words(struct memory *memory, uint64_t address,
-                        const c205_word *words, size_t count)
+void memory_write_words(struct memory *memory, uint64_t address, const c205_word *words,
+                        size_t count)
 {
     for (size_t n; count > 0; count -= n, words += n) {
         n = count;
@@ -317,8 +309,7 @@ static inline c205_word half_of(c205_word word, unsigned shift)
     return word << shift & LEFT_HALF;
 }
 
-static inline c205_word with_half(c205_word word, unsigned shift,
-                                  c205_word half)
+static inline c205_word with_half(c205_word word, unsigned shift, c205_word half)
 {
     return (word & ~(LEFT_HALF >> shift)) | half >> shift;
 }
@@ -340,8 +331,7 @@ c205_trap memory_load_half(const struct memory *memory, uint64_t address,
     return trap;
 }
 
-c205_trap memory_store_half(struct memory *memory, uint64_t address,
-                            c205_word half)
+c205_trap memory_store_half(struct memory *memory, uint64_t address, c205_word half)
 {
     uint64_t place = address - shift_at(address);
     c205_word word;
@@ -368,12 +358,10 @@ void memory_read_halves(const struct memory *memory, uint64_t address,
     for (size_t n; count > 0; count -= n, halves += n) {
         unsigned shift = shift_at(address);
         size_t words = (count + shift / HALF_BITS + 1) / WORD_HALVES;
-        const c205_word *span = memory_read_span(memory, address - shift,
-                                                 &words);
+        const c205_word *span = memory_read_span(memory, address - shift, &words);
         n = halves_in(words, address, count);
         for (size_t i = 0, at = shift / HALF_BITS; i < n; i++, at++)
-            halves[i] = half_of(span[at / WORD_HALVES],
-                                at % WORD_HALVES * HALF_BITS);
+            halves[i] = half_of(span[at / WORD_HALVES], at % WORD_HALVES * HALF_BITS);
         address += n * HALF_BITS;
     }
 }
@@ -388,8 +376,7 @@ void memory_write_halves(struct memory *memory, uint64_t address,
         n = halves_in(words, address, count);
         for (size_t i = 0, at = shift / HALF_BITS; i < n; i++, at++)
             span[at / WORD_HALVES] = with_half(span[at / WORD_HALVES],
-                                               at % WORD_HALVES * HALF_BITS,
-                                               halves[i]);
+                                               at % WORD_HALVES * HALF_BITS, halves[i]);
         address += n * HALF_BITS;
     }
 }
@@ -408,8 +395,8 @@ static uint64_t leading(size_t n)
     return UINT64_MAX << (WORD_BITS - n);
 }
 
-void memory_read_bits(const struct memory *memory, uint64_t address,
-                      uint64_t *bits, size_t count)
+void memory_read_bits(const struct memory *memory, uint64_t address, uint64_t *bits,
+                      size_t count)
 {
     unsigned skip = (unsigned)(address % WORD_BITS);
     if (skip == 0 && count >= WORD_BITS) {
@@ -438,8 +425,8 @@ static uint64_t bits_from(const uint64_t *bits, size_t place, size_t count)
     return result;
 }
 
-void memory_write_bits(struct memory *memory, uint64_t address,
-                       const uint64_t *bits, size_t count)
+void memory_write_bits(struct memory *memory, uint64_t address, const uint64_t *bits,
+                       size_t count)
 {
     size_t begin = 0;
     if (address % WORD_BITS == 0 && count >= WORD_BITS) {
@@ -449,11 +436,9 @@ void memory_write_bits(struct memory *memory, uint64_t address,
     }
     for (size_t place = begin, n; place < count; place += n, address += n) {
         size_t skip = address % WORD_BITS, one = 1;
-        n = WORD_BITS - skip < count - place ? WORD_BITS - skip
-                                             : count - place;
+        n = WORD_BITS - skip < count - place ? WORD_BITS - skip : count - place;
         c205_word *word = memory_write_span(memory, address - skip, &one);
         uint64_t mask = leading(n) >> skip;
-        *word = (*word & ~mask)
-                | (bits_from(bits, place, count) >> skip & mask);
+        *word = (*word & ~mask) | (bits_from(bits, place, count) >> skip & mask);
     }
 }

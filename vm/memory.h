@@ -33,8 +33,7 @@ struct page {
     uint64_t code[C205_PAGE_WORDS / 64];
     bool holds_code; /* some bit of code was set */
     bool writable;
-    bool
-        shared; /* by machines that have not written there: not this one's own */
+    bool shared; /* by machines that have not written there: not this one's own */
 };
 
 /* A page that was found lately, so that it need not be looked for: its number,
@@ -50,8 +49,8 @@ enum { NEAR_PAGES = 16 };
 struct memory {
     struct page **directory[DIRECTORIES];
     struct near_page near_page[NEAR_PAGES]; /* by the last bits of numbers */
-    struct page *own;   /* pages that are mapped, but those that are shared */
-    struct page *spare; /* .. for the next that are */
+    struct page *own;      /* pages that are mapped, but those that are shared */
+    struct page *spare;    /* .. for the next that are */
     uint64_t code_changes; /* how often a word that held decoded code was
                               written, and one; the decode cache looks at it */
     bool rewritten;        /* one was, since all was unmapped */
@@ -69,30 +68,29 @@ bool memory_map(struct memory *memory, uint64_t address, size_t words,
 
 /* A row of pages from that address on, where nothing is mapped; each is copied before
  * it is written, and then to be read and written. */
-bool memory_map_shared(struct memory *memory, uint64_t address,
-                       struct page *pages, size_t count, c205_error *error);
+bool memory_map_shared(struct memory *memory, uint64_t address, struct page *pages,
+                       size_t count, c205_error *error);
 /* The copy.  NULL: no memory. */
 struct page *memory_own(const struct memory *memory, uint64_t address);
 
 /* Is every bit of the range mapped (and writable)?  NONE, UNMAPPED_ADDRESS
  * or PROTECTED_ADDRESS with the first such address in *fault.  A range does
  * not go on from the end of the address space to its beginning. */
-c205_trap memory_check(const struct memory *memory, uint64_t address,
-                       uint64_t bits, bool write, uint64_t *fault);
+c205_trap memory_check(const struct memory *memory, uint64_t address, uint64_t bits,
+                       bool write, uint64_t *fault);
 
 /* The span of words from a word-aligned address on that lies in one piece:
  * a pointer to the first and in *count how many there are of the count asked
  * for.  NULL: the first is not mapped.  For writing, marks code as changed. */
-const c205_word *memory_read_span(const struct memory *memory,
-                                  uint64_t address, size_t *count);
-c205_word *memory_write_span(struct memory *memory, uint64_t address,
-                             size_t *count);
+const c205_word *memory_read_span(const struct memory *memory, uint64_t address,
+                                  size_t *count);
+c205_word *memory_write_span(struct memory *memory, uint64_t address, size_t *count);
 
 /* Checked before by memory_check: whole ranges, across pages. */
-void memory_read_words(const struct memory *memory, uint64_t address,
-                       c205_word *words, size_t count);
-void memory_write_words(struct memory *memory, uint64_t address,
-                        const c205_word *words, size_t count);
+void memory_read_words(const struct memory *memory, uint64_t address, c205_word *words,
+                       size_t count);
+void memory_write_words(struct memory *memory, uint64_t address, const c205_word *words,
+                        size_t count);
 /* Half words, each in the left half of a word. */
 void memory_read_halves(const struct memory *memory, uint64_t address,
                         c205_word *halves, size_t count);
@@ -101,24 +99,23 @@ void memory_write_halves(struct memory *memory, uint64_t address,
 /* Bit strings from any bit address; bit i is bit i % 64, counted from the
  * left, of bits[i / 64]; unused bits of the last word are zero on reading and
  * do not matter on writing. */
-void memory_read_bits(const struct memory *memory, uint64_t address,
-                      uint64_t *bits, size_t count);
-void memory_write_bits(struct memory *memory, uint64_t address,
-                       const uint64_t *bits, size_t count);
+void memory_read_bits(const struct memory *memory, uint64_t address, uint64_t *bits,
+                      size_t count);
+void memory_write_bits(struct memory *memory, uint64_t address, const uint64_t *bits,
+                       size_t count);
 
 /* The word at address now holds decoded code. */
 void memory_mark_code(struct memory *memory, uint64_t address);
 /* Words of a page, about to be written, may hold decoded code. */
-void memory_change_code(struct memory *memory, struct page *page,
-                        size_t first, size_t count);
+void memory_change_code(struct memory *memory, struct page *page, size_t first,
+                        size_t count);
 
 /* The address of the first mapped page from a page on; the end of the address
  * space: there is none. */
 uint64_t memory_next_page(const struct memory *memory, uint64_t address);
 
 /* Look for a page; NULL: not mapped. */
-const struct near_page *memory_find_near(struct memory *memory,
-                                         uint64_t address);
+const struct near_page *memory_find_near(struct memory *memory, uint64_t address);
 
 static inline const struct near_page *memory_near(struct memory *memory,
                                                   uint64_t address)
@@ -140,12 +137,10 @@ static inline bool memory_is_untouched(const struct page *page)
 }
 
 /* NULL: not mapped. */
-static inline struct page *memory_peek(const struct memory *memory,
-                                       uint64_t address)
+static inline struct page *memory_peek(const struct memory *memory, uint64_t address)
 {
     struct page **pages = memory->directory[address >> DIRECTORY_SHIFT];
-    return pages ? pages[address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1)]
-                 : NULL;
+    return pages ? pages[address >> PAGE_SHIFT & (DIRECTORY_PAGES - 1)] : NULL;
 }
 
 struct page *memory_touch(const struct memory *memory, uint64_t address);
@@ -156,8 +151,7 @@ static inline bool memory_may_write(const struct page *page)
 }
 
 /* NULL: not mapped, or no memory for a page that was not touched yet. */
-static inline struct page *memory_page(const struct memory *memory,
-                                       uint64_t address)
+static inline struct page *memory_page(const struct memory *memory, uint64_t address)
 {
     struct page *page = memory_peek(memory, address);
     return memory_is_untouched(page) ? memory_touch(memory, address) : page;
@@ -177,8 +171,8 @@ static inline size_t memory_word_index(uint64_t address)
 }
 
 /* One word, checked. */
-static inline c205_trap memory_load(const struct memory *memory,
-                                    uint64_t address, c205_word *word)
+static inline c205_trap memory_load(const struct memory *memory, uint64_t address,
+                                    c205_word *word)
 {
     const struct page *page = memory_page(memory, address);
     if (address % WORD_BITS)
@@ -209,7 +203,6 @@ static inline c205_trap memory_store(struct memory *memory, uint64_t address,
 /* One half word, checked, in the left half of *half. */
 c205_trap memory_load_half(const struct memory *memory, uint64_t address,
                            c205_word *half);
-c205_trap memory_store_half(struct memory *memory, uint64_t address,
-                            c205_word half);
+c205_trap memory_store_half(struct memory *memory, uint64_t address, c205_word half);
 
 #endif

@@ -14,8 +14,7 @@ static void reverse_words(c205_word *c, const c205_word *a, size_t n)
         c[i] = a[n - 1 - i];
 }
 
-c205_trap execute_vector_reverse(struct c205 *machine,
-                                 const struct decoded *decoded)
+c205_trap execute_vector_reverse(struct c205 *machine, const struct decoded *decoded)
 {
     struct stream stream;
     c205_word words[CHUNK];
@@ -24,13 +23,10 @@ c205_trap execute_vector_reverse(struct c205 *machine,
         return trap;
     if (operands_overlap(&stream.a.vector, &stream.result))
         stream.chunk = 1;
-    for (size_t first = stream.turn.first, n; first < stream.turn.end;
-         first += n) {
+    for (size_t first = stream.turn.first, n; first < stream.turn.end; first += n) {
         n = stream_next(&stream, first);
-        reverse_words(words, source_read(&stream.a, stream.n - first - n, n),
-                      n);
-        result_store(machine, &stream.result, &stream.control, first, words,
-                     n);
+        reverse_words(words, source_read(&stream.a, stream.n - first - n, n), n);
+        result_store(machine, &stream.result, &stream.control, first, words, n);
     }
     return stream_end(&stream);
 }
@@ -51,20 +47,16 @@ typedef void chooser(struct choice *choice, size_t first, size_t n,
 static void mask_words(struct choice *choice, size_t first, size_t n,
                        const uint64_t *from_a, c205_word *words)
 {
-    memcpy(words, source_read(&choice->stream.b, first, n),
-           n * sizeof *words);
-    lanes_store_masked(words, source_read(&choice->stream.a, first, n),
-                       from_a, n);
+    memcpy(words, source_read(&choice->stream.b, first, n), n * sizeof *words);
+    lanes_store_masked(words, source_read(&choice->stream.a, first, n), from_a, n);
 }
 
 static void merge_words(struct choice *choice, size_t first, size_t n,
                         const uint64_t *from_a, c205_word *words)
 {
     size_t count = count_ones(from_a, n);
-    const c205_word *a = source_read(&choice->stream.a, choice->next_a,
-                                     count);
-    const c205_word *b = source_read(&choice->stream.b, choice->next_b,
-                                     n - count);
+    const c205_word *a = source_read(&choice->stream.a, choice->next_a, count);
+    const c205_word *b = source_read(&choice->stream.b, choice->next_b, n - count);
     (void)first;
     for (size_t i = 0; i < n; i++)
         words[i] = bit_at(from_a, i) ? *a++ : *b++;
@@ -80,13 +72,11 @@ static c205_trap store_chosen(struct choice *choice, chooser *chosen)
     uint64_t from_a[CHUNK_WORDS];
     choice->next_a = progress->count[0];
     choice->next_b = progress->count[1];
-    for (size_t first = stream->turn.first, n; first < stream->turn.end;
-         first += n) {
+    for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
         n = stream_next(stream, first);
         control_read(&stream->control, first, n, from_a);
         chosen(choice, first, n, from_a, words);
-        vector_write(&stream->machine->memory, &stream->result, first, words,
-                     n);
+        vector_write(&stream->machine->memory, &stream->result, first, words, n);
     }
     c205_trap trap = stream_end(stream);
     if (trap != C205_TRAP_NONE) {
@@ -127,8 +117,7 @@ static bool mask_directly(struct c205 *machine, const struct decoded *decoded)
         some = least(n - first, CHUNK);
         direct_read_control(control, blocked, first, from_a, some);
         memmove(to + first, other + (fill_b ? 0 : first), some * sizeof *to);
-        lanes_store_masked(to + first, from + (fill_a ? 0 : first), from_a,
-                           some);
+        lanes_store_masked(to + first, from + (fill_a ? 0 : first), from_a, some);
     }
     if (!fill_a)
         machine_touch(machine, LOW(a), (uint64_t)n * WORD_BITS);
@@ -140,8 +129,7 @@ static bool mask_directly(struct c205 *machine, const struct decoded *decoded)
     return true;
 }
 
-c205_trap execute_vector_mask(struct c205 *machine,
-                              const struct decoded *decoded)
+c205_trap execute_vector_mask(struct c205 *machine, const struct decoded *decoded)
 {
     struct choice choice;
     if (mask_directly(machine, decoded))
@@ -152,8 +140,7 @@ c205_trap execute_vector_mask(struct c205 *machine,
 
 /* Sources advance more slowly than the result: any overlap is taken one
  * element at a time. */
-c205_trap execute_vector_merge(struct c205 *machine,
-                               const struct decoded *decoded)
+c205_trap execute_vector_merge(struct c205 *machine, const struct decoded *decoded)
 {
     struct choice choice;
     struct stream *stream = &choice.stream;
@@ -177,8 +164,8 @@ struct sieve {
     size_t kept;               /* so far */
 };
 
-static const c205_word *sieve_words(struct sieve *sieve, size_t first,
-                                    size_t n, uint64_t *keep)
+static const c205_word *sieve_words(struct sieve *sieve, size_t first, size_t n,
+                                    uint64_t *keep)
 {
     struct stream *stream = &sieve->stream;
     const c205_word *a = source_read(&stream->a, first, n);
@@ -214,11 +201,9 @@ static void store_kept(struct sieve *sieve)
         n = stream_next(&sieve->stream, first);
         const c205_word *a = sieve_words(sieve, first, n, keep);
         size_t count = compress_words(words, a, keep, n);
-        vector_write(memory, &sieve->stream.result, sieve->kept, words,
-                     count);
+        vector_write(memory, &sieve->stream.result, sieve->kept, words, count);
         if (sieve->comparison)
-            memory_write_bits(memory, vector_at(&sieve->order, first), keep,
-                              n);
+            memory_write_bits(memory, vector_at(&sieve->order, first), keep, n);
         sieve->kept += count;
     }
 }
@@ -249,15 +234,13 @@ static c205_trap claim_kept(struct sieve *sieve)
     c205_trap trap = claim_vector(machine, &stream->result, stream->n, true);
     if (trap != C205_TRAP_NONE && stream->chunk == CHUNK) {
         machine->fault = 0;
-        trap = claim_vector(machine, &stream->result, count_kept(sieve),
-                            true);
+        trap = claim_vector(machine, &stream->result, count_kept(sieve), true);
     }
     machine->effect.touch_count = touches;
     return trap;
 }
 
-static c205_trap finish_sieve(struct sieve *sieve,
-                              const struct decoded *decoded)
+static c205_trap finish_sieve(struct sieve *sieve, const struct decoded *decoded)
 {
     struct c205 *machine = sieve->stream.machine;
     store_kept(sieve);
@@ -268,16 +251,14 @@ static c205_trap finish_sieve(struct sieve *sieve,
     }
     if (sieve->kept > 0)
         machine_touch_result(machine, sieve->stream.result.address,
-                             (uint64_t)sieve->kept
-                                 * sieve->stream.result.width);
+                             (uint64_t)sieve->kept * sieve->stream.result.width);
     machine->slot[decoded->result[0]] = with_length(machine->slot[decoded->c],
                                                     sieve->kept);
     return C205_TRAP_NONE;
 }
 
 /* False: it is not simple (direct.h). */
-static bool compress_directly(struct c205 *machine,
-                              const struct decoded *decoded)
+static bool compress_directly(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word a = machine->slot[decoded->a], c = machine->slot[decoded->c];
     c205_word z = machine->slot[decoded->z];
@@ -310,8 +291,7 @@ static bool compress_directly(struct c205 *machine,
     return true;
 }
 
-c205_trap execute_vector_compress(struct c205 *machine,
-                                  const struct decoded *decoded)
+c205_trap execute_vector_compress(struct c205 *machine, const struct decoded *decoded)
 {
     struct sieve sieve;
     struct stream *stream = &sieve.stream;

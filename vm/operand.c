@@ -48,8 +48,7 @@ static c205_word padding_of(const c205_insn *insn, unsigned width)
 
 /* First the magnitude, then the complement.  It is part of the way to the
  * pipe, no operation: it sets no data flags. */
-static void control_sign(const struct source *source, c205_word *words,
-                         size_t n)
+static void control_sign(const struct source *source, c205_word *words, size_t n)
 {
     bool half = source->vector.width == HALF_BITS;
     c205_word signless[CHUNK];
@@ -64,11 +63,9 @@ static void control_sign(const struct source *source, c205_word *words,
     }
 }
 
-static c205_trap describe_source(struct source *source,
-                                 const struct c205 *machine,
-                                 const struct decoded *decoded,
-                                 unsigned operand, uint16_t slot,
-                                 uint16_t offset)
+static c205_trap describe_source(struct source *source, const struct c205 *machine,
+                                 const struct decoded *decoded, unsigned operand,
+                                 uint16_t slot, uint16_t offset)
 {
     unsigned width = decoded->width[operand];
     source->memory = &machine->memory;
@@ -79,16 +76,14 @@ static c205_trap describe_source(struct source *source,
     if (source->broadcast) {
         source->vector = describe(0, width);
         source->padding = width == HALF_BITS
-                              ? machine_half(machine, slot,
-                                             decoded->shift[operand])
+                              ? machine_half(machine, slot, decoded->shift[operand])
                               : machine->slot[slot];
         control_sign(source, &source->padding, 1);
         return C205_TRAP_NONE;
     }
     source->vector = describe(machine->slot[slot], width);
     source->padding = padding_of(decoded->insn, width);
-    return offset ? advance(&source->vector, machine->slot[offset])
-                  : C205_TRAP_NONE;
+    return offset ? advance(&source->vector, machine->slot[offset]) : C205_TRAP_NONE;
 }
 
 c205_trap describe_a(struct source *source, const struct c205 *machine,
@@ -98,8 +93,7 @@ c205_trap describe_a(struct source *source, const struct c205 *machine,
     source->broadcast = g & C205_G_BROADCAST_A
                         || decoded->insn->format == C205_FORMAT_SCALARS;
     source->sign = g & (C205_G_NEGATE_A | C205_G_MAGNITUDE_A);
-    return describe_source(source, machine, decoded, OPERAND_A, decoded->a,
-                           decoded->x);
+    return describe_source(source, machine, decoded, OPERAND_A, decoded->a, decoded->x);
 }
 
 c205_trap describe_b(struct source *source, const struct c205 *machine,
@@ -109,8 +103,7 @@ c205_trap describe_b(struct source *source, const struct c205 *machine,
     source->broadcast = g & C205_G_BROADCAST_B
                         || decoded->insn->format == C205_FORMAT_SCALARS;
     source->sign = g & C205_G_MAGNITUDE_B ? C205_G_MAGNITUDE_A : 0;
-    return describe_source(source, machine, decoded, OPERAND_B, decoded->b,
-                           decoded->y);
+    return describe_source(source, machine, decoded, OPERAND_B, decoded->b, decoded->y);
 }
 
 void describe_control(struct control *control, const struct c205 *machine,
@@ -123,12 +116,10 @@ void describe_control(struct control *control, const struct c205 *machine,
 }
 
 c205_trap describe_result(struct vector *result, struct control *control,
-                          const struct c205 *machine,
-                          const struct decoded *decoded)
+                          const struct c205 *machine, const struct decoded *decoded)
 {
     describe_control(control, machine, decoded);
-    *result = describe(machine->slot[decoded->fields.c],
-                       decoded->width[OPERAND_C]);
+    *result = describe(machine->slot[decoded->fields.c], decoded->width[OPERAND_C]);
     if (!(decoded->fields.g & C205_G_OFFSET))
         return C205_TRAP_NONE;
     c205_word offset = machine->slot[decoded->fields.c + 1];
@@ -138,8 +129,8 @@ c205_trap describe_result(struct vector *result, struct control *control,
 
 /* ---- Claim -------------------------------------------------------------- */
 
-c205_trap claim_vector(struct c205 *machine, struct vector *vector,
-                       size_t count, bool write)
+c205_trap claim_vector(struct c205 *machine, struct vector *vector, size_t count,
+                       bool write)
 {
     if (vector->length > count)
         vector->length = count;
@@ -147,21 +138,18 @@ c205_trap claim_vector(struct c205 *machine, struct vector *vector,
         return C205_TRAP_NONE;
     uint64_t bits = (uint64_t)vector->length * vector->width;
     if (vector->address % vector->width)
-        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND,
-                             vector->address);
+        return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, vector->address);
     machine_touch_as(machine, vector->address, bits, write);
     return memory_check(&machine->memory, vector->address, bits, write,
                         &machine->fault);
 }
 
-c205_trap claim_source(struct c205 *machine, struct source *source,
-                       size_t count)
+c205_trap claim_source(struct c205 *machine, struct source *source, size_t count)
 {
     return claim_vector(machine, &source->vector, count, false);
 }
 
-c205_trap claim_control(struct c205 *machine, struct control *control,
-                        size_t count)
+c205_trap claim_control(struct c205 *machine, struct control *control, size_t count)
 {
     control->vector.length = control->present ? count : 0;
     return claim_vector(machine, &control->vector, count, false);
@@ -190,8 +178,8 @@ size_t operand_lead(const struct vector *read, const struct vector *written,
     return lead < most ? (size_t)lead : most;
 }
 
-bool operand_recurs(const struct vector *read, size_t i,
-                    const struct vector *written, size_t stored)
+bool operand_recurs(const struct vector *read, size_t i, const struct vector *written,
+                    size_t stored)
 {
     return i < read->length && stored > 0
            && vector_at(read, i) < vector_at(written, stored)
@@ -203,14 +191,13 @@ bool operand_recurs(const struct vector *read, size_t i,
 bool operand_is_ahead(const struct vector *read, const struct vector *written)
 {
     return !operands_overlap(read, written)
-           || (read->width == written->width
-               && written->address <= read->address);
+           || (read->width == written->width && written->address <= read->address);
 }
 
 /* ---- Elements in memory ------------------------------------------------- */
 
-void vector_read(const struct memory *memory, const struct vector *vector,
-                 size_t first, c205_word *words, size_t n)
+void vector_read(const struct memory *memory, const struct vector *vector, size_t first,
+                 c205_word *words, size_t n)
 {
     uint64_t address = vector_at(vector, first);
     if (vector->width == HALF_BITS)
@@ -219,8 +206,8 @@ void vector_read(const struct memory *memory, const struct vector *vector,
         memory_read_words(memory, address, words, n);
 }
 
-void vector_write(struct memory *memory, const struct vector *vector,
-                  size_t first, const c205_word *words, size_t n)
+void vector_write(struct memory *memory, const struct vector *vector, size_t first,
+                  const c205_word *words, size_t n)
 {
     uint64_t address = vector_at(vector, first);
     if (vector->width == HALF_BITS)
@@ -229,14 +216,13 @@ void vector_write(struct memory *memory, const struct vector *vector,
         memory_write_words(memory, address, words, n);
 }
 
-c205_word *vector_span(struct memory *memory, const struct vector *vector,
-                       size_t first, size_t n)
+c205_word *vector_span(struct memory *memory, const struct vector *vector, size_t first,
+                       size_t n)
 {
     size_t count = n;
     if (vector->width != WORD_BITS)
         return NULL;
-    c205_word *span = memory_write_span(memory, vector_at(vector, first),
-                                        &count);
+    c205_word *span = memory_write_span(memory, vector_at(vector, first), &count);
     return count == n ? span : NULL;
 }
 
@@ -251,12 +237,10 @@ static const c205_word *padding_words(struct source *source, size_t n)
     return source->space;
 }
 
-static const c205_word *filled_space(struct source *source, size_t first,
-                                     size_t n)
+static const c205_word *filled_space(struct source *source, size_t first, size_t n)
 {
     size_t in_memory = least(source->vector.length - first, n);
-    vector_read(source->memory, &source->vector, first, source->space,
-                in_memory);
+    vector_read(source->memory, &source->vector, first, source->space, in_memory);
     control_sign(source, source->space, in_memory);
     source->padded = 0;
     for (size_t i = in_memory; i < n; i++)
@@ -284,8 +268,7 @@ const c205_word *source_read(struct source *source, size_t first, size_t n)
     if (source->sign || source->vector.width != WORD_BITS
         || n > source->vector.length - first)
         return filled_space(source, first, n);
-    span = memory_read_span(source->memory, vector_at(&source->vector, first),
-                            &count);
+    span = memory_read_span(source->memory, vector_at(&source->vector, first), &count);
     return count == n ? span : filled_space(source, first, n);
 }
 
@@ -294,11 +277,10 @@ void control_read(const struct control *control, size_t first, size_t n,
 {
     size_t words = (n + 63) / 64;
     if (control->present)
-        memory_read_bits(control->memory, vector_at(&control->vector, first),
-                         permitted, n);
+        memory_read_bits(control->memory, vector_at(&control->vector, first), permitted,
+                         n);
     for (size_t i = 0; i < words; i++)
-        permitted[i] = control->present ? permitted[i] ^ control->blocked
-                                        : UINT64_MAX;
+        permitted[i] = control->present ? permitted[i] ^ control->blocked : UINT64_MAX;
     if (n % 64)
         permitted[words - 1] &= UINT64_MAX << (64 - n % 64);
 }
@@ -316,8 +298,8 @@ static void store_merged(struct memory *memory, const struct vector *result,
 }
 
 void result_store(struct c205 *machine, const struct vector *result,
-                  const struct control *control, size_t first,
-                  const c205_word *words, size_t n)
+                  const struct control *control, size_t first, const c205_word *words,
+                  size_t n)
 {
     uint64_t permitted[CHUNK_WORDS];
     if (!control->present) {
@@ -351,8 +333,7 @@ void result_store_bits(struct c205 *machine, const struct vector *result,
 /* ---- Elements and their bits -------------------------------------------- */
 
 /* Words of ones and of zeros are common. */
-size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits,
-                      size_t n)
+size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, size_t n)
 {
     size_t count = 0;
     for (size_t i = 0; i < n; i += 64) {

@@ -55,8 +55,7 @@ c205_trap describe_b(struct source *source, const struct c205 *machine,
                      const struct decoded *decoded);
 /* C, and Z with the offset of C where it has one. */
 c205_trap describe_result(struct vector *result, struct control *control,
-                          const struct c205 *machine,
-                          const struct decoded *decoded);
+                          const struct c205 *machine, const struct decoded *decoded);
 /* A vector of bits in a register, without offset. */
 struct vector describe_bits(c205_word descriptor);
 /* The same with an offset, where the offset's slot is not 0. */
@@ -70,12 +69,10 @@ void describe_control(struct control *control, const struct c205 *machine,
 
 /* The first count elements will be read (or written); where the vector is
  * shorter, all of it. */
-c205_trap claim_vector(struct c205 *machine, struct vector *vector,
-                       size_t count, bool write);
-c205_trap claim_source(struct c205 *machine, struct source *source,
-                       size_t count);
-c205_trap claim_control(struct c205 *machine, struct control *control,
-                        size_t count);
+c205_trap claim_vector(struct c205 *machine, struct vector *vector, size_t count,
+                       bool write);
+c205_trap claim_source(struct c205 *machine, struct source *source, size_t count);
+c205_trap claim_control(struct c205 *machine, struct control *control, size_t count);
 
 /* How many elements of one, but most at the most, may be read before the first
  * of the other is stored. */
@@ -83,12 +80,11 @@ size_t operand_lead(const struct vector *read, const struct vector *written,
                     size_t most);
 bool operands_overlap(const struct vector *one, const struct vector *other);
 /* Does element i of the one lie upon the first so many of the other? */
-bool operand_recurs(const struct vector *read, size_t i,
-                    const struct vector *written, size_t stored);
+bool operand_recurs(const struct vector *read, size_t i, const struct vector *written,
+                    size_t stored);
 /* May all of one be read before the other is stored, whose elements come from
  * the same place or from further on? */
-bool operand_is_ahead(const struct vector *read,
-                      const struct vector *written);
+bool operand_is_ahead(const struct vector *read, const struct vector *written);
 
 /* ---- Read and store ----------------------------------------------------- */
 
@@ -99,26 +95,25 @@ void control_read(const struct control *control, size_t first, size_t n,
                   uint64_t *permitted);
 /* n elements from the first on; half words stand in the left half of a word.
  */
-void vector_read(const struct memory *memory, const struct vector *vector,
-                 size_t first, c205_word *words, size_t n);
-void vector_write(struct memory *memory, const struct vector *vector,
-                  size_t first, const c205_word *words, size_t n);
+void vector_read(const struct memory *memory, const struct vector *vector, size_t first,
+                 c205_word *words, size_t n);
+void vector_write(struct memory *memory, const struct vector *vector, size_t first,
+                  const c205_word *words, size_t n);
 /* Where n elements from the first on stand, to be written; NULL: they are no
  * words, or not in one piece. */
-c205_word *vector_span(struct memory *memory, const struct vector *vector,
-                       size_t first, size_t n);
+c205_word *vector_span(struct memory *memory, const struct vector *vector, size_t first,
+                       size_t n);
 /* Store n elements, under a control vector only those permitted. */
 void result_store(struct c205 *machine, const struct vector *result,
-                  const struct control *control, size_t first,
-                  const c205_word *words, size_t n);
+                  const struct control *control, size_t first, const c205_word *words,
+                  size_t n);
 void result_store_bits(struct c205 *machine, const struct vector *result,
                        const struct control *control, size_t first,
                        const uint64_t *bits, size_t n);
 
 /* Those elements whose bit is 1, one behind the other; how many.  c has room
  * for n. */
-size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits,
-                      size_t n);
+size_t compress_words(c205_word *c, const c205_word *a, const uint64_t *bits, size_t n);
 size_t count_ones(const uint64_t *bits, size_t n);
 /* The place of the first one, or n. */
 size_t first_one(const uint64_t *bits, size_t n);

@@ -30,8 +30,7 @@ static bool has_pairs_with_nul(const char *text, size_t length)
 static bool is_utf16(const char *text, size_t length)
 {
     return starts_with(text, length, "\xFF\xFE")
-           || starts_with(text, length, "\xFE\xFF")
-           || has_pairs_with_nul(text, length);
+           || starts_with(text, length, "\xFE\xFF") || has_pairs_with_nul(text, length);
 }
 
 const char *c205_plain_text(char *text, size_t *length)

@@ -8,8 +8,7 @@
 
 /* ---- The instruction itself --------------------------------------------- */
 
-static void keep_instruction(struct package *progress,
-                             const struct decoded *decoded)
+static void keep_instruction(struct package *progress, const struct decoded *decoded)
 {
     c205_word word = c205_encode(decoded->insn, &decoded->fields);
     unsigned halves = c205_format_halves(decoded->insn->format);
@@ -19,8 +18,7 @@ static void keep_instruction(struct package *progress,
 }
 
 /* Of one that was interrupted before, that is what was kept then. */
-void progress_interrupt(struct package *progress,
-                        const struct decoded *decoded)
+void progress_interrupt(struct package *progress, const struct decoded *decoded)
 {
     progress->interrupted = true;
     progress->halves = 0;
@@ -29,8 +27,8 @@ void progress_interrupt(struct package *progress,
         keep_instruction(progress, decoded->linked[i]);
 }
 
-bool progress_holds(const struct package *progress, uint64_t pc,
-                    uint64_t address, c205_word *half)
+bool progress_holds(const struct package *progress, uint64_t pc, uint64_t address,
+                    c205_word *half)
 {
     uint64_t i = ((address - pc) & ADDRESS_MASK) / HALF_BITS;
     if (!progress->interrupted || i >= progress->halves)

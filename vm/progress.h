@@ -43,12 +43,11 @@ struct turn {
 struct tape;
 
 /* The instruction was interrupted; its loop has left the rest. */
-void progress_interrupt(struct package *progress,
-                        const struct decoded *decoded);
+void progress_interrupt(struct package *progress, const struct decoded *decoded);
 /* The half word at an address belongs to the instruction at pc that was
  * interrupted. */
-bool progress_holds(const struct package *progress, uint64_t pc,
-                    uint64_t address, c205_word *half);
+bool progress_holds(const struct package *progress, uint64_t pc, uint64_t address,
+                    c205_word *half);
 /* To or from a tape; SCRATCH_KEPT aside. */
 void progress_walk(struct package *progress, struct tape *tape);
 

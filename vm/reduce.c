@@ -35,8 +35,7 @@ static const struct arithmetic of_halves = {
 };
 
 typedef void folding(const struct arithmetic *arithmetic, struct parts *parts,
-                     const c205_word *a, const c205_word *b, size_t n,
-                     uint64_t *flags);
+                     const c205_word *a, const c205_word *b, size_t n, uint64_t *flags);
 
 struct reduction {
     const struct arithmetic *arithmetic;
@@ -46,8 +45,7 @@ struct reduction {
 };
 
 static void fold_sum(const struct arithmetic *arithmetic, struct parts *parts,
-                     const c205_word *a, const c205_word *b, size_t n,
-                     uint64_t *flags)
+                     const c205_word *a, const c205_word *b, size_t n, uint64_t *flags)
 {
     struct parts sum = *parts;
     (void)b;
@@ -62,8 +60,7 @@ static void fold_sum(const struct arithmetic *arithmetic, struct parts *parts,
 /* The lower parts of the products join that of the sum, one behind the sum's
  * own. */
 static void fold_dot(const struct arithmetic *arithmetic, struct parts *parts,
-                     const c205_word *a, const c205_word *b, size_t n,
-                     uint64_t *flags)
+                     const c205_word *a, const c205_word *b, size_t n, uint64_t *flags)
 {
     c205_word upper[CHUNK], lower[CHUNK];
     arithmetic->multiply_upper(upper, a, b, n, flags);
@@ -74,9 +71,9 @@ static void fold_dot(const struct arithmetic *arithmetic, struct parts *parts,
     }
 }
 
-static void fold_product(const struct arithmetic *arithmetic,
-                         struct parts *parts, const c205_word *a,
-                         const c205_word *b, size_t n, uint64_t *flags)
+static void fold_product(const struct arithmetic *arithmetic, struct parts *parts,
+                         const c205_word *a, const c205_word *b, size_t n,
+                         uint64_t *flags)
 {
     (void)b;
     arithmetic->product(&parts->upper, a, n, flags);
@@ -87,8 +84,8 @@ struct some {
     c205_word a[CHUNK], b[CHUNK];
 };
 
-static size_t take_permitted(const struct stream *stream, size_t first,
-                             size_t n, struct some *some, const c205_word **a,
+static size_t take_permitted(const struct stream *stream, size_t first, size_t n,
+                             struct some *some, const c205_word **a,
                              const c205_word **b)
 {
     uint64_t permitted[CHUNK_WORDS];
@@ -105,21 +102,18 @@ static size_t take_permitted(const struct stream *stream, size_t first,
 }
 
 /* What the parts are at first, and when the turn is over. */
-static c205_trap run_reduction(struct stream *stream,
-                               const struct reduction *reduction,
+static c205_trap run_reduction(struct stream *stream, const struct reduction *reduction,
                                struct parts *parts)
 {
     struct package *progress = &stream->machine->progress;
     struct parts kept = { progress->word, progress->lower };
     struct some some;
     *parts = stream->turn.first > 0 ? kept : reduction->start;
-    for (size_t first = stream->turn.first, n; first < stream->turn.end;
-         first += n) {
+    for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
         n = stream_next(stream, first);
         const c205_word *a = source_read(&stream->a, first, n);
-        const c205_word *b = reduction->of_pairs
-                                 ? source_read(&stream->b, first, n)
-                                 : a;
+        const c205_word *b = reduction->of_pairs ? source_read(&stream->b, first, n)
+                                                 : a;
         size_t count = take_permitted(stream, first, n, &some, &a, &b);
         reduction->fold(reduction->arithmetic, parts, a, b, count,
                         &stream->machine->data_flags);
@@ -144,13 +138,11 @@ static c205_trap reduce(struct c205 *machine, const struct decoded *decoded,
     if (fold == fold_product)
         reduction.start.upper = reduction.arithmetic->one;
     c205_trap trap = open_sources(&stream, machine, decoded);
-    return trap == C205_TRAP_NONE ? run_reduction(&stream, &reduction, parts)
-                                  : trap;
+    return trap == C205_TRAP_NONE ? run_reduction(&stream, &reduction, parts) : trap;
 }
 
-static c205_trap deliver_sum(struct c205 *machine,
-                             const struct decoded *decoded, folding *fold,
-                             bool of_pairs)
+static c205_trap deliver_sum(struct c205 *machine, const struct decoded *decoded,
+                             folding *fold, bool of_pairs)
 {
     struct parts parts;
     c205_trap trap = reduce(machine, decoded, fold, of_pairs, &parts);
@@ -159,20 +151,17 @@ static c205_trap deliver_sum(struct c205 *machine,
     return trap;
 }
 
-c205_trap execute_vector_sum(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_vector_sum(struct c205 *machine, const struct decoded *decoded)
 {
     return deliver_sum(machine, decoded, fold_sum, false);
 }
 
-c205_trap execute_vector_dot(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_vector_dot(struct c205 *machine, const struct decoded *decoded)
 {
     return deliver_sum(machine, decoded, fold_dot, true);
 }
 
-c205_trap execute_vector_product(struct c205 *machine,
-                                 const struct decoded *decoded)
+c205_trap execute_vector_product(struct c205 *machine, const struct decoded *decoded)
 {
     struct parts parts;
     c205_trap trap = reduce(machine, decoded, fold_product, false, &parts);
@@ -197,12 +186,11 @@ static bool is_better(const struct best *best, c205_word word)
 {
     if (!best->found || word_is_indefinite(word))
         return true;
-    return best->greatest ? best->less(best->word, word)
-                          : best->less(word, best->word);
+    return best->greatest ? best->less(best->word, word) : best->less(word, best->word);
 }
 
-static void find_best(struct best *best, const c205_word *a, size_t first,
-                      size_t n, const uint64_t *permitted)
+static void find_best(struct best *best, const c205_word *a, size_t first, size_t n,
+                      const uint64_t *permitted)
 {
     for (size_t i = 0; i < n && !best->indefinite; i++)
         if (bit_at(permitted, i) && is_better(best, a[i])) {
@@ -224,8 +212,7 @@ static void resume_extreme(struct best *best, const struct package *progress)
     best->indefinite = word_is_indefinite(best->word);
 }
 
-static c205_trap interrupt_extreme(struct package *progress,
-                                   const struct best *best)
+static c205_trap interrupt_extreme(struct package *progress, const struct best *best)
 {
     progress->word = best->word;
     progress->count[0] = best->index;
@@ -237,21 +224,18 @@ static c205_trap extreme(struct c205 *machine, const struct decoded *decoded,
                          bool greatest)
 {
     bool half = decoded->width[OPERAND_A] == HALF_BITS;
-    struct best best = { C205_INDEFINITE, 0,
-                         false,           false,
-                         greatest,        half ? half_less : arith_less };
+    struct best best = { C205_INDEFINITE, 0,        false,
+                         false,           greatest, half ? half_less : arith_less };
     struct stream stream;
     uint64_t permitted[CHUNK_WORDS];
     c205_trap trap = open_sources(&stream, machine, decoded);
     if (trap != C205_TRAP_NONE)
         return trap;
     resume_extreme(&best, &machine->progress);
-    for (size_t first = stream.turn.first, n; first < stream.turn.end;
-         first += n) {
+    for (size_t first = stream.turn.first, n; first < stream.turn.end; first += n) {
         n = stream_next(&stream, first);
         control_read(&stream.control, first, n, permitted);
-        find_best(&best, source_read(&stream.a, first, n), first, n,
-                  permitted);
+        find_best(&best, source_read(&stream.a, first, n), first, n, permitted);
     }
     if (stream_end(&stream) != C205_TRAP_NONE)
         return interrupt_extreme(&machine->progress, &best);
@@ -264,14 +248,12 @@ static c205_trap extreme(struct c205 *machine, const struct decoded *decoded,
     return C205_TRAP_NONE;
 }
 
-c205_trap execute_vector_maximum(struct c205 *machine,
-                                 const struct decoded *decoded)
+c205_trap execute_vector_maximum(struct c205 *machine, const struct decoded *decoded)
 {
     return extreme(machine, decoded, true);
 }
 
-c205_trap execute_vector_minimum(struct c205 *machine,
-                                 const struct decoded *decoded)
+c205_trap execute_vector_minimum(struct c205 *machine, const struct decoded *decoded)
 {
     return extreme(machine, decoded, false);
 }

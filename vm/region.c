@@ -31,8 +31,7 @@ uint32_t machine_region(const struct c205 *machine, uint64_t pc)
 }
 
 /* The account of a name, which is added where it is new. */
-static uint32_t account_of(const char **names, size_t *count,
-                           const char *name)
+static uint32_t account_of(const char **names, size_t *count, const char *name)
 {
     size_t i = 0;
     while (i < *count && strcmp(names[i], name) != 0)
@@ -53,9 +52,8 @@ static bool check_ranges(const struct region_range *ranges, size_t count,
             wrong = "overlaps another";
         if (!wrong)
             continue;
-        snprintf(error->message, sizeof error->message,
-                 "the region %.100s %s, at %llX", names[ranges[i].region],
-                 wrong, (unsigned long long)ranges[i].begin);
+        snprintf(error->message, sizeof error->message, "the region %.100s %s, at %llX",
+                 names[ranges[i].region], wrong, (unsigned long long)ranges[i].begin);
         return false;
     }
     return true;
@@ -74,10 +72,10 @@ static bool set_ranges(struct c205 *machine, const c205_program *program,
         ranges[i].region = account_of(names, &name_count, region->name);
     }
     qsort(ranges, program->region_count, sizeof *ranges, by_address);
-    return check_ranges(ranges, program->region_count,
-                        (const char *const *)names, error)
-           && clock_set_regions(machine->clock, (const char *const *)names,
-                                name_count, error);
+    return check_ranges(ranges, program->region_count, (const char *const *)names,
+                        error)
+           && clock_set_regions(machine->clock, (const char *const *)names, name_count,
+                                error);
 }
 
 bool machine_set_regions(struct c205 *machine, const c205_program *program,
@@ -86,8 +84,7 @@ bool machine_set_regions(struct c205 *machine, const c205_program *program,
     size_t count = program->region_count;
     struct region_range *ranges = malloc((count + 1) * sizeof *ranges);
     const char **names = malloc((count + 1) * sizeof *names);
-    bool done = ranges && names
-                && set_ranges(machine, program, ranges, names, error);
+    bool done = ranges && names && set_ranges(machine, program, ranges, names, error);
     if (!ranges || !names)
         snprintf(error->message, sizeof error->message, "%s", no_memory);
     free(names);
@@ -103,8 +100,7 @@ bool machine_set_regions(struct c205 *machine, const c205_program *program,
 
 /* ---- On a tape ----------------------------------------------------------- */
 
-static const char wrong_regions[] =
-    "the regions of the saved machine are wrong";
+static const char wrong_regions[] = "the regions of the saved machine are wrong";
 
 /* Each region has its account, the first one is for all other code. */
 static void walk_names(struct c205 *machine, const char **names, size_t count,
@@ -133,8 +129,7 @@ static void walk_accounts(struct c205 *machine, struct tape *tape)
     free(names);
 }
 
-static void walk_range(struct region_range *range, size_t regions,
-                       struct tape *tape)
+static void walk_range(struct region_range *range, size_t regions, struct tape *tape)
 {
     size_t region = range->region;
     tape_word(tape, &range->begin);
@@ -144,8 +139,8 @@ static void walk_range(struct region_range *range, size_t regions,
     tape_require(tape, range->begin <= range->end, wrong_regions);
 }
 
-static void walk_ranges(struct region_range *ranges, size_t count,
-                        size_t regions, struct tape *tape)
+static void walk_ranges(struct region_range *ranges, size_t count, size_t regions,
+                        struct tape *tape)
 {
     for (size_t i = 0; i < count; i++) {
         walk_range(&ranges[i], regions, tape);

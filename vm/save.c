@@ -104,16 +104,14 @@ static void tell_untouched(struct tape *tape)
     tape_size(tape, &words, 0);
 }
 
-static void walk_page(struct memory *memory, uint64_t address,
-                      struct tape *tape)
+static void walk_page(struct memory *memory, uint64_t address, struct tape *tape)
 {
     if (memory_is_untouched(memory_peek(memory, address))) {
         tell_untouched(tape);
         return;
     }
     struct page *page = memory_page(memory, address);
-    size_t access = page && memory_may_write(page) ? C205_READ_WRITE
-                                                   : C205_READ_ONLY;
+    size_t access = page && memory_may_write(page) ? C205_READ_WRITE : C205_READ_ONLY;
     tape_size(tape, &access, C205_READ_WRITE);
     if (!page && !tape->failed
         && !memory_map(memory, address, C205_PAGE_WORDS, (c205_access)access,

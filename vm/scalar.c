@@ -52,8 +52,7 @@ uint64_t *machine_raise_flags(struct c205 *machine)
     return &machine->data_flags;
 }
 
-c205_trap execute_exchange_flags(struct c205 *machine,
-                                 const struct decoded *decoded)
+c205_trap execute_exchange_flags(struct c205 *machine, const struct decoded *decoded)
 {
     uint64_t *flags = machine_raise_flags(machine);
     c205_word before = *flags;
@@ -72,8 +71,7 @@ static uint64_t clocks_left(const struct c205 *machine)
 
 TO_T(read_timer, LOW(clocks_left(machine)))
 
-c205_trap execute_set_timer(struct c205 *machine,
-                            const struct decoded *decoded)
+c205_trap execute_set_timer(struct c205 *machine, const struct decoded *decoded)
 {
     uint64_t clocks = LOW(machine->slot[decoded->a]);
     machine_raise_flags(machine);
@@ -118,24 +116,20 @@ c205_trap execute_set_timer(struct c205 *machine,
 TO_HALF(move_half, a)
 TO_HALF(extend, arith_extend(a, &machine->data_flags))
 
-static c205_trap cut_to_half(struct c205 *machine,
-                             const struct decoded *decoded,
+static c205_trap cut_to_half(struct c205 *machine, const struct decoded *decoded,
                              arith_unary *contract)
 {
     machine_deliver(machine, decoded,
-                    contract(machine->slot[decoded->a],
-                             &machine->data_flags));
+                    contract(machine->slot[decoded->a], &machine->data_flags));
     return C205_TRAP_NONE;
 }
 
-c205_trap execute_contract(struct c205 *machine,
-                           const struct decoded *decoded)
+c205_trap execute_contract(struct c205 *machine, const struct decoded *decoded)
 {
     return cut_to_half(machine, decoded, arith_contract);
 }
 
-c205_trap execute_contract_rounded(struct c205 *machine,
-                                   const struct decoded *decoded)
+c205_trap execute_contract_rounded(struct c205 *machine, const struct decoded *decoded)
 {
     return cut_to_half(machine, decoded, arith_contract_rounded);
 }
@@ -143,8 +137,7 @@ c205_trap execute_contract_rounded(struct c205 *machine,
 /* Of a half word in the left half. */
 #define HALF_COEFFICIENT UINT64_C(0x00FFFFFF00000000)
 
-c205_trap execute_enter_half(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_enter_half(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word i = (c205_word)decoded->fields.immediate << HALF_BITS;
     machine_set_half(machine, decoded->result[0], decoded->shift[OPERAND_A],
@@ -152,8 +145,7 @@ c205_trap execute_enter_half(struct c205 *machine,
     return C205_TRAP_NONE;
 }
 
-c205_trap execute_increase_half(struct c205 *machine,
-                                const struct decoded *decoded)
+c205_trap execute_increase_half(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word i = (c205_word)decoded->fields.immediate << HALF_BITS;
     uint8_t shift = decoded->shift[OPERAND_A];
@@ -191,13 +183,11 @@ static c205_trap describe_field(struct c205 *machine, c205_word descriptor,
     return C205_TRAP_NONE;
 }
 
-c205_trap execute_insert_bits(struct c205 *machine,
-                              const struct decoded *decoded)
+c205_trap execute_insert_bits(struct c205 *machine, const struct decoded *decoded)
 {
     c205_word word = machine->slot[decoded->c], bits;
     struct field field;
-    c205_trap trap = describe_field(machine, machine->slot[decoded->b],
-                                    &field);
+    c205_trap trap = describe_field(machine, machine->slot[decoded->b], &field);
     if (trap != C205_TRAP_NONE)
         return trap;
     bits = machine->slot[decoded->a] & field.ones;
@@ -206,12 +196,10 @@ c205_trap execute_insert_bits(struct c205 *machine,
     return C205_TRAP_NONE;
 }
 
-c205_trap execute_extract_bits(struct c205 *machine,
-                               const struct decoded *decoded)
+c205_trap execute_extract_bits(struct c205 *machine, const struct decoded *decoded)
 {
     struct field field;
-    c205_trap trap = describe_field(machine, machine->slot[decoded->b],
-                                    &field);
+    c205_trap trap = describe_field(machine, machine->slot[decoded->b], &field);
     if (trap == C205_TRAP_NONE)
         machine->slot[decoded->c] = machine->slot[decoded->a] >> field.right
                                     & field.ones;
@@ -224,16 +212,13 @@ c205_trap execute_extract_bits(struct c205 *machine,
 static uint64_t operand_address(const struct c205 *machine,
                                 const struct decoded *decoded)
 {
-    return LOW(machine->slot[decoded->a]
-               + machine->slot[decoded->b] * WORD_BITS);
+    return LOW(machine->slot[decoded->a] + machine->slot[decoded->b] * WORD_BITS);
 }
 
-c205_trap execute_load_word(struct c205 *machine,
-                            const struct decoded *decoded)
+c205_trap execute_load_word(struct c205 *machine, const struct decoded *decoded)
 {
     uint64_t address = operand_address(machine, decoded);
-    c205_trap trap = memory_load(&machine->memory, address,
-                                 &machine->slot[decoded->c]);
+    c205_trap trap = memory_load(&machine->memory, address, &machine->slot[decoded->c]);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
     machine_touch(machine, address, WORD_BITS);
@@ -246,13 +231,11 @@ static void tell_changes(struct c205 *machine, uint64_t before)
     machine->effect.ends = machine->memory.code_changes != before;
 }
 
-c205_trap execute_store_word(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_store_word(struct c205 *machine, const struct decoded *decoded)
 {
     uint64_t address = operand_address(machine, decoded);
     uint64_t changes = machine->memory.code_changes;
-    c205_trap trap = memory_store(&machine->memory, address,
-                                  machine->slot[decoded->c]);
+    c205_trap trap = memory_store(&machine->memory, address, machine->slot[decoded->c]);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
     tell_changes(machine, changes);
@@ -261,15 +244,12 @@ c205_trap execute_store_word(struct c205 *machine,
 }
 
 /* R + 32 S */
-static uint64_t half_address(const struct c205 *machine,
-                             const struct decoded *decoded)
+static uint64_t half_address(const struct c205 *machine, const struct decoded *decoded)
 {
-    return LOW(machine->slot[decoded->a]
-               + machine->slot[decoded->b] * HALF_BITS);
+    return LOW(machine->slot[decoded->a] + machine->slot[decoded->b] * HALF_BITS);
 }
 
-c205_trap execute_load_half(struct c205 *machine,
-                            const struct decoded *decoded)
+c205_trap execute_load_half(struct c205 *machine, const struct decoded *decoded)
 {
     uint64_t address = half_address(machine, decoded);
     c205_word half;
@@ -281,13 +261,11 @@ c205_trap execute_load_half(struct c205 *machine,
     return C205_TRAP_NONE;
 }
 
-c205_trap execute_store_half(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_store_half(struct c205 *machine, const struct decoded *decoded)
 {
     uint64_t address = half_address(machine, decoded);
     uint64_t changes = machine->memory.code_changes;
-    c205_word half = machine_half(machine, decoded->c,
-                                  decoded->shift[OPERAND_C]);
+    c205_word half = machine_half(machine, decoded->c, decoded->shift[OPERAND_C]);
     c205_trap trap = memory_store_half(&machine->memory, address, half);
     if (trap != C205_TRAP_NONE)
         return machine_fault(machine, trap, address);
@@ -300,14 +278,13 @@ c205_trap execute_store_half(struct c205 *machine,
 
 /* Of the vector in a register: may so many registers from first on be moved
  * there or from there? */
-static c205_trap check_swap(struct c205 *machine, c205_word descriptor,
-                            unsigned first, bool save)
+static c205_trap check_swap(struct c205 *machine, c205_word descriptor, unsigned first,
+                            bool save)
 {
     uint64_t address = LOW(descriptor);
     size_t length = (size_t)(descriptor >> LENGTH_SHIFT);
     if (first + length > C205_REGISTERS)
-        return machine_fault(machine, machine_refuse(machine, RULE_SWAPPED),
-                             address);
+        return machine_fault(machine, machine_refuse(machine, RULE_SWAPPED), address);
     if (length > 0 && address % WORD_BITS)
         return machine_fault(machine, C205_TRAP_MISALIGNED_OPERAND, address);
     return memory_check(&machine->memory, address, length * WORD_BITS, save,
@@ -316,12 +293,10 @@ static c205_trap check_swap(struct c205 *machine, c205_word descriptor,
 
 /* First saves to vector T, then loads from vector R: where they overlap,
  * what was saved is loaded. */
-c205_trap execute_swap_registers(struct c205 *machine,
-                                 const struct decoded *decoded)
+c205_trap execute_swap_registers(struct c205 *machine, const struct decoded *decoded)
 {
     unsigned first = decoded->fields.s;
-    c205_word from = machine->slot[decoded->a],
-              to = machine->slot[decoded->c];
+    c205_word from = machine->slot[decoded->a], to = machine->slot[decoded->c];
     size_t loaded = (size_t)(from >> LENGTH_SHIFT);
     size_t saved = (size_t)(to >> LENGTH_SHIFT);
     c205_trap trap = check_swap(machine, from, first, false);
@@ -329,10 +304,8 @@ c205_trap execute_swap_registers(struct c205 *machine,
         trap = check_swap(machine, to, first, true);
     if (trap != C205_TRAP_NONE)
         return trap;
-    memory_write_words(&machine->memory, LOW(to), machine->slot + first,
-                       saved);
-    memory_read_words(&machine->memory, LOW(from), machine->slot + first,
-                      loaded);
+    memory_write_words(&machine->memory, LOW(to), machine->slot + first, saved);
+    memory_read_words(&machine->memory, LOW(from), machine->slot + first, loaded);
     machine->slot[0] = 0;
     machine->effect.swapped = loaded + saved;
     machine->effect.saved = saved;

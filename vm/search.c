@@ -60,10 +60,9 @@ c205_trap execute_search(struct c205 *machine, const struct decoded *decoded)
     stream.turn.end = stream.n;
     for (; first < stream.n && done == n; first += done) {
         n = stream_next(&stream, first);
-        done = search_some(&stream, source_read(&stream.a, first, n), n,
-                           comparison, places);
-        result_store(machine, &stream.result, &stream.control, first, places,
-                     done);
+        done = search_some(&stream, source_read(&stream.a, first, n), n, comparison,
+                           places);
+        result_store(machine, &stream.result, &stream.control, first, places, done);
     }
     stream.turn.end = first;
     trap = stream_end(&stream);

@@ -38,17 +38,15 @@ void c205_shared_free(c205_shared *shared)
     free(shared);
 }
 
-bool shared_map(const c205_shared *shared, struct memory *memory,
-                uint64_t address, c205_error *error)
+bool shared_map(const c205_shared *shared, struct memory *memory, uint64_t address,
+                c205_error *error)
 {
     uint64_t pages = (ADDRESS_MASK + 1) / PAGE_BITS;
     if (address % PAGE_BITS == 0 && address <= ADDRESS_MASK
         && shared->count <= pages - address / PAGE_BITS)
-        return memory_map_shared(memory, address, shared->pages,
-                                 shared->count, error);
-    snprintf(error->message, sizeof error->message,
-             "%zu page%s not begin at %llX", shared->count,
-             shared->count == 1 ? " does" : "s do",
+        return memory_map_shared(memory, address, shared->pages, shared->count, error);
+    snprintf(error->message, sizeof error->message, "%zu page%s not begin at %llX",
+             shared->count, shared->count == 1 ? " does" : "s do",
              (unsigned long long)address);
     return false;
 }

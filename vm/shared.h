@@ -4,7 +4,7 @@
 
 #include "vm/memory.h"
 
-bool shared_map(const c205_shared *shared, struct memory *memory,
-                uint64_t address, c205_error *error);
+bool shared_map(const c205_shared *shared, struct memory *memory, uint64_t address,
+                c205_error *error);
 
 #endif

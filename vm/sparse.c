@@ -57,8 +57,7 @@ static const uint64_t *kept_orders(const struct sparse *sparse)
 static c205_trap keep_orders(const struct sparse *sparse)
 {
     struct c205 *machine = sparse->machine;
-    const struct order_vector *orders[ORDERS] = { &sparse->x, &sparse->y,
-                                                  &sparse->z };
+    const struct order_vector *orders[ORDERS] = { &sparse->x, &sparse->y, &sparse->z };
     c205_word *kept = machine_scratch(machine, SCRATCH_KEPT);
     if (!kept)
         return C205_TRAP_NO_MEMORY;
@@ -87,8 +86,7 @@ static c205_trap read_order(struct c205 *machine, struct order_vector *order,
 
 static c205_trap read_orders(struct sparse *sparse)
 {
-    struct order_vector *orders[ORDERS] = { &sparse->x, &sparse->y,
-                                            &sparse->z };
+    struct order_vector *orders[ORDERS] = { &sparse->x, &sparse->y, &sparse->z };
     const uint64_t *kept = kept_orders(sparse);
     c205_word *bits = machine_scratch(sparse->machine, SCRATCH_ORDERS);
     c205_trap trap = bits ? C205_TRAP_NONE : C205_TRAP_NO_MEMORY;
@@ -111,8 +109,7 @@ static void combine_orders(struct sparse *sparse)
     z->ones = count_ones(z->bits, z->vector.length);
 }
 
-static size_t ones_from(const struct order_vector *order, size_t first,
-                        size_t n)
+static size_t ones_from(const struct order_vector *order, size_t first, size_t n)
 {
     size_t count = 0;
     for (size_t i = first; i < first + n; i++)
@@ -123,8 +120,7 @@ static size_t ones_from(const struct order_vector *order, size_t first,
 /* ---- Operands ---------------------------------------------------------- */
 
 /* X and Y are no offsets here, and there is none of the result. */
-static c205_trap describe_packed(struct sparse *sparse,
-                                 const struct decoded *decoded)
+static c205_trap describe_packed(struct sparse *sparse, const struct decoded *decoded)
 {
     const struct c205 *machine = sparse->machine;
     struct decoded packed = *decoded;
@@ -141,8 +137,7 @@ static c205_trap describe_packed(struct sparse *sparse,
 
 /* There are as many places as Z has if it is given, else as the longer one
  * of X and Y; what these have beyond is not used. */
-static void describe_orders(struct sparse *sparse,
-                            const struct decoded *decoded)
+static void describe_orders(struct sparse *sparse, const struct decoded *decoded)
 {
     const c205_word *slot = sparse->machine->slot;
     struct vector *x = &sparse->x.vector, *y = &sparse->y.vector;
@@ -172,8 +167,7 @@ static c205_trap claim_packed(struct sparse *sparse)
 }
 
 static c205_trap open_sparse(struct sparse *sparse, struct c205 *machine,
-                             const struct decoded *decoded,
-                             enum presence presence)
+                             const struct decoded *decoded, enum presence presence)
 {
     sparse->machine = machine;
     sparse->presence = decoded->fields.g & C205_G_GIVEN ? GIVEN : presence;
@@ -220,8 +214,7 @@ static void tell_recurrence_of_sparse(const struct sparse *sparse)
     if (!operands_overlap(a, result) && !operands_overlap(b, result))
         return;
     for (size_t i = 0; i < sparse->z.vector.length; i++) {
-        bool in_a = bit_at(sparse->x.bits, i),
-             in_b = bit_at(sparse->y.bits, i);
+        bool in_a = bit_at(sparse->x.bits, i), in_b = bit_at(sparse->y.bits, i);
         if (bit_at(sparse->z.bits, i)) {
             bool of_a = in_a && operand_recurs(a, next_a, result, stored);
             bool of_b = in_b && operand_recurs(b, next_b, result, stored);
@@ -233,8 +226,7 @@ static void tell_recurrence_of_sparse(const struct sparse *sparse)
     }
 }
 
-static c205_trap run_sparse(struct sparse *sparse,
-                            const struct operation *operation)
+static c205_trap run_sparse(struct sparse *sparse, const struct operation *operation)
 {
     const struct turn *turn = &sparse->turn;
     const struct vector *result = &sparse->result;
@@ -247,14 +239,13 @@ static c205_trap run_sparse(struct sparse *sparse,
         n = least(turn->end - first, chunk);
         size_t count = take_pairs(sparse, first, n, a, b);
         operate(machine, operation, words, a, b, count, NULL);
-        vector_write(&machine->memory, result, sparse->next_result, words,
-                     count);
+        vector_write(&machine->memory, result, sparse->next_result, words, count);
         sparse->next_result += count;
     }
     c205_trap trap = machine_end_turn(machine, turn);
     if (trap == C205_TRAP_NONE && sparse->presence != GIVEN)
-        memory_write_bits(&machine->memory, sparse->z.vector.address,
-                          sparse->z.bits, sparse->z.vector.length);
+        memory_write_bits(&machine->memory, sparse->z.vector.address, sparse->z.bits,
+                          sparse->z.vector.length);
     return trap;
 }
 
@@ -290,8 +281,7 @@ static c205_trap begin_turn(struct sparse *sparse)
     sparse->next_a = ones_from(&sparse->x, 0, first);
     sparse->next_b = ones_from(&sparse->y, 0, first);
     sparse->next_result = ones_from(&sparse->z, 0, first);
-    return sparse->turn.end < sparse->turn.n ? keep_orders(sparse)
-                                             : C205_TRAP_NONE;
+    return sparse->turn.end < sparse->turn.n ? keep_orders(sparse) : C205_TRAP_NONE;
 }
 
 static void set_length(struct c205 *machine, uint16_t slot, size_t length)
@@ -307,8 +297,7 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
     c205_trap trap = open_sparse(&sparse, machine, decoded, presence);
     if (trap != C205_TRAP_NONE)
         return trap;
-    machine->effect.elements = longest(sparse.x.ones, sparse.y.ones,
-                                       sparse.z.ones);
+    machine->effect.elements = longest(sparse.x.ones, sparse.y.ones, sparse.z.ones);
     machine->effect.idle = machine->effect.elements - sparse.z.ones;
     tell_recurrence_of_sparse(&sparse);
     trap = begin_turn(&sparse);
@@ -322,14 +311,12 @@ static c205_trap sparse(struct c205 *machine, const struct decoded *decoded,
     return C205_TRAP_NONE;
 }
 
-c205_trap execute_sparse_either(struct c205 *machine,
-                                const struct decoded *decoded)
+c205_trap execute_sparse_either(struct c205 *machine, const struct decoded *decoded)
 {
     return sparse(machine, decoded, EITHER);
 }
 
-c205_trap execute_sparse_both(struct c205 *machine,
-                              const struct decoded *decoded)
+c205_trap execute_sparse_both(struct c205 *machine, const struct decoded *decoded)
 {
     return sparse(machine, decoded, BOTH);
 }

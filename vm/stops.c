@@ -98,9 +98,9 @@ bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set)
     stops = all_stops(machine);
     if (!stops)
         return false;
-    while (i < stops->watch_count
-           && (stops->watches[i].address != address
-               || stops->watches[i].words != words))
+    while (
+        i < stops->watch_count
+        && (stops->watches[i].address != address || stops->watches[i].words != words))
         i++;
     if (set == (i < stops->watch_count))
         return true;
@@ -124,17 +124,14 @@ bool c205_watch(c205 *machine, uint64_t address, size_t words, bool set)
 
 void machine_sample_stops(struct c205 *machine)
 {
-    struct machine_stops *stops = machine->progress.interrupted
-                                      ? NULL
-                                      : machine->stops;
+    struct machine_stops *stops = machine->progress.interrupted ? NULL : machine->stops;
     for (size_t i = 0; stops && i < stops->watch_count; i++)
         c205_read(machine, stops->watches[i].address, stops->watches[i].held,
                   stops->watches[i].words);
 }
 
 /* It is as it was held until the run ends, which a change makes it do. */
-static bool is_changed(const struct c205 *machine,
-                       const struct watched *watched)
+static bool is_changed(const struct c205 *machine, const struct watched *watched)
 {
     for (size_t i = 0; i < watched->words; i++) {
         c205_word word;

@@ -23,8 +23,7 @@ struct tape tape_from(const void *bytes, size_t count, c205_error *error)
 void tape_refuse(struct tape *tape, const char *why)
 {
     if (!tape->failed)
-        snprintf(tape->error->message, sizeof tape->error->message, "%s",
-                 why);
+        snprintf(tape->error->message, sizeof tape->error->message, "%s", why);
     tape->failed = true;
 }
 

@@ -14,14 +14,12 @@ c205_trap stream_describe(struct stream *stream, struct c205 *machine,
     if (trap == C205_TRAP_NONE)
         trap = describe_b(&stream->b, machine, decoded);
     if (trap == C205_TRAP_NONE)
-        trap = describe_result(&stream->result, &stream->control, machine,
-                               decoded);
+        trap = describe_result(&stream->result, &stream->control, machine, decoded);
     stream->n = stream->result.length;
     return trap;
 }
 
-c205_trap stream_take_length(struct stream *stream,
-                             const struct decoded *decoded)
+c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded)
 {
     const struct source *a = &stream->a, *b = &stream->b;
     bool unary = decoded->insn->format == C205_FORMAT_REDUCE
@@ -42,15 +40,13 @@ c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
     c205_trap trap = describe_a(&stream->a, machine, decoded);
     if (trap == C205_TRAP_NONE)
         trap = describe_b(&stream->b, machine, decoded);
-    return trap == C205_TRAP_NONE ? stream_take_length(stream, decoded)
-                                  : trap;
+    return trap == C205_TRAP_NONE ? stream_take_length(stream, decoded) : trap;
 }
 
 /* How many elements of B will be read. */
 static size_t count_b(const struct stream *stream)
 {
-    return stream->scans_b && stream->n > 0 ? stream->b.vector.length
-                                            : stream->n;
+    return stream->scans_b && stream->n > 0 ? stream->b.vector.length : stream->n;
 }
 
 c205_trap stream_claim_sources(struct stream *stream)
@@ -71,8 +67,7 @@ c205_trap stream_claim(struct stream *stream)
 {
     c205_trap trap = stream_claim_sources(stream);
     if (trap == C205_TRAP_NONE)
-        trap = claim_vector(stream->machine, &stream->result, stream->n,
-                            true);
+        trap = claim_vector(stream->machine, &stream->result, stream->n, true);
     if (trap != C205_TRAP_NONE)
         return trap;
     const struct vector *result = &stream->result;
@@ -111,8 +106,8 @@ struct elements {
 
 /* Which of n wait for an earlier one, where a source has elements as wide as
  * the result: those from where it meets the result's beginning. */
-static struct elements waiting(const struct vector *read,
-                               const struct vector *result, size_t n)
+static struct elements waiting(const struct vector *read, const struct vector *result,
+                               size_t n)
 {
     struct elements none = { 0, 0 };
     if (!operands_overlap(read, result) || result->address <= read->address)
@@ -147,9 +142,8 @@ static bool recurs(const struct vector *result, size_t i,
     return found;
 }
 
-void tell_recurrence(struct c205 *machine, const struct vector *result,
-                     size_t n, const struct source *const *sources,
-                     size_t count)
+void tell_recurrence(struct c205 *machine, const struct vector *result, size_t n,
+                     const struct source *const *sources, size_t count)
 {
     struct elements some[SOURCES_MOST];
     bool overlap = false, alike = true;
@@ -186,9 +180,8 @@ static uint64_t flags_of(const struct operation *operation, c205_word *words,
 
 /* Flags are seldom set: only then are the elements held back taken out and
  * the others done once more. */
-static uint64_t permitted_flags(const struct operation *operation,
-                                const c205_word *a, const c205_word *b,
-                                size_t n, const uint64_t *permitted)
+static uint64_t permitted_flags(const struct operation *operation, const c205_word *a,
+                                const c205_word *b, size_t n, const uint64_t *permitted)
 {
     c205_word words[CHUNK], some_a[CHUNK], some_b[CHUNK];
     size_t count = compress_words(some_a, a, permitted, n);
@@ -197,9 +190,9 @@ static uint64_t permitted_flags(const struct operation *operation,
     return flags_of(operation, words, some_a, some_b, count);
 }
 
-void operate(struct c205 *machine, const struct operation *operation,
-             c205_word *words, const c205_word *a, const c205_word *b,
-             size_t n, const uint64_t *permitted)
+void operate(struct c205 *machine, const struct operation *operation, c205_word *words,
+             const c205_word *a, const c205_word *b, size_t n,
+             const uint64_t *permitted)
 {
     uint64_t flags = flags_of(operation, words, a, b, n);
     if (flags && permitted)
@@ -212,27 +205,24 @@ void operate(struct c205 *machine, const struct operation *operation,
 static c205_word *result_space(struct stream *stream, size_t first, size_t n,
                                c205_word *words)
 {
-    if (stream->control.present
-        || operands_overlap(&stream->a.vector, &stream->result)
+    if (stream->control.present || operands_overlap(&stream->a.vector, &stream->result)
         || operands_overlap(&stream->b.vector, &stream->result))
         return words;
-    c205_word *span = vector_span(&stream->machine->memory, &stream->result,
-                                  first, n);
+    c205_word *span = vector_span(&stream->machine->memory, &stream->result, first, n);
     return span ? span : words;
 }
 
-void stream_step(struct stream *stream, const struct operation *operation,
-                 size_t first, size_t n, bool in_place)
+void stream_step(struct stream *stream, const struct operation *operation, size_t first,
+                 size_t n, bool in_place)
 {
     const c205_word *a = source_read(&stream->a, first, n);
-    const c205_word *b = operation->unary ? NULL
-                                          : source_read(&stream->b, first, n);
+    const c205_word *b = operation->unary ? NULL : source_read(&stream->b, first, n);
     c205_word words[CHUNK], *c = words;
     uint64_t bits[CHUNK_WORDS], permitted[CHUNK_WORDS];
     if (operation->compare) {
         operation->compare(bits, a, b, n);
-        result_store_bits(stream->machine, &stream->result, &stream->control,
-                          first, bits, n);
+        result_store_bits(stream->machine, &stream->result, &stream->control, first,
+                          bits, n);
         return;
     }
     if (in_place)
@@ -241,16 +231,14 @@ void stream_step(struct stream *stream, const struct operation *operation,
     operate(stream->machine, operation, c, a, b, n,
             stream->control.present ? permitted : NULL);
     if (c == words)
-        result_store(stream->machine, &stream->result, &stream->control,
-                     first, words, n);
+        result_store(stream->machine, &stream->result, &stream->control, first, words,
+                     n);
 }
 
-static c205_trap run_stream(struct stream *stream,
-                            const struct operation *operation)
+static c205_trap run_stream(struct stream *stream, const struct operation *operation)
 {
     tell_recurrence_of(stream);
-    for (size_t first = stream->turn.first, n; first < stream->turn.end;
-         first += n) {
+    for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
         n = stream_next(stream, first);
         stream_step(stream, operation, first, n, true);
     }
@@ -282,8 +270,7 @@ const struct operation *operation_of(const struct decoded *decoded)
     return &operations[decoded->insn->operation][half];
 }
 
-c205_trap execute_elementwise(struct c205 *machine,
-                              const struct decoded *decoded)
+c205_trap execute_elementwise(struct c205 *machine, const struct decoded *decoded)
 {
     const struct operation *operation = operation_of(decoded);
     struct stream stream;
@@ -296,8 +283,7 @@ c205_trap execute_elementwise(struct c205 *machine,
 /* ---- Neighbours -------------------------------------------------------- */
 
 /* Two streams over A, the first one element ahead. */
-c205_trap execute_neighbours(struct c205 *machine,
-                             const struct decoded *decoded)
+c205_trap execute_neighbours(struct c205 *machine, const struct decoded *decoded)
 {
     struct stream stream;
     c205_trap trap = stream_describe(&stream, machine, decoded);
@@ -306,13 +292,11 @@ c205_trap execute_neighbours(struct c205 *machine,
     if (trap != C205_TRAP_NONE)
         return trap;
     if (stream.a.vector.length > 0) {
-        stream.a.vector.address = vector_at(&stream.a.vector, 1)
-                                  & ADDRESS_MASK;
+        stream.a.vector.address = vector_at(&stream.a.vector, 1) & ADDRESS_MASK;
         stream.a.vector.length--;
     }
     trap = stream_claim(&stream);
-    return trap == C205_TRAP_NONE ? run_stream(&stream, operation_of(decoded))
-                                  : trap;
+    return trap == C205_TRAP_NONE ? run_stream(&stream, operation_of(decoded)) : trap;
 }
 
 /* ---- Interval ---------------------------------------------------------- */
@@ -326,17 +310,15 @@ struct progression {
 /* n elements by repeated upper addition, the first of them value; the next
  * is left there.  They do not depend on the control vector, flags do: each
  * comes with the sum that is stored. */
-static void make_interval(struct c205 *machine,
-                          struct progression *progression, c205_word *words,
-                          size_t n, const uint64_t *permitted)
+static void make_interval(struct c205 *machine, struct progression *progression,
+                          c205_word *words, size_t n, const uint64_t *permitted)
 {
     for (size_t i = 0; i < n; i++) {
         words[i] = progression->value;
         if (bit_at(permitted, i))
             machine->data_flags |= progression->raised;
         progression->raised = 0;
-        progression->value = progression->add(progression->value,
-                                              progression->step,
+        progression->value = progression->add(progression->value, progression->step,
                                               &progression->raised);
     }
 }
@@ -345,23 +327,20 @@ static c205_trap run_interval(struct stream *stream)
 {
     struct package *progress = &stream->machine->progress;
     bool half = stream->result.width == HALF_BITS;
-    struct progression progression = { half ? half_add_upper
-                                            : arith_add_upper,
-                                       stream->a.padding, stream->b.padding,
-                                       0 };
+    struct progression progression = { half ? half_add_upper : arith_add_upper,
+                                       stream->a.padding, stream->b.padding, 0 };
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
     if (stream->turn.first > 0) {
         progression.value = progress->word;
         progression.raised = progress->flags;
     }
-    for (size_t first = stream->turn.first, n; first < stream->turn.end;
-         first += n) {
+    for (size_t first = stream->turn.first, n; first < stream->turn.end; first += n) {
         n = stream_next(stream, first);
         control_read(&stream->control, first, n, permitted);
         make_interval(stream->machine, &progression, words, n, permitted);
-        result_store(stream->machine, &stream->result, &stream->control,
-                     first, words, n);
+        result_store(stream->machine, &stream->result, &stream->control, first, words,
+                     n);
     }
     c205_trap trap = stream_end(stream);
     if (trap != C205_TRAP_NONE) {
@@ -371,8 +350,7 @@ static c205_trap run_interval(struct stream *stream)
     return trap;
 }
 
-c205_trap execute_vector_interval(struct c205 *machine,
-                                  const struct decoded *decoded)
+c205_trap execute_vector_interval(struct c205 *machine, const struct decoded *decoded)
 {
     struct stream stream;
     c205_trap trap = stream_open(&stream, machine, decoded);
@@ -393,15 +371,13 @@ static void evaluate(struct stream *stream, const struct horner *horner,
 {
     size_t count = stream->b.vector.length;
     c205_word products[CHUNK], coefficients[CHUNK];
-    lanes_fill(values,
-               count > 0 ? *source_read(&stream->b, 0, 1) : C205_MACHINE_ZERO,
+    lanes_fill(values, count > 0 ? *source_read(&stream->b, 0, 1) : C205_MACHINE_ZERO,
                n);
     for (size_t i = 1; i < count; i++) {
         lanes_fill(coefficients, *source_read(&stream->b, i, 1), n);
-        operate(stream->machine, &horner->times, products, values, a, n,
+        operate(stream->machine, &horner->times, products, values, a, n, permitted);
+        operate(stream->machine, &horner->plus, values, products, coefficients, n,
                 permitted);
-        operate(stream->machine, &horner->plus, values, products,
-                coefficients, n, permitted);
     }
 }
 
@@ -409,8 +385,7 @@ static void evaluate(struct stream *stream, const struct horner *horner,
 static void tell_recurrence_of_polynomial(const struct stream *stream)
 {
     const struct vector *a = &stream->a.vector, *b = &stream->b.vector;
-    struct vector all = { b->address, b->length > 0,
-                          (unsigned)b->length * b->width };
+    struct vector all = { b->address, b->length > 0, (unsigned)b->length * b->width };
     size_t *recurrent = &stream->machine->effect.recurrent;
     bool overlap = operands_overlap(a, &stream->result)
                    || operands_overlap(&all, &stream->result);
@@ -419,13 +394,10 @@ static void tell_recurrence_of_polynomial(const struct stream *stream)
                       || operand_recurs(&all, 0, &stream->result, i);
 }
 
-c205_trap execute_vector_polynomial(struct c205 *machine,
-                                    const struct decoded *decoded)
+c205_trap execute_vector_polynomial(struct c205 *machine, const struct decoded *decoded)
 {
-    const struct horner horner = {
-        { .binary = SIZED(decoded, multiply_significant) },
-        { .binary = SIZED(decoded, add_normalised) }
-    };
+    const struct horner horner = { { .binary = SIZED(decoded, multiply_significant) },
+                                   { .binary = SIZED(decoded, add_normalised) } };
     struct stream stream;
     c205_word words[CHUNK];
     uint64_t permitted[CHUNK_WORDS];
@@ -436,16 +408,13 @@ c205_trap execute_vector_polynomial(struct c205 *machine,
     machine->effect.elements = stream.n * count;
     tell_recurrence_of_polynomial(&stream);
     stream.turn = machine_turn(machine, stream.n,
-                               count > 0 ? machine->allowed / count
-                                         : stream.n);
-    for (size_t first = stream.turn.first, n; first < stream.turn.end;
-         first += n) {
+                               count > 0 ? machine->allowed / count : stream.n);
+    for (size_t first = stream.turn.first, n; first < stream.turn.end; first += n) {
         n = stream_next(&stream, first);
         control_read(&stream.control, first, n, permitted);
         evaluate(&stream, &horner, words, source_read(&stream.a, first, n), n,
                  stream.control.present ? permitted : NULL);
-        result_store(machine, &stream.result, &stream.control, first, words,
-                     n);
+        result_store(machine, &stream.result, &stream.control, first, words, n);
     }
     return stream_end(&stream);
 }

@@ -35,8 +35,7 @@ c205_trap stream_describe(struct stream *stream, struct c205 *machine,
 c205_trap stream_describe_sources(struct stream *stream, struct c205 *machine,
                                   const struct decoded *decoded);
 /* n := the length of A, or that of B where A is broadcast. */
-c205_trap stream_take_length(struct stream *stream,
-                             const struct decoded *decoded);
+c205_trap stream_take_length(struct stream *stream, const struct decoded *decoded);
 /* Claim what will be read and written, and settle the chunk. */
 c205_trap stream_claim(struct stream *stream);
 /* .. where the result is a register, or not stored. */
@@ -51,9 +50,8 @@ c205_trap stream_open_scan(struct stream *stream, struct c205 *machine,
 /* Tell the clock of n elements of a result how many must wait for an earlier
  * one, which one of these sources reads; SOURCES_MOST of them, a pair's. */
 enum { SOURCES_MOST = 4 };
-void tell_recurrence(struct c205 *machine, const struct vector *result,
-                     size_t n, const struct source *const *sources,
-                     size_t count);
+void tell_recurrence(struct c205 *machine, const struct vector *result, size_t n,
+                     const struct source *const *sources, size_t count);
 
 /* How many elements come next. */
 static inline size_t stream_next(const struct stream *stream, size_t first)
@@ -69,14 +67,14 @@ static inline c205_trap stream_end(struct stream *stream)
 
 /* words := operation(a, b); data flags come from the elements permitted
  * (NULL: all). */
-void operate(struct c205 *machine, const struct operation *operation,
-             c205_word *words, const c205_word *a, const c205_word *b,
-             size_t n, const uint64_t *permitted);
+void operate(struct c205 *machine, const struct operation *operation, c205_word *words,
+             const c205_word *a, const c205_word *b, size_t n,
+             const uint64_t *permitted);
 
 /* n elements from first on: sources read, result stored.  in_place: it may be
  * made where it belongs, as far as the stream's own sources allow. */
-void stream_step(struct stream *stream, const struct operation *operation,
-                 size_t first, size_t n, bool in_place);
+void stream_step(struct stream *stream, const struct operation *operation, size_t first,
+                 size_t n, bool in_place);
 
 /* What the instruction does with each element, in its size. */
 const struct operation *operation_of(const struct decoded *decoded);

@@ -11,9 +11,8 @@ int main(int argc, char **argv)
     };
     static const struct c205_arguments arguments = { .limit = C205_NO_LIMIT };
     static const struct command_example files[] = {
-        { "NAME.s",
-          "A program text. The files of macros and routines that it includes "
-          "by name, as print.s, are in c205 itself." },
+        { "NAME.s", "A program text. The files of macros and routines that it includes "
+                    "by name, as print.s, are in c205 itself." },
         { "NAME.model",
           "A machine model: constants of time, each with unit and source; or "
           "changes of one that is built in." },

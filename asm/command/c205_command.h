@@ -15,9 +15,9 @@
 #include "base/results.h"
 #include "base/visible.h"
 
-extern const struct command run_command, asm_command, dis_command,
-    isa_command, model_command, time_command, debug_command, compare_command,
-    timeline_command, sweep_command, check_command;
+extern const struct command run_command, asm_command, dis_command, isa_command,
+    model_command, time_command, debug_command, compare_command, timeline_command,
+    sweep_command, check_command;
 
 enum { CMD_DEFINES = 64 };
 struct cmd_defines {
@@ -42,7 +42,7 @@ struct c205_arguments {
     const char *command;
     const char *model;
     struct results results;
-    const char *other_model; /* of the second program; NULL: the same */
+    const char *other_model;             /* of the second program; NULL: the same */
     const char *output, *save, *restore; /* NULL: not wanted */
     uint64_t limit, from;
     bool check, trace, listing, names, points, markdown, grammar, card;
@@ -102,8 +102,8 @@ int cmd_run_check(const struct c205_arguments *arguments);
 
 /* A program from its text or from an object file; NULL after all errors have
  * gone to the report.  It uses all names that are defined; read_any: or not. */
-struct object *cmd_read_any(const struct c205_arguments *arguments,
-                            const char *path, const struct sink *report);
+struct object *cmd_read_any(const struct c205_arguments *arguments, const char *path,
+                            const struct sink *report);
 struct object *cmd_read_program(const struct c205_arguments *arguments,
                                 const char *path, const struct sink *report);
 
@@ -111,9 +111,8 @@ struct object *cmd_read_program(const struct c205_arguments *arguments,
  * are few, endless loops many. */
 #define CMD_LIMIT UINT64_C(1000000000)
 /* A machine with the program, its pages warm if the arguments ask that.  NULL: it cannot be. */
-c205 *cmd_load(const struct c205_arguments *arguments,
-               const struct object *object, const c205_model *model,
-               c205_error *error);
+c205 *cmd_load(const struct c205_arguments *arguments, const struct object *object,
+               const c205_model *model, c205_error *error);
 /* The program and the model that the arguments name; false after telling what is wrong.  The
  * caller frees both in either case. */
 bool cmd_open(const struct c205_arguments *arguments, struct object **object,

@@ -14,8 +14,7 @@ static int assemble(void *given)
     }
     c205_error error;
     struct sink report = visible_stream(stderr);
-    struct object *object = cmd_read_program(arguments, arguments->file,
-                                             &report);
+    struct object *object = cmd_read_program(arguments, arguments->file, &report);
     if (!object) {
         return CMD_FAILED;
     }
@@ -24,35 +23,30 @@ static int assemble(void *given)
         struct sink sink = visible_stream(stdout);
         listing(object, &sink);
     }
-    if (arguments->output
-        && !object_save(object, arguments->output, &error)) {
+    if (arguments->output && !object_save(object, arguments->output, &error)) {
         code = cmd_failed(arguments->command, "%s", error.message);
     }
     object_free(object);
     return code;
 }
 
-static const struct command_option options[] = {
-    { .name = "output",
-      .letter = 'o',
-      .value = "FILE",
-      .kind = COMMAND_OUTPUT,
-      .offset = CMD_PLACE(output),
-      .help = "write the object there" },
-    CMD_FLAG(listing, "print the listing"),
-    CMD_WARN,
-    CMD_DEFINE,
-    CMD_INCLUDE,
-    COMMAND_END
-};
-static const struct command_option operands[] = {
-    { .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .optional = true,
-      .offset = CMD_PLACE(file),
-      .help = "a program text" },
-    COMMAND_END
-};
+static const struct command_option options[] = { { .name = "output",
+                                                   .letter = 'o',
+                                                   .value = "FILE",
+                                                   .kind = COMMAND_OUTPUT,
+                                                   .offset = CMD_PLACE(output),
+                                                   .help = "write the object there" },
+                                                 CMD_FLAG(listing, "print the listing"),
+                                                 CMD_WARN,
+                                                 CMD_DEFINE,
+                                                 CMD_INCLUDE,
+                                                 COMMAND_END };
+static const struct command_option operands[] = { { .value = "FILE",
+                                                    .kind = COMMAND_INPUT,
+                                                    .optional = true,
+                                                    .offset = CMD_PLACE(file),
+                                                    .help = "a program text" },
+                                                  COMMAND_END };
 
 const struct command asm_command = {
     .name = "asm",

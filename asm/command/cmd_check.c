@@ -13,8 +13,7 @@ bool check_grade(const struct lesson *lesson, const char *path,
 {
     size_t length;
     char *text = text_file_read(path, FILE_LARGEST, &length, error);
-    bool good = text
-                && lesson_grade(verdict, lesson, path, text, length, error);
+    bool good = text && lesson_grade(verdict, lesson, path, text, length, error);
     free(text);
     return good;
 }
@@ -22,10 +21,8 @@ bool check_grade(const struct lesson *lesson, const char *path,
 static struct table *trial_table(const struct lesson_verdict *verdict)
 {
     static const struct table_column columns[] = {
-        { "test", "test", TABLE_TEXT, 0 },
-        { "passed", "passed", TABLE_TEXT, 0 },
-        { "medal", "medal", TABLE_TEXT, 0 },
-        { "clocks", "clocks", TABLE_COUNT, 0 },
+        { "test", "test", TABLE_TEXT, 0 },     { "passed", "passed", TABLE_TEXT, 0 },
+        { "medal", "medal", TABLE_TEXT, 0 },   { "clocks", "clocks", TABLE_COUNT, 0 },
         { "report", "report", TABLE_TEXT, 0 },
     };
     struct table *table = table_new(TABLE_COLUMNS(columns));
@@ -45,15 +42,13 @@ static struct table *trial_table(const struct lesson_verdict *verdict)
 }
 
 /* Of a piece of text below a sentence the first line. */
-void check_join(struct text_buffer *buffer,
-                const struct lesson_report *report)
+void check_join(struct text_buffer *buffer, const struct lesson_report *report)
 {
     struct sink sink = text_buffer_sink(buffer);
     for (size_t i = 0; i < report->count; i++) {
         const char *text = report->sentences[i];
         size_t length = strcspn(text, "\n");
-        sink_print(&sink, "%s%.*s", buffer->length > 0 ? " " : "",
-                   (int)length, text);
+        sink_print(&sink, "%s%.*s", buffer->length > 0 ? " " : "", (int)length, text);
         if (text[length]) {
             text += length + 1;
             sink_print(&sink, " %.*s", (int)strcspn(text, "\n"), text);
@@ -72,15 +67,13 @@ static int show_verdict(const struct check_command *check,
     } else if (results->file) {
         struct table *table = trial_table(verdict);
         good = table
-               && table_write(table, results_table_format(results),
-                              results->file);
+               && table_write(table, results_table_format(results), results->file);
         table_free(table);
     }
     if (results->json) {
         lesson_verdict_json(verdict, results->json);
     }
-    return good ? CMD_DONE
-                : cmd_failed(check->arguments->command, "no memory");
+    return good ? CMD_DONE : cmd_failed(check->arguments->command, "no memory");
 }
 
 static int check_answer(const struct check_command *check, bool *passed)
@@ -127,8 +120,7 @@ static int open_and_work(struct check_command *check)
     bool good = true;
     c205_error error;
     check->results = arguments->results;
-    if (!lessons_open(&check->lessons, &error)
-        || !find_lesson(check, &error)) {
+    if (!lessons_open(&check->lessons, &error) || !find_lesson(check, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
     if (arguments->start) {
@@ -147,13 +139,12 @@ static int check_usage(const struct c205_arguments *arguments)
     return arguments->start && !arguments->lesson
                ? cmd_usage(command, "--start of which lesson?")
            : arguments->start && (arguments->file || arguments->folder)
-               ? cmd_usage(command,
-                           "--start writes a program and grades none")
+               ? cmd_usage(command, "--start writes a program and grades none")
            : arguments->output && !arguments->start
                ? cmd_usage(command, "-o is of --start")
            : arguments->hints
-                   && (!arguments->lesson || arguments->file
-                       || arguments->folder || arguments->start)
+                   && (!arguments->lesson || arguments->file || arguments->folder
+                       || arguments->start)
                ? cmd_usage(command, "--hints are printed with a lesson")
            : arguments->folder && arguments->file
                ? cmd_usage(command, "one answer or a --folder, not both")
@@ -195,9 +186,8 @@ static const struct command_option operands[] = {
       .kind = COMMAND_TEXT,
       .optional = true,
       .offset = CMD_PLACE(lesson),
-      .help =
-          "its name or its number, or the folder of one; without: all are "
-          "listed" },
+      .help = "its name or its number, or the folder of one; without: all are "
+              "listed" },
     { .value = "ANSWER",
       .kind = COMMAND_INPUT,
       .optional = true,

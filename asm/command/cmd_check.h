@@ -14,14 +14,12 @@ struct check_command {
 };
 
 /* Begin with zero; false: the folder is no lesson; to be freed in either case. */
-bool check_read_lesson(struct lesson *lesson, const char *path,
-                       c205_error *error);
+bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *error);
 /* A file; the error does not name it. */
 bool check_grade(const struct lesson *lesson, const char *path,
                  struct lesson_verdict *verdict, c205_error *error);
 /* Adds the sentences, in one line. */
-void check_join(struct text_buffer *buffer,
-                const struct lesson_report *report);
+void check_join(struct text_buffer *buffer, const struct lesson_report *report);
 
 /* cmd_check_lesson.c: all lessons; one, with what its tests have; its program to complete.  The
  * exit codes. */

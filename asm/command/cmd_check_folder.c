@@ -10,8 +10,7 @@
 #include "base/progress.h"
 #include "base/text_file.h"
 
-static bool join_path(struct text_buffer *path, const char *folder,
-                      const char *name)
+static bool join_path(struct text_buffer *path, const char *folder, const char *name)
 {
     struct sink sink = text_buffer_sink(path);
     sink_put(&sink, folder);
@@ -22,19 +21,17 @@ static bool join_path(struct text_buffer *path, const char *folder,
 
 /* ---- A lesson -------------------------------------------------------------- */
 
-static bool read_file(struct lesson *lesson, const char *folder,
-                      const char *name, c205_error *error)
+static bool read_file(struct lesson *lesson, const char *folder, const char *name,
+                      c205_error *error)
 {
     struct text_buffer path = { 0 };
     c205_error reason;
     size_t length;
     char *text = join_path(&path, folder, name)
-                     ? text_file_read(path.text, FILE_LARGEST, &length,
-                                      &reason)
+                     ? text_file_read(path.text, FILE_LARGEST, &length, &reason)
                      : NULL;
     bool good = text ? lesson_take(lesson, name, text, length, error)
-                     : error_say(error, "%.160s: %.80s",
-                                 path.failed ? name : path.text,
+                     : error_say(error, "%.160s: %.80s", path.failed ? name : path.text,
                                  path.failed ? "no memory" : reason.message);
     text_buffer_free(&path);
     free(text);
@@ -42,8 +39,7 @@ static bool read_file(struct lesson *lesson, const char *folder,
 }
 
 /* Of "a/b/" it is "b". */
-static bool begin_lesson(struct lesson *lesson, const char *path,
-                         c205_error *error)
+static bool begin_lesson(struct lesson *lesson, const char *path, c205_error *error)
 {
     struct text_line name = { 0 };
     struct sink sink = text_line_sink(&name);
@@ -70,8 +66,7 @@ static bool check_tests(const struct lesson *lesson, c205_error *error)
     return good;
 }
 
-bool check_read_lesson(struct lesson *lesson, const char *path,
-                       c205_error *error)
+bool check_read_lesson(struct lesson *lesson, const char *path, c205_error *error)
 {
     struct folder folder;
     c205_error reason;
@@ -100,15 +95,13 @@ struct handed_in {
 };
 
 /* What is wrong in the first test that is not passed; or slow in the first that says so. */
-static void join_first(struct text_buffer *report,
-                       const struct lesson_verdict *verdict)
+static void join_first(struct text_buffer *report, const struct lesson_verdict *verdict)
 {
     const struct lesson_trial *told = NULL;
     struct sink sink = text_buffer_sink(report);
     for (size_t i = 0; i < verdict->count; i++) {
         const struct lesson_trial *trial = &verdict->trials[i];
-        if (trial->report.count > 0
-            && (!told || (told->passed && !trial->passed))) {
+        if (trial->report.count > 0 && (!told || (told->passed && !trial->passed))) {
             told = trial;
         }
     }
@@ -157,13 +150,11 @@ static void add(struct handed_in *all, const char *student,
 
 /* The reason goes to stderr, too. */
 static void refuse(struct handed_in *all, const char *student,
-                   const struct lesson *lesson, const char *path,
-                   const char *reason)
+                   const struct lesson *lesson, const char *path, const char *reason)
 {
     struct lesson_verdict verdict = { 0 };
     progress_hide(&all->progress);
-    cmd_failed(all->check->arguments->command, "%s: not graded: %s", path,
-               reason);
+    cmd_failed(all->check->arguments->command, "%s: not graded: %s", path, reason);
     lesson_refuse(&verdict, lesson, path, reason);
     add(all, student, &verdict);
     all->refused++;
@@ -194,12 +185,12 @@ static void grade(struct handed_in *all, const char *student,
 /* ---- Folders of them ------------------------------------------------------- */
 
 /* What is done with a file or folder of a student; "": of nobody. */
-typedef void take_file(struct handed_in *all, const char *student,
-                       const char *name, const char *path);
+typedef void take_file(struct handed_in *all, const char *student, const char *name,
+                       const char *path);
 
 /* With each in turn. */
-static void take_folder(struct handed_in *all, const char *student,
-                        const char *path, take_file *take)
+static void take_folder(struct handed_in *all, const char *student, const char *path,
+                        take_file *take)
 {
     struct folder folder;
     c205_error error;
@@ -243,14 +234,13 @@ static const struct lesson *lesson_named(const struct check_command *check,
 }
 
 /* LESSON.s; answers to lessons that were not asked for are ignored. */
-static void take_answer(struct handed_in *all, const char *student,
-                        const char *name, const char *path)
+static void take_answer(struct handed_in *all, const char *student, const char *name,
+                        const char *path)
 {
     const struct lesson *asked = all->check->lesson;
     struct text_buffer stem = stem_of(name);
-    const struct lesson *lesson = stem.text
-                                      ? lesson_named(all->check, stem.text)
-                                      : NULL;
+    const struct lesson *lesson = stem.text ? lesson_named(all->check, stem.text)
+                                            : NULL;
     all->failed = all->failed || stem.failed;
     text_buffer_free(&stem);
     if (!lesson || !asked || lesson == asked) {
@@ -259,8 +249,7 @@ static void take_answer(struct handed_in *all, const char *student,
 }
 
 /* STUDENT: a folder without an answer gives a row, too. */
-static void take_student(struct handed_in *all, const char *name,
-                         const char *path)
+static void take_student(struct handed_in *all, const char *name, const char *path)
 {
     size_t rows = table_rows(all->table);
     take_folder(all, name, path, take_answer);
@@ -271,13 +260,11 @@ static void take_student(struct handed_in *all, const char *name,
 
 /* The student who handed in a file that is in no folder of a student, to be freed; empty:
  * unknown.  A name without an ending is a student's, as those of folders are. */
-static struct text_buffer student_of(const char *name,
-                                     const struct lesson *asked)
+static struct text_buffer student_of(const char *name, const struct lesson *asked)
 {
     struct text_buffer student = { 0 };
     struct sink sink = text_buffer_sink(&student);
-    size_t length = file_ends_with(name, ".s") ? strlen(name) - 2
-                                               : strcspn(name, ".");
+    size_t length = file_ends_with(name, ".s") ? strlen(name) - 2 : strcspn(name, ".");
     if (asked || !name[length]) {
         sink.put(sink.context, name, length);
     }
@@ -285,8 +272,8 @@ static struct text_buffer student_of(const char *name,
 }
 
 /* STUDENT, LESSON.s or STUDENT.s. */
-static void take_entry(struct handed_in *all, const char *nobody,
-                       const char *name, const char *path)
+static void take_entry(struct handed_in *all, const char *nobody, const char *name,
+                       const char *path)
 {
     const struct lesson *asked = all->check->lesson;
     struct text_buffer student = student_of(name, asked);
@@ -305,12 +292,9 @@ static void take_entry(struct handed_in *all, const char *nobody,
 static struct table *new_table(void)
 {
     static const struct table_column columns[] = {
-        { "student", "student", TABLE_TEXT, 0 },
-        { "lesson", "lesson", TABLE_TEXT, 0 },
-        { "passed", "passed", TABLE_TEXT, 0 },
-        { "medal", "medal", TABLE_TEXT, 0 },
-        { "clocks", "clocks", TABLE_COUNT, 0 },
-        { "report", "report", TABLE_TEXT, 0 },
+        { "student", "student", TABLE_TEXT, 0 }, { "lesson", "lesson", TABLE_TEXT, 0 },
+        { "passed", "passed", TABLE_TEXT, 0 },   { "medal", "medal", TABLE_TEXT, 0 },
+        { "clocks", "clocks", TABLE_COUNT, 0 },  { "report", "report", TABLE_TEXT, 0 },
     };
     return table_new(TABLE_COLUMNS(columns));
 }
@@ -334,8 +318,7 @@ static int take_class(struct handed_in *all)
     }
     return !all->failed
                    && (!results->file
-                       || table_write(all->table,
-                                      results_table_format(results),
+                       || table_write(all->table, results_table_format(results),
                                       results->file))
                ? CMD_DONE
                : cmd_failed(arguments->command, "no memory");
@@ -347,8 +330,7 @@ int check_folder(const struct check_command *check, bool *all_graded)
     const struct c205_arguments *arguments = check->arguments;
     int code = !all.table ? cmd_failed(arguments->command, "no memory")
                : !folder_is(arguments->folder)
-                   ? cmd_failed(arguments->command,
-                                "%s: there is no such folder",
+                   ? cmd_failed(arguments->command, "%s: there is no such folder",
                                 arguments->folder)
                    : take_class(&all);
     table_free(all.table);

@@ -30,8 +30,7 @@ static void put_name(struct text_line *line, const char *name)
     sink_print(&sink, "%s%s", line->length > 0 ? ", " : "", name);
 }
 
-static void put_constant(struct text_line *line,
-                         const struct asm_symbol *symbol)
+static void put_constant(struct text_line *line, const struct asm_symbol *symbol)
 {
     struct sink sink = text_line_sink(line);
     put_name(line, symbol->name);
@@ -48,8 +47,7 @@ static void tell_symbols(struct table *table, const struct object *test)
         if (lesson_is_constant(symbol)) {
             put_constant(&constants, symbol);
         } else if (symbol->is_label) {
-            put_name(wanted ? &results : &data,
-                     wanted ? wanted : symbol->name);
+            put_name(wanted ? &results : &data, wanted ? wanted : symbol->name);
         }
     }
     table_text(table, constants.text);
@@ -115,11 +113,9 @@ static bool begins(const char *line, const char *text)
 }
 
 /* A hint's line is "<details><summary>First hint</summary>". */
-static void put_line(struct lesson_reading *reading, const char *line,
-                     size_t length)
+static void put_line(struct lesson_reading *reading, const char *line, size_t length)
 {
-    static const char before[] = "<details><summary>",
-                      behind[] = "</summary>";
+    static const char before[] = "<details><summary>", behind[] = "</summary>";
     if (begins(line, "## ")) {
         reading->hidden = begins(line, "## Hints") && !reading->hints;
     }
@@ -174,7 +170,6 @@ int check_start(const struct check_command *check)
         return cmd_failed(command, "%s", error.message);
     }
     fputs(check->lesson->start, whole->file);
-    return whole_commit(whole, &error)
-               ? CMD_DONE
-               : cmd_failed(command, "%s", error.message);
+    return whole_commit(whole, &error) ? CMD_DONE
+                                       : cmd_failed(command, "%s", error.message);
 }

@@ -31,17 +31,16 @@ static bool read_side(struct two_runs *runs, int which)
         own.defines = arguments->other_defines;
     }
     side->object = cmd_read_any(&own, side->path, &report);
-    side->model = side->object ? model_open(arguments->command,
-                                            which == COMPARED_SECOND
-                                                    && arguments->other_model
-                                                ? arguments->other_model
-                                                : arguments->model)
-                               : NULL;
+    side->model = side->object
+                      ? model_open(arguments->command,
+                                   which == COMPARED_SECOND && arguments->other_model
+                                       ? arguments->other_model
+                                       : arguments->model)
+                      : NULL;
     return side->model;
 }
 
-static bool run_to_end(struct compared_run *run, c205 *machine,
-                       c205_error *error)
+static bool run_to_end(struct compared_run *run, c205 *machine, c205_error *error)
 {
     c205_stop stop = c205_run(machine, CMD_LIMIT);
     if (stop.trap != C205_TRAP_NONE) {
@@ -66,8 +65,7 @@ static bool uses_defines(const struct two_runs *runs)
                                    objects + COMPARED_SECOND, 1);
     }
     if (unused) {
-        cmd_failed(arguments->command, "'%s' is defined, and not used",
-                   unused);
+        cmd_failed(arguments->command, "'%s' is defined, and not used", unused);
     }
     return !unused;
 }
@@ -77,14 +75,12 @@ static bool run_side(struct two_runs *runs, int which)
 {
     struct side *side = &runs->side[which];
     c205_error error;
-    c205 *machine = cmd_load(runs->arguments, side->object, side->model,
-                             &error);
+    c205 *machine = cmd_load(runs->arguments, side->object, side->model, &error);
     bool good;
     good = machine && run_to_end(&runs->run[which], machine, &error);
     c205_free(machine);
     if (!good) {
-        cmd_failed(runs->arguments->command, "%s: %s", side->path,
-                   error.message);
+        cmd_failed(runs->arguments->command, "%s: %s", side->path, error.message);
     }
     return good;
 }
@@ -108,15 +104,12 @@ static int show(const struct two_runs *runs, const struct results *results)
     int code;
     for (int i = 0; i < COMPARED_RUNS; i++) {
         const struct side *side = &runs->side[i];
-        results_say(results, "%s: %s on %s\n", i ? "second" : "first",
-                    side->path, c205_model_name(side->model));
+        results_say(results, "%s: %s on %s\n", i ? "second" : "first", side->path,
+                    c205_model_name(side->model));
     }
-    code = show_next(results, compared_causes(runs->run), "causes", "Causes",
-                     CMD_DONE);
-    code = show_next(results, compared_regions(runs->run), "regions",
-                     "Regions", code);
-    code = show_next(results, compared_figures(runs->run), "figures",
-                     "Figures", code);
+    code = show_next(results, compared_causes(runs->run), "causes", "Causes", CMD_DONE);
+    code = show_next(results, compared_regions(runs->run), "regions", "Regions", code);
+    code = show_next(results, compared_figures(runs->run), "figures", "Figures", code);
     results_gap(results);
     compared_sentence(runs->run, sentence);
     results_say(results, "%s\n", sentence);
@@ -152,8 +145,7 @@ static int run(void *given)
     const struct c205_arguments *arguments = given;
     struct two_runs runs = { .arguments = arguments };
     int code;
-    if (arguments->files.count == 0
-        || arguments->files.count > COMPARED_RUNS) {
+    if (arguments->files.count == 0 || arguments->files.count > COMPARED_RUNS) {
         return cmd_usage(arguments->command, "name one program or two");
     }
     if (arguments->files.count == 1 && !arguments->other_model

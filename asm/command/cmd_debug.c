@@ -58,9 +58,8 @@ static const struct command_option options[] = {
       .kind = COMMAND_INPUT,
       .many = true,
       .offset = CMD_PLACE(scripts),
-      .help =
-          "take the lines from there, and end with 1 if one of them fails, "
-          "as an assert does" },
+      .help = "take the lines from there, and end with 1 if one of them fails, "
+              "as an assert does" },
     CMD_MODEL,
     CMD_WARN,
     CMD_FLAG(dap, "speak the Debug Adapter Protocol on stdin and stdout, for "
@@ -93,7 +92,6 @@ const struct command debug_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details =
-        "On a terminal libedit, if it is installed, keeps the lines and "
-        "completes. help tells the verbs.",
+    .details = "On a terminal libedit, if it is installed, keeps the lines and "
+               "completes. help tells the verbs.",
 };

@@ -36,8 +36,7 @@ static void put(void *context, const char *text, size_t length)
 static c205_model *find_model(const char *name, const struct sink *report)
 {
     c205_error error = { "a model cannot come from stdin" };
-    c205_model *model = file_is_stream(name) ? NULL
-                                             : c205_model_find(name, &error);
+    c205_model *model = file_is_stream(name) ? NULL : c205_model_find(name, &error);
     if (!model) {
         sink_print(report, "%s\n", error.message);
     }
@@ -45,12 +44,10 @@ static c205_model *find_model(const char *name, const struct sink *report)
 }
 
 /* The later of two values counts. */
-static bool add_define(struct cmd_defines *defines,
-                       const struct asm_define *define)
+static bool add_define(struct cmd_defines *defines, const struct asm_define *define)
 {
     size_t i = 0;
-    while (i < defines->count
-           && strcmp(defines->items[i].name, define->name) != 0) {
+    while (i < defines->count && strcmp(defines->items[i].name, define->name) != 0) {
         i++;
     }
     if (i == CMD_DEFINES) {
@@ -67,11 +64,9 @@ static bool open_program(void *context, const struct dap_program *program,
                          c205_model **model)
 {
     struct c205_arguments arguments = *(const struct c205_arguments *)context;
-    for (const struct asm_define *define = program->defines; define->name;
-         define++) {
+    for (const struct asm_define *define = program->defines; define->name; define++) {
         if (!add_define(&arguments.defines, define)) {
-            sink_print(report, "more than %d names are defined\n",
-                       CMD_DEFINES);
+            sink_print(report, "more than %d names are defined\n", CMD_DEFINES);
             return false;
         }
     }
@@ -82,8 +77,7 @@ static bool open_program(void *context, const struct dap_program *program,
     if (!*object) {
         return false;
     }
-    *model = find_model(program->model ? program->model : arguments.model,
-                        report);
+    *model = find_model(program->model ? program->model : arguments.model, report);
     return *model;
 }
 
@@ -97,9 +91,7 @@ int cmd_debug_dap(const struct c205_arguments *arguments)
                                .context = &copy,
                                .out = { put, NULL },
                                .program = arguments->file,
-                               .folder = getcwd(folder, sizeof folder)
-                                             ? folder
-                                             : "",
+                               .folder = getcwd(folder, sizeof folder) ? folder : "",
                                .warm = arguments->warm,
                                .clocks_most = UINT64_MAX };
     c205_error error;

@@ -7,8 +7,7 @@ static int disassemble_file(void *given)
     const struct c205_arguments *arguments = given;
     struct sink sink = visible_stream(stdout);
     struct sink report = visible_stream(stderr);
-    struct object *object = cmd_read_program(arguments, arguments->file,
-                                             &report);
+    struct object *object = cmd_read_program(arguments, arguments->file, &report);
     if (!object) {
         return CMD_FAILED;
     }
@@ -17,8 +16,7 @@ static int disassemble_file(void *given)
     return good ? CMD_DONE : cmd_failed(arguments->command, "no memory");
 }
 
-static const struct command_option options[] = { CMD_DEFINE, CMD_INCLUDE,
-                                                 COMMAND_END };
+static const struct command_option options[] = { CMD_DEFINE, CMD_INCLUDE, COMMAND_END };
 static const struct command_option operands[] = { CMD_PROGRAM, COMMAND_END };
 
 const struct command dis_command = {

@@ -16,14 +16,10 @@ static const struct table_column brief[] = {
 };
 
 static const struct table_column columns[] = {
-    { "mnemonic", "name", TABLE_TEXT, 0 },
-    { "code", "code", TABLE_TEXT, 0 },
-    { "half", ",H", TABLE_TEXT, 0 },
-    { "operands", "operands", TABLE_TEXT, 0 },
-    { "format", "format", TABLE_TEXT, 0 },
-    { "unit", "unit", TABLE_TEXT, 0 },
-    { "timing", "timing", TABLE_TEXT, 0 },
-    { "provenance", "source", TABLE_TEXT, 0 },
+    { "mnemonic", "name", TABLE_TEXT, 0 }, { "code", "code", TABLE_TEXT, 0 },
+    { "half", ",H", TABLE_TEXT, 0 },       { "operands", "operands", TABLE_TEXT, 0 },
+    { "format", "format", TABLE_TEXT, 0 }, { "unit", "unit", TABLE_TEXT, 0 },
+    { "timing", "timing", TABLE_TEXT, 0 }, { "provenance", "source", TABLE_TEXT, 0 },
     { "effect", "effect", TABLE_TEXT, 0 },
 };
 
@@ -39,8 +35,7 @@ static void describe_operands(const c205_insn *insn)
     while (isa_next_operand(insn, &letter, &operand)) {
         printf("  %-11s %-3.*s ", letter == insn->operands ? "operands" : "",
                operand.length, operand.written);
-        fold_print(operand.meaning ? operand.meaning : "", TEXT_BEGINS + 4,
-                   stdout);
+        fold_print(operand.meaning ? operand.meaning : "", TEXT_BEGINS + 4, stdout);
     }
 }
 
@@ -89,15 +84,15 @@ static void describe(const c205_insn *insn)
     printf("%s   ", insn->mnemonic);
     fold_print(insn->effect, strlen(insn->mnemonic) + 3, stdout);
     printf("  written     %s%s%s%s\n", insn->mnemonic,
-           insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]" : "",
-           *syntax ? " " : "", syntax);
+           insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]" : "", *syntax ? " " : "",
+           syntax);
     printf("  code        %s\n", code);
     printf("  word        %s\n", drawing);
     describe_operands(insn);
     describe_rules(insn);
     printf("  unit        %s\n", c205_unit_name(insn->unit));
-    printf("  timing      %s.%s%s%s%s\n", vector ? "startup" : "latency",
-           timing, vector ? ", stream." : "", vector ? timing : "",
+    printf("  timing      %s.%s%s%s%s\n", vector ? "startup" : "latency", timing,
+           vector ? ", stream." : "", vector ? timing : "",
            insn->flags & C205_INSN_HALF
                ? "; with ,H by vector.half_rate where pipes share it"
                : "");
@@ -147,8 +142,7 @@ static const c205_insn *row_named(const char *name)
     return NULL;
 }
 
-static bool chosen(const struct c205_arguments *arguments,
-                   const c205_insn *insn)
+static bool chosen(const struct c205_arguments *arguments, const c205_insn *insn)
 {
     for (size_t i = 0; i < arguments->files.count; i++) {
         if (row_named(arguments->files.items[i]) == insn) {
@@ -202,8 +196,7 @@ static bool print_text(const struct c205_arguments *arguments)
 }
 
 /* What is not text has the rows of the whole table in each case. */
-static int show(const struct c205_arguments *arguments,
-                const struct results *results)
+static int show(const struct c205_arguments *arguments, const struct results *results)
 {
     struct results rest = *results;
     if (results->format == RESULTS_TEXT) {
@@ -224,8 +217,7 @@ static int with_model(const struct c205_arguments *arguments)
         return CMD_FAILED;
     }
     if (arguments->card && c205_model_is_projection(model)) {
-        code = cmd_failed(arguments->command,
-                          "%s has no clocks of single instructions",
+        code = cmd_failed(arguments->command, "%s has no clocks of single instructions",
                           c205_model_name(model));
     } else if (arguments->card) {
         isa_card(model);
@@ -247,8 +239,8 @@ static const char *other_form(const struct c205_arguments *arguments)
 
 static bool stands_alone(const struct c205_arguments *arguments)
 {
-    return arguments->files.count == 0 && !arguments->names
-           && !arguments->results.path && !arguments->results.format
+    return arguments->files.count == 0 && !arguments->names && !arguments->results.path
+           && !arguments->results.format
            && arguments->markdown + arguments->grammar + arguments->card == 1;
 }
 
@@ -266,8 +258,7 @@ static int run(void *given)
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];
         if (!row_named(name)) {
-            return cmd_usage(arguments->command, "no such instruction: %s",
-                             name);
+            return cmd_usage(arguments->command, "no such instruction: %s", name);
         }
     }
     if (!results_open(&results, arguments->command, NULL)) {

@@ -58,8 +58,7 @@ const c205_constant *isa_constant(const c205_model *model, const char *kind,
                                   const char *timing);
 /* Of a stream: clocks per element; one that the pipes share is faster for half
  * words. */
-double isa_per_element(const c205_model *model, const c205_constant *stream,
-                       bool half);
+double isa_per_element(const c205_model *model, const c205_constant *stream, bool half);
 
 /* The lines of a short program that shows it; NULL: there is none. */
 const char *const *isa_example(const c205_insn *insn);

@@ -162,11 +162,9 @@ static const char *constant_text(const c205_model *model, const char *kind,
 
 static void put_scalar_clocks(c205_timing timing, const c205_model *model)
 {
-    const char *latency = constant_text(model, "latency",
-                                        c205_timing_name(timing));
+    const char *latency = constant_text(model, "latency", c205_timing_name(timing));
     if (timing == C205_TIMING_branch) {
-        printf(" \"taken %s, far %s\"\n",
-               constant_text(model, "branch", "taken"),
+        printf(" \"taken %s, far %s\"\n", constant_text(model, "branch", "taken"),
                constant_text(model, "branch", "out_of_stack"));
     } else if (timing == C205_TIMING_swap) {
         printf(" \"%s + %.2g a word\"\n", latency,

@@ -24,12 +24,11 @@ static const struct {
     { "variable.parameter.macro.c205", "\\\\(?:[A-Za-z_$]\\w*|@|\\(\\))" },
     { "variable.language.register.c205",
       BEGINS "[rh](?:25[0-5]|2[0-4]\\d|1?\\d?\\d)" ENDS },
-    { "constant.numeric.c205", BEGINS
-      "(?:0[xX][0-9A-Fa-f]+|\\d+(?:\\.\\d*)?(?:[eE][-+]?\\d+)?)" ENDS },
+    { "constant.numeric.c205",
+      BEGINS "(?:0[xX][0-9A-Fa-f]+|\\d+(?:\\.\\d*)?(?:[eE][-+]?\\d+)?)" ENDS },
 };
 
-static void put_pattern(struct json *json, const char *name,
-                        const char *match)
+static void put_pattern(struct json *json, const char *name, const char *match)
 {
     json_object(json, NULL);
     json_text(json, "name", name);
@@ -47,8 +46,7 @@ static bool put_names(struct json *json, const char *name, bool vector)
         const c205_insn *insn = &c205_insns[i];
         if (c205_timing_is_vector(insn->timing) == vector) {
             sink_print(&sink, "%s%s%s", between, insn->mnemonic,
-                       insn->flags & C205_INSN_HALF ? "(?:" SYNTAX_HALF ")?"
-                                                    : "");
+                       insn->flags & C205_INSN_HALF ? "(?:" SYNTAX_HALF ")?" : "");
             between = "|";
         }
     }
@@ -77,7 +75,6 @@ int isa_grammar(const char *command)
     bool good = put_names(json, "keyword.mnemonic.vector.c205", true)
                 && put_names(json, "keyword.mnemonic.scalar.c205", false);
     json_end(json);
-    return json_close(json, &error) && good
-               ? CMD_DONE
-               : cmd_failed(command, "no memory");
+    return json_close(json, &error) && good ? CMD_DONE
+                                            : cmd_failed(command, "no memory");
 }

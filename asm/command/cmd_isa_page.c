@@ -23,10 +23,8 @@ static const struct {
       "a among the operands, no offset X" },
     { C205_G_BROADCAST_B, "B is one number, broadcast",
       "b among the operands, no offset Y" },
-    { C205_G_MAGNITUDE_A, "the magnitude of A (P)",
-      "rows with sign control" },
-    { C205_G_NEGATE_A, "A negated, after the magnitude (R)",
-      "rows with sign control" },
+    { C205_G_MAGNITUDE_A, "the magnitude of A (P)", "rows with sign control" },
+    { C205_G_NEGATE_A, "A negated, after the magnitude (R)", "rows with sign control" },
     { C205_G_MAGNITUDE_B, "the magnitude of B (P)",
       "rows with sign control and a source B" },
 };
@@ -134,8 +132,7 @@ static void put_formats(void)
         const c205_insn *insn = first_of((c205_format)format);
         if (insn) {
             isa_drawing(insn, drawing);
-            printf(*insn->operands ? "    %-9s  %-57s  %s\n"
-                                   : "    %-9s  %s%s\n",
+            printf(*insn->operands ? "    %-9s  %-57s  %s\n" : "    %-9s  %s%s\n",
                    c205_format_name(insn->format), drawing,
                    c205_format_syntax(insn->format));
         }
@@ -146,8 +143,7 @@ static void put_g_bits(void)
 {
     puts("\n## The bits of G\n\n| G | meaning | allowed in |\n|---|---|---|");
     for (size_t i = 0; i < G_BITS; i++) {
-        printf("| %02X | %s | %s |\n", g_bits[i].bit, g_bits[i].text,
-               g_bits[i].where);
+        printf("| %02X | %s | %s |\n", g_bits[i].bit, g_bits[i].text, g_bits[i].where);
     }
     printf("\nWhere the code is written `9D.02`, the bits after the point "
            "are bits of G that belong to\n"
@@ -166,13 +162,11 @@ static void put_g_bits(void)
 /* ---- One instruction ---------------------------------------------------- */
 
 static void put_stream(const c205_insn *insn, const c205_model *model,
-                       const c205_constant *startup,
-                       const c205_constant *stream)
+                       const c205_constant *startup, const c205_constant *stream)
 {
     const char *clocked = isa_clocked(insn);
     printf(": %s + %g n clocks%s%s", startup->text,
-           isa_per_element(model, stream, false), *clocked ? ", " : "",
-           clocked);
+           isa_per_element(model, stream, false), *clocked ? ", " : "", clocked);
     if (insn->flags & C205_INSN_HALF) {
         printf("; with `,H` %s + %g n", startup->text,
                isa_per_element(model, stream, true));
@@ -181,21 +175,18 @@ static void put_stream(const c205_insn *insn, const c205_model *model,
 
 /* What a taken branch loses after its issue clock, what a swap takes. */
 static void put_latency(const c205_insn *insn, const c205_model *model,
-                        const c205_constant *latency,
-                        const c205_constant *busy)
+                        const c205_constant *latency, const c205_constant *busy)
 {
     const c205_constant *near = isa_constant(model, "branch", "taken");
     const c205_constant *far = isa_constant(model, "branch", "out_of_stack");
     const c205_constant *word = isa_constant(model, "swap", "word");
     if (insn->timing == C205_TIMING_branch && near && far) {
-        printf(": taken %s clocks lost, %s out of the stack", near->text,
-               far->text);
+        printf(": taken %s clocks lost, %s out of the stack", near->text, far->text);
     } else if (insn->timing == C205_TIMING_swap && word) {
-        printf(": %s clocks + %s for each word loaded or saved",
-               latency->text, word->text);
+        printf(": %s clocks + %s for each word loaded or saved", latency->text,
+               word->text);
     } else {
-        printf(": result after %s clk, unit free after %s", latency->text,
-               busy->text);
+        printf(": result after %s clk, unit free after %s", latency->text, busy->text);
     }
 }
 
@@ -208,8 +199,7 @@ static void put_time(const c205_insn *insn, const c205_model *model)
     const c205_constant *first, *second;
     first = isa_constant(model, vector ? "startup" : "latency", timing);
     second = isa_constant(model, vector ? "stream" : "busy", timing);
-    printf("| time | unit `%s`, class `%s`", c205_unit_name(insn->unit),
-           timing);
+    printf("| time | unit `%s`, class `%s`", c205_unit_name(insn->unit), timing);
     if (first && second) {
         (vector ? put_stream : put_latency)(insn, model, first, second);
     }
@@ -250,10 +240,9 @@ static bool put_flags(const c205_insn *insn)
 static void put_written(const c205_insn *insn)
 {
     const char *syntax = c205_format_syntax(insn->format);
-    const char *half = insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]"
-                                                    : "";
-    printf("| written | `%s%s%s%s` |\n", insn->mnemonic, half,
-           *syntax ? " " : "", syntax);
+    const char *half = insn->flags & C205_INSN_HALF ? "[" SYNTAX_HALF "]" : "";
+    printf("| written | `%s%s%s%s` |\n", insn->mnemonic, half, *syntax ? " " : "",
+           syntax);
 }
 
 static bool put_example(const c205_insn *insn)
@@ -278,9 +267,8 @@ static bool put_insn(const c205_insn *insn, const c205_model *model)
     isa_code(insn, code);
     isa_drawing(insn, drawing);
     isa_half(insn, half);
-    printf("\n### %s\n\n%c%s.\n\n| | |\n|---|---|\n| code | %s |\n",
-           insn->mnemonic, toupper((unsigned char)insn->effect[0]),
-           insn->effect + 1, code);
+    printf("\n### %s\n\n%c%s.\n\n| | |\n|---|---|\n| code | %s |\n", insn->mnemonic,
+           toupper((unsigned char)insn->effect[0]), insn->effect + 1, code);
     put_written(insn);
     printf("| format | [%s](#formats) `", c205_format_name(insn->format));
     put_cell(drawing);
@@ -293,8 +281,7 @@ static bool put_insn(const c205_insn *insn, const c205_model *model)
     put_row("with `,H`", half);
     good = put_flags(insn) && good;
     put_time(insn, model);
-    printf("| source | %c: %s |\n", insn->provenance,
-           isa_provenance(insn->provenance));
+    printf("| source | %c: %s |\n", insn->provenance, isa_provenance(insn->provenance));
     return put_example(insn) && good;
 }
 

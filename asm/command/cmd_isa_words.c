@@ -82,8 +82,7 @@ const char *isa_provenance(char letter)
 const char *isa_flag(const c205_insn *insn, unsigned flag)
 {
     size_t i = 0;
-    if (flag == C205_INSN_SIGN
-        && strpbrk(c205_format_syntax(insn->format), "bB")
+    if (flag == C205_INSN_SIGN && strpbrk(c205_format_syntax(insn->format), "bB")
         && insn->format != C205_FORMAT_EXTREME) {
         return "sign control: -A, |A|, -|A|, |B|";
     }
@@ -107,8 +106,7 @@ void isa_code(const c205_insn *insn, char text[ISA_CODE])
 {
     int length = snprintf(text, ISA_CODE, "%02X", insn->opcode);
     if (insn->subop_mask) {
-        snprintf(text + length, ISA_CODE - (size_t)length, ".%02X",
-                 insn->subop);
+        snprintf(text + length, ISA_CODE - (size_t)length, ".%02X", insn->subop);
     }
 }
 
@@ -147,14 +145,11 @@ static void probe_format(const c205_insn *insn, char owners[WORD_BITS])
     c205_word empty = c205_encode(insn, &fields);
     memset(owners, '-', WORD_BITS);
     memset(owners, 'F', BYTE_BITS);
-    mark('G', (c205_word)insn->subop_mask << (WORD_BITS - 2 * BYTE_BITS),
-         owners);
+    mark('G', (c205_word)insn->subop_mask << (WORD_BITS - 2 * BYTE_BITS), owners);
     for (size_t i = 0; i < BYTE_FIELDS; i++) {
-        unsigned char *byte = (unsigned char *)&fields
-                              + byte_fields[i].offset;
+        unsigned char *byte = (unsigned char *)&fields + byte_fields[i].offset;
         *byte = 0xFF;
-        mark(byte_fields[i].letter, c205_encode(insn, &fields) ^ empty,
-             owners);
+        mark(byte_fields[i].letter, c205_encode(insn, &fields) ^ empty, owners);
         *byte = 0;
     }
     fields.g = C205_G_RELATIVE;
@@ -174,8 +169,8 @@ void isa_drawing(const c205_insn *insn, char text[ISA_DRAWING])
         while (i + run < bits && owners[i] == owners[i + run]) {
             run++;
         }
-        length += (size_t)snprintf(text + length, ISA_DRAWING - length,
-                                   "| %c %d ", owners[i], run);
+        length += (size_t)snprintf(text + length, ISA_DRAWING - length, "| %c %d ",
+                                   owners[i], run);
         i += run;
     }
     snprintf(text + length, ISA_DRAWING - length, "|");
@@ -218,8 +213,7 @@ bool isa_next_operand(const c205_insn *insn, const char **letter,
     operand->written += strspn(operand->written, between);
     operand->length = (int)strcspn(operand->written, between);
     operand->meaning = operand_meaning(**letter,
-                                       is_in_brackets(insn,
-                                                      *operand->written));
+                                       is_in_brackets(insn, *operand->written));
     return **letter != '\0';
 }
 
@@ -230,8 +224,7 @@ static bool has_operand(const c205_insn *insn, const char *letters)
 
 static bool is_vector(const c205_insn *insn)
 {
-    return c205_unit_is_vector(insn->unit)
-           && has_operand(insn, "vulVbdDeqcox");
+    return c205_unit_is_vector(insn->unit) && has_operand(insn, "vulVbdDeqcox");
 }
 
 static bool must_have_control(const c205_insn *insn)
@@ -340,10 +333,9 @@ static size_t list_fields(const c205_insn *insn, const char *letters,
     text[0] = '\0';
     while (isa_next_operand(insn, &letter, &operand)) {
         if (strchr(letters, *letter)) {
-            length += (size_t)snprintf(text + length, ISA_FIELDS - length,
-                                       "%s%c", count ? ", " : "",
-                                       toupper(
-                                           (unsigned char)*operand.written));
+            length += (size_t)snprintf(text + length, ISA_FIELDS - length, "%s%c",
+                                       count ? ", " : "",
+                                       toupper((unsigned char)*operand.written));
             count++;
         }
     }
@@ -351,15 +343,12 @@ static size_t list_fields(const c205_insn *insn, const char *letters,
 }
 
 /* Which of a row's texts about a group of fields: one field, more. */
-static size_t put_group(const c205_insn *insn, const char *letters,
-                        const char *one, const char *more, char *text,
-                        size_t size)
+static size_t put_group(const c205_insn *insn, const char *letters, const char *one,
+                        const char *more, char *text, size_t size)
 {
     char fields[ISA_FIELDS];
     size_t count = list_fields(insn, letters, fields);
-    return count
-               ? (size_t)snprintf(text, size, count > 1 ? more : one, fields)
-               : 0;
+    return count ? (size_t)snprintf(text, size, count > 1 ? more : one, fields) : 0;
 }
 
 static bool broadcasts(const c205_insn *insn)
@@ -379,8 +368,7 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF])
     length = put_group(insn, "vudcx", "elements of %s of 32 bits",
                        "elements of %s of 32 bits", text, ISA_HALF);
     length += put_group(insn, "fwp", "; %s is a half register",
-                        "; %s are half registers", text + length,
-                        ISA_HALF - length);
+                        "; %s are half registers", text + length, ISA_HALF - length);
     length += (size_t)snprintf(text + length, ISA_HALF - length, "%s",
                                broadcasts(insn)
                                    ? "; what is broadcast is a half register"
@@ -388,8 +376,8 @@ void isa_half(const c205_insn *insn, char text[ISA_HALF])
     length += put_group(insn, "lq", "; the indices of %s have 64 bits",
                         "; the indices of %s have 64 bits", text + length,
                         ISA_HALF - length);
-    put_group(insn, "k", "; %s is a whole register",
-              "; %s are whole registers", text + length, ISA_HALF - length);
+    put_group(insn, "k", "; %s is a whole register", "; %s are whole registers",
+              text + length, ISA_HALF - length);
 }
 
 /* ---- Special values ----------------------------------------------------- */
@@ -398,9 +386,7 @@ const char *isa_specials(const c205_insn *insn)
 {
     bool has_numbers = has_operand(insn, "fvFV");
     bool has_elements = c205_unit_is_vector(insn->unit) && *insn->operands;
-    return has_numbers || has_elements
-               ? c205_operation_specials(insn->operation)
-               : "";
+    return has_numbers || has_elements ? c205_operation_specials(insn->operation) : "";
 }
 
 /* ---- Families ----------------------------------------------------------- */
@@ -410,8 +396,8 @@ static const struct entry {
     const char *family; /* NULL: the next row */
 } entries[] = {
 #define FAMILY(title) { title },
-#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, semantics, operation, provenance, effect) \
+#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, flags, \
+             semantics, operation, provenance, effect) \
     { NULL },
 #include "vm/insn.def"
 };
@@ -440,8 +426,7 @@ const c205_constant *isa_constant(const c205_model *model, const char *kind,
     return c205_model_lookup(model, name);
 }
 
-double isa_per_element(const c205_model *model, const c205_constant *stream,
-                       bool half)
+double isa_per_element(const c205_model *model, const c205_constant *stream, bool half)
 {
     const c205_constant *pipes = c205_model_lookup(model, "machine.pipes");
     const c205_constant *rate = c205_model_lookup(model, "vector.half_rate");

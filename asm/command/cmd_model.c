@@ -8,10 +8,8 @@ static const struct table_column model_columns[] = {
 };
 
 static const struct table_column constant_columns[] = {
-    { "name", "constant", TABLE_TEXT, 0 },
-    { "text", "value", TABLE_TEXT, 0 },
-    { "unit", "unit", TABLE_TEXT, 0 },
-    { "source", "source", TABLE_TEXT, 0 },
+    { "name", "constant", TABLE_TEXT, 0 }, { "text", "value", TABLE_TEXT, 0 },
+    { "unit", "unit", TABLE_TEXT, 0 },     { "source", "source", TABLE_TEXT, 0 },
     { "remark", "remark", TABLE_TEXT, 0 },
 };
 
@@ -33,8 +31,7 @@ static int show_models(const char *command, const struct results *results)
     return results_show(results, table, "models", "Models");
 }
 
-static int show_constants(const c205_model *model,
-                          const struct results *results)
+static int show_constants(const c205_model *model, const struct results *results)
 {
     struct results head = *results;
     struct table *table = table_new(TABLE_COLUMNS(constant_columns));
@@ -56,8 +53,7 @@ static int show_constants(const c205_model *model,
     return results_show(results, table, "constants", "Constants");
 }
 
-static int show(const char *command, const char *name,
-                const struct results *results)
+static int show(const char *command, const char *name, const struct results *results)
 {
     if (!name) {
         return show_models(command, results);

@@ -26,8 +26,7 @@ static c205_word word_at(const c205 *machine, uint64_t address)
 static void trace(void *context, const c205 *machine, const c205_event *event)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
-    if (event->kind != C205_EVENT_INSTRUCTION
-        && event->kind != C205_EVENT_REQUEST) {
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST) {
         return;
     }
     disassemble_one(word_at(machine, event->pc), event->pc, text);
@@ -35,8 +34,7 @@ static void trace(void *context, const c205 *machine, const c205_event *event)
                event->issued, (int64_t)event->clocks, event->pc, text);
 }
 
-static void stop_json(const c205 *machine, const c205_stop *stop,
-                      struct json *json)
+static void stop_json(const c205 *machine, const c205_stop *stop, struct json *json)
 {
     json_object(json, "stop");
     json_text(json, "trap", c205_trap_name(stop->trap));
@@ -49,8 +47,7 @@ static void stop_json(const c205 *machine, const c205_stop *stop,
 
 static const char *program_name(const struct c205_arguments *arguments)
 {
-    return arguments->files.count ? arguments->files.items[0]
-                                  : arguments->restore;
+    return arguments->files.count ? arguments->files.items[0] : arguments->restore;
 }
 
 static int show_profile(const struct c205_arguments *arguments,
@@ -63,9 +60,8 @@ static int show_profile(const struct c205_arguments *arguments,
     return line_profile_show(profile, view, results);
 }
 
-static int show_accounts(const struct c205_arguments *arguments,
-                         const c205 *machine, const c205_stop *stop,
-                         const struct results *results)
+static int show_accounts(const struct c205_arguments *arguments, const c205 *machine,
+                         const c205_stop *stop, const struct results *results)
 {
     const c205_model *model = c205_machine_model(machine);
     struct accounts accounts = { .model = model };
@@ -98,21 +94,18 @@ static int judge_trap(const struct c205_arguments *arguments,
     struct sink report = visible_stream(stderr);
     fflush(stdout);
     trap_report(object, program_name(arguments), machine, stop, &report);
-    if (stop->trap == C205_TRAP_CLOCK_LIMIT
-        && arguments->limit == C205_NO_LIMIT) {
-        return cmd_failed(
-            arguments->command,
-            "stopped after %" PRIu64 " clocks: if it is in no "
-            "endless loop, --limit CLOCKS or --no-limit lets it "
-            "go on",
-            CMD_LIMIT);
+    if (stop->trap == C205_TRAP_CLOCK_LIMIT && arguments->limit == C205_NO_LIMIT) {
+        return cmd_failed(arguments->command,
+                          "stopped after %" PRIu64 " clocks: if it is in no "
+                          "endless loop, --limit CLOCKS or --no-limit lets it "
+                          "go on",
+                          CMD_LIMIT);
     }
     return CMD_FAILED;
 }
 
-static int judge(const struct c205_arguments *arguments,
-                 const struct object *object, const c205 *machine,
-                 const c205_stop *stop)
+static int judge(const struct c205_arguments *arguments, const struct object *object,
+                 const c205 *machine, const c205_stop *stop)
 {
     enum { STATUS = 0xFF };
     if (stop->trap != C205_TRAP_NONE) {
@@ -122,8 +115,7 @@ static int judge(const struct c205_arguments *arguments,
         return (int)(stop->status & STATUS);
     }
     if (stop->status != 0) {
-        return cmd_failed(arguments->command,
-                          "the program ended with status %" PRId64,
+        return cmd_failed(arguments->command, "the program ended with status %" PRId64,
                           stop->status);
     }
     return CMD_DONE;
@@ -134,9 +126,9 @@ static bool may_go_on(const c205_stop *stop)
     return stop->trap == C205_TRAP_CLOCK_LIMIT;
 }
 
-static int save(const struct c205_arguments *arguments,
-                const struct object *object, const c205 *machine,
-                const c205_stop *stop, const struct results *results)
+static int save(const struct c205_arguments *arguments, const struct object *object,
+                const c205 *machine, const c205_stop *stop,
+                const struct results *results)
 {
     c205_error error;
     if (!may_go_on(stop)) {
@@ -173,8 +165,7 @@ static void put_message(void *context, const char *text, size_t length)
 
 /* A watch for a program whose object is known; not if nothing is warned of. */
 static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
-                        const struct object *object,
-                        const struct sink *report,
+                        const struct object *object, const struct sink *report,
                         struct program_watch **watch)
 {
     const struct warning_choice *choice = &arguments->warnings.choice;
@@ -191,12 +182,11 @@ static bool start_watch(const struct c205_arguments *arguments, c205 *machine,
 }
 
 /* An interruption is not lost among the results. */
-static int conclude(const struct c205_arguments *arguments,
-                    const struct object *object, const c205 *machine,
-                    const c205_stop *stop, const struct results *results)
+static int conclude(const struct c205_arguments *arguments, const struct object *object,
+                    const c205 *machine, const c205_stop *stop,
+                    const struct results *results)
 {
-    int code = arguments->save
-                   ? save(arguments, object, machine, stop, results)
+    int code = arguments->save    ? save(arguments, object, machine, stop, results)
                : interrupt_came() ? CMD_DONE
                                   : judge(arguments, object, machine, stop);
     if (!may_go_on(stop) || !interrupt_came()) {
@@ -210,8 +200,7 @@ static int conclude(const struct c205_arguments *arguments,
 
 /* ---- The run ------------------------------------------------------------- */
 
-static uint64_t find_limit(const struct c205_arguments *arguments,
-                           const c205 *machine)
+static uint64_t find_limit(const struct c205_arguments *arguments, const c205 *machine)
 {
     return arguments->limit != C205_NO_LIMIT || arguments->no_limit
                ? arguments->limit
@@ -240,8 +229,7 @@ static int run(const struct c205_arguments *arguments, c205 *machine,
     if (!results_open(&results, arguments->command, arguments->save)) {
         return CMD_FAILED;
     }
-    struct line_tracker printed = { stream_sink(program_stream(&results)),
-                                    false };
+    struct line_tracker printed = { stream_sink(program_stream(&results)), false };
     struct printer printer = { line_tracker_sink(&printed) };
     struct sink messages = { put_message, &printed };
     struct line_profile *profile = NULL;
@@ -282,8 +270,7 @@ static c205 *restore(const char *path, const c205_model *model,
 {
     c205 *machine = state_load(path, model, error);
     if (machine && object
-        && c205_loaded_program(machine)
-               != c205_program_hash(&object->program)) {
+        && c205_loaded_program(machine) != c205_program_hash(&object->program)) {
         snprintf(error->message, sizeof error->message,
                  "%.180s: this machine runs another program", path);
         c205_free(machine);
@@ -292,8 +279,8 @@ static c205 *restore(const char *path, const c205_model *model,
     return machine;
 }
 
-static int make_and_run(const struct c205_arguments *arguments,
-                        const c205_model *model, const struct object *object)
+static int make_and_run(const struct c205_arguments *arguments, const c205_model *model,
+                        const struct object *object)
 {
     c205_error error;
     c205 *machine = arguments->restore
@@ -314,15 +301,13 @@ static int make_and_run(const struct c205_arguments *arguments,
     return code;
 }
 
-static int read_and_run(const struct c205_arguments *arguments,
-                        const c205_model *model)
+static int read_and_run(const struct c205_arguments *arguments, const c205_model *model)
 {
     struct sink report = visible_stream(stderr);
     if (arguments->files.count == 0) {
         return make_and_run(arguments, model, NULL);
     }
-    struct object *object = cmd_read_program(arguments,
-                                             arguments->files.items[0],
+    struct object *object = cmd_read_program(arguments, arguments->files.items[0],
                                              &report);
     int code = object ? make_and_run(arguments, model, object) : CMD_FAILED;
     object_free(object);
@@ -344,8 +329,7 @@ static int check_usage(const struct c205_arguments *arguments)
                    : CMD_DONE;
     }
     if (arguments->files.count > 1) {
-        return cmd_usage(command, "one program, not %s too",
-                         arguments->files.items[1]);
+        return cmd_usage(command, "one program, not %s too", arguments->files.items[1]);
     }
     if (arguments->profile && arguments->restore) {
         return cmd_usage(command, "--profile is of a run from its beginning");
@@ -388,8 +372,7 @@ static const struct command_option options[] = {
       .kind = COMMAND_INPUT,
       .offset = CMD_PLACE(model),
       .choice = command_model_choice,
-      .help = "machine model (" C205_DEFAULT_MODEL
-              ", with --check that which "
+      .help = "machine model (" C205_DEFAULT_MODEL ", with --check that which "
               "the program names)" },
     { .name = "limit",
       .value = "CLOCKS",
@@ -443,8 +426,7 @@ static const struct command_option operands[] = {
 static const struct command_example examples[] = {
     { "c205 run FILE", "run a program and account for its clocks" },
     { "c205 run --check FILE..", "run test programs" },
-    { "c205 run --restore STATE [FILE]",
-      "go on with a program that was saved" },
+    { "c205 run --restore STATE [FILE]", "go on with a program that was saved" },
     { NULL, NULL }
 };
 

@@ -44,8 +44,8 @@ static bool meets(struct checker *checker, const struct object *object,
     if (!expect_anything(object)) {
         return fail(checker, "the program expects nothing");
     }
-    return expect_check(object, checker->machine, stop,
-                        printed ? printed : "", warned, &sink)
+    return expect_check(object, checker->machine, stop, printed ? printed : "", warned,
+                        &sink)
            && watch_errors(checker->watch) == 0;
 }
 
@@ -60,8 +60,7 @@ static void drop_machine(struct checker *checker)
 }
 
 /* The machine stays, what watches the program does not. */
-static void listen(void *context, const c205 *machine,
-                   const c205_event *event)
+static void listen(void *context, const c205 *machine, const c205_event *event)
 {
     const struct checker *checker = context;
     watch_listen(checker->watch, machine, event);
@@ -72,8 +71,7 @@ static bool make_machine(struct checker *checker, const char *model)
     c205_error error;
     drop_machine(checker);
     checker->model = model_find(model, &error);
-    checker->machine = checker->model ? c205_new(checker->model, &error)
-                                      : NULL;
+    checker->machine = checker->model ? c205_new(checker->model, &error) : NULL;
     if (!checker->machine) {
         drop_machine(checker);
         return fail(checker, error.message);
@@ -82,8 +80,7 @@ static bool make_machine(struct checker *checker, const char *model)
            && c205_listen(checker->machine, listen, checker);
 }
 
-static const char *model_for(const struct checker *checker,
-                             const struct object *object)
+static const char *model_for(const struct checker *checker, const struct object *object)
 {
     const char *given = checker->arguments->model;
     const char *named = expect_model(object);
@@ -93,8 +90,7 @@ static const char *model_for(const struct checker *checker,
 static bool have_machine(struct checker *checker, const struct object *object)
 {
     const char *model = model_for(checker, object);
-    return (checker->model
-            && strcmp(c205_model_name(checker->model), model) == 0)
+    return (checker->model && strcmp(c205_model_name(checker->model), model) == 0)
            || make_machine(checker, model);
 }
 
@@ -107,8 +103,7 @@ static bool run_watched(struct checker *checker, const struct object *object)
     return meets(checker, object, &stop);
 }
 
-static bool run(struct checker *checker, const struct object *object,
-                const char *path)
+static bool run(struct checker *checker, const struct object *object, const char *path)
 {
     struct sink report = text_buffer_sink(&checker->report);
     c205_error error;
@@ -119,8 +114,8 @@ static bool run(struct checker *checker, const struct object *object,
         || !c205_load(checker->machine, &object->program, &error)) {
         return fail(checker, error.message);
     }
-    checker->watch = watch_new(object, path,
-                               &checker->arguments->warnings.choice, &report);
+    checker->watch = watch_new(object, path, &checker->arguments->warnings.choice,
+                               &report);
     bool good = checker->watch ? run_watched(checker, object)
                                : fail(checker, "no memory");
     watch_free(checker->watch);
@@ -154,8 +149,7 @@ static void tell_row(struct table *table, const struct verdict *verdict)
 }
 
 /* The reasons stand a little to the right. */
-static void tell_text(const struct results *results,
-                      const struct verdict *verdict)
+static void tell_text(const struct results *results, const struct verdict *verdict)
 {
     const char *text = verdict->report;
     const char *other = verdict->other_model;
@@ -187,10 +181,8 @@ static void check_one(struct checker *checker, const char *path)
 {
     struct sink sink = text_buffer_sink(&checker->report);
     struct object *object = cmd_read_program(checker->arguments, path, &sink);
-    struct verdict verdict = { path, object && run(checker, object, path),
-                               NULL, "" };
-    if (object && checker->machine
-        && expect_other_model(object, checker->machine)) {
+    struct verdict verdict = { path, object && run(checker, object, path), NULL, "" };
+    if (object && checker->machine && expect_other_model(object, checker->machine)) {
         verdict.other_model = c205_model_name(checker->model);
     }
     object_free(object);
@@ -236,9 +228,8 @@ static int check_all(struct checker *checker)
                                results->file);
     table_free(checker->table);
     results_say(results, "%zu passed, %zu failed\n",
-                arguments->files.count - checker->failures,
-                checker->failures);
-    return !good ? cmd_failed(arguments->command, "no memory")
+                arguments->files.count - checker->failures, checker->failures);
+    return !good                   ? cmd_failed(arguments->command, "no memory")
            : checker->failures > 0 ? CMD_FAILED
                                    : CMD_DONE;
 }
@@ -257,8 +248,7 @@ int cmd_run_check(const struct c205_arguments *arguments)
     struct results results = arguments->results;
     struct checker checker = { .arguments = arguments, .results = &results };
     checker.printer.sink = text_buffer_sink(&checker.printed);
-    if (!check_model(arguments)
-        || !results_open(&results, arguments->command, NULL)) {
+    if (!check_model(arguments) || !results_open(&results, arguments->command, NULL)) {
         return CMD_FAILED;
     }
     int code = check_all(&checker);

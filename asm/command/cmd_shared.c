@@ -26,8 +26,8 @@ int cmd_list_warnings(void)
     return CMD_DONE;
 }
 
-static struct object *read_object(const char *path, const char *text,
-                                  size_t length, const struct sink *report)
+static struct object *read_object(const char *path, const char *text, size_t length,
+                                  const struct sink *report)
 {
     c205_error error;
     struct object *object = object_read(text, length, &error);
@@ -37,16 +37,15 @@ static struct object *read_object(const char *path, const char *text,
     return object;
 }
 
-static struct object *assemble(const struct c205_arguments *arguments,
-                               const char *path, const char *text,
-                               size_t length, const struct sink *report)
+static struct object *assemble(const struct c205_arguments *arguments, const char *path,
+                               const char *text, size_t length,
+                               const struct sink *report)
 {
     struct asm_options options = { .defines = arguments->defines.items,
                                    .search = arguments->folders.items,
                                    .warnings = arguments->warnings.choice };
     struct diagnostics errors = { 0 };
-    struct object *object = assemble_bytes(path, text, length, &options,
-                                           &errors);
+    struct object *object = assemble_bytes(path, text, length, &options, &errors);
     diagnostics_put(&errors, report);
     if (!object && errors.count == 0) {
         sink_print(report, "%s: error: no memory\n", path);
@@ -55,8 +54,8 @@ static struct object *assemble(const struct c205_arguments *arguments,
     return object;
 }
 
-struct object *cmd_read_any(const struct c205_arguments *arguments,
-                            const char *path, const struct sink *report)
+struct object *cmd_read_any(const struct c205_arguments *arguments, const char *path,
+                            const struct sink *report)
 {
     c205_error error;
     size_t length;
@@ -67,8 +66,7 @@ struct object *cmd_read_any(const struct c205_arguments *arguments,
     }
     struct object *object = object_recognise(text, length)
                                 ? read_object(path, text, length, report)
-                                : assemble(arguments, path, text, length,
-                                           report);
+                                : assemble(arguments, path, text, length, report);
     free(text);
     return object;
 }
@@ -77,21 +75,19 @@ struct object *cmd_read_program(const struct c205_arguments *arguments,
                                 const char *path, const struct sink *report)
 {
     struct object *object = cmd_read_any(arguments, path, report);
-    const char *unused = object ? asm_unused_define(arguments->defines.items,
-                                                    &object, 1)
-                                : NULL;
+    const char *unused = object
+                             ? asm_unused_define(arguments->defines.items, &object, 1)
+                             : NULL;
     if (!unused) {
         return object;
     }
-    sink_print(report, "%s: error: '%s' is defined, and not used\n", path,
-               unused);
+    sink_print(report, "%s: error: '%s' is defined, and not used\n", path, unused);
     object_free(object);
     return NULL;
 }
 
-c205 *cmd_load(const struct c205_arguments *arguments,
-               const struct object *object, const c205_model *model,
-               c205_error *error)
+c205 *cmd_load(const struct c205_arguments *arguments, const struct object *object,
+               const c205_model *model, c205_error *error)
 {
     c205 *machine = c205_new(model, error);
     if (machine
@@ -111,8 +107,7 @@ bool cmd_open(const struct c205_arguments *arguments, struct object **object,
 {
     struct sink report = visible_stream(stderr);
     *object = cmd_read_program(arguments, arguments->file, &report);
-    *model = *object ? model_open(arguments->command, arguments->model)
-                     : NULL;
+    *model = *object ? model_open(arguments->command, arguments->model) : NULL;
     return *model;
 }
 

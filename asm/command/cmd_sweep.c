@@ -34,8 +34,8 @@ static void tell_line(const struct program_sweep *sweep, int which,
                     "The %s is no straight line in %s: one would be %.1f %% "
                     "off at %" PRIu64 ". At the end its clocks go with the "
                     "power %.2f.\n",
-                    swept_names[which], sweep->constant, 100 * line.off,
-                    line.off_at, swept_power(sweep, which));
+                    swept_names[which], sweep->constant, 100 * line.off, line.off_at,
+                    swept_power(sweep, which));
     }
 }
 
@@ -43,19 +43,16 @@ static void tell_crossings(const struct program_sweep *sweep,
                            const struct results *results)
 {
     const struct swept_point *begin = sweep->points;
-    bool faster = clocks_of(begin, SWEPT_SECOND)
-                  < clocks_of(begin, SWEPT_FIRST);
+    bool faster = clocks_of(begin, SWEPT_SECOND) < clocks_of(begin, SWEPT_FIRST);
     if (sweep->crossing_count == 0) {
-        results_say(results,
-                    "The second is %s, from %" PRIu64 " to %" PRIu64 ".\n",
-                    faster ? "faster everywhere" : "nowhere faster",
-                    sweep->range.from, sweep->range.to);
+        results_say(results, "The second is %s, from %" PRIu64 " to %" PRIu64 ".\n",
+                    faster ? "faster everywhere" : "nowhere faster", sweep->range.from,
+                    sweep->range.to);
     }
     for (size_t i = 0; i < sweep->crossing_count; i++) {
         const struct swept_crossing *crossing = &sweep->crossings[i];
         results_say(results,
-                    "From %s = %" PRIu64
-                    " on the second is %s: %.0f clock%s, "
+                    "From %s = %" PRIu64 " on the second is %s: %.0f clock%s, "
                     "and the first %.0f.\n",
                     sweep->constant, crossing->at.value,
                     crossing->faster ? "faster" : "not faster any more",
@@ -68,8 +65,7 @@ static void tell_crossings(const struct program_sweep *sweep,
 /* ---- Results --------------------------------------------------------------- */
 
 /* Tables of which the reader is told in words; in print they are for other programs. */
-static int show_rest(const struct program_sweep *sweep,
-                     const struct results *results)
+static int show_rest(const struct program_sweep *sweep, const struct results *results)
 {
     struct results rest = *results;
     int code;
@@ -78,14 +74,12 @@ static int show_rest(const struct program_sweep *sweep,
     }
     code = results_show(&rest, swept_causes(sweep), "causes", "Causes");
     if (code == CMD_DONE && sweep->program_count == SWEPT_PROGRAMS) {
-        code = results_show(&rest, swept_crossings(sweep), "crossings",
-                            "Crossings");
+        code = results_show(&rest, swept_crossings(sweep), "crossings", "Crossings");
     }
     return code;
 }
 
-static void show_head(const struct program_sweep *sweep,
-                      const struct results *results)
+static void show_head(const struct program_sweep *sweep, const struct results *results)
 {
     if (results->json) {
         json_text(results->json, "constant", sweep->constant);
@@ -97,13 +91,12 @@ static void show_head(const struct program_sweep *sweep,
         provenance_json(sweep->model, results->json);
     }
     for (size_t i = 0; i < sweep->program_count; i++) {
-        results_say(results, "%s: %s on %s\n", swept_names[i],
-                    sweep->programs[i].path, c205_model_name(sweep->model));
+        results_say(results, "%s: %s on %s\n", swept_names[i], sweep->programs[i].path,
+                    c205_model_name(sweep->model));
     }
 }
 
-static int show(const struct program_sweep *sweep,
-                const struct results *results)
+static int show(const struct program_sweep *sweep, const struct results *results)
 {
     int code;
     show_head(sweep, results);
@@ -127,8 +120,7 @@ static int show(const struct program_sweep *sweep,
     return code;
 }
 
-static bool draw(const struct program_sweep *sweep, const char *path,
-                 c205_error *error)
+static bool draw(const struct program_sweep *sweep, const char *path, c205_error *error)
 {
     struct whole *whole = whole_open(path, error);
     char title[SWEPT_TITLE];
@@ -240,8 +232,7 @@ static int sweep_programs(const struct c205_arguments *arguments)
     bool good = model;
     int code;
     for (size_t i = 0; good && i < sweep.program_count; i++) {
-        good = read_text(arguments, &sweep.programs[i],
-                         arguments->files.items[i]);
+        good = read_text(arguments, &sweep.programs[i], arguments->files.items[i]);
     }
     code = good ? run_and_show(arguments, &sweep) : CMD_FAILED;
     for (size_t i = 0; i < sweep.program_count; i++) {
@@ -275,8 +266,8 @@ static int check_values(const struct c205_arguments *arguments)
                          swept->ranges);
     }
     if (is_fixed_too(swept)) {
-        return cmd_usage(arguments->command,
-                         "%s has a range and a value as well", swept->name);
+        return cmd_usage(arguments->command, "%s has a range and a value as well",
+                         swept->name);
     }
     if (arguments->point_count > 0
         && (swept->range.step > 0 || swept->range.factor > 0)) {
@@ -286,13 +277,12 @@ static int check_values(const struct c205_arguments *arguments)
     }
     count = swept_values(&swept->range, arguments->point_count, values);
     if (count == 0) {
-        return cmd_usage(arguments->command,
-                         "the range has more than %d values",
+        return cmd_usage(arguments->command, "the range has more than %d values",
                          SWEPT_POINTS_MOST);
     }
-    return count > 1 ? CMD_DONE
-                     : cmd_usage(arguments->command,
-                                 "the range has no value but its first");
+    return count > 1
+               ? CMD_DONE
+               : cmd_usage(arguments->command, "the range has no value but its first");
 }
 
 static int run(void *given)
@@ -300,16 +290,14 @@ static int run(void *given)
     const struct c205_arguments *arguments = given;
     const char *output = arguments->output;
     int code;
-    if (arguments->files.count == 0
-        || arguments->files.count > SWEPT_PROGRAMS) {
+    if (arguments->files.count == 0 || arguments->files.count > SWEPT_PROGRAMS) {
         return cmd_usage(arguments->command, "name one program or two");
     }
     code = check_values(arguments);
     if (code != CMD_DONE) {
         return code;
     }
-    if (output && !file_is_stream(output)
-        && !file_ends_with(output, ".svg")) {
+    if (output && !file_is_stream(output) && !file_ends_with(output, ".svg")) {
         return cmd_usage(arguments->command, "%s: a picture is .svg", output);
     }
     return sweep_programs(arguments);
@@ -345,14 +333,12 @@ static const struct command_option options[] = {
     CMD_FIGURES,
     COMMAND_END
 };
-static const struct command_option operands[] = {
-    { .value = "FILE",
-      .kind = COMMAND_INPUT,
-      .many = true,
-      .offset = CMD_PLACE(files),
-      .help = "a program text, or two" },
-    COMMAND_END
-};
+static const struct command_option operands[] = { { .value = "FILE",
+                                                    .kind = COMMAND_INPUT,
+                                                    .many = true,
+                                                    .offset = CMD_PLACE(files),
+                                                    .help = "a program text, or two" },
+                                                  COMMAND_END };
 static const struct command_example examples[] = {
     { "c205 sweep FILE --define n=8:65535 -o x.svg",
       "start-up, r-infinity and n-half" },
@@ -368,9 +354,8 @@ const struct command sweep_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details =
-        "A program that is to have a value of its own as well gives it in "
-        ".ifndef NAME .. .endif. With STEP or xFACTOR there are no values but "
-        "those; else every integer in the range may be tried to find where "
-        "the programs change places.",
+    .details = "A program that is to have a value of its own as well gives it in "
+               ".ifndef NAME .. .endif. With STEP or xFACTOR there are no values but "
+               "those; else every integer in the range may be tried to find where "
+               "the programs change places.",
 };

@@ -108,8 +108,7 @@ static bool is_first(const struct measurements *measured, size_t number)
 }
 
 /* Their names, one behind another. */
-static void add_names(struct table *table,
-                      const struct measurements *measured,
+static void add_names(struct table *table, const struct measurements *measured,
                       const struct measurement *class)
 {
     enum { ROOM = 1024 };
@@ -120,8 +119,7 @@ static void add_names(struct table *table,
         int size = (int)strcspn(item->name, ",");
         if (alike(item, class)) {
             length += (size_t)snprintf(text + length, ROOM - length, "%s%.*s",
-                                       length > 0 ? " " : "", size,
-                                       item->name);
+                                       length > 0 ? " " : "", size, item->name);
         }
     }
     table_text(table, text);
@@ -137,8 +135,7 @@ static struct table *class_table(const struct measurements *measured,
         if (!is_first(measured, i)) {
             continue;
         }
-        snprintf(timing, sizeof timing, "%s%s", item->timing,
-                 qualifier_of(item));
+        snprintf(timing, sizeof timing, "%s%s", item->timing, qualifier_of(item));
         table_text(table, timing);
         table_number(table, item->startup);
         table_number(table, item->per_element);
@@ -153,9 +150,8 @@ static struct table *class_table(const struct measurements *measured,
 
 /* ---- What is measured ---- */
 
-static bool add_name(const struct c205_arguments *arguments,
-                     const c205_model *model, const char *name,
-                     struct measurements *measured)
+static bool add_name(const struct c205_arguments *arguments, const c205_model *model,
+                     const char *name, struct measurements *measured)
 {
     struct measurement *items = array_grow(measured->items, measured->count,
                                            sizeof *items);
@@ -189,14 +185,12 @@ static bool measure_size(const struct c205_arguments *arguments,
 }
 
 /* Those that were named, in that order; or all. */
-static bool measure_all(const struct c205_arguments *arguments,
-                        const c205_model *model,
+static bool measure_all(const struct c205_arguments *arguments, const c205_model *model,
                         struct measurements *measured)
 {
     bool good = true;
     for (size_t i = 0; good && i < arguments->files.count; i++) {
-        good = add_name(arguments, model, arguments->files.items[i],
-                        measured);
+        good = add_name(arguments, model, arguments->files.items[i], measured);
     }
     if (arguments->files.count > 0) {
         return good;
@@ -216,8 +210,7 @@ static int show_points(const struct c205_arguments *arguments,
     if (!arguments->points) {
         shown.file = NULL;
     }
-    int code = results_show(&shown, point_table(measured), "points",
-                            "Points");
+    int code = results_show(&shown, point_table(measured), "points", "Points");
     if (code == CMD_DONE && arguments->points) {
         results_gap(results);
     }
@@ -226,16 +219,14 @@ static int show_points(const struct c205_arguments *arguments,
 
 /* Those that were named each for itself; all of them class by class.  Other
  * programs are told of each in any case. */
-static int show_speeds(const struct c205_arguments *arguments,
-                       const c205_model *model,
+static int show_speeds(const struct c205_arguments *arguments, const c205_model *model,
                        const struct measurements *measured,
                        const struct results *results)
 {
     struct results classes = *results, each = *results;
     if (arguments->files.count > 0 || results->format == RESULTS_CSV
         || !results->file) {
-        return results_show(results, speed_table(measured, model), "speeds",
-                            "Speeds");
+        return results_show(results, speed_table(measured, model), "speeds", "Speeds");
     }
     classes.json = NULL;
     each.file = NULL;
@@ -243,13 +234,11 @@ static int show_speeds(const struct c205_arguments *arguments,
                             "Speeds by class");
     return code != CMD_DONE
                ? code
-               : results_show(&each, speed_table(measured, model), "speeds",
-                              NULL);
+               : results_show(&each, speed_table(measured, model), "speeds", NULL);
 }
 
-static int show(const struct c205_arguments *arguments,
-                const c205_model *model, const struct measurements *measured,
-                const struct results *results)
+static int show(const struct c205_arguments *arguments, const c205_model *model,
+                const struct measurements *measured, const struct results *results)
 {
     if (results->json) {
         provenance_json(model, results->json);
@@ -264,8 +253,8 @@ static int show(const struct c205_arguments *arguments,
     return code;
 }
 
-static int time_model(const struct c205_arguments *arguments,
-                      const c205_model *model, const struct results *results)
+static int time_model(const struct c205_arguments *arguments, const c205_model *model,
+                      const struct results *results)
 {
     struct measurements measured = { 0, NULL };
     int code = measure_all(arguments, model, &measured)
@@ -282,8 +271,8 @@ static int run(void *given)
     for (size_t i = 0; i < arguments->files.count; i++) {
         const char *name = arguments->files.items[i];
         if (!measure_knows(name)) {
-            return cmd_usage(arguments->command,
-                             "no such vector instruction: %s", name);
+            return cmd_usage(arguments->command, "no such vector instruction: %s",
+                             name);
         }
     }
     c205_model *model = model_open(arguments->command, arguments->model);
@@ -308,8 +297,8 @@ static const char *measured_choice(size_t number)
 }
 
 static const struct command_option options[] = {
-    CMD_MODEL, CMD_FLAG(points, "print each measured point, too"),
-    CMD_FIGURES, COMMAND_END
+    CMD_MODEL, CMD_FLAG(points, "print each measured point, too"), CMD_FIGURES,
+    COMMAND_END
 };
 static const struct command_option operands[] = {
     { .value = "MNEMONIC",
@@ -329,11 +318,10 @@ const struct command time_command = {
     .function = run,
     .options = options,
     .operands = operands,
-    .details =
-        "Start-up (in clocks), clocks per element, r-infinity and n-half of "
-        "these instructions; or of all, a line for those of one class that "
-        "take the same time, \",H\" behind the class: on 32-bit operands. CSV "
-        "and JSON have each for itself. Off line: by how many clocks the "
-        "farthest measured point misses the straight line. Of sparse vectors an "
-        "element is a place of the order vectors; the rate counts what is done.",
+    .details = "Start-up (in clocks), clocks per element, r-infinity and n-half of "
+               "these instructions; or of all, a line for those of one class that "
+               "take the same time, \",H\" behind the class: on 32-bit operands. CSV "
+               "and JSON have each for itself. Off line: by how many clocks the "
+               "farthest measured point misses the straight line. Of sparse vectors an "
+               "element is a place of the order vectors; the rate counts what is done.",
 };

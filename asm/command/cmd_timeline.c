@@ -12,13 +12,11 @@ static int write_file(const struct c205_arguments *arguments,
     c205_error error;
     char title[TIMELINE_TITLE];
     timeline_title(timeline, arguments->file,
-                   arguments->model ? arguments->model : C205_DEFAULT_MODEL,
-                   title);
+                   arguments->model ? arguments->model : C205_DEFAULT_MODEL, title);
     if (!timeline_save(timeline, arguments->output, title, &error)) {
         return cmd_failed(arguments->command, "%s", error.message);
     }
-    cmd_print_line(stdout,
-                   "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64,
+    cmd_print_line(stdout, "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64,
                    arguments->output, timeline_instructions(timeline),
                    plural(timeline_instructions(timeline)), timeline->from,
                    timeline->to);
@@ -32,8 +30,8 @@ struct ending {
 };
 
 /* What is drawn of a program that traps is kept all the same. */
-static int tell_trap(const struct c205_arguments *arguments,
-                     const c205 *machine, const struct ending *ending)
+static int tell_trap(const struct c205_arguments *arguments, const c205 *machine,
+                     const struct ending *ending)
 {
     c205_error error;
     if (!ending->ended || ending->stop.trap == C205_TRAP_NONE) {
@@ -59,11 +57,10 @@ static int judge(const struct c205_arguments *arguments, c205 *machine,
     }
     if (timeline->insn_count == 0) {
         return cmd_failed(arguments->command,
-                          ending.ended
-                              ? "no instruction is at work then: the "
-                                "program takes %" PRIu64 " clock%s"
-                              : "no instruction is at work then: it "
-                                "was run for %" PRIu64 " clock%s",
+                          ending.ended ? "no instruction is at work then: the "
+                                         "program takes %" PRIu64 " clock%s"
+                                       : "no instruction is at work then: it "
+                                         "was run for %" PRIu64 " clock%s",
                           c205_clock(machine), plural(c205_clock(machine)));
     }
     timeline_settle(timeline);
@@ -88,8 +85,7 @@ static struct ending run_to(c205 *machine, uint64_t clock)
 static int run_program(const struct c205_arguments *arguments,
                        const struct object *object, const c205_model *model)
 {
-    struct timeline timeline = { .from = arguments->from,
-                                 .to = arguments->limit };
+    struct timeline timeline = { .from = arguments->from, .to = arguments->limit };
     c205_error error;
     c205 *machine = cmd_load(arguments, object, model, &error);
     int code;
@@ -97,8 +93,7 @@ static int run_program(const struct c205_arguments *arguments,
         return cmd_failed(arguments->command, "%s", error.message);
     }
     c205_listen(machine, timeline_listen, &timeline);
-    code = judge(arguments, machine, run_to(machine, arguments->limit),
-                 &timeline);
+    code = judge(arguments, machine, run_to(machine, arguments->limit), &timeline);
     timeline_free(&timeline);
     c205_free(machine);
     return code;
@@ -111,8 +106,8 @@ static int check_usage(const struct c205_arguments *arguments)
         return cmd_usage(arguments->command, "where to? -o FILE");
     }
     if (!timeline_is_named(path)) {
-        return cmd_usage(arguments->command,
-                         "%s: a timeline is .svg, .kanata or .json", path);
+        return cmd_usage(arguments->command, "%s: a timeline is .svg, .kanata or .json",
+                         path);
     }
     if (arguments->from >= arguments->limit) {
         return cmd_usage(arguments->command, "--from is before --to");
@@ -129,9 +124,8 @@ static int run(void *given)
     if (code != CMD_DONE) {
         return code;
     }
-    code = cmd_open(arguments, &object, &model)
-               ? run_program(arguments, object, model)
-               : CMD_FAILED;
+    code = cmd_open(arguments, &object, &model) ? run_program(arguments, object, model)
+                                                : CMD_FAILED;
     c205_model_free(model);
     object_free(object);
     return code;

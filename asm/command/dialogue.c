@@ -59,12 +59,10 @@ static const char *obey_script(struct dialogue *dialogue, const char *path)
 static bool is_good(const struct dialogue *dialogue)
 {
     return dialogue->terminal
-           || (!dialogue->interrupted
-               && debugger_faults(dialogue->debugger) == 0);
+           || (!dialogue->interrupted && debugger_faults(dialogue->debugger) == 0);
 }
 
-int dialogue_hold(const struct dialogue_setup *setup,
-                  struct debugger *debugger)
+int dialogue_hold(const struct dialogue_setup *setup, struct debugger *debugger)
 {
     const struct command_texts *scripts = setup->scripts;
     struct dialogue dialogue = { .setup = setup, .debugger = debugger };
@@ -82,8 +80,7 @@ int dialogue_hold(const struct dialogue_setup *setup,
         return cmd_failed(setup->command, "interrupted");
     }
     if (fault) {
-        return cmd_failed(setup->command, "%s cannot be read: %s", unread,
-                          fault);
+        return cmd_failed(setup->command, "%s cannot be read: %s", unread, fault);
     }
     return is_good(&dialogue) ? CMD_DONE : CMD_FAILED;
 }

@@ -14,8 +14,7 @@ struct dialogue_setup {
 
 /* All of it, until somebody quits; Ctrl-C is caught.  The exit code: of a script or a pipe
  * CMD_FAILED after a fault, a person's mistakes are none. */
-int dialogue_hold(const struct dialogue_setup *setup,
-                  struct debugger *debugger);
+int dialogue_hold(const struct dialogue_setup *setup, struct debugger *debugger);
 /* For a debugger's setup: Ctrl-C has come. */
 bool dialogue_interrupted(void *asked);
 

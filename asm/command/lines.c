@@ -21,8 +21,7 @@ static bool wait_for_input(void)
     return true;
 }
 
-static void open_library(struct typed_lines *lines,
-                         const char *(*name)(size_t i))
+static void open_library(struct typed_lines *lines, const char *(*name)(size_t i))
 {
     (void)lines, (void)name;
 }
@@ -42,9 +41,7 @@ static bool wait_for_input(void)
         FD_SET(STDIN_FILENO, &input);
         sigprocmask(SIG_BLOCK, &all, &before);
         if (!interrupt_came())
-            ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL,
-                            &before)
-                        >= 0
+            ready = pselect(STDIN_FILENO + 1, &input, NULL, NULL, NULL, &before) >= 0
                     || errno != EINTR;
         sigprocmask(SIG_SETMASK, &before, NULL);
     }
@@ -77,8 +74,7 @@ static char *complete(const char *text, int state)
     return NULL;
 }
 
-static void open_library(struct typed_lines *lines,
-                         const char *(*name)(size_t i))
+static void open_library(struct typed_lines *lines, const char *(*name)(size_t i))
 {
     void *library = dlopen("libedit.so.2", RTLD_NOW);
     generator **entry;
@@ -145,8 +141,7 @@ const char *typed_lines_next(struct typed_lines *lines, const char *prompt)
         const char *line;
 
         fflush(stdout);
-        line = lines->read ? read_edited(lines, prompt)
-                           : read_plain(lines, prompt);
+        line = lines->read ? read_edited(lines, prompt) : read_plain(lines, prompt);
         if (line || !is_dropped(lines))
             return line;
         interrupt_forget();

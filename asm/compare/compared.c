@@ -66,11 +66,10 @@ struct table *compared_causes(const struct compared_run runs[COMPARED_RUNS])
     struct table *table = table_new(TABLE_COLUMNS(cause_columns));
     for (int i = 0; table && i < C205_CAUSES; i++)
         if (first->clocks[i] + second->clocks[i] > 0)
-            add_clocks(table, c205_cause_name((c205_cause)i),
-                       first->clocks[i], second->clocks[i]);
+            add_clocks(table, c205_cause_name((c205_cause)i), first->clocks[i],
+                       second->clocks[i]);
     if (table)
-        add_clocks(table, "all", accounts_clocks(first),
-                   accounts_clocks(second));
+        add_clocks(table, "all", accounts_clocks(first), accounts_clocks(second));
     return table;
 }
 
@@ -84,19 +83,16 @@ static uint64_t clocks_of(const struct compared_run *run, const char *region)
 struct table *compared_regions(const struct compared_run runs[COMPARED_RUNS])
 {
     struct table *table = table_new(TABLE_COLUMNS(region_columns));
-    for (int which = COMPARED_FIRST; table && which < COMPARED_RUNS;
-         which++) {
+    for (int which = COMPARED_FIRST; table && which < COMPARED_RUNS; which++) {
         const struct accounts *accounts = &runs[which].accounts;
         for (size_t i = 0; i < accounts->count; i++) {
             const char *name = accounts->items[i].name;
             uint64_t first = clocks_of(&runs[COMPARED_FIRST], name);
             uint64_t second = clocks_of(&runs[COMPARED_SECOND], name);
             bool told = which == COMPARED_SECOND
-                        && accounts_find(&runs[COMPARED_FIRST].accounts,
-                                         name);
+                        && accounts_find(&runs[COMPARED_FIRST].accounts, name);
             if (!told && first + second > 0)
-                add_clocks(table, accounts_region(&accounts->items[i]), first,
-                           second);
+                add_clocks(table, accounts_region(&accounts->items[i]), first, second);
         }
     }
     return table;
@@ -119,8 +115,7 @@ static double seconds_of(const struct compared_run *run)
 
 static double mean_length(const c205_account *account)
 {
-    return quotient((double)account->elements,
-                    (double)account->vector_instructions);
+    return quotient((double)account->elements, (double)account->vector_instructions);
 }
 
 struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS])
@@ -137,10 +132,8 @@ struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS])
                (double)second->instructions);
     add_figure(table, "of them vector", 0, (double)first->vector_instructions,
                (double)second->vector_instructions);
-    add_figure(table, "elements", 0, (double)first->elements,
-               (double)second->elements);
-    add_figure(table, "mean vector length", 1, mean_length(first),
-               mean_length(second));
+    add_figure(table, "elements", 0, (double)first->elements, (double)second->elements);
+    add_figure(table, "mean vector length", 1, mean_length(first), mean_length(second));
     add_figure(table, "Mflop/s", 2, accounts_rate(one->accounts.model, first),
                accounts_rate(other->accounts.model, second));
     return table;
@@ -148,8 +141,7 @@ struct table *compared_figures(const struct compared_run runs[COMPARED_RUNS])
 
 /* ---- In words -------------------------------------------------------------- */
 
-static double difference_of(const struct compared_run runs[COMPARED_RUNS],
-                            int cause)
+static double difference_of(const struct compared_run runs[COMPARED_RUNS], int cause)
 {
     return (double)runs[COMPARED_SECOND].all.clocks[cause]
            - (double)runs[COMPARED_FIRST].all.clocks[cause];
@@ -157,8 +149,8 @@ static double difference_of(const struct compared_run runs[COMPARED_RUNS],
 
 /* The cause with the largest difference that goes the same way as all of it, besides one; below
  * 0: there is none. */
-static int largest(const struct compared_run runs[COMPARED_RUNS],
-                   double whole, int besides)
+static int largest(const struct compared_run runs[COMPARED_RUNS], double whole,
+                   int besides)
 {
     int found = -1;
     for (int i = 0; i < C205_CAUSES; i++) {
@@ -172,12 +164,12 @@ static int largest(const struct compared_run runs[COMPARED_RUNS],
 
 enum { CAUSE_TEXT = 80 };
 
-static void say_cause(const struct compared_run runs[COMPARED_RUNS],
-                      int cause, char text[CAUSE_TEXT])
+static void say_cause(const struct compared_run runs[COMPARED_RUNS], int cause,
+                      char text[CAUSE_TEXT])
 {
     double own = difference_of(runs, cause);
-    snprintf(text, CAUSE_TEXT, "%.0f %s of %s", fabs(own),
-             own < 0 ? "fewer" : "more", c205_cause_name((c205_cause)cause));
+    snprintf(text, CAUSE_TEXT, "%.0f %s of %s", fabs(own), own < 0 ? "fewer" : "more",
+             c205_cause_name((c205_cause)cause));
 }
 
 void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
@@ -197,12 +189,10 @@ void compared_sentence(const struct compared_run runs[COMPARED_RUNS],
     say_cause(runs, most, cause);
     next = largest(runs, whole, most);
     if (next >= 0
-        && fabs(difference_of(runs, next)) * 5
-               >= fabs(difference_of(runs, most)))
+        && fabs(difference_of(runs, next)) * 5 >= fabs(difference_of(runs, most)))
         say_cause(runs, next, beside);
     snprintf(text, COMPARED_SENTENCE,
-             "The second takes %.0f clock%s %s than the first: %s%s%s.",
-             fabs(whole), plural((uint64_t)fabs(whole)),
-             whole < 0 ? "less" : "more", cause, *beside ? ", and " : "",
-             beside);
+             "The second takes %.0f clock%s %s than the first: %s%s%s.", fabs(whole),
+             plural((uint64_t)fabs(whole)), whole < 0 ? "less" : "more", cause,
+             *beside ? ", and " : "", beside);
 }

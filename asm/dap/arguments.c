@@ -35,9 +35,7 @@ static const struct {
     { "launch", TRUTH, { "warm", "noDebug", "stopOnEntry", "stopOnEnd" } },
     { "restart", OBJECT, { "arguments" } },
     { "terminate", TRUTH, { "restart" } },
-    { "disconnect",
-      TRUTH,
-      { "restart", "terminateDebuggee", "suspendDebuggee" } },
+    { "disconnect", TRUTH, { "restart", "terminateDebuggee", "suspendDebuggee" } },
     { "setBreakpoints", SOURCE, { "source" } },
     { "setBreakpoints", LIST, { "breakpoints", "lines" } },
     { "setBreakpoints", TRUTH, { "sourceModified" } },
@@ -45,18 +43,12 @@ static const struct {
     { "setInstructionBreakpoints", LIST, { "breakpoints" } },
     { "setDataBreakpoints", LIST, { "breakpoints" } },
     { "setExceptionBreakpoints", TEXTS, { "filters" } },
-    { "setExceptionBreakpoints",
-      LIST,
-      { "filterOptions", "exceptionOptions" } },
+    { "setExceptionBreakpoints", LIST, { "filterOptions", "exceptionOptions" } },
     { "dataBreakpointInfo", TEXT, { "name", "mode" } },
-    { "dataBreakpointInfo",
-      WHOLE,
-      { "variablesReference", "frameId", "bytes" } },
+    { "dataBreakpointInfo", WHOLE, { "variablesReference", "frameId", "bytes" } },
     { "dataBreakpointInfo", TRUTH, { "asAddress" } },
     { "breakpointLocations", SOURCE, { "source" } },
-    { "breakpointLocations",
-      WHOLE,
-      { "line", "column", "endLine", "endColumn" } },
+    { "breakpointLocations", WHOLE, { "line", "column", "endLine", "endColumn" } },
     { "continue", WHOLE, { "threadId" } },
     { "continue", TRUTH, { "singleThread" } },
     { "reverseContinue", WHOLE, { "threadId" } },
@@ -101,19 +93,13 @@ static const struct {
     { "writeMemory", WHOLE, { "offset" } },
     { "writeMemory", TRUTH, { "allowPartial" } },
     { "disassemble", TEXT, { "memoryReference" } },
-    { "disassemble",
-      WHOLE,
-      { "offset", "instructionOffset", "instructionCount" } },
+    { "disassemble", WHOLE, { "offset", "instructionOffset", "instructionCount" } },
     { "disassemble", TRUTH, { "resolveSymbols" } },
     { "Source", TEXT, { "path", "name" } },
     { "Source", WHOLE, { "sourceReference" } },
     { "Breakpoint", WHOLE, { "line", "column", "offset" } },
-    { "Breakpoint",
-      TEXT,
-      { "name", "instructionReference", "dataId", "accessType" } },
-    { "Breakpoint",
-      TEXT,
-      { "condition", "hitCondition", "logMessage", "mode" } },
+    { "Breakpoint", TEXT, { "name", "instructionReference", "dataId", "accessType" } },
+    { "Breakpoint", TEXT, { "condition", "hitCondition", "logMessage", "mode" } },
 };
 
 /* ---- Values --------------------------------------------------------------------------- */
@@ -141,18 +127,16 @@ static bool is_whole(const struct json_value *object, const char *key)
 
 static bool has_elements(const struct json_value *value, enum kind kind)
 {
-    for (const struct json_value *item = value->first; item;
-         item = item->next)
+    for (const struct json_value *item = value->first; item; item = item->next)
         if ((kind == TEXTS && item->kind != JSON_TEXT)
             || (kind == WHOLES
-                && (item->kind != JSON_NUMBER
-                    || !is_whole(value, item->key))))
+                && (item->kind != JSON_NUMBER || !is_whole(value, item->key))))
             return false;
     return true;
 }
 
-static bool check(struct dap *dap, const struct json_value *object,
-                  const char *key, enum kind kind)
+static bool check(struct dap *dap, const struct json_value *object, const char *key,
+                  enum kind kind)
 {
     const struct json_value *value = json_member(object, key);
 
@@ -164,15 +148,13 @@ static bool check(struct dap *dap, const struct json_value *object,
     return kind != SOURCE || dap_check(dap, "Source", value);
 }
 
-bool dap_check(struct dap *dap, const char *owner,
-               const struct json_value *object)
+bool dap_check(struct dap *dap, const char *owner, const struct json_value *object)
 {
     if (object && object->kind != JSON_OBJECT)
         return dap_fault(dap, "'%s' takes an object", owner);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        for (size_t k = 0; strcmp(rows[i].owner, owner) == 0 && k < KEYS_MOST
-                           && rows[i].keys[k];
-             k++)
+        for (size_t k = 0;
+             strcmp(rows[i].owner, owner) == 0 && k < KEYS_MOST && rows[i].keys[k]; k++)
             if (!check(dap, object, rows[i].keys[k], rows[i].kind))
                 return false;
     return true;

@@ -15,8 +15,7 @@ typedef bool stop_reader(struct dap *dap, const struct json_value *wanted,
                          const char *file, struct stop_point *stop);
 
 static bool make_stop(struct dap *dap, const struct json_value *wanted,
-                      const char *file, stop_reader *read,
-                      struct stop_point *stop)
+                      const char *file, stop_reader *read, struct stop_point *stop)
 {
     struct debugger *debugger = dap->debugger;
 
@@ -25,15 +24,12 @@ static bool make_stop(struct dap *dap, const struct json_value *wanted,
     if (json_member(wanted, "logMessage"))
         return dap_fault(dap, "there are no log points");
     return read(dap, wanted, file, stop)
-           && stops_condition(debugger, stop,
-                              json_member_text(wanted, "condition"))
-           && stops_wanted(debugger, stop,
-                           json_member_text(wanted, "hitCondition"))
+           && stops_condition(debugger, stop, json_member_text(wanted, "condition"))
+           && stops_wanted(debugger, stop, json_member_text(wanted, "hitCondition"))
            && stops_add(debugger, stop);
 }
 
-static void put_place(struct dap *dap, struct json *body,
-                      const struct stop_point *stop)
+static void put_place(struct dap *dap, struct json *body, const struct stop_point *stop)
 {
     json_count(body, "id", stop->number);
     json_text(body, "message", stop->text);
@@ -46,8 +42,8 @@ static void put_place(struct dap *dap, struct json *body,
 }
 
 static void put_stop(struct dap *dap, struct json *body,
-                     const struct json_value *wanted, const char *file,
-                     size_t group, stop_reader *read)
+                     const struct json_value *wanted, const char *file, size_t group,
+                     stop_reader *read)
 {
     struct stop_point stop = { .group = group };
     bool good = make_stop(dap, wanted, file, read, &stop);
@@ -67,8 +63,7 @@ static bool replace(struct dap *dap, const struct json_value *arguments,
                     struct json *body, const char *file, size_t group,
                     stop_reader *read)
 {
-    const struct json_value *wanted = json_member_first(arguments,
-                                                        "breakpoints");
+    const struct json_value *wanted = json_member_first(arguments, "breakpoints");
 
     stops_forget(dap->debugger, group);
     json_array(body, "breakpoints");
@@ -106,8 +101,7 @@ bool request_breakpoints(struct dap *dap, const struct json_value *arguments,
 {
     const char *file = source_file(dap, json_member(arguments, "source"));
 
-    return replace(dap, arguments, body, file, group_of(dap, file),
-                   read_line_stop);
+    return replace(dap, arguments, body, file, group_of(dap, file), read_line_stop);
 }
 
 static bool has_code(const struct dap *dap, const char *file, size_t number)
@@ -117,15 +111,13 @@ static bool has_code(const struct dap *dap, const char *file, size_t number)
 
         if (line->is_code
             && ((line->number == number && strcmp(line->file, file) == 0)
-                || (line->call_number == number
-                    && strcmp(line->call_file, file) == 0)))
+                || (line->call_number == number && strcmp(line->call_file, file) == 0)))
             return true;
     }
     return false;
 }
 
-bool request_breakpoint_locations(struct dap *dap,
-                                  const struct json_value *arguments,
+bool request_breakpoint_locations(struct dap *dap, const struct json_value *arguments,
                                   struct json *body)
 {
     enum { LINES_MOST = 1000 };
@@ -180,22 +172,18 @@ static bool read_named_stop(struct dap *dap, const struct json_value *wanted,
                          "characters",
                          TEXT_MOST - (int)sizeof "region ");
     snprintf(text, sizeof text, "%s%s", kind_of(dap, name), name);
-    return place_read(dap->debugger, &rest, stop)
-           && rest_finish(dap->debugger, &rest);
+    return place_read(dap->debugger, &rest, stop) && rest_finish(dap->debugger, &rest);
 }
 
-bool request_function_breakpoints(struct dap *dap,
-                                  const struct json_value *arguments,
+bool request_function_breakpoints(struct dap *dap, const struct json_value *arguments,
                                   struct json *body)
 {
-    return replace(dap, arguments, body, NULL, GROUP_FUNCTIONS,
-                   read_named_stop);
+    return replace(dap, arguments, body, NULL, GROUP_FUNCTIONS, read_named_stop);
 }
 
 /* ---- Instructions --------------------------------------------------------------------- */
 
-static bool read_instruction_stop(struct dap *dap,
-                                  const struct json_value *wanted,
+static bool read_instruction_stop(struct dap *dap, const struct json_value *wanted,
                                   const char *file, struct stop_point *stop)
 {
     char text[DAP_ADDRESS_SIZE];
@@ -230,12 +218,10 @@ static bool read_data_stop(struct dap *dap, const struct json_value *wanted,
     (void)file;
     if (access && strcmp(access, "write") != 0)
         return dap_fault(dap, "only what is written is watched");
-    return stops_watch(dap->debugger, &rest, stop)
-           && rest_finish(dap->debugger, &rest);
+    return stops_watch(dap->debugger, &rest, stop) && rest_finish(dap->debugger, &rest);
 }
 
-bool request_data_breakpoints(struct dap *dap,
-                              const struct json_value *arguments,
+bool request_data_breakpoints(struct dap *dap, const struct json_value *arguments,
                               struct json *body)
 {
     return replace(dap, arguments, body, NULL, GROUP_DATA, read_data_stop);
@@ -255,8 +241,7 @@ static bool find_address(struct dap *dap, const struct json_value *arguments,
     if (reference == 0)
         return debug_address(dap->debugger, &rest, address)
                && rest_finish(dap->debugger, &rest);
-    if (!vector_of(dap, reference, &vector)
-        || !element_number(&vector, name, &number))
+    if (!vector_of(dap, reference, &vector) || !element_number(&vector, name, &number))
         return dap_fault(dap, "words of memory are watched, not registers");
     *address = vector.address + (uint64_t)number * vector.width;
     return true;
@@ -268,8 +253,7 @@ static void put_data(struct json *body, uint64_t address, int64_t bytes)
     char text[2 * DAP_ADDRESS_SIZE];
 
     snprintf(text, sizeof text, "0x%llX, %llu",
-             (unsigned long long)(address - address % 64),
-             (unsigned long long)words);
+             (unsigned long long)(address - address % 64), (unsigned long long)words);
     json_text(body, "dataId", text);
     json_text(body, "description", text);
     json_array(body, "accessTypes");
@@ -279,8 +263,7 @@ static void put_data(struct json *body, uint64_t address, int64_t bytes)
 }
 
 /* It is an answer that something cannot be watched. */
-bool request_data_breakpoint_info(struct dap *dap,
-                                  const struct json_value *arguments,
+bool request_data_breakpoint_info(struct dap *dap, const struct json_value *arguments,
                                   struct json *body)
 {
     const char *name = json_member_text(arguments, "name");
@@ -297,16 +280,14 @@ bool request_data_breakpoint_info(struct dap *dap,
     }
     why = dap_take_said(dap);
     json_null(body, "dataId");
-    json_text(body, "description",
-              why ? why : "1 to 64 words of memory are watched");
+    json_text(body, "description", why ? why : "1 to 64 words of memory are watched");
     free(why);
     return true;
 }
 
 /* ---- Traps -------------------------------------------------------------------------------- */
 
-bool request_exception_breakpoints(struct dap *dap,
-                                   const struct json_value *arguments,
+bool request_exception_breakpoints(struct dap *dap, const struct json_value *arguments,
                                    struct json *body)
 {
     const struct json_value *filter = json_member_first(arguments, "filters");

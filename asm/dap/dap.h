@@ -14,7 +14,7 @@ struct dap_program {
     const char *path;
     const char *model;                /* NULL: the usual */
     const struct asm_define *defines; /* ends with a NULL name */
-    const char *const *search; /* folders for .include, ends with NULL */
+    const char *const *search;        /* folders for .include, ends with NULL */
 };
 
 struct dap_setup {
@@ -24,8 +24,7 @@ struct dap_setup {
     bool (*ready)(void *context);
     /* False after all that is wrong has gone to the report. */
     bool (*open)(void *context, const struct dap_program *program,
-                 const struct sink *report, struct object **object,
-                 c205_model **model);
+                 const struct sink *report, struct object **object, c205_model **model);
     void *context;
     struct sink out;
     const char *program;  /* of a client that names none; or NULL */

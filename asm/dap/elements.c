@@ -20,9 +20,8 @@ void put_bits(c205_word word, unsigned width, const struct sink *sink)
 }
 
 /* Behind an element the bit that lets its result be stored, or not. */
-static void put_control(const struct dap *dap,
-                        const struct vector_view *vector, size_t i,
-                        const struct sink *sink)
+static void put_control(const struct dap *dap, const struct vector_view *vector,
+                        size_t i, const struct sink *sink)
 {
     bool bit;
 
@@ -59,16 +58,14 @@ static void put_element(struct dap *dap, struct json *json,
     json_end(json);
 }
 
-void put_elements(struct dap *dap, struct json *json,
-                  const struct vector_view *vector, size_t first,
-                  size_t count)
+void put_elements(struct dap *dap, struct json *json, const struct vector_view *vector,
+                  size_t first, size_t count)
 {
     for (size_t i = first; i < vector->length && i - first < count; i++)
         put_element(dap, json, vector, i);
 }
 
-bool element_number(const struct vector_view *vector, const char *name,
-                    size_t *number)
+bool element_number(const struct vector_view *vector, const char *name, size_t *number)
 {
     char *end;
     unsigned long value;

@@ -110,8 +110,7 @@ bool request_evaluate(struct dap *dap, const struct json_value *arguments,
 }
 
 /* EXPRESSION = VALUE, as the debugger's set has it. */
-bool request_set_expression(struct dap *dap,
-                            const struct json_value *arguments,
+bool request_set_expression(struct dap *dap, const struct json_value *arguments,
                             struct json *body)
 {
     const char *name = json_member_text(arguments, "expression");

@@ -78,15 +78,13 @@ static char *path_of(const struct dap *dap, const char *file)
 static bool is_path(const struct dap *dap, const char *file, const char *path)
 {
     char *whole = carried(file) ? NULL : path_of(dap, file);
-    bool same = whole
-                && (strcmp(whole, path) == 0 || file_is_one(whole, path));
+    bool same = whole && (strcmp(whole, path) == 0 || file_is_one(whole, path));
 
     free(whole);
     return same;
 }
 
-const char *source_file(const struct dap *dap,
-                        const struct json_value *source)
+const char *source_file(const struct dap *dap, const struct json_value *source)
 {
     const char *path = json_member_text(source, "path");
     const char *name = json_member_text(source, "name");
@@ -94,8 +92,7 @@ const char *source_file(const struct dap *dap,
 
     json_member_whole(source, "sourceReference", &number);
     if (number > 0)
-        return (uint64_t)number <= dap->file_count ? dap->files[number - 1]
-                                                   : NULL;
+        return (uint64_t)number <= dap->file_count ? dap->files[number - 1] : NULL;
     for (size_t i = 0; i < dap->file_count; i++)
         if (path ? is_path(dap, dap->files[i], path)
                  : name && strcmp(dap->files[i], name) == 0)
@@ -134,8 +131,7 @@ void put_source(struct dap *dap, struct json *json, const char *file)
     json_end(json);
 }
 
-bool request_loaded_sources(struct dap *dap,
-                            const struct json_value *arguments,
+bool request_loaded_sources(struct dap *dap, const struct json_value *arguments,
                             struct json *body)
 {
     (void)arguments;
@@ -161,13 +157,10 @@ static char *text_of(struct dap *dap, const char *file)
 
     if (!text) {
         char *path = path_of(dap, file);
-        char *read = path
-                         ? text_file_read(path, FILE_LARGEST, &length, &error)
-                         : NULL;
+        char *read = path ? text_file_read(path, FILE_LARGEST, &length, &error) : NULL;
 
         if (!read)
-            dap_fault(dap, "%s: %s", file,
-                      path ? error.message : "no memory");
+            dap_fault(dap, "%s: %s", file, path ? error.message : "no memory");
         free(path);
         return read;
     }
@@ -202,8 +195,7 @@ size_t line_of(const struct dap *dap, int64_t line)
     return line > 0 ? (size_t)line : 0;
 }
 
-void put_line(const struct dap *dap, struct json *json, const char *key,
-              size_t line)
+void put_line(const struct dap *dap, struct json *json, const char *key, size_t line)
 {
     json_number(json, key, (double)line - 1 + (double)dap->first_line);
 }
@@ -252,8 +244,7 @@ static struct frames find_frames(const struct dap *dap)
 }
 
 /* The label at or before an address, in its segment; NULL: there is none. */
-static const struct asm_symbol *label_before(const struct dap *dap,
-                                             uint64_t address)
+static const struct asm_symbol *label_before(const struct dap *dap, uint64_t address)
 {
     const struct asm_symbol *found = NULL;
 
@@ -268,8 +259,7 @@ static const struct asm_symbol *label_before(const struct dap *dap,
 }
 
 /* "again", "again + 64", or the address. */
-static void put_name(const struct dap *dap, struct json *body,
-                     uint64_t address)
+static void put_name(const struct dap *dap, struct json *body, uint64_t address)
 {
     const struct asm_symbol *label = label_before(dap, address);
     struct text_line text = { .length = 0 };
@@ -285,8 +275,8 @@ static void put_name(const struct dap *dap, struct json *body,
     json_text(body, "name", text.text);
 }
 
-static void put_frame_place(struct dap *dap, struct json *body,
-                            const char *file, size_t line)
+static void put_frame_place(struct dap *dap, struct json *body, const char *file,
+                            size_t line)
 {
     put_source(dap, body, file);
     put_line(dap, body, "line", line);
@@ -300,8 +290,7 @@ static void put_no_place(struct json *body)
     json_number(body, "column", 0);
 }
 
-static void put_call(struct dap *dap, struct json *body,
-                     const struct asm_line *line)
+static void put_call(struct dap *dap, struct json *body, const struct asm_line *line)
 {
     const char *from = line->call_source;
     struct text_line text = { .length = 0 };
@@ -314,8 +303,8 @@ static void put_call(struct dap *dap, struct json *body,
     put_frame_place(dap, body, line->call_file, line->call_number);
 }
 
-static void put_frame(struct dap *dap, struct json *body,
-                      const struct frames *frames, size_t i)
+static void put_frame(struct dap *dap, struct json *body, const struct frames *frames,
+                      size_t i)
 {
     json_object(body, NULL);
     json_count(body, "id", i + 1);
@@ -324,8 +313,7 @@ static void put_frame(struct dap *dap, struct json *body,
         put_name(dap, body, frames->pc);
         dap_put_address(body, "instructionPointerReference", frames->pc);
         if (frames->line)
-            put_frame_place(dap, body, frames->line->file,
-                            frames->line->number);
+            put_frame_place(dap, body, frames->line->file, frames->line->number);
         else
             put_no_place(body);
         break;
@@ -351,8 +339,7 @@ bool request_stack_trace(struct dap *dap, const struct json_value *arguments,
         return dap_fault(dap, "frames are counted from 0 on");
     json_array(body, "stackFrames");
     for (size_t i = 0; i < frames.count; i++)
-        if (i >= (size_t)from
-            && (levels == 0 || i - (size_t)from < (size_t)levels))
+        if (i >= (size_t)from && (levels == 0 || i - (size_t)from < (size_t)levels))
             put_frame(dap, body, &frames, i);
     json_end(body);
     json_count(body, "totalFrames", frames.count);

@@ -61,8 +61,7 @@ bool request_initialize(struct dap *dap, const struct json_value *arguments,
     put_trap_filter(body);
     dap->first_line = json_member_truth(arguments, "linesStartAt1", true);
     dap->first_column = json_member_truth(arguments, "columnsStartAt1", true);
-    dap->client_redraws = json_member_truth(arguments,
-                                            "supportsInvalidatedEvent",
+    dap->client_redraws = json_member_truth(arguments, "supportsInvalidatedEvent",
                                             false);
     dap->state = DAP_GREETED;
     return true;
@@ -91,20 +90,17 @@ static const struct asm_define *read_defines(struct dap *dap,
 {
     const struct json_value *item = json_member_first(launch, "defines");
     struct asm_define *defines = arena_take(&dap->launched,
-                                            (count_of(item) + 1)
-                                                * sizeof *defines);
+                                            (count_of(item) + 1) * sizeof *defines);
 
     for (size_t i = 0; defines && item; i++, item = item->next) {
         defines[i].name = keep(dap, item->key);
-        json_member_whole(json_member(launch, "defines"), item->key,
-                          &defines[i].value);
+        json_member_whole(json_member(launch, "defines"), item->key, &defines[i].value);
     }
     return defines;
 }
 
 /* [ "DIR", .. ] */
-static const char *const *read_search(struct dap *dap,
-                                      const struct json_value *launch)
+static const char *const *read_search(struct dap *dap, const struct json_value *launch)
 {
     const struct json_value *item = json_member_first(launch, "include");
     const char **search = arena_take(&dap->launched,
@@ -165,10 +161,9 @@ static bool open_program(struct dap *dap, const struct json_value *launch)
     struct sink report = dap_saying(dap);
 
     return read_program(dap, launch, &program)
-           && dap->setup.open(dap->setup.context, &program, &report,
-                              &dap->object, &dap->model)
-           && make_debugger(dap, json_member_truth(launch, "warm",
-                                                   dap->setup.warm))
+           && dap->setup.open(dap->setup.context, &program, &report, &dap->object,
+                              &dap->model)
+           && make_debugger(dap, json_member_truth(launch, "warm", dap->setup.warm))
            && (sources_find(dap) || dap_fault(dap, "no memory"));
 }
 
@@ -197,8 +192,7 @@ static void read_stops(struct dap *dap, const struct json_value *launch)
     bool stops = !json_member_truth(launch, "noDebug", false);
 
     dap->stop_at_traps = stops;
-    dap->stop_on_entry = stops
-                         && json_member_truth(launch, "stopOnEntry", false);
+    dap->stop_on_entry = stops && json_member_truth(launch, "stopOnEntry", false);
     dap->stop_on_end = stops && json_member_truth(launch, "stopOnEnd", false);
 }
 
@@ -217,8 +211,7 @@ bool request_launch(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-bool request_configuration_done(struct dap *dap,
-                                const struct json_value *arguments,
+bool request_configuration_done(struct dap *dap, const struct json_value *arguments,
                                 struct json *body)
 {
     (void)arguments;

@@ -29,8 +29,7 @@ static void put_base64(const struct sink *sink, const unsigned char *bytes,
         if (i + 2 < count)
             three |= bytes[i + 2];
         for (unsigned k = 0; k < 4; k++)
-            text[k] = i + k > count ? '='
-                                    : digits[three >> (18 - 6 * k) & 63];
+            text[k] = i + k > count ? '=' : digits[three >> (18 - 6 * k) & 63];
         text[4] = '\0';
         sink_put(sink, text);
     }
@@ -73,14 +72,12 @@ static bool read_place(struct dap *dap, const struct json_value *arguments,
 }
 
 /* False: there is no memory. */
-static bool read_byte(const struct dap *dap, uint64_t address,
-                      unsigned char *byte)
+static bool read_byte(const struct dap *dap, uint64_t address, unsigned char *byte)
 {
     c205_word word;
 
     if (address >> 48
-        || !c205_read(machine_of(dap->debugger), address - address % 64,
-                      &word, 1))
+        || !c205_read(machine_of(dap->debugger), address - address % 64, &word, 1))
         return false;
     *byte = (unsigned char)(word >> (56 - address % 64));
     return true;
@@ -117,22 +114,19 @@ bool request_read_memory(struct dap *dap, const struct json_value *arguments,
     return true;
 }
 
-static size_t mapped_bytes(const struct dap *dap, uint64_t address,
-                           size_t count)
+static size_t mapped_bytes(const struct dap *dap, uint64_t address, size_t count)
 {
     unsigned char byte;
     size_t there = 0;
 
-    while (there < count
-           && read_byte(dap, address + 8 * (uint64_t)there, &byte))
+    while (there < count && read_byte(dap, address + 8 * (uint64_t)there, &byte))
         there++;
     return there;
 }
 
 /* All of them, or with allowPartial those before the first that is not there. */
 static bool write_bytes(struct dap *dap, const struct json_value *arguments,
-                        struct json *body, const unsigned char *bytes,
-                        size_t count)
+                        struct json *body, const unsigned char *bytes, size_t count)
 {
     uint64_t address;
     size_t there;
@@ -162,8 +156,7 @@ bool request_write_memory(struct dap *dap, const struct json_value *arguments,
     bytes = malloc(strlen(text) + 1);
     if (!bytes)
         return dap_fault(dap, "no memory");
-    good = (read_base64(text, bytes, &count)
-            || dap_fault(dap, "'data' is no base64"))
+    good = (read_base64(text, bytes, &count) || dap_fault(dap, "'data' is no base64"))
            && write_bytes(dap, arguments, body, bytes, count);
     free(bytes);
     return good;
@@ -221,8 +214,7 @@ static void put_origin(struct dap *dap, struct json *body, uint64_t address)
 }
 
 /* The address of the next one. */
-static uint64_t put_instruction(struct dap *dap, struct json *body,
-                                uint64_t address)
+static uint64_t put_instruction(struct dap *dap, struct json *body, uint64_t address)
 {
     c205 *machine = machine_of(dap->debugger);
     c205_word word = view_word_at(machine, address), there;
@@ -261,8 +253,7 @@ bool request_disassemble(struct dap *dap, const struct json_value *arguments,
         return dap_fault(dap, "no instruction begins there");
     if (count < 0 || count > INSTRUCTIONS_MOST || from > INSTRUCTIONS_MOST
         || from < -INSTRUCTIONS_MOST)
-        return dap_fault(dap, "'instructionCount' is 0 to %d",
-                         INSTRUCTIONS_MOST);
+        return dap_fault(dap, "'instructionCount' is 0 to %d", INSTRUCTIONS_MOST);
     address = move_address(dap, address, from);
     json_array(body, "instructions");
     for (; count > 0; count--)

@@ -7,8 +7,7 @@
 
 static enum message_state broken(c205_error *error, const char *what)
 {
-    snprintf(error->message, sizeof error->message, "a message's header: %s",
-             what);
+    snprintf(error->message, sizeof error->message, "a message's header: %s", what);
     return MESSAGE_BROKEN;
 }
 
@@ -31,8 +30,7 @@ static bool read_length(const char *at, const char *end, size_t *length)
 }
 
 /* "Name: value"; other names than this one are passed over. */
-static bool read_field(const char *line, const char *end, bool *found,
-                       size_t *length)
+static bool read_field(const char *line, const char *end, bool *found, size_t *length)
 {
     static const char name[] = "Content-Length";
     const char *colon = memchr(line, ':', (size_t)(end - line));
@@ -47,8 +45,7 @@ static bool read_field(const char *line, const char *end, bool *found,
 }
 
 enum message_state message_find(const struct text_buffer *bytes,
-                                struct message_content *content,
-                                c205_error *error)
+                                struct message_content *content, c205_error *error)
 {
     const char *line = bytes->text, *end;
     bool found = false;
@@ -59,8 +56,7 @@ enum message_state message_find(const struct text_buffer *bytes,
     for (;;) {
         const char *newline = memchr(line, '\n', (size_t)(end - line));
 
-        if ((size_t)((newline ? newline : end) - bytes->text)
-            > MESSAGE_HEADER_MOST)
+        if ((size_t)((newline ? newline : end) - bytes->text) > MESSAGE_HEADER_MOST)
             return broken(error, "it has no end");
         if (!newline)
             return MESSAGE_PART;

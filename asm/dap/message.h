@@ -21,8 +21,7 @@ struct message_content {
     size_t begin, length;
 };
 enum message_state message_find(const struct text_buffer *bytes,
-                                struct message_content *content,
-                                c205_error *error);
+                                struct message_content *content, c205_error *error);
 /* So many bytes are done with. */
 void message_drop(struct text_buffer *bytes, size_t count);
 

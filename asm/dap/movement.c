@@ -236,8 +236,7 @@ bool request_next(struct dap *dap, const struct json_value *arguments,
                   struct json *body)
 {
     (void)body;
-    return move_by(dap,
-                   by_instruction(arguments) ? motion_next : motion_line);
+    return move_by(dap, by_instruction(arguments) ? motion_next : motion_line);
 }
 
 bool request_step_in(struct dap *dap, const struct json_value *arguments,
@@ -260,12 +259,10 @@ bool request_step_back(struct dap *dap, const struct json_value *arguments,
                        struct json *body)
 {
     (void)body;
-    return move_by(dap,
-                   by_instruction(arguments) ? step_back : motion_back_line);
+    return move_by(dap, by_instruction(arguments) ? step_back : motion_back_line);
 }
 
-bool request_reverse_continue(struct dap *dap,
-                              const struct json_value *arguments,
+bool request_reverse_continue(struct dap *dap, const struct json_value *arguments,
                               struct json *body)
 {
     (void)arguments;
@@ -326,8 +323,7 @@ bool request_goto(struct dap *dap, const struct json_value *arguments,
            && debug_jump(dap->debugger, (uint64_t)target);
 }
 
-bool request_exception_info(struct dap *dap,
-                            const struct json_value *arguments,
+bool request_exception_info(struct dap *dap, const struct json_value *arguments,
                             struct json *body)
 {
     const struct debugger *debugger = dap->debugger;

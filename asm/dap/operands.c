@@ -18,16 +18,14 @@ static void put_operand(struct dap *dap, struct json *json,
 
     if (operand->is_half)
         snprintf(register_name, sizeof register_name, "h%u", operand->number);
-    sink_print(&naming, operand->is_vector ? "%s [%s]" : "%s %s",
-               view->insn->mnemonic,
-               operand->is_half
-                   ? register_name
-                   : name_of(dap, operand->number, register_name));
+    sink_print(&naming, operand->is_vector ? "%s [%s]" : "%s %s", view->insn->mnemonic,
+               operand->is_half ? register_name
+                                : name_of(dap, operand->number, register_name));
     if (listed)
         put_extent(&vector, &sink);
     else if (operand->is_vector)
-        sink_print(&sink, "%s from %" PRIX64 " on",
-                   vector_elements(operand->width), operand->address);
+        sink_print(&sink, "%s from %" PRIX64 " on", vector_elements(operand->width),
+                   operand->address);
     else
         put_bits(operand->word, operand->is_half ? 32 : 64, &sink);
     put_variable(json, name.text, text.text,
@@ -55,13 +53,11 @@ void put_operands(struct dap *dap, struct json *json)
 
         for (size_t k = 0; view->insn && k < view->count; k++)
             if (is_shown(&view->operands[k]))
-                put_operand(dap, json, view, &view->operands[k],
-                            i * VIEW_OPERANDS + k);
+                put_operand(dap, json, view, &view->operands[k], i * VIEW_OPERANDS + k);
     }
 }
 
-bool operand_vector(const struct dap *dap, size_t number,
-                    struct vector_view *vector)
+bool operand_vector(const struct dap *dap, size_t number, struct vector_view *vector)
 {
     struct instruction_view views[VIEW_NEXT];
     size_t count;

@@ -47,8 +47,8 @@ struct dap {
     const char **files; /* of the source lines, as the object calls them */
 
     bool stop_on_entry, stop_on_end, stop_at_traps;
-    bool end_told; /* the program stands at its end, and the client knows */
-    bool client_redraws;              /* it takes the event invalidated */
+    bool end_told;       /* the program stands at its end, and the client knows */
+    bool client_redraws; /* it takes the event invalidated */
     int64_t first_line, first_column; /* as the client counts: 0 or 1 */
     enum dap_wish wish;
     enum moved (*move)(struct debugger *debugger);
@@ -85,8 +85,7 @@ dap_request request_read_memory, request_write_memory, request_disassemble;
 
 /* Whether the members of an object have the types that a request's arguments have, or those of a
  * type of the protocol; false after a fault. */
-bool dap_check(struct dap *dap, const char *owner,
-               const struct json_value *object);
+bool dap_check(struct dap *dap, const char *owner, const struct json_value *object);
 
 /* ---- What is said (say.c) --------------------------------------------------- */
 
@@ -112,10 +111,8 @@ void say_output(struct dap *dap, const char *category, const char *text);
 /* What the program has printed until now. */
 void say_printed(struct dap *dap);
 /* request: what it answers.  body: JSON. */
-void say_response(struct dap *dap, const struct json_value *request,
-                  const char *body);
-void say_refusal(struct dap *dap, const struct json_value *request,
-                 const char *why);
+void say_response(struct dap *dap, const struct json_value *request, const char *body);
+void say_refusal(struct dap *dap, const struct json_value *request, const char *why);
 
 /* Hear what the client says while a program runs (session.c): shall it stop? */
 bool dap_listen(void *dap);
@@ -129,8 +126,8 @@ void dap_put_address(struct json *json, const char *key, uint64_t address);
 bool dap_address(struct dap *dap, const struct json_value *arguments,
                  const char *reference, uint64_t *address);
 /* A member that is an integer, or stays; false after telling. */
-bool dap_whole(struct dap *dap, const struct json_value *arguments,
-               const char *key, int64_t *value);
+bool dap_whole(struct dap *dap, const struct json_value *arguments, const char *key,
+               int64_t *value);
 
 /* ---- Groups of stops ------------------------------------------------------------ */
 
@@ -147,15 +144,13 @@ enum dap_group {
 /* The files of the object; false: no memory. */
 bool sources_find(struct dap *dap);
 /* The file that a Source names, NULL: the program has none such. */
-const char *source_file(const struct dap *dap,
-                        const struct json_value *source);
+const char *source_file(const struct dap *dap, const struct json_value *source);
 /* The member source of an object; and what stands in it. */
 void put_source(struct dap *dap, struct json *json, const char *file);
 void put_source_members(struct dap *dap, struct json *json, const char *file);
 /* A line of ours, from what the client calls it; and back. */
 size_t line_of(const struct dap *dap, int64_t line);
-void put_line(const struct dap *dap, struct json *json, const char *key,
-              size_t line);
+void put_line(const struct dap *dap, struct json *json, const char *key, size_t line);
 
 /* ---- Motions (movement.c) ---------------------------------------------------------- */
 
@@ -170,20 +165,16 @@ void dap_stopped(struct dap *dap, const char *reason);
 
 /* A value as variables show it: a number and the bits. */
 void put_bits(c205_word word, unsigned width, const struct sink *sink);
-void put_elements(struct dap *dap, struct json *json,
-                  const struct vector_view *vector, size_t first,
-                  size_t count);
+void put_elements(struct dap *dap, struct json *json, const struct vector_view *vector,
+                  size_t first, size_t count);
 /* "[12]"; false: it has no such element. */
-bool element_number(const struct vector_view *vector, const char *name,
-                    size_t *number);
+bool element_number(const struct vector_view *vector, const char *name, size_t *number);
 
 /* ---- Variables (variables.c) ------------------------------------------------------------ */
 
 /* The vector that a reference stands for; false: none. */
-bool vector_of(struct dap *dap, int64_t reference,
-               struct vector_view *vector);
+bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector);
 /* The members of a value that is a word of a register: its vector, if it is one. */
-void put_word_members(struct dap *dap, struct json *json,
-                      struct register_of named);
+void put_word_members(struct dap *dap, struct json *json, struct register_of named);
 
 #endif

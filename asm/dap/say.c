@@ -74,8 +74,7 @@ static struct json *message_begin(struct dap *dap, struct text_buffer *line,
     return json;
 }
 
-static void message_end(struct dap *dap, struct json *json,
-                        struct text_buffer *line)
+static void message_end(struct dap *dap, struct json *json, struct text_buffer *line)
 {
     if (!json_close(json, dap->error))
         dap->over = dap->failed = true;
@@ -146,8 +145,7 @@ void say_printed(struct dap *dap)
 /* ---- Responses -------------------------------------------------------------------- */
 
 static struct json *response_begin(struct dap *dap, struct text_buffer *line,
-                                   const struct json_value *request,
-                                   bool success)
+                                   const struct json_value *request, bool success)
 {
     struct json *json = message_begin(dap, line, "response");
     int64_t number = 0;
@@ -161,8 +159,7 @@ static struct json *response_begin(struct dap *dap, struct text_buffer *line,
     return json;
 }
 
-void say_response(struct dap *dap, const struct json_value *request,
-                  const char *body)
+void say_response(struct dap *dap, const struct json_value *request, const char *body)
 {
     struct text_buffer line;
     struct json *json = response_begin(dap, &line, request, true);
@@ -173,8 +170,7 @@ void say_response(struct dap *dap, const struct json_value *request,
     message_end(dap, json, &line);
 }
 
-void say_refusal(struct dap *dap, const struct json_value *request,
-                 const char *why)
+void say_refusal(struct dap *dap, const struct json_value *request, const char *why)
 {
     struct text_buffer line;
     struct json *json = response_begin(dap, &line, request, false);
@@ -195,8 +191,8 @@ void dap_put_address(struct json *json, const char *key, uint64_t address)
     json_text(json, key, text);
 }
 
-bool dap_whole(struct dap *dap, const struct json_value *arguments,
-               const char *key, int64_t *value)
+bool dap_whole(struct dap *dap, const struct json_value *arguments, const char *key,
+               int64_t *value)
 {
     return json_member_whole(arguments, key, value)
            || dap_fault(dap, "'%s' is no integer", key);

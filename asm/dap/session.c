@@ -28,11 +28,9 @@ static const struct {
     { "disconnect", request_disconnect, ALWAYS },
     { "setBreakpoints", request_breakpoints, WITH_PROGRAM },
     { "setFunctionBreakpoints", request_function_breakpoints, WITH_PROGRAM },
-    { "setInstructionBreakpoints", request_instruction_breakpoints,
-      WITH_PROGRAM },
+    { "setInstructionBreakpoints", request_instruction_breakpoints, WITH_PROGRAM },
     { "setDataBreakpoints", request_data_breakpoints, WITH_PROGRAM },
-    { "setExceptionBreakpoints", request_exception_breakpoints,
-      WITH_PROGRAM },
+    { "setExceptionBreakpoints", request_exception_breakpoints, WITH_PROGRAM },
     { "dataBreakpointInfo", request_data_breakpoint_info, NOT_RUNNING },
     { "breakpointLocations", request_breakpoint_locations, WITH_PROGRAM },
     { "continue", request_continue, DAP_STANDING },
@@ -68,17 +66,15 @@ static bool may_come(struct dap *dap, unsigned states)
     case DAP_NEW: return dap_fault(dap, "initialize comes first");
     case DAP_GREETED: return dap_fault(dap, "launch comes first");
     case DAP_LAUNCHED:
-        return states & DAP_STANDING
-                   ? dap_fault(dap, "configurationDone comes first")
-                   : dap_fault(dap, "a program is launched already");
+        return states & DAP_STANDING ? dap_fault(dap, "configurationDone comes first")
+                                     : dap_fault(dap, "a program is launched already");
     case DAP_RUNNING: return dap_fault(dap, "the program runs: pause it");
     case DAP_ENDED: return dap_fault(dap, "the program has ended");
     default: return dap_fault(dap, "this comes once");
     }
 }
 
-static bool answer(struct dap *dap, const struct json_value *request,
-                   struct json *body)
+static bool answer(struct dap *dap, const struct json_value *request, struct json *body)
 {
     const struct json_value *arguments = json_member(request, "arguments");
     const char *command = json_member_text(request, "command");
@@ -88,8 +84,7 @@ static bool answer(struct dap *dap, const struct json_value *request,
         i++;
     if (i == REQUESTS)
         return dap_fault(dap, "there is no request '%.60s'", command);
-    return may_come(dap, requests[i].states)
-           && dap_check(dap, command, arguments)
+    return may_come(dap, requests[i].states) && dap_check(dap, command, arguments)
            && requests[i].answer(dap, arguments, body);
 }
 
@@ -102,8 +97,7 @@ static void refuse(struct dap *dap, const struct json_value *request)
 }
 
 /* What it has told beside its answer is shown, too. */
-static void respond(struct dap *dap, const struct json_value *request,
-                    const char *body)
+static void respond(struct dap *dap, const struct json_value *request, const char *body)
 {
     char *said = dap_take_said(dap);
 
@@ -148,8 +142,7 @@ static void handle_message(struct dap *dap, const char *text, size_t length)
 {
     struct arena arena = { 0 };
     c205_error error;
-    const struct json_value *message = json_read(&arena, text, length,
-                                                 &error);
+    const struct json_value *message = json_read(&arena, text, length, &error);
     const char *type = json_member_text(message, "type");
     char line[400];
 
@@ -157,8 +150,7 @@ static void handle_message(struct dap *dap, const char *text, size_t length)
         snprintf(line, sizeof line, "a message that is none: %s\n",
                  message ? "it has no type" : error.message);
         say_output(dap, "stderr", line);
-    } else if (strcmp(type, "request") == 0
-               && json_member_text(message, "command")) {
+    } else if (strcmp(type, "request") == 0 && json_member_text(message, "command")) {
         handle_request(dap, message);
     }
     arena_free(&arena);
@@ -177,8 +169,7 @@ static bool handle_next(struct dap *dap)
     }
     text = malloc(content.length + 1);
     if (!text) {
-        snprintf(dap->error->message, sizeof dap->error->message,
-                 "no memory");
+        snprintf(dap->error->message, sizeof dap->error->message, "no memory");
         dap->over = dap->failed = true;
         return false;
     }
@@ -202,8 +193,7 @@ static void read_more(struct dap *dap)
     dap->over = true;
     dap->failed = dap->input.failed || dap->input.length > 0;
     snprintf(dap->error->message, sizeof dap->error->message, "%s",
-             dap->input.failed ? "no memory"
-                               : "the input ends within a message");
+             dap->input.failed ? "no memory" : "the input ends within a message");
 }
 
 bool dap_listen(void *given)

@@ -6,15 +6,13 @@
 #include "asm/dap/variables.h"
 #include "base/plural.h"
 
-static void put_plain(struct json *json, const char *name, const char *format,
-                      ...)
+static void put_plain(struct json *json, const char *name, const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
 
-static void put_plain(struct json *json, const char *name, const char *format,
-                      ...)
+static void put_plain(struct json *json, const char *name, const char *format, ...)
 {
     char text[200];
     va_list arguments;
@@ -35,21 +33,19 @@ void put_time(struct dap *dap, struct json *json)
     if (dap->debugger->has_last) {
         char text[40];
 
-        snprintf(text, sizeof text, "%" PRIu64 " clock%s",
-                 dap->debugger->last.clocks,
+        snprintf(text, sizeof text, "%" PRIu64 " clock%s", dap->debugger->last.clocks,
                  plural(dap->debugger->last.clocks));
-        put_variable(json, "last instruction", text,
-                     reference_of(OF_LAST, 0));
+        put_variable(json, "last instruction", text, reference_of(OF_LAST, 0));
         json_end(json);
     }
     for (size_t i = 0; i < c205_account_count(machine); i++) {
         const c205_account *account = c205_account_at(machine, i);
         char text[60];
 
-        snprintf(text, sizeof text, "%" PRIu64 " instruction%s",
-                 account->instructions, plural(account->instructions));
-        put_variable(json, *account->name ? account->name : "outside regions",
-                     text, reference_of(OF_REGION, i));
+        snprintf(text, sizeof text, "%" PRIu64 " instruction%s", account->instructions,
+                 plural(account->instructions));
+        put_variable(json, *account->name ? account->name : "outside regions", text,
+                     reference_of(OF_REGION, i));
         json_end(json);
     }
 }
@@ -63,24 +59,20 @@ void put_region(struct dap *dap, struct json *json, size_t number)
         return;
     account = c205_account_at(machine, number);
     for (int i = 0; i < C205_CAUSES; i++)
-        put_plain(json, c205_cause_name((c205_cause)i), "%" PRIu64,
-                  account->clocks[i]);
+        put_plain(json, c205_cause_name((c205_cause)i), "%" PRIu64, account->clocks[i]);
     put_plain(json, "instructions", "%" PRIu64, account->instructions);
-    put_plain(json, "of them vector", "%" PRIu64,
-              account->vector_instructions);
+    put_plain(json, "of them vector", "%" PRIu64, account->vector_instructions);
     put_plain(json, "elements", "%" PRIu64, account->elements);
     put_plain(json, "operations", "%" PRIu64, account->operations);
     put_plain(json, "entries", "%" PRIu64, account->entries);
 }
 
-static void put_piece(struct dap *dap, struct json *json,
-                      const c205_piece *piece)
+static void put_piece(struct dap *dap, struct json *json, const c205_piece *piece)
 {
     struct text_line text = { .length = 0 };
     struct sink sink = text_line_sink(&text);
 
-    sink_print(&sink, "%" PRIu64 " clock%s", piece->clocks,
-               plural(piece->clocks));
+    sink_print(&sink, "%" PRIu64 " clock%s", piece->clocks, plural(piece->clocks));
     if (piece->wait != C205_WAIT_NONE)
         sink_put(&sink, ", ");
     show_wait(dap->debugger, piece, &sink);
@@ -103,6 +95,6 @@ void put_last(struct dap *dap, struct json *json)
         put_piece(dap, json, &record->piece[i]);
     for (size_t i = 0; i < record->phase_count; i++)
         put_plain(json, c205_cause_name(record->phase[i].cause),
-                  "from clock %" PRIu64 " to %" PRIu64,
-                  record->phase[i].begin, record->phase[i].end);
+                  "from clock %" PRIu64 " to %" PRIu64, record->phase[i].begin,
+                  record->phase[i].end);
 }

@@ -32,8 +32,7 @@ void put_variable(struct json *json, const char *name, const char *value,
 static struct vector_view described(const struct dap *dap, size_t number,
                                     unsigned width)
 {
-    return vector_described(c205_register(machine_of(dap->debugger),
-                                          (unsigned)number),
+    return vector_described(c205_register(machine_of(dap->debugger), (unsigned)number),
                             width);
 }
 
@@ -51,16 +50,14 @@ void put_extent(const struct vector_view *vector, const struct sink *sink)
                vector_elements(vector->width), vector->address);
 }
 
-void put_word_members(struct dap *dap, struct json *json,
-                      struct register_of named)
+void put_word_members(struct dap *dap, struct json *json, struct register_of named)
 {
     struct vector_view vector;
     bool is = !named.half && is_vector(dap, named.number, &vector);
 
     json_text(json, "type", named.half ? "half word" : "word");
     json_number(json, "variablesReference",
-                is ? (double)reference_of(vector.width == 64 ? OF_WORDS
-                                                             : OF_BITS,
+                is ? (double)reference_of(vector.width == 64 ? OF_WORDS : OF_BITS,
                                           named.number)
                    : 0);
     if (!is)
@@ -78,8 +75,7 @@ static void put_register(struct dap *dap, struct json *json, const char *name,
     struct sink sink = text_line_sink(&text);
     struct vector_view vector;
 
-    put_bits(debug_register_word(dap->debugger, named), named.half ? 32 : 64,
-             &sink);
+    put_bits(debug_register_word(dap->debugger, named), named.half ? 32 : 64, &sink);
     if (!named.half && is_vector(dap, named.number, &vector)) {
         sink_put(&sink, "  ");
         put_extent(&vector, &sink);
@@ -118,13 +114,11 @@ static void put_registers(struct dap *dap, struct json *json)
         char number[REGISTER_NAME];
 
         snprintf(number, sizeof number, "r%u", i);
-        put_register(dap, json, number,
-                     (struct register_of){ (uint8_t)i, false });
+        put_register(dap, json, number, (struct register_of){ (uint8_t)i, false });
     }
 }
 
-const char *name_of(const struct dap *dap, unsigned number,
-                    char text[REGISTER_NAME])
+const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME])
 {
     const char *name = debug_register_name(dap->debugger, number);
     struct rest rest = { name };
@@ -153,15 +147,14 @@ static void put_vectors(struct dap *dap, struct json *json)
         json_text(json, "name", name);
         json_text(json, "value", text.text);
         json_number(json, "namedVariables", 2);
-        put_word_members(dap, json,
-                         (struct register_of){ (uint8_t)i, false });
+        put_word_members(dap, json, (struct register_of){ (uint8_t)i, false });
         json_end(json);
     }
 }
 
 /* The same elements as halves and as bits. */
-static void put_other_ways(struct json *json,
-                           const struct vector_view *vector, size_t number)
+static void put_other_ways(struct json *json, const struct vector_view *vector,
+                           size_t number)
 {
     put_variable(json, "half words", "", reference_of(OF_HALVES, number));
     json_count(json, "indexedVariables", vector->length);
@@ -187,8 +180,8 @@ bool vector_of(struct dap *dap, int64_t reference, struct vector_view *vector)
 
 /* ---- Requests -------------------------------------------------------------------------------- */
 
-static void put_scope(struct json *body, const char *name,
-                      enum reference_kind kind, const char *hint)
+static void put_scope(struct json *body, const char *name, enum reference_kind kind,
+                      const char *hint)
 {
     json_object(body, NULL);
     json_text(body, "name", name);
@@ -327,12 +320,11 @@ static void put_new(struct dap *dap, struct json *body, int64_t reference,
 
     if (vector_of(dap, reference, &vector)) {
         if (element_number(&vector, name, &number)
-            && vector_get(machine_of(dap->debugger), &vector, number, 1,
-                          &word))
+            && vector_get(machine_of(dap->debugger), &vector, number, 1, &word))
             put_bits(word, vector.width, &sink);
     } else if (debug_register(dap->debugger, &rest, &named)) {
-        put_bits(debug_register_word(dap->debugger, named),
-                 named.half ? 32 : 64, &sink);
+        put_bits(debug_register_word(dap->debugger, named), named.half ? 32 : 64,
+                 &sink);
         put_word_members(dap, body, named);
     }
     json_text(body, "value", text.text);
@@ -351,8 +343,7 @@ bool request_set_variable(struct dap *dap, const struct json_value *arguments,
         return dap_fault(dap, "'name' or 'value' is missing");
     if (!dap_whole(dap, arguments, "variablesReference", &reference)
         || !debug_value(dap->debugger, &rest, &value)
-        || !rest_finish(dap->debugger, &rest)
-        || !set(dap, reference, name, &value))
+        || !rest_finish(dap->debugger, &rest) || !set(dap, reference, name, &value))
         return false;
     put_new(dap, body, reference, name);
     return true;

@@ -35,13 +35,11 @@ void put_variable(struct json *json, const char *name, const char *value,
 void put_extent(const struct vector_view *vector, const struct sink *sink);
 /* The name that the program has for a register, if that means no other; or its number. */
 enum { REGISTER_NAME = 8 };
-const char *name_of(const struct dap *dap, unsigned number,
-                    char text[REGISTER_NAME]);
+const char *name_of(const struct dap *dap, unsigned number, char text[REGISTER_NAME]);
 
 /* operands.c */
 void put_operands(struct dap *dap, struct json *json);
-bool operand_vector(const struct dap *dap, size_t number,
-                    struct vector_view *vector);
+bool operand_vector(const struct dap *dap, size_t number, struct vector_view *vector);
 
 /* time.c */
 void put_time(struct dap *dap, struct json *json);

@@ -4,8 +4,7 @@
 #include "asm/debug/parts.h"
 
 /* "if CONDITION", or nothing. */
-static bool add(struct debugger *debugger, struct rest *rest,
-                struct stop_point *stop)
+static bool add(struct debugger *debugger, struct rest *rest, struct stop_point *stop)
 {
     if (rest_take(rest, "if")) {
         if (rest_end(rest))
@@ -18,13 +17,12 @@ static bool add(struct debugger *debugger, struct rest *rest,
     if (!stops_add(debugger, stop))
         return false;
     sink_print(&debugger->out, "%s %zu: %s%s%s\n",
-               stop->kind == STOP_WATCH ? "watch" : "break", stop->number,
-               stop->text, *stop->condition ? " if " : "", stop->condition);
+               stop->kind == STOP_WATCH ? "watch" : "break", stop->number, stop->text,
+               *stop->condition ? " if " : "", stop->condition);
     return true;
 }
 
-static bool make_break(struct debugger *debugger, struct rest *rest,
-                       bool once)
+static bool make_break(struct debugger *debugger, struct rest *rest, bool once)
 {
     struct stop_point stop = { .once = once };
 

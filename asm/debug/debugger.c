@@ -28,14 +28,11 @@ static const struct verb verbs[] = {
     { "step", "si", verb_step, true, "[N]", "N instructions, 1" },
     { "next", "ni", verb_next, true, "[N]",
       "the same, a call and all that it does being one" },
-    { "continue", NULL, verb_continue, true, "[N]",
-      "to the next stop, or the N-th" },
-    { "reverse-step", "rs", verb_reverse_step, true, "[N]",
-      "N instructions back" },
+    { "continue", NULL, verb_continue, true, "[N]", "to the next stop, or the N-th" },
+    { "reverse-step", "rs", verb_reverse_step, true, "[N]", "N instructions back" },
     { "reverse-continue", "rc", verb_reverse_continue, true, "",
       "back to the stop before" },
-    { "until", NULL, verb_until, false, "PLACE",
-      "on to that place, or the next stop" },
+    { "until", NULL, verb_until, false, "PLACE", "on to that place, or the next stop" },
     { "goto", NULL, verb_goto, false, "N | clock N",
       "to that step, or that clock, wherever it is" },
     { "run", NULL, verb_run, false, "", "from the beginning to a stop" },
@@ -48,8 +45,7 @@ static const struct verb verbs[] = {
     { "delete", NULL, verb_delete, false, "[N]", "a stop, or all" },
     { "where", NULL, verb_where, false, "", "where the program stands" },
     { "list", NULL, verb_list, false, "[PLACE] [, N]", "source lines" },
-    { "disassemble", NULL, verb_disassemble, false, "[PLACE] [, N]",
-      "instructions" },
+    { "disassemble", NULL, verb_disassemble, false, "[PLACE] [, N]", "instructions" },
     { "print", NULL, verb_print, false, "VALUE",
       "r10, NAME, NAME.i, [ADDRESS], clock, step .. with + - * / % == < && "
       "||" },
@@ -60,8 +56,7 @@ static const struct verb verbs[] = {
       "registers | operands | breaks | regions | pages | symbols", "" },
     { "why", NULL, verb_why, false, "",
       "the time of the last instruction, and what it waited for" },
-    { "account", NULL, verb_account, false, "",
-      "where the clocks went so far" },
+    { "account", NULL, verb_account, false, "", "where the clocks went so far" },
     { "set", NULL, verb_set, false, "REGISTER | [ADDRESS] = VALUE",
       "change it: from here on it is another run" },
     { "assert", NULL, verb_assert, false, "VALUE",
@@ -118,8 +113,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
         debugger->has_end = true;
         copy_record(&debugger->end, event->record);
     }
-    if (event->kind != C205_EVENT_INSTRUCTION
-        && event->kind != C205_EVENT_REQUEST)
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     debugger->has_end = false;
     debugger->has_last = true;
@@ -134,8 +128,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 
 /* ---- To begin and to end -------------------------------------------------- */
 
-static c205 *make_machine(const struct debugger_setup *setup,
-                          c205_error *error)
+static c205 *make_machine(const struct debugger_setup *setup, c205_error *error)
 {
     c205 *machine;
 
@@ -162,8 +155,7 @@ static c205 *load(struct debugger *debugger, c205_error *error)
     return NULL;
 }
 
-struct debugger *debugger_new(const struct debugger_setup *setup,
-                              c205_error *error)
+struct debugger *debugger_new(const struct debugger_setup *setup, c205_error *error)
 {
     struct debugger *debugger = calloc(1, sizeof *debugger);
     c205 *machine;
@@ -181,9 +173,8 @@ struct debugger *debugger_new(const struct debugger_setup *setup,
     machine = load(debugger, error);
     if (machine)
         debugger->history = c205_history_new(machine,
-                                             setup->history > 0
-                                                 ? setup->history
-                                                 : usual_history,
+                                             setup->history > 0 ? setup->history
+                                                                : usual_history,
                                              error);
     if (debugger->history)
         return debugger;
@@ -250,8 +241,7 @@ size_t debugger_faults(const struct debugger *debugger)
 
 static bool is_verb(const struct verb *verb, const char *name, size_t length)
 {
-    return (strlen(verb->name) >= length
-            && strncmp(verb->name, name, length) == 0)
+    return (strlen(verb->name) >= length && strncmp(verb->name, name, length) == 0)
            || (verb->other && strlen(verb->other) == length
                && strncmp(verb->other, name, length) == 0);
 }
@@ -265,8 +255,7 @@ static size_t verb_length(const char *text)
     return length;
 }
 
-static void tell_unknown(struct debugger *debugger, const char *name,
-                         size_t length)
+static void tell_unknown(struct debugger *debugger, const char *name, size_t length)
 {
     const struct debugger_verb *more = debugger->setup.verbs;
     char word[40];
@@ -277,9 +266,8 @@ static void tell_unknown(struct debugger *debugger, const char *name,
         nearest_try(&nearest, verbs[i].name);
     for (; more && more->name; more++)
         nearest_try(&nearest, more->name);
-    debug_fault(debugger, "there is no '%.*s': %s%s%s",
-                length < 40 ? (int)length : 40, name,
-                nearest.name ? "was it " : "help lists what there is",
+    debug_fault(debugger, "there is no '%.*s': %s%s%s", length < 40 ? (int)length : 40,
+                name, nearest.name ? "was it " : "help lists what there is",
                 nearest.name ? nearest.name : "", nearest.name ? "?" : "");
 }
 
@@ -290,15 +278,13 @@ static void keep_movement(struct debugger *debugger, const char *line)
 }
 
 /* A verb besides, by its whole name.  False: it is none. */
-static bool obey_more(struct debugger *debugger, const char *line,
-                      size_t length)
+static bool obey_more(struct debugger *debugger, const char *line, size_t length)
 {
     const struct debugger_verb *verb = debugger->setup.verbs;
     c205_error error = { "no memory" };
 
     while (verb && verb->name
-           && !(strlen(verb->name) == length
-                && strncmp(verb->name, line, length) == 0))
+           && !(strlen(verb->name) == length && strncmp(verb->name, line, length) == 0))
         verb++;
     if (!verb || !verb->name)
         return false;

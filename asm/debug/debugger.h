@@ -26,13 +26,11 @@ struct debugger_setup {
     const char *name;            /* of the program's file */
     const c205_model *model;
     struct sink out;
-    struct sink printed; /* by the program; the same if it has no put */
-    bool printed_apart;  /* replies are not among the output of the program */
-    bool warm;           /* all pages are in memory when the program begins */
-    uint64_t
-        clocks_most; /* that one movement takes: a script has no Ctrl-C */
-    size_t
-        history; /* bytes for the way back at the most; 0: as many as usual */
+    struct sink printed;  /* by the program; the same if it has no put */
+    bool printed_apart;   /* replies are not among the output of the program */
+    bool warm;            /* all pages are in memory when the program begins */
+    uint64_t clocks_most; /* that one movement takes: a script has no Ctrl-C */
+    size_t history;       /* bytes for the way back at the most; 0: as many as usual */
     bool (*interrupted)(void *asked); /* asked while the program runs: shall
                                          it stop?  NULL: never */
     void *asked;
@@ -45,8 +43,7 @@ struct debugger_setup {
 
 /* The program stands before its first instruction.  NULL: it cannot be loaded, no
  * memory. */
-struct debugger *debugger_new(const struct debugger_setup *setup,
-                              c205_error *error);
+struct debugger *debugger_new(const struct debugger_setup *setup, c205_error *error);
 void debugger_free(struct debugger *debugger);
 
 /* Where the program stands. */
@@ -67,7 +64,6 @@ const struct sink *debugger_out(const struct debugger *debugger);
 /* On, by one instruction at the least, to where the machine is there, or to a stop; where
  * that is is told. */
 void debugger_seek(struct debugger *debugger,
-                   bool (*is_there)(void *context, const c205 *machine),
-                   void *context);
+                   bool (*is_there)(void *context, const c205 *machine), void *context);
 
 #endif

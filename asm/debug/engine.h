@@ -30,8 +30,8 @@ struct rest {
 /* ---- Stops (stops.c) ------------------------------------------------------ */
 
 enum stop_kind {
-    STOP_AT, /* an address */
-    STOP_LINE, /* where code of a source line begins, or of a macro that it calls */
+    STOP_AT,    /* an address */
+    STOP_LINE,  /* where code of a source line begins, or of a macro that it calls */
     STOP_INSN,  /* each instruction of a name */
     STOP_ENTRY, /* where control comes into a region */
     STOP_WATCH  /* what memory holds changes */
@@ -46,8 +46,8 @@ struct stop_point {
     bool once;
     char text[TEXT_MOST];      /* as it was written */
     char condition[TEXT_MOST]; /* "": none */
-    char wanted[TEXT_MOST]; /* of the number of hits: "> 4", "% 3"; or "" */
-    bool met;               /* where the program stands */
+    char wanted[TEXT_MOST];    /* of the number of hits: "> 4", "% 3"; or "" */
+    bool met;                  /* where the program stands */
     uint64_t address;
     const char *file; /* STOP_LINE; STOP_AT, if it is known */
     size_t line;
@@ -109,21 +109,17 @@ bool rest_begin(struct rest *rest, const char *word);
 /* Nothing may be left. */
 bool rest_finish(struct debugger *debugger, struct rest *rest);
 /* What was read from there on, as far as there is room, without spaces at its end. */
-void rest_text(const char *from, const struct rest *rest,
-               char text[TEXT_MOST]);
+void rest_text(const char *from, const struct rest *rest, char text[TEXT_MOST]);
 
 /* An expression. */
-bool debug_value(struct debugger *debugger, struct rest *rest,
-                 struct value_of *value);
+bool debug_value(struct debugger *debugger, struct rest *rest, struct value_of *value);
 /* Whether it is one, whatever registers and memory hold now. */
 bool debug_grammar(struct debugger *debugger, struct rest *rest);
-bool debug_address(struct debugger *debugger, struct rest *rest,
-                   uint64_t *address);
-bool debug_count(struct debugger *debugger, struct rest *rest,
-                 uint64_t *count);
+bool debug_address(struct debugger *debugger, struct rest *rest, uint64_t *address);
+bool debug_count(struct debugger *debugger, struct rest *rest, uint64_t *count);
 /* As a word, or as a half word at the left of one; false: there is none. */
-bool debug_word(struct debugger *debugger, const struct value_of *value,
-                bool half, c205_word *word);
+bool debug_word(struct debugger *debugger, const struct value_of *value, bool half,
+                c205_word *word);
 bool debug_is_true(const struct value_of *value);
 
 /* A register by its name or number: r10, h21, or a name of the program. */
@@ -150,8 +146,8 @@ debug_verb verb_print, verb_set;
 bool debug_set_register(struct debugger *debugger, struct register_of named,
                         const struct value_of *value);
 /* So many bits, 64 at the most and in one word, at the left of what is given. */
-bool debug_set_bits(struct debugger *debugger, uint64_t address,
-                    unsigned width, c205_word bits);
+bool debug_set_bits(struct debugger *debugger, uint64_t address, unsigned width,
+                    c205_word bits);
 /* From a byte on; all of them must be there. */
 bool debug_set_bytes(struct debugger *debugger, uint64_t address,
                      const unsigned char *bytes, size_t count);
@@ -162,22 +158,19 @@ bool debug_jump(struct debugger *debugger, uint64_t address);
 
 /* What a stop point is at, and its text, with the position if that is not the one in the text.
  * LABEL, LABEL + EXPRESSION, LINE, FILE:LINE, *EXPRESSION, insn NAME, region NAME. */
-bool place_read(struct debugger *debugger, struct rest *rest,
-                struct stop_point *stop);
+bool place_read(struct debugger *debugger, struct rest *rest, struct stop_point *stop);
 /* The same of a source line, or the next that has code. */
 bool place_line(struct debugger *debugger, const char *file, size_t number,
                 struct stop_point *stop);
 /* One address; one at which an instruction of the program begins. */
-bool place_address(struct debugger *debugger, struct rest *rest,
-                   uint64_t *address);
-bool place_code(struct debugger *debugger, struct rest *rest,
-                uint64_t *address);
+bool place_address(struct debugger *debugger, struct rest *rest, uint64_t *address);
+bool place_code(struct debugger *debugger, struct rest *rest, uint64_t *address);
 /* Where the machine stands before it executes what is at an address: behind a LINKV that is
  * the LINKV. */
 uint64_t place_of(const struct debugger *debugger, uint64_t address);
 /* Whether code of that source line, or of a macro called there, begins at an address. */
-bool place_begins(const struct debugger *debugger, const char *file,
-                  size_t number, uint64_t address);
+bool place_begins(const struct debugger *debugger, const char *file, size_t number,
+                  uint64_t address);
 /* Whether a line is of a macro that another one calls. */
 bool place_is_called(const struct asm_line *line);
 /* The instruction before one, as the program's lines have it. */
@@ -186,14 +179,12 @@ uint64_t place_before(const struct debugger *debugger, uint64_t address);
 /* ---- Stops (stops.c) -------------------------------------------------------- */
 
 /* ADDRESS [, WORDS], to be watched. */
-bool stops_watch(struct debugger *debugger, struct rest *rest,
-                 struct stop_point *stop);
+bool stops_watch(struct debugger *debugger, struct rest *rest, struct stop_point *stop);
 /* All of a text; "" or NULL: none. */
 bool stops_condition(struct debugger *debugger, struct stop_point *stop,
                      const char *text);
 /* An operator and what stands behind it, or a number: from so many on. */
-bool stops_wanted(struct debugger *debugger, struct stop_point *stop,
-                  const char *text);
+bool stops_wanted(struct debugger *debugger, struct stop_point *stop, const char *text);
 /* It has its number then.  False: no memory. */
 bool stops_add(struct debugger *debugger, struct stop_point *stop);
 /* The stop with a number; false: there is none.  All of a group. */

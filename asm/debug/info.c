@@ -16,9 +16,9 @@ static void put_register(const struct debugger *debugger, unsigned number,
     c205_to_text(word, text);
     if (elements > 0)
         snprintf(length, sizeof length, "%u", elements);
-    sink_print(&debugger->out, "r%-3u %-12s X'%s' %-22s %6s %12" PRIX64 "\n",
-               number, debug_register_name(debugger, number), hex, text,
-               length, word & UINT64_C(0xFFFFFFFFFFFF));
+    sink_print(&debugger->out, "r%-3u %-12s X'%s' %-22s %6s %12" PRIX64 "\n", number,
+               debug_register_name(debugger, number), hex, text, length,
+               word & UINT64_C(0xFFFFFFFFFFFF));
 }
 
 /* Those that hold something, in columns. */
@@ -32,8 +32,8 @@ static bool info_registers(struct debugger *debugger)
         if (word == 0)
             continue;
         if (!headed)
-            sink_print(&debugger->out, "%-17s %-22s %-22s %6s %12s\n",
-                       "register", "word", "number", "length", "address");
+            sink_print(&debugger->out, "%-17s %-22s %-22s %6s %12s\n", "register",
+                       "word", "number", "length", "address");
         headed = true;
         put_register(debugger, i, word);
     }
@@ -47,12 +47,10 @@ static bool info_breaks(struct debugger *debugger)
     for (size_t i = 0; i < debugger->stop_count; i++) {
         const struct stop_point *stop = &debugger->stops[i];
 
-        sink_print(&debugger->out,
-                   "%zu %s %s%s%s%s, met %" PRIu64 " time%s\n", stop->number,
-                   stop->kind == STOP_WATCH ? "watch" : "break", stop->text,
-                   *stop->condition ? " if " : "", stop->condition,
-                   stop->once ? ", once" : "", stop->hits,
-                   plural(stop->hits));
+        sink_print(&debugger->out, "%zu %s %s%s%s%s, met %" PRIu64 " time%s\n",
+                   stop->number, stop->kind == STOP_WATCH ? "watch" : "break",
+                   stop->text, *stop->condition ? " if " : "", stop->condition,
+                   stop->once ? ", once" : "", stop->hits, plural(stop->hits));
     }
     return true;
 }
@@ -95,8 +93,8 @@ static bool info_symbols(struct debugger *debugger)
 
         if (!symbol->is_label)
             continue;
-        sink_print(&debugger->out, "%6" PRIX64 "  %s",
-                   (uint64_t)symbol->value, symbol->name);
+        sink_print(&debugger->out, "%6" PRIX64 "  %s", (uint64_t)symbol->value,
+                   symbol->name);
         if (symbol->contents == ASM_CODE)
             sink_put(&debugger->out, ", code");
         else if (symbol->contents != ASM_NOTHING)

@@ -20,8 +20,7 @@ static enum moved forward(struct debugger *debugger)
 {
     uint64_t before = pc_of(debugger);
 
-    debugger->halted = !c205_history_forward(debugger->history,
-                                             &debugger->halt);
+    debugger->halted = !c205_history_forward(debugger->history, &debugger->halt);
     if (debugger->halted)
         return MOVED_TO_HALT;
     return stops_meet(debugger, before) ? MOVED_TO_STOP : MOVED_ON;
@@ -61,8 +60,7 @@ struct aim {
 static bool is_reached(const struct debugger *debugger, const struct aim *aim)
 {
     return (aim->at_address && pc_of(debugger) == aim->address)
-           || (aim->is_there
-               && aim->is_there(aim->context, machine_of(debugger)));
+           || (aim->is_there && aim->is_there(aim->context, machine_of(debugger)));
 }
 
 static enum moved advance(struct debugger *debugger, struct aim aim)
@@ -124,14 +122,12 @@ enum moved motion_next(struct debugger *debugger)
 /* A line of the macro call in which the program stands; NULL: it is in none. */
 static const struct asm_line *call_of(const struct debugger *debugger)
 {
-    const struct asm_line *line = object_line(debugger->setup.object,
-                                              pc_of(debugger));
+    const struct asm_line *line = object_line(debugger->setup.object, pc_of(debugger));
 
     return line && place_is_called(line) ? line : NULL;
 }
 
-static bool is_in(const struct debugger *debugger,
-                  const struct asm_line *call)
+static bool is_in(const struct debugger *debugger, const struct asm_line *call)
 {
     const struct asm_line *line = call_of(debugger);
 
@@ -165,9 +161,8 @@ static const char *region_here(const struct debugger *debugger)
 bool motion_can_go_out(struct debugger *debugger)
 {
     return call_of(debugger) || *region_here(debugger)
-           || debug_fault(debugger,
-                          "this is neither in a macro call nor in a "
-                          "region that could be left");
+           || debug_fault(debugger, "this is neither in a macro call nor in a "
+                                    "region that could be left");
 }
 
 enum moved motion_out(struct debugger *debugger)
@@ -178,9 +173,9 @@ enum moved motion_out(struct debugger *debugger)
 
     do
         moved = motion_steps(debugger, 1);
-    while (moved == MOVED_ON
-           && (call ? is_in(debugger, call)
-                    : strcmp(region_here(debugger), region) == 0));
+    while (
+        moved == MOVED_ON
+        && (call ? is_in(debugger, call) : strcmp(region_here(debugger), region) == 0));
     return moved;
 }
 
@@ -221,8 +216,7 @@ enum moved motion_back_line(struct debugger *debugger)
 }
 
 /* The last step with a stop in a stretch, before its end. */
-static enum moved find_last(struct debugger *debugger,
-                            struct back_search *search)
+static enum moved find_last(struct debugger *debugger, struct back_search *search)
 {
     enum moved moved = MOVED_ON;
 
@@ -250,15 +244,12 @@ static enum moved arrive_back(struct debugger *debugger, uint64_t step)
 
 static void begin_stretch(struct back_search *search)
 {
-    search->begin = search->stretch < search->end
-                        ? search->end - search->stretch
-                        : 0;
+    search->begin = search->stretch < search->end ? search->end - search->stretch : 0;
     search->found = 0;
 }
 
 /* A stretch at a time from here back. */
-static enum moved search_back(struct debugger *debugger,
-                              struct back_search *search)
+static enum moved search_back(struct debugger *debugger, struct back_search *search)
 {
     if (!search->begun)
         *search = (struct back_search){ .begun = true,
@@ -280,8 +271,7 @@ static enum moved search_back(struct debugger *debugger,
     return go_back(debugger, 0) ? MOVED_TO_START : MOVED_NOT;
 }
 
-enum moved motion_search_back(struct debugger *debugger,
-                              struct back_search *search)
+enum moved motion_search_back(struct debugger *debugger, struct back_search *search)
 {
     enum moved moved;
 
@@ -300,22 +290,19 @@ enum moved motion_back_to_stop(struct debugger *debugger)
 
 /* ---- Anywhere ------------------------------------------------------------- */
 
-static bool is_short_of(const struct debugger *debugger, uint64_t step,
-                        uint64_t clock)
+static bool is_short_of(const struct debugger *debugger, uint64_t step, uint64_t clock)
 {
     return step_of(debugger) < step && clock_of(debugger) < clock;
 }
 
 /* Forward without a look at stops. */
-static enum moved go_on_to(struct debugger *debugger, uint64_t step,
-                           uint64_t clock)
+static enum moved go_on_to(struct debugger *debugger, uint64_t step, uint64_t clock)
 {
     uint64_t begun = clock_of(debugger);
     enum moved moved = MOVED_ON;
 
     while (moved == MOVED_ON && is_short_of(debugger, step, clock)) {
-        debugger->halted = !c205_history_forward(debugger->history,
-                                                 &debugger->halt);
+        debugger->halted = !c205_history_forward(debugger->history, &debugger->halt);
         if (debugger->halted)
             moved = MOVED_TO_HALT;
         else if (is_short_of(debugger, step, clock))
@@ -327,8 +314,7 @@ static enum moved go_on_to(struct debugger *debugger, uint64_t step,
 
 enum moved motion_to_step(struct debugger *debugger, uint64_t step)
 {
-    return go_back(debugger, step) ? go_on_to(debugger, step, UINT64_MAX)
-                                   : MOVED_NOT;
+    return go_back(debugger, step) ? go_on_to(debugger, step, UINT64_MAX) : MOVED_NOT;
 }
 
 enum moved motion_to_clock(struct debugger *debugger, uint64_t clock)
@@ -343,6 +329,5 @@ enum moved motion_run(struct debugger *debugger)
     if (!go_back(debugger, 0))
         return MOVED_NOT;
     stops_sample(debugger);
-    return stops_meet(debugger, 0) ? MOVED_TO_STOP
-                                   : motion_steps(debugger, UINT64_MAX);
+    return stops_meet(debugger, 0) ? MOVED_TO_STOP : motion_steps(debugger, UINT64_MAX);
 }

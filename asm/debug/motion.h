@@ -56,8 +56,7 @@ struct back_search {
     uint64_t begin;   /* .. there .. */
     uint64_t found;   /* .. and this is the last stop in it; 0: none */
 };
-enum moved motion_search_back(struct debugger *debugger,
-                              struct back_search *search);
+enum moved motion_search_back(struct debugger *debugger, struct back_search *search);
 enum moved motion_back_to_stop(struct debugger *debugger);
 /* Wherever that is, without a look at stops; a clock: to the first step that has it
  * or more behind it. */

@@ -15,8 +15,7 @@ static bool arrive(struct debugger *debugger, enum moved moved)
     else if (moved == MOVED_INTERRUPTED)
         sink_put(&debugger->out, "interrupted\n");
     else if (moved == MOVED_TOO_FAR)
-        sink_print(&debugger->out,
-                   "%" PRIu64 " clock%s passed; continue goes on\n",
+        sink_print(&debugger->out, "%" PRIu64 " clock%s passed; continue goes on\n",
                    debugger->setup.clocks_most,
                    debugger->setup.clocks_most == 1 ? " has" : "s have");
     show_place(debugger);
@@ -24,13 +23,11 @@ static bool arrive(struct debugger *debugger, enum moved moved)
 }
 
 /* 1 unless the line says another. */
-static bool read_times(struct debugger *debugger, struct rest *rest,
-                       uint64_t *count)
+static bool read_times(struct debugger *debugger, struct rest *rest, uint64_t *count)
 {
     *count = 1;
     return rest_end(rest)
-           || (debug_count(debugger, rest, count)
-               && rest_finish(debugger, rest));
+           || (debug_count(debugger, rest, count) && rest_finish(debugger, rest));
 }
 
 bool verb_step(struct debugger *debugger, struct rest *rest)
@@ -75,13 +72,11 @@ bool verb_until(struct debugger *debugger, struct rest *rest)
     uint64_t address;
 
     return place_code(debugger, rest, &address) && rest_finish(debugger, rest)
-           && arrive(debugger,
-                     motion_to(debugger, place_of(debugger, address)));
+           && arrive(debugger, motion_to(debugger, place_of(debugger, address)));
 }
 
 void debugger_seek(struct debugger *debugger,
-                   bool (*is_there)(void *context, const c205 *machine),
-                   void *context)
+                   bool (*is_there)(void *context, const c205 *machine), void *context)
 {
     arrive(debugger, motion_until(debugger, is_there, context));
 }
@@ -114,6 +109,5 @@ bool verb_goto(struct debugger *debugger, struct rest *rest)
 /* To the first stop, which may be at the beginning. */
 bool verb_run(struct debugger *debugger, struct rest *rest)
 {
-    return rest_finish(debugger, rest)
-           && arrive(debugger, motion_run(debugger));
+    return rest_finish(debugger, rest) && arrive(debugger, motion_run(debugger));
 }

@@ -25,7 +25,6 @@ debug_verb verb_why, verb_account;
 /* Step, clock and region, then the next instruction: where the program stands, or that it has ended. */
 void show_place(struct debugger *debugger);
 /* An instruction, and its source line if it is known. */
-void show_instruction(struct debugger *debugger, uint64_t address,
-                      const char *before);
+void show_instruction(struct debugger *debugger, uint64_t address, const char *before);
 
 #endif

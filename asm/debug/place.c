@@ -59,9 +59,8 @@ struct line_place {
     size_t wanted;    /* the number that was asked for */
 };
 
-static void consider(struct line_place *found, const char *file,
-                     size_t number, size_t least, const char *name,
-                     uint64_t address)
+static void consider(struct line_place *found, const char *file, size_t number,
+                     size_t least, const char *name, uint64_t address)
 {
     if (number < least || strcmp(file, name) != 0
         || (found->file && number >= found->number))
@@ -72,8 +71,8 @@ static void consider(struct line_place *found, const char *file,
 }
 
 /* That line, or the next that has code or calls a macro that has. */
-static bool find_line(struct debugger *debugger, const char *name,
-                      size_t number, struct line_place *found)
+static bool find_line(struct debugger *debugger, const char *name, size_t number,
+                      struct line_place *found)
 {
     const struct object *object = debugger->setup.object;
     const char *file = find_file(object, name, is_whole);
@@ -88,8 +87,7 @@ static bool find_line(struct debugger *debugger, const char *name,
 
         if (!line->is_code)
             continue;
-        consider(found, line->file, line->number, number, file,
-                 line->address);
+        consider(found, line->file, line->number, number, file, line->address);
         consider(found, line->call_file, line->call_number, number, file,
                  line->address);
     }
@@ -107,14 +105,13 @@ bool place_is_called(const struct asm_line *line)
            || strcmp(line->file, line->call_file) != 0;
 }
 
-static bool is_call(const struct asm_line *line, const char *file,
-                    size_t number)
+static bool is_call(const struct asm_line *line, const char *file, size_t number)
 {
     return line->call_number == number && strcmp(line->call_file, file) == 0;
 }
 
-bool place_begins(const struct debugger *debugger, const char *file,
-                  size_t number, uint64_t address)
+bool place_begins(const struct debugger *debugger, const char *file, size_t number,
+                  uint64_t address)
 {
     const struct object *object = debugger->setup.object;
     const struct asm_line *line = object_line(object, address);
@@ -151,20 +148,18 @@ static bool read_line(struct debugger *debugger, struct rest *rest,
                           strtoul(at, (char **)&rest->at, 10), found);
         return true;
     }
-    if (*colon != ':' || !isdigit((unsigned char)colon[1])
-        || length >= sizeof name)
+    if (*colon != ':' || !isdigit((unsigned char)colon[1]) || length >= sizeof name)
         return false;
     memcpy(name, at, length);
     name[length] = '\0';
-    *good = find_line(debugger, name,
-                      strtoul(colon + 1, (char **)&rest->at, 10), found);
+    *good = find_line(debugger, name, strtoul(colon + 1, (char **)&rest->at, 10),
+                      found);
     return true;
 }
 
 /* ---- Places --------------------------------------------------------------- */
 
-bool place_address(struct debugger *debugger, struct rest *rest,
-                   uint64_t *address)
+bool place_address(struct debugger *debugger, struct rest *rest, uint64_t *address)
 {
     struct line_place found = { .file = NULL };
     bool good;
@@ -198,15 +193,13 @@ static size_t take_name(struct rest *rest, char name[TEXT_MOST])
 /* An instruction of the program's text begins there. */
 static bool begins_line(const struct debugger *debugger, uint64_t address)
 {
-    const struct asm_line *line = object_line(debugger->setup.object,
-                                              address);
+    const struct asm_line *line = object_line(debugger->setup.object, address);
 
     return line && line->is_code && line->address == address;
 }
 
 /* The segment that has the address and words; NULL: none. */
-static const c205_segment *segment_of(const c205_program *program,
-                                      uint64_t address)
+static const c205_segment *segment_of(const c205_program *program, uint64_t address)
 {
     for (size_t i = 0; i < program->segment_count; i++) {
         const c205_segment *segment = &program->segments[i];
@@ -238,8 +231,7 @@ static bool begins_decoded(const struct debugger *debugger, uint64_t address)
 
     if (!segment || !is_code(program, segment))
         return false;
-    for (at = segment->address; at <= address;
-         at += 32 * (uint64_t)view.halves) {
+    for (at = segment->address; at <= address; at += 32 * (uint64_t)view.halves) {
         view_decode(&view, machine_of(debugger), at);
         if (at == address)
             return view.insn;
@@ -249,9 +241,8 @@ static bool begins_decoded(const struct debugger *debugger, uint64_t address)
 
 static bool begins_code(const struct debugger *debugger, uint64_t address)
 {
-    return debugger->setup.object->line_count > 0
-               ? begins_line(debugger, address)
-               : begins_decoded(debugger, address);
+    return debugger->setup.object->line_count > 0 ? begins_line(debugger, address)
+                                                  : begins_decoded(debugger, address);
 }
 
 uint64_t place_of(const struct debugger *debugger, uint64_t address)
@@ -290,8 +281,7 @@ static void be_at(const struct debugger *debugger, uint64_t address,
     stop->line = line ? line->number : 0;
 }
 
-static void be_at_line(const struct debugger *debugger,
-                       const struct line_place *found,
+static void be_at_line(const struct debugger *debugger, const struct line_place *found,
                        struct stop_point *stop)
 {
     be_at(debugger, found->address, stop);
@@ -309,19 +299,16 @@ bool place_line(struct debugger *debugger, const char *file, size_t number,
 
     if (!find_line(debugger, file, number, &found))
         return false;
-    snprintf(stop->text, sizeof stop->text, "%s:%zu", found.file,
-             found.number);
+    snprintf(stop->text, sizeof stop->text, "%s:%zu", found.file, found.number);
     be_at_line(debugger, &found, stop);
     return true;
 }
 
-bool place_code(struct debugger *debugger, struct rest *rest,
-                uint64_t *address)
+bool place_code(struct debugger *debugger, struct rest *rest, uint64_t *address)
 {
     return place_address(debugger, rest, address)
            && (begins_code(debugger, *address)
-               || debug_fault(debugger, "no instruction begins at %" PRIX64,
-                              *address));
+               || debug_fault(debugger, "no instruction begins at %" PRIX64, *address));
 }
 
 /* *moved: it is at another line or instruction than was asked for. */
@@ -357,8 +344,7 @@ static bool read_place(struct debugger *debugger, struct rest *rest,
         stop->kind = STOP_INSN;
         stop->insn = c205_insn_named(name, length);
         return stop->insn
-               || debug_fault(debugger, "no instruction is called '%.60s'",
-                              name);
+               || debug_fault(debugger, "no instruction is called '%.60s'", name);
     }
     if (rest_take(rest, "region")) {
         take_name(rest, name);
@@ -374,15 +360,14 @@ static void add_position(struct stop_point *stop)
     size_t length = strlen(stop->text);
 
     if (stop->file)
-        snprintf(stop->text + length, sizeof stop->text - length,
-                 " (at %s:%zu)", stop->file, stop->line);
+        snprintf(stop->text + length, sizeof stop->text - length, " (at %s:%zu)",
+                 stop->file, stop->line);
     else
-        snprintf(stop->text + length, sizeof stop->text - length,
-                 " (at %" PRIX64 ")", stop->address);
+        snprintf(stop->text + length, sizeof stop->text - length, " (at %" PRIX64 ")",
+                 stop->address);
 }
 
-bool place_read(struct debugger *debugger, struct rest *rest,
-                struct stop_point *stop)
+bool place_read(struct debugger *debugger, struct rest *rest, struct stop_point *stop)
 {
     const char *from;
     bool moved = false;

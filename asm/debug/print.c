@@ -20,8 +20,8 @@ void show_word(c205_word word, bool half, const struct sink *sink)
     if (!half && word >> 48 == 0)
         sink_print(sink, "  address %" PRIX64, word);
     else if (!half)
-        sink_print(sink, "  length %u, address %" PRIX64,
-                   (unsigned)(word >> 48), word & UINT64_C(0xFFFFFFFFFFFF));
+        sink_print(sink, "  length %u, address %" PRIX64, (unsigned)(word >> 48),
+                   word & UINT64_C(0xFFFFFFFFFFFF));
     sink_put(sink, "\n");
 }
 
@@ -32,8 +32,7 @@ bool verb_print(struct debugger *debugger, struct rest *rest)
     struct value_of value;
 
     if (debug_register(debugger, &again, &named) && rest_end(&again)) {
-        show_word(debug_register_word(debugger, named), named.half,
-                  &debugger->out);
+        show_word(debug_register_word(debugger, named), named.half, &debugger->out);
         return true;
     }
     if (!debug_value(debugger, rest, &value) || !rest_finish(debugger, rest))
@@ -43,8 +42,8 @@ bool verb_print(struct debugger *debugger, struct rest *rest)
     else if (value.is_real)
         sink_print(&debugger->out, "%.15g\n", value.real);
     else
-        sink_print(&debugger->out, "%" PRId64 "  X'%" PRIX64 "'\n",
-                   value.integer, (uint64_t)value.integer);
+        sink_print(&debugger->out, "%" PRId64 "  X'%" PRIX64 "'\n", value.integer,
+                   (uint64_t)value.integer);
     return true;
 }
 
@@ -85,8 +84,7 @@ static void put_element(const struct debugger *debugger,
         c205_to_hex(word, text);
     else if (look->format == 'i')
         snprintf(text, sizeof text, "%" PRId64,
-                 half ? (int64_t)(int32_t)(word >> 24) / 256
-                      : c205_to_integer(word));
+                 half ? (int64_t)(int32_t)(word >> 24) / 256 : c205_to_integer(word));
     else
         (half ? c205_half_to_text : c205_to_text)(word, text);
     if (half && look->format == 'x')
@@ -110,16 +108,15 @@ static bool put_element_at(const struct debugger *debugger,
             && !view_read(machine_of(debugger), &look->control, i, 1, &bit)))
         return false;
     if (i % in_row(look) == 0)
-        sink_print(&debugger->out, "%6zu%s", i,
-                   look->of.width == 1 ? "  " : "");
+        sink_print(&debugger->out, "%6zu%s", i, look->of.width == 1 ? "  " : "");
     if (look->controlled)
         sink_print(&debugger->out, "  %u", (unsigned)bit);
     put_element(debugger, look, word);
     return true;
 }
 
-static bool put_elements(struct debugger *debugger,
-                         const struct element_look *look, size_t count)
+static bool put_elements(struct debugger *debugger, const struct element_look *look,
+                         size_t count)
 {
     unsigned row = in_row(look);
     bool good = true;
@@ -138,9 +135,8 @@ static bool put_elements(struct debugger *debugger,
 }
 
 /* What a register describes. */
-static void look_at_register(const struct debugger *debugger,
-                             struct register_of named, unsigned width,
-                             struct operand_view *of)
+static void look_at_register(const struct debugger *debugger, struct register_of named,
+                             unsigned width, struct operand_view *of)
 {
     c205_word word = debug_register_word(debugger, named);
 
@@ -165,11 +161,9 @@ static bool read_format(struct debugger *debugger, struct rest *rest,
 
         if (isdigit((unsigned char)c) && *count != UINT64_MAX
             && *count > C205_MAX_LENGTH)
-            return debug_fault(debugger, "a count of at most %u",
-                               C205_MAX_LENGTH);
+            return debug_fault(debugger, "a count of at most %u", C205_MAX_LENGTH);
         if (isdigit((unsigned char)c))
-            *count = (*count == UINT64_MAX ? 0 : *count) * 10
-                     + (uint64_t)(c - '0');
+            *count = (*count == UINT64_MAX ? 0 : *count) * 10 + (uint64_t)(c - '0');
         else if (c == 'h')
             look->of.width = 32;
         else if (c == 'b')
@@ -214,19 +208,15 @@ static void look_at_label(const struct debugger *debugger, uint64_t address,
 
     for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
-        unsigned width = symbol->contents < ASM_BYTES
-                             ? widths[symbol->contents]
-                             : 0;
+        unsigned width = symbol->contents < ASM_BYTES ? widths[symbol->contents] : 0;
 
-        if (!symbol->is_label || (uint64_t)symbol->value != address
-            || width == 0 || (width_asked && width != look->of.width))
+        if (!symbol->is_label || (uint64_t)symbol->value != address || width == 0
+            || (width_asked && width != look->of.width))
             continue;
         look->of.width = width;
-        look->of.length = symbol->count < C205_MAX_LENGTH
-                              ? (size_t)symbol->count
-                              : C205_MAX_LENGTH;
-        sink_print(&debugger->out, "%zu at %s\n", look->of.length,
-                   symbol->name);
+        look->of.length = symbol->count < C205_MAX_LENGTH ? (size_t)symbol->count
+                                                          : C205_MAX_LENGTH;
+        sink_print(&debugger->out, "%zu at %s\n", look->of.length, symbol->name);
         return;
     }
 }
@@ -244,11 +234,10 @@ bool verb_x(struct debugger *debugger, struct rest *rest)
     width = look.of.width;
     if (debug_register(debugger, rest, &named)) {
         look_at_register(debugger, named, width, &look.of);
-        sink_print(&debugger->out, "%zu from %" PRIX64 " on\n",
-                   look.of.length, look.of.address);
+        sink_print(&debugger->out, "%zu from %" PRIX64 " on\n", look.of.length,
+                   look.of.address);
     } else if (debug_address(debugger, rest, &address)) {
-        look_at_register(debugger, (struct register_of){ 0, false }, width,
-                         &look.of);
+        look_at_register(debugger, (struct register_of){ 0, false }, width, &look.of);
         look.of.address = address;
         look.of.length = count == UINT64_MAX ? ELEMENTS_USUAL : (size_t)count;
         if (count == UINT64_MAX)

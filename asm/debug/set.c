@@ -22,8 +22,7 @@ static bool keep_change(struct debugger *debugger)
 }
 
 /* A word with these bits from the left at a bit of it. */
-static c205_word with_bits(c205_word word, unsigned at, unsigned width,
-                           c205_word bits)
+static c205_word with_bits(c205_word word, unsigned at, unsigned width, c205_word bits)
 {
     c205_word mask = (~(c205_word)0 << (64 - width)) >> at;
 
@@ -40,8 +39,7 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
 
     if (number == 0)
         return debug_fault(debugger, "register 0 stays what it is");
-    if (!can_change(debugger)
-        || !debug_word(debugger, value, named.half, &word))
+    if (!can_change(debugger) || !debug_word(debugger, value, named.half, &word))
         return false;
     c205_set_register(machine, number,
                       with_bits(c205_register(machine, number), at,
@@ -50,8 +48,8 @@ bool debug_set_register(struct debugger *debugger, struct register_of named,
 }
 
 /* False after telling that there is no word. */
-static bool write_bits(struct debugger *debugger, uint64_t address,
-                       unsigned width, c205_word bits)
+static bool write_bits(struct debugger *debugger, uint64_t address, unsigned width,
+                       c205_word bits)
 {
     c205 *machine = machine_of(debugger);
     unsigned at = (unsigned)(address % 64);
@@ -63,8 +61,8 @@ static bool write_bits(struct debugger *debugger, uint64_t address,
     return c205_write(machine, address - at, &word, 1);
 }
 
-bool debug_set_bits(struct debugger *debugger, uint64_t address,
-                    unsigned width, c205_word bits)
+bool debug_set_bits(struct debugger *debugger, uint64_t address, unsigned width,
+                    c205_word bits)
 {
     return can_change(debugger) && write_bits(debugger, address, width, bits)
            && keep_change(debugger);
@@ -83,14 +81,12 @@ bool debug_set_bytes(struct debugger *debugger, uint64_t address,
 
 bool debug_jump(struct debugger *debugger, uint64_t address)
 {
-    const struct asm_line *line = object_line(debugger->setup.object,
-                                              address);
+    const struct asm_line *line = object_line(debugger->setup.object, address);
 
     if (!can_change(debugger))
         return false;
     if (!line || !line->is_code || line->address != address)
-        return debug_fault(debugger, "no line of code begins at %" PRIX64,
-                           address);
+        return debug_fault(debugger, "no line of code begins at %" PRIX64, address);
     c205_set_pc(machine_of(debugger), address);
     return keep_change(debugger);
 }
@@ -125,8 +121,7 @@ static bool set_memory(struct debugger *debugger, struct rest *rest)
         return false;
     return address % 64 == 0
                ? debug_set_bits(debugger, address, 64, word)
-               : debug_fault(debugger, "there is no word at %" PRIX64,
-                             address);
+               : debug_fault(debugger, "there is no word at %" PRIX64, address);
 }
 
 bool verb_set(struct debugger *debugger, struct rest *rest)

@@ -10,20 +10,18 @@
 
 /* ---- Instructions --------------------------------------------------------- */
 
-static void put_text(const struct debugger *debugger, const char *file,
-                     size_t number, const char *source)
+static void put_text(const struct debugger *debugger, const char *file, size_t number,
+                     const char *source)
 {
     const char *slash = strrchr(file, '/');
 
     while (isspace((unsigned char)*source))
         source++;
-    sink_print(&debugger->out, "%s:%zu: %s", slash ? slash + 1 : file, number,
-               source);
+    sink_print(&debugger->out, "%s:%zu: %s", slash ? slash + 1 : file, number, source);
 }
 
 /* Of a macro the call first. */
-static void put_source(const struct debugger *debugger,
-                       const struct asm_line *line)
+static void put_source(const struct debugger *debugger, const struct asm_line *line)
 {
     sink_put(&debugger->out, "  ; ");
     put_text(debugger, line->call_file, line->call_number, line->call_source);
@@ -33,18 +31,14 @@ static void put_source(const struct debugger *debugger,
     put_text(debugger, line->file, line->number, line->source);
 }
 
-void show_instruction(struct debugger *debugger, uint64_t address,
-                      const char *before)
+void show_instruction(struct debugger *debugger, uint64_t address, const char *before)
 {
-    const struct asm_line *line = object_line(debugger->setup.object,
-                                              address);
+    const struct asm_line *line = object_line(debugger->setup.object, address);
     char text[DISASSEMBLE_TEXT_SIZE];
 
-    disassemble_one(view_word_at(machine_of(debugger), address), address,
-                    text);
-    sink_print(&debugger->out,
-               line ? "%s%6" PRIX64 "  %-28s" : "%s%6" PRIX64 "  %s", before,
-               address, text);
+    disassemble_one(view_word_at(machine_of(debugger), address), address, text);
+    sink_print(&debugger->out, line ? "%s%6" PRIX64 "  %-28s" : "%s%6" PRIX64 "  %s",
+               before, address, text);
     if (line)
         put_source(debugger, line);
     sink_put(&debugger->out, "\n");
@@ -55,24 +49,22 @@ void show_halt(struct debugger *debugger)
     const c205_stop *stop = &debugger->halt;
 
     if (stop->trap == C205_TRAP_NONE)
-        sink_print(&debugger->out,
-                   "the program has ended with status %" PRId64 "\n",
+        sink_print(&debugger->out, "the program has ended with status %" PRId64 "\n",
                    stop->status);
     else
-        trap_report(debugger->setup.object, debugger->setup.name,
-                    machine_of(debugger), stop, &debugger->out);
+        trap_report(debugger->setup.object, debugger->setup.name, machine_of(debugger),
+                    stop, &debugger->out);
 }
 
 void show_place(struct debugger *debugger)
 {
     c205 *machine = machine_of(debugger);
-    const char *region = object_region(debugger->setup.object,
-                                       c205_pc(machine));
+    const char *region = object_region(debugger->setup.object, c205_pc(machine));
 
     line_tracker_close(&debugger->printed);
     sink_print(&debugger->out, "step %" PRIu64 ", clock %" PRIu64 "%s%s\n",
-               step_of(debugger), c205_clock(machine),
-               *region ? ", region " : "", region);
+               step_of(debugger), c205_clock(machine), *region ? ", region " : "",
+               region);
     if (debugger->halted)
         show_halt(debugger);
     if (!debugger->halted || debugger->halt.trap != C205_TRAP_NONE)
@@ -88,18 +80,15 @@ bool verb_where(struct debugger *debugger, struct rest *rest)
 }
 
 /* PLACE, or from where the program stands. */
-static bool read_start(struct debugger *debugger, struct rest *rest,
-                       uint64_t *address)
+static bool read_start(struct debugger *debugger, struct rest *rest, uint64_t *address)
 {
     *address = c205_pc(machine_of(debugger));
     rest_skip(rest);
-    return !*rest->at || *rest->at == ','
-           || place_address(debugger, rest, address);
+    return !*rest->at || *rest->at == ',' || place_address(debugger, rest, address);
 }
 
 /* ", COUNT" behind the rest, or as many as usual. */
-static bool read_count(struct debugger *debugger, struct rest *rest,
-                       uint64_t *count)
+static bool read_count(struct debugger *debugger, struct rest *rest, uint64_t *count)
 {
     rest_skip(rest);
     if (*rest->at != ',')
@@ -114,12 +103,10 @@ bool verb_disassemble(struct debugger *debugger, struct rest *rest)
     enum { MOST = 100000 };
     uint64_t address, count = 10;
 
-    if (!read_start(debugger, rest, &address)
-        || !read_count(debugger, rest, &count))
+    if (!read_start(debugger, rest, &address) || !read_count(debugger, rest, &count))
         return false;
     if (count > MOST)
-        return debug_fault(debugger, "at most %d instructions are shown",
-                           MOST);
+        return debug_fault(debugger, "at most %d instructions are shown", MOST);
     for (; count > 0 && address >> 48 == 0; count--) {
         struct instruction_view view;
         bool at = address == c205_pc(machine_of(debugger));
@@ -145,8 +132,7 @@ bool verb_list(struct debugger *debugger, struct rest *rest)
     const struct asm_line *shown = NULL, *now;
     uint64_t address, count = 10;
 
-    if (!read_start(debugger, rest, &address)
-        || !read_count(debugger, rest, &count))
+    if (!read_start(debugger, rest, &address) || !read_count(debugger, rest, &count))
         return false;
     if (object->line_count == 0)
         return debug_fault(debugger, "the source lines are not known");
@@ -154,13 +140,11 @@ bool verb_list(struct debugger *debugger, struct rest *rest)
     for (size_t i = 0; i < object->line_count && count > 0; i++) {
         const struct asm_line *line = &object->lines[i];
 
-        if (line->address + 32 * line->halves <= address
-            || is_same_line(line, shown))
+        if (line->address + 32 * line->halves <= address || is_same_line(line, shown))
             continue;
         sink_print(&debugger->out, "%s%s:%zu\t%.*s\n",
-                   is_same_line(line, now) ? "=> " : "   ", line->file,
-                   line->number, (int)strcspn(line->source, "\n"),
-                   line->source);
+                   is_same_line(line, now) ? "=> " : "   ", line->file, line->number,
+                   (int)strcspn(line->source, "\n"), line->source);
         shown = line;
         count--;
     }

@@ -28,14 +28,13 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
 void show_halt(struct debugger *debugger);
 
 /* The name that the program gave a register last; "": none. */
-const char *debug_register_name(const struct debugger *debugger,
-                                unsigned number);
+const char *debug_register_name(const struct debugger *debugger, unsigned number);
 
 /* From now on it stops where code of a source line begins, or of the next that has code:
  * which one that is.  False after telling why not.  All that were set so are forgotten
  * again at once. */
-bool debugger_break_line(struct debugger *debugger, const char *file,
-                         size_t number, size_t *line);
+bool debugger_break_line(struct debugger *debugger, const char *file, size_t number,
+                         size_t *line);
 void debugger_forget_lines(struct debugger *debugger);
 
 #endif

@@ -11,8 +11,7 @@
 
 /* ---- Are they met? -------------------------------------------------------- */
 
-static bool is_insn(const struct debugger *debugger,
-                    const struct stop_point *stop)
+static bool is_insn(const struct debugger *debugger, const struct stop_point *stop)
 {
     struct instruction_view view;
 
@@ -20,8 +19,7 @@ static bool is_insn(const struct debugger *debugger,
     return view.insn == stop->insn;
 }
 
-static bool is_changed(const struct debugger *debugger,
-                       const struct stop_point *stop)
+static bool is_changed(const struct debugger *debugger, const struct stop_point *stop)
 {
     c205_word now[WATCHED_WORDS];
 
@@ -29,8 +27,8 @@ static bool is_changed(const struct debugger *debugger,
            && memcmp(now, stop->held, stop->count * sizeof *now) != 0;
 }
 
-static bool is_entered(const struct debugger *debugger,
-                       const struct stop_point *stop, uint64_t before)
+static bool is_entered(const struct debugger *debugger, const struct stop_point *stop,
+                       uint64_t before)
 {
     const struct object *object = debugger->setup.object;
     uint64_t pc = c205_pc(machine_of(debugger));
@@ -39,8 +37,8 @@ static bool is_entered(const struct debugger *debugger,
            && strcmp(object_region(object, before), stop->region) != 0;
 }
 
-static bool is_there(const struct debugger *debugger,
-                     const struct stop_point *stop, uint64_t before)
+static bool is_there(const struct debugger *debugger, const struct stop_point *stop,
+                     uint64_t before)
 {
     switch (stop->kind) {
     case STOP_AT: return c205_pc(machine_of(debugger)) == stop->address;
@@ -66,8 +64,7 @@ static bool holds(struct debugger *debugger, const struct stop_point *stop)
 enum { WANTED_TEXT = TEXT_MOST + 40 };
 
 /* What must hold, for so many hits. */
-static void wanted_text(char text[WANTED_TEXT], const char *wanted,
-                        uint64_t hits)
+static void wanted_text(char text[WANTED_TEXT], const char *wanted, uint64_t hits)
 {
     snprintf(text, WANTED_TEXT, "%" PRIu64 " %s%s%s", hits,
              isdigit((unsigned char)*wanted) ? ">= " : "", wanted,
@@ -89,8 +86,7 @@ static bool has_hits(struct debugger *debugger, const struct stop_point *stop)
 static void sample(const struct debugger *debugger, struct stop_point *stop)
 {
     if (stop->kind == STOP_WATCH)
-        c205_read(machine_of(debugger), stop->address, stop->held,
-                  stop->count);
+        c205_read(machine_of(debugger), stop->address, stop->held, stop->count);
 }
 
 void stops_sample(struct debugger *debugger)
@@ -120,8 +116,7 @@ bool stops_meet(struct debugger *debugger, uint64_t before)
 
 /* ---- What is told --------------------------------------------------------- */
 
-static void tell_change(struct debugger *debugger,
-                        const struct stop_point *stop)
+static void tell_change(struct debugger *debugger, const struct stop_point *stop)
 {
     c205_word now[WATCHED_WORDS];
     char old_text[C205_TEXT_SIZE], text[C205_TEXT_SIZE];
@@ -133,9 +128,8 @@ static void tell_change(struct debugger *debugger,
         i++;
     c205_to_text(stop->held[i], old_text);
     c205_to_text(now[i], text);
-    sink_print(&debugger->out, "watch %zu: [%" PRIX64 "] was %s, is %s\n",
-               stop->number, stop->address + 64 * (uint64_t)i, old_text,
-               text);
+    sink_print(&debugger->out, "watch %zu: [%" PRIX64 "] was %s, is %s\n", stop->number,
+               stop->address + 64 * (uint64_t)i, old_text, text);
 }
 
 static void forget(struct debugger *debugger, size_t i)
@@ -150,8 +144,7 @@ static void tell(struct debugger *debugger, const struct stop_point *stop)
     if (stop->kind == STOP_WATCH)
         tell_change(debugger, stop);
     else
-        sink_print(&debugger->out, "break %zu: %s\n", stop->number,
-                   stop->text);
+        sink_print(&debugger->out, "break %zu: %s\n", stop->number, stop->text);
 }
 
 void stops_pass(struct debugger *debugger, bool told)
@@ -174,8 +167,7 @@ void stops_pass(struct debugger *debugger, bool told)
 
 /* ---- Made and deleted ----------------------------------------------------- */
 
-static bool read_text(struct debugger *debugger, char kept[TEXT_MOST],
-                      const char *text)
+static bool read_text(struct debugger *debugger, char kept[TEXT_MOST], const char *text)
 {
     struct rest rest = { text };
 
@@ -203,8 +195,7 @@ bool stops_condition(struct debugger *debugger, struct stop_point *stop,
            && (!*stop->condition || is_condition(debugger, stop->condition));
 }
 
-bool stops_wanted(struct debugger *debugger, struct stop_point *stop,
-                  const char *text)
+bool stops_wanted(struct debugger *debugger, struct stop_point *stop, const char *text)
 {
     char whole[WANTED_TEXT];
 
@@ -214,8 +205,7 @@ bool stops_wanted(struct debugger *debugger, struct stop_point *stop,
     return !*stop->wanted || is_condition(debugger, whole);
 }
 
-bool stops_watch(struct debugger *debugger, struct rest *rest,
-                 struct stop_point *stop)
+bool stops_watch(struct debugger *debugger, struct rest *rest, struct stop_point *stop)
 {
     uint64_t count = 1;
     const char *from;
@@ -234,20 +224,16 @@ bool stops_watch(struct debugger *debugger, struct rest *rest,
             return false;
     }
     if (count < 1 || count > WATCHED_WORDS)
-        return debug_fault(debugger, "1 to %d words are watched",
-                           WATCHED_WORDS);
+        return debug_fault(debugger, "1 to %d words are watched", WATCHED_WORDS);
     stop->count = (size_t)count;
     rest_text(from, rest, stop->text);
-    return c205_read(machine_of(debugger), stop->address, stop->held,
-                     stop->count)
-           || debug_fault(debugger, "there are no words at %" PRIX64,
-                          stop->address);
+    return c205_read(machine_of(debugger), stop->address, stop->held, stop->count)
+           || debug_fault(debugger, "there are no words at %" PRIX64, stop->address);
 }
 
 bool stops_add(struct debugger *debugger, struct stop_point *stop)
 {
-    struct stop_point *grown = array_grow(debugger->stops,
-                                          debugger->stop_count,
+    struct stop_point *grown = array_grow(debugger->stops, debugger->stop_count,
                                           sizeof *grown);
 
     if (!grown)
@@ -282,13 +268,12 @@ void stops_forget(struct debugger *debugger, size_t group)
 
 enum { GROUP_LINES = 1 };
 
-bool debugger_break_line(struct debugger *debugger, const char *file,
-                         size_t number, size_t *line)
+bool debugger_break_line(struct debugger *debugger, const char *file, size_t number,
+                         size_t *line)
 {
     struct stop_point stop = { .group = GROUP_LINES };
 
-    if (!place_line(debugger, file, number, &stop)
-        || !stops_add(debugger, &stop))
+    if (!place_line(debugger, file, number, &stop) || !stops_add(debugger, &stop))
         return false;
     *line = stop.line;
     return true;

@@ -15,8 +15,7 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
     switch (piece->wait) {
     case C205_WAIT_REGISTER:
         name = debug_register_name(debugger, piece->number);
-        sink_print(sink, "waits for r%u%s%s", piece->number,
-                   *name ? ", " : "", name);
+        sink_print(sink, "waits for r%u%s%s", piece->number, *name ? ", " : "", name);
         break;
     case C205_WAIT_UNIT:
         sink_print(sink, "the %s unit is busy",
@@ -29,8 +28,7 @@ void show_wait(const struct debugger *debugger, const c205_piece *piece,
     }
 }
 
-static void put_pieces(const struct debugger *debugger,
-                       const c205_times *record)
+static void put_pieces(const struct debugger *debugger, const c205_times *record)
 {
     c205 *machine = machine_of(debugger);
 
@@ -44,8 +42,8 @@ static void put_pieces(const struct debugger *debugger,
             sink_put(&debugger->out, "  ");
         show_wait(debugger, piece, &debugger->out);
         if (piece->pc != record->pc)
-            sink_print(&debugger->out, "  with the work of %" PRIX64 "%s%s",
-                       piece->pc, *region ? ", region " : "", region);
+            sink_print(&debugger->out, "  with the work of %" PRIX64 "%s%s", piece->pc,
+                       *region ? ", region " : "", region);
         sink_put(&debugger->out, "\n");
     }
 }
@@ -70,8 +68,8 @@ static void put_constant(const struct debugger *debugger, c205_cause phase)
     const c205_constant *constant = debugger_constant(debugger, phase);
 
     if (constant)
-        sink_print(&debugger->out, "  %s = %s %s (%c)", constant->name,
-                   constant->text, constant->unit, constant->source);
+        sink_print(&debugger->out, "  %s = %s %s (%c)", constant->name, constant->text,
+                   constant->unit, constant->source);
 }
 
 static void put_phases(const struct debugger *debugger)
@@ -82,12 +80,10 @@ static void put_phases(const struct debugger *debugger)
         uint64_t begin = record->phase[i].begin, end = record->phase[i].end;
         c205_cause cause = record->phase[i].cause;
 
-        sink_print(&debugger->out,
-                   "%10" PRIu64 "  %-16s  %" PRIu64 " .. %" PRIu64,
+        sink_print(&debugger->out, "%10" PRIu64 "  %-16s  %" PRIu64 " .. %" PRIu64,
                    end - begin, c205_cause_name(cause), begin, end);
         if (cause == C205_VECTOR_STREAM)
-            sink_print(&debugger->out, "  %zu element%s",
-                       debugger->last.elements,
+            sink_print(&debugger->out, "  %zu element%s", debugger->last.elements,
                        plural(debugger->last.elements));
         put_constant(debugger, cause);
         sink_put(&debugger->out, "\n");
@@ -106,8 +102,7 @@ bool verb_why(struct debugger *debugger, struct rest *rest)
     sink_print(&debugger->out,
                "arrived at clock %" PRIu64 ", issued at %" PRIu64
                ", its result at %" PRIu64 ", its unit free at %" PRIu64 "\n",
-               record->arrived, record->issued, record->ready,
-               record->unit_free);
+               record->arrived, record->issued, record->ready, record->unit_free);
     sink_print(&debugger->out, "%10" PRIu64 "  clocks, of these\n",
                debugger->last.clocks);
     put_pieces(debugger, record);
@@ -124,8 +119,7 @@ bool verb_why(struct debugger *debugger, struct rest *rest)
 
 /* ---- All of it ------------------------------------------------------------ */
 
-static void put_account(const struct debugger *debugger,
-                        const c205_account *account)
+static void put_account(const struct debugger *debugger, const c205_account *account)
 {
     uint64_t sum = 0;
 
@@ -136,14 +130,14 @@ static void put_account(const struct debugger *debugger,
     sink_print(&debugger->out,
                "%s: %" PRIu64 " clock%s, %" PRIu64 " instruction%s, %" PRIu64
                " of them vector, %" PRIu64 " element%s\n",
-               *account->name ? account->name : "outside regions", sum,
-               plural(sum), account->instructions,
-               plural(account->instructions), account->vector_instructions,
-               account->elements, plural(account->elements));
+               *account->name ? account->name : "outside regions", sum, plural(sum),
+               account->instructions, plural(account->instructions),
+               account->vector_instructions, account->elements,
+               plural(account->elements));
     for (int i = 0; i < C205_CAUSES; i++)
         if (account->clocks[i] > 0)
-            sink_print(&debugger->out, "%10" PRIu64 "  %s\n",
-                       account->clocks[i], c205_cause_name((c205_cause)i));
+            sink_print(&debugger->out, "%10" PRIu64 "  %s\n", account->clocks[i],
+                       c205_cause_name((c205_cause)i));
 }
 
 bool verb_account(struct debugger *debugger, struct rest *rest)
@@ -154,7 +148,7 @@ bool verb_account(struct debugger *debugger, struct rest *rest)
         return false;
     for (size_t i = 0; i < c205_account_count(machine); i++)
         put_account(debugger, c205_account_at(machine, i));
-    sink_print(&debugger->out, "%" PRIu64 " clock%s in all\n",
-               c205_clock(machine), plural(c205_clock(machine)));
+    sink_print(&debugger->out, "%" PRIu64 " clock%s in all\n", c205_clock(machine),
+               plural(c205_clock(machine)));
     return true;
 }

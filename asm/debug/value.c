@@ -89,8 +89,7 @@ bool rest_take(struct rest *rest, const char *word)
     return name_length(rest->at) == strlen(word) && rest_begin(rest, word);
 }
 
-void rest_text(const char *from, const struct rest *rest,
-               char text[TEXT_MOST])
+void rest_text(const char *from, const struct rest *rest, char text[TEXT_MOST])
 {
     size_t length = (size_t)(rest->at - from);
 
@@ -156,19 +155,16 @@ static c205_word make_word(const struct value_of *value)
                           : c205_from_integer(value->integer);
 }
 
-bool debug_word(struct debugger *debugger, const struct value_of *value,
-                bool half, c205_word *word)
+bool debug_word(struct debugger *debugger, const struct value_of *value, bool half,
+                c205_word *word)
 {
     if (!value->is_word && value->is_real && !isfinite(value->real))
-        return debug_fault(debugger, "%g is no number of the machine",
-                           value->real);
+        return debug_fault(debugger, "%g is no number of the machine", value->real);
     if (!value->is_real && !is_integer_word(value->integer))
-        return debug_fault(debugger,
-                           "%lld has more than the 48 bits of an integer",
+        return debug_fault(debugger, "%lld has more than the 48 bits of an integer",
                            (long long)value->integer);
     if (half)
-        *word = value->is_half ? value->word
-                               : c205_half_from_double(value->real);
+        *word = value->is_half ? value->word : c205_half_from_double(value->real);
     else
         *word = make_word(value);
     return true;
@@ -195,9 +191,8 @@ static bool read_any(struct reading *reading, struct value_of *value);
 /* ---- Names ---------------------------------------------------------------- */
 
 /* The last that was given a name. */
-static const struct asm_register *
-find_register(const struct debugger *debugger, const char *name,
-              size_t length)
+static const struct asm_register *find_register(const struct debugger *debugger,
+                                                const char *name, size_t length)
 {
     const struct object *object = debugger->setup.object;
 
@@ -208,8 +203,7 @@ find_register(const struct debugger *debugger, const char *name,
     return NULL;
 }
 
-static bool is_numbered(const char *name, size_t length,
-                        struct register_of *named)
+static bool is_numbered(const char *name, size_t length, struct register_of *named)
 {
     char *end;
     unsigned long number;
@@ -224,8 +218,8 @@ static bool is_numbered(const char *name, size_t length,
     return true;
 }
 
-static bool find_named(const struct debugger *debugger, const char *name,
-                       size_t length, struct register_of *named)
+static bool find_named(const struct debugger *debugger, const char *name, size_t length,
+                       struct register_of *named)
 {
     const struct asm_register *known = find_register(debugger, name, length);
 
@@ -259,20 +253,17 @@ bool debug_register(const struct debugger *debugger, struct rest *rest,
     return true;
 }
 
-const char *debug_register_name(const struct debugger *debugger,
-                                unsigned number)
+const char *debug_register_name(const struct debugger *debugger, unsigned number)
 {
     const struct object *object = debugger->setup.object;
 
     for (size_t i = object->register_count; i-- > 0;)
-        if (!object->registers[i].half
-            && object->registers[i].number == number)
+        if (!object->registers[i].half && object->registers[i].number == number)
             return object->registers[i].name;
     return "";
 }
 
-c205_word debug_register_word(const struct debugger *debugger,
-                              struct register_of named)
+c205_word debug_register_word(const struct debugger *debugger, struct register_of named)
 {
     c205 *machine = machine_of(debugger);
 
@@ -357,8 +348,7 @@ static bool read_name(struct reading *reading, struct value_of *value)
     } else if (is_numbered(name, length, &named)) {
         *value = of_register(debugger, named);
     } else if (!read_special(debugger, name, length, value)) {
-        return debug_fault(debugger, "nothing is called '%.*s'", (int)length,
-                           name);
+        return debug_fault(debugger, "nothing is called '%.*s'", (int)length, name);
     }
     if (value->is_word && !value->is_half)
         take_part(reading, value);
@@ -421,10 +411,8 @@ static bool read_address(struct debugger *debugger, struct reading *reading,
     if (!read_any(reading, value))
         return false;
     *address = (uint64_t)value->integer & ((UINT64_C(1) << LENGTH_SHIFT) - 1);
-    return reading->grammar
-           || (!value->is_half && (value->is_word || !value->is_real))
-           || debug_fault(debugger,
-                          "%g is no address; that of a descriptor is NAME.i",
+    return reading->grammar || (!value->is_half && (value->is_word || !value->is_real))
+           || debug_fault(debugger, "%g is no address; that of a descriptor is NAME.i",
                           value->real);
 }
 
@@ -460,8 +448,7 @@ static bool read_first(struct reading *reading, struct value_of *value)
         return read_memory(reading, value);
     if (at[0] == 'X' && at[1] == '\'')
         return read_hex(reading, value);
-    if (isdigit((unsigned char)*at)
-        || (*at == '.' && isdigit((unsigned char)at[1])))
+    if (isdigit((unsigned char)*at) || (*at == '.' && isdigit((unsigned char)at[1])))
         return read_number(reading, value);
     if (is_name(*at))
         return read_name(reading, value);
@@ -478,19 +465,16 @@ static bool read_signed(struct reading *reading, struct value_of *value)
     bool good;
 
     if (reading->depth++ > DEPTH_MOST)
-        return debug_fault(
-            reading->debugger,
-            "more than %d operators or brackets within each other",
-            DEPTH_MOST);
+        return debug_fault(reading->debugger,
+                           "more than %d operators or brackets within each other",
+                           DEPTH_MOST);
     if (take(reading, "-")) {
         good = read_signed(reading, value);
         if (good)
             *value = value->is_real
                          ? of_real(-value->real)
-                         : of_integer(
-                             (int64_t)(0 - (uint64_t)value->integer));
-    } else if (strncmp(reading->rest->at, "!=", 2) != 0
-               && take(reading, "!")) {
+                         : of_integer((int64_t)(0 - (uint64_t)value->integer));
+    } else if (strncmp(reading->rest->at, "!=", 2) != 0 && take(reading, "!")) {
         good = read_signed(reading, value);
         if (good)
             *value = of_integer(!debug_is_true(value));
@@ -514,8 +498,8 @@ static struct value_of combine_integers(char sign, int64_t a, int64_t b)
     }
 }
 
-static bool combine(struct reading *reading, char sign,
-                    struct value_of *value, const struct value_of *other)
+static bool combine(struct reading *reading, char sign, struct value_of *value,
+                    const struct value_of *other)
 {
     double a = value->real, b = other->real;
 
@@ -568,11 +552,9 @@ static bool read_sum(struct reading *reading, struct value_of *value)
 /* Words that are the same are equal, indefinite ones, too. */
 static bool is_equal(const struct value_of *a, const struct value_of *b)
 {
-    if (a->is_word && b->is_word && a->is_half == b->is_half
-        && a->word == b->word)
+    if (a->is_word && b->is_word && a->is_half == b->is_half && a->word == b->word)
         return true;
-    return a->is_real || b->is_real ? a->real == b->real
-                                    : a->integer == b->integer;
+    return a->is_real || b->is_real ? a->real == b->real : a->integer == b->integer;
 }
 
 static bool read_comparison(struct reading *reading, struct value_of *value)
@@ -617,10 +599,9 @@ static bool read_any(struct reading *reading, struct value_of *value)
     struct value_of other;
 
     if (reading->depth++ > DEPTH_MOST)
-        return debug_fault(
-            reading->debugger,
-            "more than %d operators or brackets within each other",
-            DEPTH_MOST);
+        return debug_fault(reading->debugger,
+                           "more than %d operators or brackets within each other",
+                           DEPTH_MOST);
     if (!read_both(reading, value))
         return false;
     while (take(reading, "||")) {
@@ -632,8 +613,7 @@ static bool read_any(struct reading *reading, struct value_of *value)
     return true;
 }
 
-bool debug_value(struct debugger *debugger, struct rest *rest,
-                 struct value_of *value)
+bool debug_value(struct debugger *debugger, struct rest *rest, struct value_of *value)
 {
     struct reading reading = { debugger, rest, false, 0 };
 
@@ -648,8 +628,7 @@ bool debug_grammar(struct debugger *debugger, struct rest *rest)
     return read_any(&reading, &value);
 }
 
-bool debug_address(struct debugger *debugger, struct rest *rest,
-                   uint64_t *address)
+bool debug_address(struct debugger *debugger, struct rest *rest, uint64_t *address)
 {
     struct reading reading = { debugger, rest, false, 0 };
     struct value_of value;
@@ -657,8 +636,7 @@ bool debug_address(struct debugger *debugger, struct rest *rest,
     return read_address(debugger, &reading, &value, address);
 }
 
-bool debug_count(struct debugger *debugger, struct rest *rest,
-                 uint64_t *count)
+bool debug_count(struct debugger *debugger, struct rest *rest, uint64_t *count)
 {
     struct value_of value;
 

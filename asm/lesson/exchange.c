@@ -43,8 +43,7 @@ static c205_word get_element(const c205 *machine, uint64_t at, unsigned width)
     return word << at % 64 & mask_of(width);
 }
 
-static void set_element(c205 *machine, uint64_t at, unsigned width,
-                        c205_word element)
+static void set_element(c205 *machine, uint64_t at, unsigned width, c205_word element)
 {
     c205_word word = 0;
 
@@ -69,8 +68,7 @@ static void put_elements(const struct lesson_exchange *exchange,
 
     for (size_t i = 0; i < exchanged->count; i++)
         set_element(exchange->machine, exchanged->there + i * width, width,
-                    get_element(exchange->data, exchanged->here + i * width,
-                                width));
+                    get_element(exchange->data, exchanged->here + i * width, width));
 }
 
 /* ---- Labels ---------------------------------------------------------------- */
@@ -82,8 +80,7 @@ static bool holds_data(const struct asm_symbol *symbol)
 }
 
 /* What the answer has at a label of the test. */
-static bool check_room(struct lesson_exchange *exchange,
-                       const struct asm_symbol *ours,
+static bool check_room(struct lesson_exchange *exchange, const struct asm_symbol *ours,
                        const struct asm_symbol *theirs)
 {
     const char *kind = kind_name(ours->contents);
@@ -92,24 +89,22 @@ static bool check_room(struct lesson_exchange *exchange,
         report_say(exchange->general,
                    "There should be %s at the answer's label %s, and there "
                    "%s %s.",
-                   kind, theirs->name,
-                   theirs->contents == ASM_NOTHING ? "is" : "are",
+                   kind, theirs->name, theirs->contents == ASM_NOTHING ? "is" : "are",
                    kind_name(theirs->contents));
         return false;
     }
     if (ours->count > theirs->count) {
         report_say(exchange->report,
                    "%s has room for %" PRIu64 " %s, and this test needs "
-                   "%" PRIu64
-                   ": the constants of the test say how many there are.",
+                   "%" PRIu64 ": the constants of the test say how many there are.",
                    theirs->name, theirs->count, kind, ours->count);
         return false;
     }
     return true;
 }
 
-static const struct lesson_tolerance *
-find_tolerance(const struct lesson_test *test, const char *label)
+static const struct lesson_tolerance *find_tolerance(const struct lesson_test *test,
+                                                     const char *label)
 {
     const struct lesson_tolerance *found = test->tolerances;
 
@@ -118,8 +113,7 @@ find_tolerance(const struct lesson_test *test, const char *label)
     return found;
 }
 
-static void begin_wanted(struct lesson_exchange *exchange,
-                         struct exchanged *item)
+static void begin_wanted(struct lesson_exchange *exchange, struct exchanged *item)
 {
     size_t size = (item->count + 1) * sizeof *item->wanted;
 
@@ -132,8 +126,7 @@ static void begin_wanted(struct lesson_exchange *exchange,
 }
 
 /* A label of the test that holds data. */
-static bool begin_label(struct lesson_exchange *exchange,
-                        const struct asm_symbol *ours)
+static bool begin_label(struct lesson_exchange *exchange, const struct asm_symbol *ours)
 {
     const char *wanted = lesson_wanted(ours->name);
     const char *label = wanted ? wanted : ours->name;
@@ -169,8 +162,7 @@ bool exchange_begin(struct lesson_exchange *exchange)
     bool good = true;
 
     exchange->items = arena_take(exchange->kept,
-                                 (test->symbol_count + 1)
-                                     * sizeof *exchange->items);
+                                 (test->symbol_count + 1) * sizeof *exchange->items);
     if (!exchange->items)
         return false;
     for (size_t i = 0; i < test->symbol_count; i++)

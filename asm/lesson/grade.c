@@ -43,10 +43,8 @@ static bool no_memory(c205_error *error)
 /* ---- The answer ------------------------------------------------------------ */
 
 /* A sentence, and below it those of one severity. */
-static void say_diagnostics(struct lesson_report *report,
-                            const char *sentence,
-                            const struct diagnostics *said,
-                            enum severity severity)
+static void say_diagnostics(struct lesson_report *report, const char *sentence,
+                            const struct diagnostics *said, enum severity severity)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
@@ -64,8 +62,7 @@ static struct asm_define *make_defines(struct sitting *sitting)
 {
     const struct object *test = sitting->test;
     struct asm_define *defines = arena_take(sitting->kept,
-                                            (test->symbol_count + 1)
-                                                * sizeof *defines);
+                                            (test->symbol_count + 1) * sizeof *defines);
     size_t count = 0;
 
     for (size_t i = 0; defines && i < test->symbol_count; i++)
@@ -91,8 +88,7 @@ static void tell_redefined(struct lesson_report *report, const char *name,
 }
 
 /* Whether a constant that the answer has, too, is why. */
-static bool find_redefined(struct sitting *sitting,
-                           const struct diagnostics *said,
+static bool find_redefined(struct sitting *sitting, const struct diagnostics *said,
                            const struct asm_define *defines)
 {
     struct lesson_report *report = sitting->general;
@@ -106,16 +102,15 @@ static bool find_redefined(struct sitting *sitting,
 }
 
 /* "With n = 5 it cannot be assembled:" */
-static void tell_errors(struct sitting *sitting,
-                        const struct diagnostics *said,
+static void tell_errors(struct sitting *sitting, const struct diagnostics *said,
                         const struct asm_define *defines)
 {
     struct text_line line = { 0 };
     struct sink sink = text_line_sink(&line);
 
     for (size_t i = 0; defines[i].name; i++)
-        sink_print(&sink, "%s%s = %" PRId64, i > 0 ? ", " : "With ",
-                   defines[i].name, defines[i].value);
+        sink_print(&sink, "%s%s = %" PRId64, i > 0 ? ", " : "With ", defines[i].name,
+                   defines[i].value);
     sink_put(&sink, " it cannot be assembled:");
     say_diagnostics(&sitting->trial->report, line.text, said, SEVERITY_ERROR);
 }
@@ -129,8 +124,8 @@ static bool assemble_answer(struct sitting *sitting)
 
     if (!defines)
         return no_memory(sitting->error);
-    sitting->answer = assemble_bytes(sitting->name, sitting->text,
-                                     sitting->length, &options, &said);
+    sitting->answer = assemble_bytes(sitting->name, sitting->text, sitting->length,
+                                     &options, &said);
     if (!sitting->answer && !find_redefined(sitting, &said, defines))
         tell_errors(sitting, &said, defines);
     diagnostics_free(&said);
@@ -143,18 +138,15 @@ static bool load_test(struct sitting *sitting)
 {
     const char *model = expect_model(sitting->test);
 
-    sitting->model = model_find(model ? model : C205_DEFAULT_MODEL,
-                                sitting->error);
+    sitting->model = model_find(model ? model : C205_DEFAULT_MODEL, sitting->error);
     if (!sitting->model)
         return false;
     sitting->data = c205_new(sitting->model, sitting->error);
     return sitting->data
-           && c205_load(sitting->data, &sitting->test->program,
-                        sitting->error);
+           && c205_load(sitting->data, &sitting->test->program, sitting->error);
 }
 
-static void listen(void *context, const c205 *machine,
-                   const c205_event *event)
+static void listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct sitting *sitting = context;
 
@@ -173,10 +165,8 @@ static bool load_answer(struct sitting *sitting)
     sitting->profile = line_profile_new(sitting->answer);
     if (!sitting->profile)
         return no_memory(sitting->error);
-    return sitting->machine
-           && c205_load(sitting->machine, &program, sitting->error)
-           && ((c205_listen(sitting->machine, line_profile_listen,
-                            sitting->profile)
+    return sitting->machine && c205_load(sitting->machine, &program, sitting->error)
+           && ((c205_listen(sitting->machine, line_profile_listen, sitting->profile)
                 && c205_listen(sitting->machine, listen, sitting))
                || no_memory(sitting->error));
 }
@@ -201,8 +191,7 @@ static void tell_endless(struct sitting *sitting, const c205_stop *stop)
         sink_print(&sink, "  It was in line %zu then: %s", line->call_number,
                    lesson_source(line->call_source));
     report_say(&sitting->trial->report,
-               "It had not ended after %" PRIu64
-               " clocks: is this an endless loop?%s",
+               "It had not ended after %" PRIu64 " clocks: is this an endless loop?%s",
                c205_clock(sitting->machine), where.text);
 }
 
@@ -212,8 +201,7 @@ static void tell_trap(struct sitting *sitting, const c205_stop *stop)
     struct sink sink = text_buffer_sink(&text);
 
     sink_put(&sink, "It was stopped by a trap:\n");
-    trap_report(sitting->answer, sitting->name, sitting->machine, stop,
-                &sink);
+    trap_report(sitting->answer, sitting->name, sitting->machine, stop, &sink);
     report_buffer(&sitting->trial->report, &text);
 }
 
@@ -230,8 +218,7 @@ static bool check_stop(struct sitting *sitting, const c205_stop *stop)
         tell_trap(sitting, stop);
     else if (stop->status != 0)
         report_say(&sitting->trial->report,
-                   "It ended with the status %" PRId64 ", not with 0.",
-                   stop->status);
+                   "It ended with the status %" PRId64 ", not with 0.", stop->status);
     else
         return true;
     return false;
@@ -249,8 +236,7 @@ static void say_expectations(struct lesson_report *report, const char *text)
                              ? (size_t)(what - text) + sizeof before - 1
                              : 0;
 
-        report_say(report, "Expected %.*s.", (int)(length - skipped),
-                   text + skipped);
+        report_say(report, "Expected %.*s.", (int)(length - skipped), text + skipped);
         text += length + (text[length] != '\0');
     }
 }
@@ -299,8 +285,7 @@ static void judge(struct sitting *sitting, const c205_stop *stop)
 static bool run(struct sitting *sitting)
 {
     struct lesson_trial *trial = sitting->trial;
-    uint64_t limit = patience_least
-                     + PATIENCE * trial->test->goals[MEDAL_BRONZE];
+    uint64_t limit = patience_least + PATIENCE * trial->test->goals[MEDAL_BRONZE];
     c205_stop stop = c205_run(sitting->machine, limit);
 
     if (stop.trap == C205_TRAP_NO_MEMORY || sitting->printed.failed)
@@ -317,15 +302,13 @@ static bool sit(struct sitting *sitting)
     c205_error why;
 
     sitting->printer.sink = text_buffer_sink(&sitting->printed);
-    if (!(sitting->test = lesson_assemble_test(sitting->trial->test,
-                                               sitting->error))
+    if (!(sitting->test = lesson_assemble_test(sitting->trial->test, sitting->error))
         || !load_test(sitting) || !assemble_answer(sitting))
         return false;
     if (!sitting->answer)
         return true;
     if (!object_check(sitting->answer, &why)) {
-        report_say(&sitting->trial->report, "It cannot run: %s.",
-                   why.message);
+        report_say(&sitting->trial->report, "It cannot run: %s.", why.message);
         return true;
     }
     if (!load_answer(sitting))
@@ -382,8 +365,7 @@ static bool begin(struct lesson_verdict *verdict, const struct lesson *lesson,
     verdict->count = lesson->test_count;
     verdict->report.kept = &verdict->kept;
     verdict->trials = arena_take(&verdict->kept,
-                                 lesson->test_count
-                                     * sizeof *verdict->trials);
+                                 lesson->test_count * sizeof *verdict->trials);
     if (!verdict->trials)
         return no_memory(error);
     for (size_t i = 0; i < verdict->count; i++) {
@@ -393,9 +375,8 @@ static bool begin(struct lesson_verdict *verdict, const struct lesson *lesson,
     return true;
 }
 
-void lesson_refuse(struct lesson_verdict *verdict,
-                   const struct lesson *lesson, const char *name,
-                   const char *reason)
+void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
+                   const char *name, const char *reason)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
@@ -410,11 +391,10 @@ void lesson_refuse(struct lesson_verdict *verdict,
 }
 
 /* Until one of them says what all would. */
-static bool try_tests(struct lesson_verdict *verdict, const char *text,
-                      size_t length, c205_error *error)
+static bool try_tests(struct lesson_verdict *verdict, const char *text, size_t length,
+                      c205_error *error)
 {
-    for (size_t i = 0; i < verdict->count && verdict->report.count == 0;
-         i++) {
+    for (size_t i = 0; i < verdict->count && verdict->report.count == 0; i++) {
         struct sitting sitting = { .name = verdict->answer,
                                    .text = text,
                                    .length = length,
@@ -436,8 +416,7 @@ static bool try_tests(struct lesson_verdict *verdict, const char *text,
 
 /* What the assembler warns of may be what is wrong. */
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
-                  const char *name, const char *text, size_t length,
-                  c205_error *error)
+                  const char *name, const char *text, size_t length, c205_error *error)
 {
     static const struct asm_options options = { .sealed = true };
     struct diagnostics said = { 0 };

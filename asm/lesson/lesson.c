@@ -13,8 +13,7 @@
 
 const char *medal_name(enum medal medal)
 {
-    static const char *const names[MEDALS] = { "", "bronze", "silver",
-                                               "gold" };
+    static const char *const names[MEDALS] = { "", "bronze", "silver", "gold" };
 
     return names[medal];
 }
@@ -22,8 +21,7 @@ const char *medal_name(enum medal medal)
 /* ---- One ------------------------------------------------------------------- */
 
 /* The number is what a folder's name begins with. */
-bool lesson_begin(struct lesson *lesson, const char *folder,
-                  c205_error *error)
+bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error)
 {
     char *end;
     unsigned long number = strtoul(folder, &end, 10);
@@ -49,13 +47,11 @@ static bool take_title(struct lesson *lesson, c205_error *error)
     return lesson->title || error_say(error, "no memory");
 }
 
-static bool take_test(struct lesson *lesson, const char *name,
-                      size_t name_length, const char *text, size_t length,
-                      c205_error *error)
+static bool take_test(struct lesson *lesson, const char *name, size_t name_length,
+                      const char *text, size_t length, c205_error *error)
 {
     struct lesson_test *tests = arena_grow(&lesson->kept, lesson->tests,
-                                           lesson->test_count,
-                                           &lesson->test_capacity,
+                                           lesson->test_count, &lesson->test_capacity,
                                            sizeof *tests);
     struct lesson_test test = { .text = text, .length = length };
 
@@ -73,8 +69,7 @@ bool lesson_take(struct lesson *lesson, const char *file, const char *text,
 {
     static const char before[] = "test-", behind[] = ".s";
     size_t name = strlen(file), around = sizeof before + sizeof behind - 2;
-    bool is_test = name > around
-                   && strncmp(file, before, sizeof before - 1) == 0
+    bool is_test = name > around && strncmp(file, before, sizeof before - 1) == 0
                    && strcmp(file + name - (sizeof behind - 1), behind) == 0;
     bool is_text = strcmp(file, "lesson.md") == 0;
     bool is_start = strcmp(file, "start.s") == 0;
@@ -86,8 +81,8 @@ bool lesson_take(struct lesson *lesson, const char *file, const char *text,
     if (!kept)
         return error_say(error, "no memory");
     if (is_test)
-        return take_test(lesson, file + sizeof before - 1, name - around,
-                         kept, length, error);
+        return take_test(lesson, file + sizeof before - 1, name - around, kept, length,
+                         error);
     if (is_start) {
         lesson->start = kept;
         return true;
@@ -100,9 +95,8 @@ static int compare_tests(const void *a, const void *b)
 {
     const struct lesson_test *one = a, *other = b;
 
-    return one->has_goals != other->has_goals
-               ? one->has_goals - other->has_goals
-               : strcmp(one->name, other->name);
+    return one->has_goals != other->has_goals ? one->has_goals - other->has_goals
+                                              : strcmp(one->name, other->name);
 }
 
 bool lesson_end(struct lesson *lesson, c205_error *error)
@@ -113,10 +107,9 @@ bool lesson_end(struct lesson *lesson, c205_error *error)
                                                     : NULL;
 
     if (missing)
-        return error_say(error, "%.160s is no lesson: it has no %s",
-                         lesson->folder, missing);
-    qsort(lesson->tests, lesson->test_count, sizeof *lesson->tests,
-          compare_tests);
+        return error_say(error, "%.160s is no lesson: it has no %s", lesson->folder,
+                         missing);
+    qsort(lesson->tests, lesson->test_count, sizeof *lesson->tests, compare_tests);
     return true;
 }
 
@@ -131,8 +124,7 @@ bool lesson_is_named(const struct lesson *lesson, const char *name)
     unsigned long number = strtoul(name, &end, 10);
     bool is_number = isdigit((unsigned char)*name) && !*end;
 
-    return strcmp(lesson->name, name) == 0
-           || strcmp(lesson->folder, name) == 0
+    return strcmp(lesson->name, name) == 0 || strcmp(lesson->folder, name) == 0
            || (is_number && lesson->number > 0 && lesson->number == number);
 }
 
@@ -148,14 +140,12 @@ static bool join_lines(const char *const *lines, struct text_buffer *buffer)
 }
 
 /* A table's texts are "folder/file", those of a folder together. */
-static bool take_text(struct lesson *lesson, const struct text *text,
-                      c205_error *error)
+static bool take_text(struct lesson *lesson, const struct text *text, c205_error *error)
 {
     struct text_buffer joined = { 0 };
     bool good = join_lines(text->lines, &joined)
                     ? lesson_take(lesson, strchr(text->name, '/') + 1,
-                                  joined.text ? joined.text : "",
-                                  joined.length, error)
+                                  joined.text ? joined.text : "", joined.length, error)
                     : error_say(error, "no memory");
 
     text_buffer_free(&joined);
@@ -168,8 +158,8 @@ static bool is_of(const struct text *text, const char *name, size_t length)
 }
 
 /* From a text on all of its folder; NULL: the error says why not. */
-static const struct text *
-open_next(struct lesson *lesson, const struct text *text, c205_error *error)
+static const struct text *open_next(struct lesson *lesson, const struct text *text,
+                                    c205_error *error)
 {
     const char *name = text->name;
     size_t length = (size_t)(strchr(name, '/') + 1 - name);
@@ -208,8 +198,8 @@ void lessons_free(struct lessons *lessons)
     free(lessons->items);
 }
 
-const struct lesson *lessons_find(const struct lessons *lessons,
-                                  const char *name, c205_error *error)
+const struct lesson *lessons_find(const struct lessons *lessons, const char *name,
+                                  c205_error *error)
 {
     struct nearest nearest = { .word = name };
 
@@ -224,7 +214,6 @@ const struct lesson *lessons_find(const struct lessons *lessons,
         error_say(error, "there is no lesson '%.80s'; is it '%.80s'?", name,
                   nearest.name);
     else
-        error_say(error, "there is no lesson '%.80s'; c205 check lists them",
-                  name);
+        error_say(error, "there is no lesson '%.80s'; c205 check lists them", name);
     return NULL;
 }

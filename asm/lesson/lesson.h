@@ -55,8 +55,7 @@ struct lesson {
 
 /* A folder's files, one after the other in any order; those that are none of a lesson's are
  * left out.  Begin with all zero; false: the error says which file is wrong, and how. */
-bool lesson_begin(struct lesson *lesson, const char *folder,
-                  c205_error *error);
+bool lesson_begin(struct lesson *lesson, const char *folder, c205_error *error);
 bool lesson_take(struct lesson *lesson, const char *file, const char *text,
                  size_t length, c205_error *error);
 bool lesson_end(struct lesson *lesson, c205_error *error);
@@ -72,12 +71,11 @@ struct lessons {
 bool lessons_open(struct lessons *lessons, c205_error *error);
 void lessons_free(struct lessons *lessons);
 /* The one that is named so; NULL: the error says what was meant. */
-const struct lesson *lessons_find(const struct lessons *lessons,
-                                  const char *name, c205_error *error);
+const struct lesson *lessons_find(const struct lessons *lessons, const char *name,
+                                  c205_error *error);
 
 /* A test's text, of which the labels hold the data; NULL: the error says what is wrong. */
-struct object *lesson_assemble_test(const struct lesson_test *test,
-                                    c205_error *error);
+struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *error);
 /* The label of the answer where that must be which a label of a test holds: "y" for "want_y";
  * NULL: it is an input. */
 const char *lesson_wanted(const char *label);
@@ -119,19 +117,15 @@ struct lesson_verdict {
 /* The lesson and the name of the answer outlive the verdict.  Begin with all zero; false: the
  * lesson is wrong itself, or there is no memory; to be freed in either case. */
 bool lesson_grade(struct lesson_verdict *verdict, const struct lesson *lesson,
-                  const char *name, const char *text, size_t length,
-                  c205_error *error);
+                  const char *name, const char *text, size_t length, c205_error *error);
 /* The verdict of a hand-in that cannot be graded: not passed, with the reason as its report.
  * The lesson is NULL if it is not known. */
-void lesson_refuse(struct lesson_verdict *verdict,
-                   const struct lesson *lesson, const char *name,
-                   const char *reason);
+void lesson_refuse(struct lesson_verdict *verdict, const struct lesson *lesson,
+                   const char *name, const char *reason);
 void lesson_verdict_free(struct lesson_verdict *verdict);
 
-void lesson_verdict_put(const struct lesson_verdict *verdict,
-                        const struct sink *sink);
+void lesson_verdict_put(const struct lesson_verdict *verdict, const struct sink *sink);
 /* Into an object that is open. */
-void lesson_verdict_json(const struct lesson_verdict *verdict,
-                         struct json *json);
+void lesson_verdict_json(const struct lesson_verdict *verdict, struct json *json);
 
 #endif

@@ -20,8 +20,7 @@ struct test_note {
 static bool refuse(const struct test_note *note, const char *what)
 {
     return error_say(note->error, "%.80s/test-%.40s.s:%zu: %.100s",
-                     note->lesson->folder, note->test->name, note->line,
-                     what);
+                     note->lesson->folder, note->test->name, note->line, what);
 }
 
 static void skip_blanks(struct test_note *note)
@@ -44,8 +43,7 @@ static size_t word_length(const struct test_note *note)
 {
     const char *at = note->at;
 
-    while (at < note->end && !isspace((unsigned char)*at) && *at != ','
-           && *at != ':')
+    while (at < note->end && !isspace((unsigned char)*at) && *at != ',' && *at != ':')
         at++;
     return (size_t)(at - note->at);
 }
@@ -53,8 +51,7 @@ static size_t word_length(const struct test_note *note)
 static bool take_word(struct test_note *note, const char *word)
 {
     skip_blanks(note);
-    if (word_length(note) != strlen(word)
-        || memcmp(note->at, word, strlen(word)) != 0)
+    if (word_length(note) != strlen(word) || memcmp(note->at, word, strlen(word)) != 0)
         return false;
     note->at += strlen(word);
     return true;
@@ -79,8 +76,8 @@ static bool take_clocks(struct test_note *note, uint64_t *clocks)
     static const uint64_t most = 1000000000;
 
     skip_blanks(note);
-    for (*clocks = 0; note->at < note->end
-                      && isdigit((unsigned char)*note->at) && *clocks <= most;
+    for (*clocks = 0;
+         note->at < note->end && isdigit((unsigned char)*note->at) && *clocks <= most;
          note->at++)
         *clocks = 10 * *clocks + (uint64_t)(*note->at - '0');
     return *clocks > 0 && *clocks <= most;
@@ -125,14 +122,13 @@ static bool take_tolerance_note(struct test_note *note)
     skip_blanks(note);
     length = word_length(note);
     if (!tolerance
-        || !(tolerance->label = arena_text(&note->lesson->kept, note->at,
-                                           length)))
+        || !(tolerance->label = arena_text(&note->lesson->kept, note->at, length)))
         return error_say(note->error, "no memory");
     note->at += length;
     skip_blanks(note);
     tolerance->most = c205_to_double(c205_from_text(note->at, &end));
-    if (length == 0 || end == note->at || end > note->end
-        || !(tolerance->most >= 0) || !isfinite(tolerance->most))
+    if (length == 0 || end == note->at || end > note->end || !(tolerance->most >= 0)
+        || !isfinite(tolerance->most))
         return refuse(note, "expected 'tolerance: LABEL NUMBER'");
     note->at = end;
     skip_blanks(note);
@@ -163,8 +159,7 @@ static bool check_name(const struct test_note *note, size_t length)
 
         bad = bad
               || (own > LONG && length >= LONG
-                  && nearest_distance(note->at, length, kinds[i].name, own)
-                         <= NEAR);
+                  && nearest_distance(note->at, length, kinds[i].name, own) <= NEAR);
     }
     return !bad
            || refuse(note, "a note like this is 'test:', 'goals:' or "
@@ -195,9 +190,7 @@ static bool take_line(struct test_note *note)
 bool lesson_read_notes(struct lesson *lesson, struct lesson_test *test,
                        c205_error *error)
 {
-    struct test_note note = { .lesson = lesson,
-                              .test = test,
-                              .error = error };
+    struct test_note note = { .lesson = lesson, .test = test, .error = error };
     const char *at = test->text, *end = at + test->length;
 
     while (at < end) {

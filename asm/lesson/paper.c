@@ -26,10 +26,8 @@ static bool check_expectations(const struct object *object, c205_error *error)
     for (size_t i = 0; i < object->expectation_count; i++) {
         const struct asm_expectation *expectation = &object->expectations[i];
 
-        if (expectation->kind == EXPECT_WORDS
-            || expectation->kind == EXPECT_HALVES
-            || expectation->kind == EXPECT_BITS
-            || expectation->kind == EXPECT_WARNING)
+        if (expectation->kind == EXPECT_WORDS || expectation->kind == EXPECT_HALVES
+            || expectation->kind == EXPECT_BITS || expectation->kind == EXPECT_WARNING)
             return error_say(error,
                              "%.80s:%zu: a test cannot expect this; what is "
                              "to be in memory stands at want_LABEL",
@@ -48,34 +46,31 @@ static bool is_wanted(const struct object *object, const char *label)
         const char *wanted = lesson_wanted(symbol->name);
 
         if (symbol->is_label && wanted
-            && (label ? strcmp(wanted, label) == 0
-                      : symbol->contents != ASM_NOTHING))
+            && (label ? strcmp(wanted, label) == 0 : symbol->contents != ASM_NOTHING))
             return true;
     }
     return false;
 }
 
 /* No data would be equal to whatever an answer has. */
-static bool check_wanted(const struct lesson_test *test,
-                         const struct object *object, c205_error *error)
+static bool check_wanted(const struct lesson_test *test, const struct object *object,
+                         c205_error *error)
 {
     for (size_t i = 0; i < object->symbol_count; i++) {
         const struct asm_symbol *symbol = &object->symbols[i];
         const char *wanted = lesson_wanted(symbol->name);
 
-        if (symbol->is_label && wanted
-            && (!*wanted || symbol->contents == ASM_CODE))
+        if (symbol->is_label && wanted && (!*wanted || symbol->contents == ASM_CODE))
             return error_say(error,
                              "test-%.40s.s: data are wanted at want_LABEL, "
                              "not %.60s",
-                             test->name,
-                             *wanted ? "instructions" : symbol->name);
+                             test->name, *wanted ? "instructions" : symbol->name);
     }
     return true;
 }
 
-static bool check_labels(const struct lesson_test *test,
-                         const struct object *object, c205_error *error)
+static bool check_labels(const struct lesson_test *test, const struct object *object,
+                         c205_error *error)
 {
     const struct lesson_tolerance *tolerance = test->tolerances;
 
@@ -92,8 +87,8 @@ static bool check_labels(const struct lesson_test *test,
                         test->name, tolerance->label, tolerance->label);
 }
 
-static bool check_model(const struct lesson_test *test,
-                        const struct object *object, c205_error *error)
+static bool check_model(const struct lesson_test *test, const struct object *object,
+                        c205_error *error)
 {
     const char *name = expect_model(object);
     c205_error why = { "nothing runs on its model, which only tells times" };
@@ -101,17 +96,14 @@ static bool check_model(const struct lesson_test *test,
     bool good = !name || (model && !c205_model_is_projection(model));
 
     c205_model_free(model);
-    return good
-           || error_say(error, "test-%.40s.s: %.160s", test->name,
-                        why.message);
+    return good || error_say(error, "test-%.40s.s: %.160s", test->name, why.message);
 }
 
 static void say_first(const struct diagnostics *said, c205_error *error)
 {
     const struct diagnostic *first = said->items;
 
-    while (first < said->items + said->count
-           && first->severity != SEVERITY_ERROR)
+    while (first < said->items + said->count && first->severity != SEVERITY_ERROR)
         first++;
     if (said->errors == 0 || first == said->items + said->count)
         error_say(error, "no memory");
@@ -120,8 +112,7 @@ static void say_first(const struct diagnostics *said, c205_error *error)
                   first->column, first->message);
 }
 
-struct object *lesson_assemble_test(const struct lesson_test *test,
-                                    c205_error *error)
+struct object *lesson_assemble_test(const struct lesson_test *test, c205_error *error)
 {
     static const struct asm_options options = { .sealed = true };
     struct diagnostics said = { 0 };
@@ -130,14 +121,12 @@ struct object *lesson_assemble_test(const struct lesson_test *test,
     struct object *object;
 
     sink_print(&sink, "test-%s.s", test->name);
-    object = assemble_bytes(name.text, test->text, test->length, &options,
-                            &said);
+    object = assemble_bytes(name.text, test->text, test->length, &options, &said);
     if (!object)
         say_first(&said, error);
     diagnostics_free(&said);
     if (object
-        && (!check_expectations(object, error)
-            || !check_labels(test, object, error)
+        && (!check_expectations(object, error) || !check_labels(test, object, error)
             || !check_model(test, object, error))) {
         object_free(object);
         return NULL;

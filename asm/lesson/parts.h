@@ -54,12 +54,10 @@ bool exchange_end(struct lesson_exchange *exchange);
 /* ---- In words -------------------------------------------------------------- */
 
 /* wrong.c: false, and told, if what was found is not what was wanted. */
-bool wrong_tell(const struct exchanged *exchanged,
-                struct lesson_report *report);
+bool wrong_tell(const struct exchanged *exchanged, struct lesson_report *report);
 
 /* slow.c: why it takes more clocks than the next goal. */
 void slow_tell(const struct lesson_trial *trial, const c205 *machine,
-               const struct line_profile *profile,
-               struct lesson_report *report);
+               const struct line_profile *profile, struct lesson_report *report);
 
 #endif

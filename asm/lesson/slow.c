@@ -46,17 +46,16 @@ static int percent_of(uint64_t clocks, uint64_t all)
 
 /* ---- The goal -------------------------------------------------------------- */
 
-static void tell_goal(const struct lesson_trial *trial,
-                      struct lesson_report *report)
+static void tell_goal(const struct lesson_trial *trial, struct lesson_report *report)
 {
     enum medal next = trial->medal + 1;
     uint64_t goal = trial->test->goals[next];
 
     report_say(report,
-               "It took %" PRIu64 " clock%s, %" PRIu64
-               " more than the %" PRIu64 " of %s.",
-               trial->clocks, plural(trial->clocks), trial->clocks - goal,
-               goal, medal_name(next));
+               "It took %" PRIu64 " clock%s, %" PRIu64 " more than the %" PRIu64
+               " of %s.",
+               trial->clocks, plural(trial->clocks), trial->clocks - goal, goal,
+               medal_name(next));
 }
 
 /* ---- The cause ------------------------------------------------------------- */
@@ -81,8 +80,8 @@ static int find_most(const c205_account *all, int first)
 
 /* The instructions of a few lines of scalar code are the work itself: what can be mended there
  * is a wait. */
-static void tell_cause(const struct lesson_trial *trial,
-                       const c205_account *all, struct lesson_report *report)
+static void tell_cause(const struct lesson_trial *trial, const c205_account *all,
+                       struct lesson_report *report)
 {
     int most = find_most(all, C205_ISSUE);
     int wait = find_most(all, C205_ISSUE + 1);
@@ -140,12 +139,11 @@ static const struct profile_row *next_line(const struct line_profile *profile,
  * are never done by themselves. */
 static bool is_link(const struct profile_row *row)
 {
-    return strstr(row->source, "LINKV") && row[1].executions == 0
-           && row[1].file && row[2].file;
+    return strstr(row->source, "LINKV") && row[1].executions == 0 && row[1].file
+           && row[2].file;
 }
 
-static void tell_line(const struct lesson_trial *trial,
-                      const struct profile_row *row,
+static void tell_line(const struct lesson_trial *trial, const struct profile_row *row,
                       struct lesson_report *report)
 {
     struct text_buffer text = { 0 };
@@ -153,12 +151,10 @@ static void tell_line(const struct lesson_trial *trial,
     uint64_t clocks = clocks_of(row);
     bool link = is_link(row);
 
-    sink_print(&sink,
-               "Line %zu took %" PRIu64 " clock%s, %d %%, in %" PRIu64
-               " %s%s:",
-               row->number, clocks, plural(clocks),
-               percent_of(clocks, trial->clocks), row->executions,
-               link ? "linked pair" : "instruction", plural(row->executions));
+    sink_print(&sink, "Line %zu took %" PRIu64 " clock%s, %d %%, in %" PRIu64 " %s%s:",
+               row->number, clocks, plural(clocks), percent_of(clocks, trial->clocks),
+               row->executions, link ? "linked pair" : "instruction",
+               plural(row->executions));
     if (!link)
         sink_print(&sink, " %.200s", lesson_source(row->source));
     for (int i = 1; link && i <= 2; i++)
@@ -168,8 +164,7 @@ static void tell_line(const struct lesson_trial *trial,
 
 /* The hottest one, and others that took a tenth of all or more. */
 static void tell_lines(const struct lesson_trial *trial,
-                       const struct line_profile *profile,
-                       struct lesson_report *report)
+                       const struct line_profile *profile, struct lesson_report *report)
 {
     const struct profile_row *row = NULL;
 
@@ -181,8 +176,7 @@ static void tell_lines(const struct lesson_trial *trial,
 }
 
 void slow_tell(const struct lesson_trial *trial, const c205 *machine,
-               const struct line_profile *profile,
-               struct lesson_report *report)
+               const struct line_profile *profile, struct lesson_report *report)
 {
     struct accounts accounts = { .model = c205_machine_model(machine) };
     c205_account all;

@@ -13,9 +13,8 @@
 
 static void report_text(struct lesson_report *report, const char *text)
 {
-    const char **sentences = arena_grow(report->kept, report->sentences,
-                                        report->count, &report->capacity,
-                                        sizeof *sentences);
+    const char **sentences = arena_grow(report->kept, report->sentences, report->count,
+                                        &report->capacity, sizeof *sentences);
     size_t length = strlen(text);
     const char *copy;
 
@@ -64,8 +63,7 @@ void lesson_verdict_free(struct lesson_verdict *verdict)
 /* ---- For the eye ----------------------------------------------------------- */
 
 /* Each a little to the right; a piece of a program's text is not folded. */
-static void put_report(const struct lesson_report *report,
-                       const struct sink *sink)
+static void put_report(const struct lesson_report *report, const struct sink *sink)
 {
     enum { COLUMN = 4 };
 
@@ -86,13 +84,11 @@ static void put_report(const struct lesson_report *report,
     }
 }
 
-static void put_trial(const struct lesson_trial *trial,
-                      const struct sink *sink)
+static void put_trial(const struct lesson_trial *trial, const struct sink *sink)
 {
     const struct lesson_test *test = trial->test;
 
-    sink_print(sink, "%s: %s", test->name,
-               trial->right ? "right" : "not right");
+    sink_print(sink, "%s: %s", test->name, trial->right ? "right" : "not right");
     if (trial->right && test->has_goals)
         sink_print(sink, ", %" PRIu64 " clock%s: %s", trial->clocks,
                    plural(trial->clocks),
@@ -101,8 +97,7 @@ static void put_trial(const struct lesson_trial *trial,
     put_report(&trial->report, sink);
 }
 
-void lesson_verdict_put(const struct lesson_verdict *verdict,
-                        const struct sink *sink)
+void lesson_verdict_put(const struct lesson_verdict *verdict, const struct sink *sink)
 {
     bool medal = verdict->medal != MEDAL_NONE;
 
@@ -117,8 +112,7 @@ void lesson_verdict_put(const struct lesson_verdict *verdict,
 
 /* ---- JSON ------------------------------------------------------------------ */
 
-static void write_report(const struct lesson_report *report,
-                         struct json *json)
+static void write_report(const struct lesson_report *report, struct json *json)
 {
     json_array(json, "report");
     for (size_t i = 0; i < report->count; i++)
@@ -129,8 +123,7 @@ static void write_report(const struct lesson_report *report,
 static void write_goals(const struct lesson_test *test, struct json *json)
 {
     json_object(json, "goals");
-    for (int medal = MEDAL_GOLD; test->has_goals && medal > MEDAL_NONE;
-         medal--)
+    for (int medal = MEDAL_GOLD; test->has_goals && medal > MEDAL_NONE; medal--)
         json_count(json, medal_name((enum medal)medal), test->goals[medal]);
     json_end(json);
 }
@@ -160,8 +153,7 @@ static void write_lesson(const struct lesson *lesson, struct json *json)
     }
 }
 
-void lesson_verdict_json(const struct lesson_verdict *verdict,
-                         struct json *json)
+void lesson_verdict_json(const struct lesson_verdict *verdict, struct json *json)
 {
     write_lesson(verdict->lesson, json);
     json_text(json, "answer", verdict->answer);

@@ -23,8 +23,7 @@ static bool is_same(const struct exchanged *exchanged, c205_word wanted,
 {
     return wanted == found
            || (exchanged->tolerance
-               && fabs(number_of(exchanged, found)
-                       - number_of(exchanged, wanted))
+               && fabs(number_of(exchanged, found) - number_of(exchanged, wanted))
                       <= exchanged->tolerance->most);
 }
 
@@ -67,16 +66,13 @@ static bool is_equal(const struct exchanged *exchanged, size_t i)
 
 static bool is_late(const struct exchanged *exchanged, size_t i)
 {
-    return i == 0
-           || is_same(exchanged, exchanged->wanted[i - 1],
-                      exchanged->found[i]);
+    return i == 0 || is_same(exchanged, exchanged->wanted[i - 1], exchanged->found[i]);
 }
 
 static bool is_early(const struct exchanged *exchanged, size_t i)
 {
     return i + 1 == exchanged->count
-           || is_same(exchanged, exchanged->wanted[i + 1],
-                      exchanged->found[i]);
+           || is_same(exchanged, exchanged->wanted[i + 1], exchanged->found[i]);
 }
 
 static bool is_first(const struct exchanged *exchanged, size_t i)
@@ -93,8 +89,7 @@ static bool is_chance(const struct exchanged *exchanged)
 /* Elements that are all the same, or one or two, stand nowhere too early. */
 static bool have_places(const struct exchanged *exchanged)
 {
-    return exchanged->count > 2 && !is_chance(exchanged)
-           && !all(exchanged, is_first);
+    return exchanged->count > 2 && !is_chance(exchanged) && !all(exchanged, is_first);
 }
 
 static bool too_late(const struct exchanged *exchanged)
@@ -174,22 +169,18 @@ static bool is_little_off(const struct exchanged *exchanged, size_t i)
     double wanted = number_of(exchanged, exchanged->wanted[i]);
     double found = number_of(exchanged, exchanged->found[i]);
 
-    return is_right(exchanged, i)
-           || fabs(found - wanted) <= little * fabs(wanted);
+    return is_right(exchanged, i) || fabs(found - wanted) <= little * fabs(wanted);
 }
 
 static bool is_indefinite(const struct exchanged *exchanged, size_t i)
 {
-    return is_right(exchanged, i)
-           || isnan(number_of(exchanged, exchanged->found[i]));
+    return is_right(exchanged, i) || isnan(number_of(exchanged, exchanged->found[i]));
 }
 
-static bool is_normalised(const struct exchanged *exchanged,
-                          c205_word element)
+static bool is_normalised(const struct exchanged *exchanged, c205_word element)
 {
     switch (exchanged->contents) {
-    case ASM_WORDS:
-        return c205_from_double(c205_to_double(element)) == element;
+    case ASM_WORDS: return c205_from_double(c205_to_double(element)) == element;
     case ASM_HALF_WORDS:
         return c205_half_from_double(c205_half_to_double(element)) == element;
     default: return true;
@@ -198,8 +189,7 @@ static bool is_normalised(const struct exchanged *exchanged,
 
 static bool keeps_bits(const struct exchanged *exchanged, size_t i)
 {
-    return is_zero(exchanged, i)
-           || is_normalised(exchanged, exchanged->found[i])
+    return is_zero(exchanged, i) || is_normalised(exchanged, exchanged->found[i])
            || !is_normalised(exchanged, exchanged->wanted[i]);
 }
 
@@ -242,10 +232,8 @@ static const struct likeness {
       "The right elements stand one place too far in front: element 0 has "
       "what element 1 should have." },
     { NULL, backwards, "The right elements stand there from back to front." },
-    { NULL, unsorted,
-      "The right elements stand there, but they are not sorted." },
-    { NULL, other_order,
-      "The right elements stand there, in another order." },
+    { NULL, unsorted, "The right elements stand there, but they are not sorted." },
+    { NULL, other_order, "The right elements stand there, in another order." },
     { has_other_sign, NULL, "The sign is wrong." },
     { is_other_bit, NULL, "Each bit is the opposite of the right one." },
     { is_little_off, NULL,
@@ -257,15 +245,12 @@ static const struct likeness {
     { NULL, lost_bits,
       "They are not normalised: an integer word among the operands, 2 for "
       "2.0, costs a result its bits." },
-    { NULL, only_begun,
-      "Nothing new was stored behind those that are right." },
+    { NULL, only_begun, "Nothing new was stored behind those that are right." },
 };
 
-static bool fits(const struct likeness *likeness,
-                 const struct exchanged *exchanged)
+static bool fits(const struct likeness *likeness, const struct exchanged *exchanged)
 {
-    return likeness->each ? all(exchanged, likeness->each)
-                          : likeness->whole(exchanged);
+    return likeness->each ? all(exchanged, likeness->each) : likeness->whole(exchanged);
 }
 
 /* ---- In words -------------------------------------------------------------- */
@@ -338,14 +323,13 @@ static void say_wrong(const struct exchanged *exchanged, size_t wrong,
     else if (wrong == count)
         sink_print(sink, "All %zu elements of %s are wrong: ", count, label);
     else
-        sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong,
-                   count, label, wrong == 1 ? "is" : "are");
+        sink_print(sink, "%zu of the %zu elements of %s %s wrong: ", wrong, count,
+                   label, wrong == 1 ? "is" : "are");
     say_elements(exchanged, wrong, sink);
     sink_put(sink, " (counted from 0).");
 }
 
-static void say_likeness(const struct exchanged *exchanged,
-                         const struct sink *sink)
+static void say_likeness(const struct exchanged *exchanged, const struct sink *sink)
 {
     size_t i = 0, count = sizeof likenesses / sizeof *likenesses;
 
@@ -355,8 +339,7 @@ static void say_likeness(const struct exchanged *exchanged,
         sink_print(sink, "  %s", likenesses[i].sentence);
 }
 
-bool wrong_tell(const struct exchanged *exchanged,
-                struct lesson_report *report)
+bool wrong_tell(const struct exchanged *exchanged, struct lesson_report *report)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);

@@ -27,14 +27,12 @@ static struct straight_line fit(const struct program_sweep *sweep, int which,
     return straight_line_through(points, sweep->count);
 }
 
-static uint64_t clocks_at(const struct program_sweep *sweep, int which,
-                          size_t i)
+static uint64_t clocks_at(const struct program_sweep *sweep, int which, size_t i)
 {
     return accounts_clocks(&sweep->points[i].runs[which]);
 }
 
-static bool grows(const struct program_sweep *sweep, int which,
-                  figure_of *figure)
+static bool grows(const struct program_sweep *sweep, int which, figure_of *figure)
 {
     return figure(&sweep->points[sweep->count - 1].runs[which])
            > figure(&sweep->points[0].runs[which]);
@@ -44,8 +42,7 @@ static void find_farthest(const struct program_sweep *sweep, int which,
                           struct swept_line *line)
 {
     for (size_t i = 0; i < sweep->count; i++) {
-        double at = straight_line_at(&line->clocks,
-                                     (double)sweep->points[i].value);
+        double at = straight_line_at(&line->clocks, (double)sweep->points[i].value);
         double off = at / (double)clocks_at(sweep, which, i) - 1;
 
         if (i == 0 || fabs(off) > fabs(line->off)) {

@@ -51,8 +51,7 @@ struct swept_picture {
 static double place_on(const struct log_axis *axis, double value)
 {
     return axis->begin
-           + axis->length * log(value / axis->low)
-                 / log(axis->high / axis->low);
+           + axis->length * log(value / axis->low) / log(axis->high / axis->low);
 }
 
 static double clocks_of(const struct swept_point *point, size_t which)
@@ -98,8 +97,8 @@ static void label_of(uint64_t value, char label[LABEL])
     }
 }
 
-static void put_tick(const struct swept_picture *picture, bool upright,
-                     uint64_t value, bool labelled)
+static void put_tick(const struct swept_picture *picture, bool upright, uint64_t value,
+                     bool labelled)
 {
     const struct log_axis *axis = upright ? &picture->x : &picture->y;
     double at = place_on(axis, (double)value);
@@ -108,15 +107,13 @@ static void put_tick(const struct swept_picture *picture, bool upright,
 
     label_of(value, label);
     sink_print(picture->sink, "<path d=\"M%.1f %.1f%c%d\" class=\"tick\"/>",
-               upright ? at : LEFT, upright ? bottom : at,
-               upright ? 'V' : 'H', upright ? picture->top : LEFT + WIDTH);
+               upright ? at : LEFT, upright ? bottom : at, upright ? 'V' : 'H',
+               upright ? picture->top : LEFT + WIDTH);
     if (labelled && upright)
-        sink_print(picture->sink,
-                   "<text x=\"%.1f\" y=\"%d\" class=\"at\">%s</text>", at,
-                   bottom + 17, label);
+        sink_print(picture->sink, "<text x=\"%.1f\" y=\"%d\" class=\"at\">%s</text>",
+                   at, bottom + 17, label);
     else if (labelled)
-        sink_print(picture->sink,
-                   "<text x=\"%d\" y=\"%.1f\" class=\"up\">%s</text>",
+        sink_print(picture->sink, "<text x=\"%d\" y=\"%.1f\" class=\"up\">%s</text>",
                    LEFT - 8, at + 4, label);
     sink_put(picture->sink, "\n");
 }
@@ -161,8 +158,7 @@ static void put_axes(const struct swept_picture *picture)
     sink_print(picture->sink,
                "<path d=\"M%d %dV%dH%d\" class=\"axis\"/>\n"
                "<text x=\"%d\" y=\"%d\" class=\"at\">",
-               LEFT, picture->top, bottom, LEFT + WIDTH, LEFT + WIDTH / 2,
-               bottom + 40);
+               LEFT, picture->top, bottom, LEFT + WIDTH, LEFT + WIDTH / 2, bottom + 40);
     svg_put_escaped(picture->sink, picture->sweep->constant);
     sink_print(picture->sink,
                "</text>\n<text transform=\"translate(18 %d) rotate(-90)\" "
@@ -187,8 +183,8 @@ static void put_key(const struct swept_picture *picture, size_t which)
         sink_print(picture->sink, ": %.1f + %.4g ", line->clocks.at_zero,
                    line->clocks.slope);
     else
-        sink_put(picture->sink, line->grows ? ": no straight line in "
-                                            : ": does not grow with ");
+        sink_put(picture->sink,
+                 line->grows ? ": no straight line in " : ": does not grow with ");
     svg_put_escaped(picture->sink, picture->sweep->constant);
     sink_print(picture->sink, "%s</text>\n", line->good ? " clocks" : "");
 }
@@ -207,16 +203,14 @@ static void put_curve(const struct swept_picture *picture, size_t which)
                colors[which], line->good ? "1.6" : ".7");
     for (size_t i = 0; i <= parts; i++) {
         double value = line->good ? (double)range->from
-                                        * pow((double)range->to
-                                                  / (double)range->from,
+                                        * pow((double)range->to / (double)range->from,
                                               (double)i / (double)parts)
                                   : (double)sweep->points[i].value;
         double clocks = line->good ? straight_line_at(&line->clocks, value)
                                    : clocks_of(&sweep->points[i], which);
 
         sink_print(picture->sink, "%s%.1f %.1f", i > 0 ? "L" : "M",
-                   place_on(&picture->x, value),
-                   place_on(&picture->y, clocks));
+                   place_on(&picture->x, value), place_on(&picture->y, clocks));
     }
     sink_put(picture->sink, "\"/>\n");
 }
@@ -234,11 +228,10 @@ static void put_points(const struct swept_picture *picture, size_t which)
                    "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"%s\">"
                    "<title>",
                    place_on(&picture->x, (double)point->value),
-                   place_on(&picture->y, clocks),
-                   sweep->count > 60 ? "2" : "3", colors[which]);
+                   place_on(&picture->y, clocks), sweep->count > 60 ? "2" : "3",
+                   colors[which]);
         svg_put_escaped(picture->sink, sweep->constant);
-        sink_print(picture->sink,
-                   " = %" PRIu64 ": %.0f clock%s</title></circle>\n",
+        sink_print(picture->sink, " = %" PRIu64 ": %.0f clock%s</title></circle>\n",
                    point->value, clocks, plural((uint64_t)clocks));
     }
 }
@@ -246,9 +239,8 @@ static void put_points(const struct swept_picture *picture, size_t which)
 /* ---- Marks ----------------------------------------------------------------- */
 
 /* The label is written by the caller.  NULL: there is no room. */
-static struct swept_mark *new_mark(struct swept_picture *picture,
-                                   double value, double clocks,
-                                   const char *color)
+static struct swept_mark *new_mark(struct swept_picture *picture, double value,
+                                   double clocks, const char *color)
 {
     struct swept_mark *mark = &picture->marks[picture->mark_count];
 
@@ -279,15 +271,14 @@ static void mark_crossing(struct swept_picture *picture,
                           const struct swept_crossing *crossing)
 {
     struct swept_mark *mark = new_mark(picture, (double)crossing->at.value,
-                                       clocks_of(&crossing->at, SWEPT_SECOND),
-                                       "#333");
+                                       clocks_of(&crossing->at, SWEPT_SECOND), "#333");
     char value[LABEL];
 
     if (!mark)
         return;
     label_of(crossing->at.value, value);
-    snprintf(mark->label, sizeof mark->label, "from %s on the second is %s",
-             value, crossing->faster ? "faster" : "not faster any more");
+    snprintf(mark->label, sizeof mark->label, "from %s on the second is %s", value,
+             crossing->faster ? "faster" : "not faster any more");
 }
 
 static void find_marks(struct swept_picture *picture)
@@ -311,8 +302,8 @@ static void put_marks(const struct swept_picture *picture)
                    "<path d=\"M%.1f %.1fV%d\" stroke=\"%s\" "
                    "class=\"mark\"/><circle cx=\"%.1f\" cy=\"%.1f\" r=\"6\" "
                    "fill=\"none\" stroke=\"%s\"/>\n",
-                   mark->x, mark->y + 6, bottom, mark->color, mark->x,
-                   mark->y, mark->color);
+                   mark->x, mark->y + 6, bottom, mark->color, mark->x, mark->y,
+                   mark->color);
     }
     for (int i = 0; i < picture->mark_count; i++) {
         const struct swept_mark *mark = &picture->marks[i];
@@ -328,8 +319,8 @@ static void put_marks(const struct swept_picture *picture)
 
 void swept_title(const struct program_sweep *sweep, char title[SWEPT_TITLE])
 {
-    snprintf(title, SWEPT_TITLE, "Clocks against %.40s on %.80s",
-             sweep->constant, c205_model_name(sweep->model));
+    snprintf(title, SWEPT_TITLE, "Clocks against %.40s on %.80s", sweep->constant,
+             c205_model_name(sweep->model));
 }
 
 void swept_svg(const struct program_sweep *sweep, const char *title,

@@ -32,8 +32,7 @@ bool swept_take_range(const char *text, struct swept_range *range)
     if (*text != 'x')
         return take_count(&text, &range->step) && *text == '\0';
     text++;
-    return take_count(&text, &range->factor) && range->factor > 1
-           && *text == '\0';
+    return take_count(&text, &range->factor) && range->factor > 1 && *text == '\0';
 }
 
 static size_t given_values(const struct swept_range *range,
@@ -68,8 +67,7 @@ static size_t spread_values(const struct swept_range *range, size_t points,
 
     for (size_t i = 0; i < points; i++) {
         double part = (double)i / (double)(points - 1);
-        uint64_t value = (uint64_t)llround((double)range->from
-                                           * pow(ratio, part));
+        uint64_t value = (uint64_t)llround((double)range->from * pow(ratio, part));
 
         if (count == 0 || value > values[count - 1])
             values[count++] = value;
@@ -82,6 +80,5 @@ size_t swept_values(const struct swept_range *range, size_t points,
 {
     if (range->step > 0 || range->factor > 0)
         return given_values(range, values);
-    return spread_values(range, points > 0 ? points : usual_points(range),
-                         values);
+    return spread_values(range, points > 0 ? points : usual_points(range), values);
 }

@@ -13,12 +13,11 @@
 
 static bool goes_on(const struct program_sweep *sweep)
 {
-    return !sweep->goes_on
-           || sweep->goes_on(sweep->context, sweep->done, sweep->all);
+    return !sweep->goes_on || sweep->goes_on(sweep->context, sweep->done, sweep->all);
 }
 
-static void note_used(struct program_sweep *sweep,
-                      const struct asm_define *defines, struct object *object)
+static void note_used(struct program_sweep *sweep, const struct asm_define *defines,
+                      struct object *object)
 {
     for (size_t i = 0; defines[i].name; i++) {
         const struct asm_define one[] = { defines[i], { NULL, 0 } };
@@ -32,34 +31,31 @@ static bool uses_all(const struct program_sweep *sweep, c205_error *error)
     const struct asm_define *defines = sweep->options->defines;
     const char *name = sweep->used[0] ? NULL : sweep->constant;
 
-    for (size_t i = 0;
-         !name && i < SWEPT_DEFINES_MOST && defines && defines[i].name; i++)
+    for (size_t i = 0; !name && i < SWEPT_DEFINES_MOST && defines && defines[i].name;
+         i++)
         if (!sweep->used[i + 1])
             name = defines[i].name;
-    snprintf(error->message, sizeof error->message,
-             "'%.100s' is defined, and not used", name ? name : "");
+    snprintf(error->message, sizeof error->message, "'%.100s' is defined, and not used",
+             name ? name : "");
     return !name;
 }
 
 /* Warnings are the same for all values: those of the first run are told. */
 static struct object *assemble_at(struct program_sweep *sweep,
-                                  const struct swept_program *program,
-                                  uint64_t value)
+                                  const struct swept_program *program, uint64_t value)
 {
-    struct asm_define defines[SWEPT_DEFINES_MOST + 2] = {
-        { sweep->constant, (int64_t)value }
-    };
+    struct asm_define defines[SWEPT_DEFINES_MOST + 2] = { { sweep->constant,
+                                                            (int64_t)value } };
     struct asm_options options = *sweep->options;
     struct diagnostics said = { 0 };
     struct object *object;
 
     for (size_t i = 0;
-         i < SWEPT_DEFINES_MOST && options.defines && options.defines[i].name;
-         i++)
+         i < SWEPT_DEFINES_MOST && options.defines && options.defines[i].name; i++)
         defines[i + 1] = options.defines[i];
     options.defines = defines;
-    object = assemble_bytes(program->path, program->text, program->length,
-                            &options, &said);
+    object = assemble_bytes(program->path, program->text, program->length, &options,
+                            &said);
     if (!object || value == sweep->range.from)
         diagnostics_put(&said, &sweep->report);
     if (object && value == sweep->range.from)
@@ -76,8 +72,7 @@ static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
     c205_stop stop;
 
     do {
-        limit = sweep->clocks_most - limit > slice ? limit + slice
-                                                   : sweep->clocks_most;
+        limit = sweep->clocks_most - limit > slice ? limit + slice : sweep->clocks_most;
         stop = c205_run(machine, limit);
     } while (stop.trap == C205_TRAP_CLOCK_LIMIT && limit < sweep->clocks_most
              && goes_on(sweep));
@@ -85,9 +80,8 @@ static c205_stop run_slices(const struct program_sweep *sweep, c205 *machine)
 }
 
 /* Of all regions together. */
-static bool take_account(const struct program_sweep *sweep,
-                         const c205 *machine, c205_account *account,
-                         c205_error *error)
+static bool take_account(const struct program_sweep *sweep, const c205 *machine,
+                         c205_account *account, c205_error *error)
 {
     struct accounts accounts = { .model = sweep->model };
     bool good = accounts_add(&accounts, machine);
@@ -98,9 +92,8 @@ static bool take_account(const struct program_sweep *sweep,
     return good;
 }
 
-static bool run_object(const struct program_sweep *sweep,
-                       const struct object *object, c205_account *account,
-                       c205_error *error)
+static bool run_object(const struct program_sweep *sweep, const struct object *object,
+                       c205_account *account, c205_error *error)
 {
     c205 *machine = c205_new(sweep->model, error);
     c205_program program = object->program;
@@ -173,13 +166,11 @@ static bool find_crossing(struct program_sweep *sweep, c205_error *error)
 
     *error->message = '\0';
     while (++sweep->searched < sweep->count) {
-        const struct swept_point *points = sweep->points + sweep->searched
-                                           - 1;
+        const struct swept_point *points = sweep->points + sweep->searched - 1;
 
         if (second_is_faster(&points[0]) == second_is_faster(&points[1]))
             continue;
-        grown = array_grow(sweep->crossings, sweep->crossing_count,
-                           sizeof *grown);
+        grown = array_grow(sweep->crossings, sweep->crossing_count, sizeof *grown);
         if (!grown)
             return error_say(error, "no memory");
         sweep->crossings = grown;
@@ -197,8 +188,7 @@ static bool find_crossing(struct program_sweep *sweep, c205_error *error)
 static bool halve(struct program_sweep *sweep, c205_error *error)
 {
     bool all = sweep->range.step == 0 && sweep->range.factor == 0;
-    struct swept_crossing *crossing = sweep->crossings + sweep->crossing_count
-                                      - 1;
+    struct swept_crossing *crossing = sweep->crossings + sweep->crossing_count - 1;
     uint64_t value = sweep->low + (crossing->at.value - sweep->low) / 2;
     struct swept_point middle;
 
@@ -240,8 +230,7 @@ static bool begin(struct program_sweep *sweep, c205_error *error)
         sweep->points[i].value = values[i];
         sweep->all += sweep->program_count * values[i];
     }
-    snprintf(sweep->per_element, sizeof sweep->per_element, "clk/%s",
-             sweep->constant);
+    snprintf(sweep->per_element, sizeof sweep->per_element, "clk/%s", sweep->constant);
     return true;
 }
 

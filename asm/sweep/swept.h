@@ -61,8 +61,7 @@ struct program_sweep {
     } programs[SWEPT_PROGRAMS];
     size_t program_count;
     const c205_model *model;
-    const struct asm_options
-        *options; /* the constant besides; so many defines */
+    const struct asm_options *options; /* the constant besides; so many defines */
     /* Pages are in memory at the start, or not; neither: as the programs say. */
     bool warm, cold;
     uint64_t clocks_most; /* of a run */

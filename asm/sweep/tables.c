@@ -27,8 +27,8 @@ struct table *swept_points(const struct program_sweep *sweep)
     bool two = sweep->program_count == SWEPT_PROGRAMS;
     struct table *table;
     if (two) {
-        columns[1] = (struct table_column){ "first_clocks", "first clocks",
-                                            TABLE_COUNT, 0 };
+        columns[1] = (struct table_column){ "first_clocks", "first clocks", TABLE_COUNT,
+                                            0 };
         columns[2].key = "first_per_element";
         columns[3].key = "first_mflops";
     }
@@ -57,8 +57,7 @@ struct table *swept_causes(const struct program_sweep *sweep)
         { "clocks", "clocks", TABLE_COUNT, 0 },
     };
     struct table *table;
-    memcpy(columns + 3, accounts_cause_columns,
-           sizeof accounts_cause_columns);
+    memcpy(columns + 3, accounts_cause_columns, sizeof accounts_cause_columns);
     table = table_new(TABLE_COLUMNS(columns));
     for (size_t i = 0; table && i < sweep->count; i++) {
         for (size_t k = 0; k < sweep->program_count; k++) {
@@ -74,8 +73,7 @@ struct table *swept_causes(const struct program_sweep *sweep)
 }
 
 /* Of what is no line only how far it is from one. */
-static void add_line(struct table *table, const struct program_sweep *sweep,
-                     int which)
+static void add_line(struct table *table, const struct program_sweep *sweep, int which)
 {
     struct swept_line line = swept_line_of(sweep, which);
     double per_second = 1 / accounts_seconds(sweep->model, 1);

@@ -55,23 +55,21 @@ static bool add(struct log *log, uint64_t clock, size_t insn, int kind,
     if (!grown)
         return false;
     log->items = grown;
-    grown[log->count] = (struct happening){ clock, insn, kind, log->count,
-                                            stage };
+    grown[log->count] = (struct happening){ clock, insn, kind, log->count, stage };
     log->count++;
     return true;
 }
 
 /* None of no length. */
-static bool add_stage(struct log *log, size_t insn, uint64_t begin,
-                      uint64_t end, const char *stage)
+static bool add_stage(struct log *log, size_t insn, uint64_t begin, uint64_t end,
+                      const char *stage)
 {
     return begin == end
            || (add(log, begin, insn, ENTERS, stage)
                && add(log, end, insn, LEAVES, stage));
 }
 
-static bool add_insn(struct log *log, const struct timeline *timeline,
-                     size_t i)
+static bool add_insn(struct log *log, const struct timeline *timeline, size_t i)
 {
     const struct timed_insn *insn = &timeline->insns[i];
     bool good = add(log, insn->arrived, i, APPEARS, NULL)
@@ -79,11 +77,9 @@ static bool add_insn(struct log *log, const struct timeline *timeline,
     size_t k;
 
     for (k = 0; good && k < insn->phase_count; k++) {
-        const struct timed_piece
-            *phase = &timeline->phases[insn->first_phase + k];
+        const struct timed_piece *phase = &timeline->phases[insn->first_phase + k];
 
-        good = add_stage(log, i, phase->begin, phase->end,
-                         stage_of(phase->cause));
+        good = add_stage(log, i, phase->begin, phase->end, stage_of(phase->cause));
     }
     if (good && insn->phase_count == 0)
         good = add_stage(log, i, insn->issued, insn->ready, "X");
@@ -108,11 +104,9 @@ static void put(const struct timeline *timeline, const struct happening *item,
     switch (item->kind) {
     case APPEARS:
         sink_print(sink, "I\t%zu\t%zu\t0\n", id, id);
-        sink_print(sink, "L\t%zu\t0\t%" PRIX64 ": %s\n", id, insn->pc,
-                   insn->text);
+        sink_print(sink, "L\t%zu\t0\t%" PRIX64 ": %s\n", id, insn->pc, insn->text);
         sink_print(sink,
-                   "L\t%zu\t1\tissued %" PRIu64 ", result %" PRIu64
-                   ", %zu element%s\n",
+                   "L\t%zu\t1\tissued %" PRIu64 ", result %" PRIu64 ", %zu element%s\n",
                    id, insn->issued, insn->ready, insn->elements,
                    plural(insn->elements));
         break;

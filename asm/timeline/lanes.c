@@ -16,8 +16,7 @@ const char *lane_name(enum lane lane)
 /* The first row that is free at its beginning; ends has the end of each row. */
 enum { ROWS_MOST = 64 };
 
-static unsigned find_row(const struct timed_span *span,
-                         uint64_t ends[ROWS_MOST])
+static unsigned find_row(const struct timed_span *span, uint64_t ends[ROWS_MOST])
 {
     unsigned row = 0;
 
@@ -50,8 +49,8 @@ static bool add(struct making *making, struct timed_span span)
     span.end = cut(making->timeline, span.end);
     if (span.begin == span.end)
         return true;
-    grown = arena_grow(making->arena, lanes->spans, lanes->count,
-                       &lanes->capacity, sizeof *grown);
+    grown = arena_grow(making->arena, lanes->spans, lanes->count, &lanes->capacity,
+                       sizeof *grown);
     if (!grown)
         return false;
     span.row = find_row(&span, making->ends[span.lane]);
@@ -67,11 +66,11 @@ static bool add_pieces(struct making *making, const struct timed_insn *insn)
     size_t i;
 
     for (i = 0; i < insn->piece_count; i++) {
-        const struct timed_piece
-            *piece = &making->timeline->pieces[insn->first_piece + i];
+        const struct timed_piece *piece = &making->timeline
+                                               ->pieces[insn->first_piece + i];
 
-        if (!add(making, (struct timed_span){ piece->begin, piece->end,
-                                              LANE_CHARGED, 0, insn, piece }))
+        if (!add(making, (struct timed_span){ piece->begin, piece->end, LANE_CHARGED, 0,
+                                              insn, piece }))
             return false;
     }
     return true;
@@ -82,13 +81,13 @@ static bool add_phases(struct making *making, const struct timed_insn *insn)
     size_t i;
 
     for (i = 0; i < insn->phase_count; i++) {
-        const struct timed_piece
-            *phase = &making->timeline->phases[insn->first_phase + i];
+        const struct timed_piece *phase = &making->timeline
+                                               ->phases[insn->first_phase + i];
         enum lane lane = phase->cause == C205_VECTOR_STREAM ? LANE_STREAM
                                                             : LANE_STARTUP;
 
-        if (!add(making, (struct timed_span){ phase->begin, phase->end, lane,
-                                              0, insn, phase }))
+        if (!add(making,
+                 (struct timed_span){ phase->begin, phase->end, lane, 0, insn, phase }))
             return false;
     }
     return true;
@@ -105,9 +104,9 @@ static bool add_insn(struct making *making, const struct timed_insn *insn)
 {
     return add_pieces(making, insn) && add_phases(making, insn)
            && (insn->phase_count > 0 || !insn->insn
-               || add(making, (struct timed_span){ insn->issued, insn->ready,
-                                                   lane_of(insn->insn), 0,
-                                                   insn, NULL }));
+               || add(making,
+                      (struct timed_span){ insn->issued, insn->ready,
+                                           lane_of(insn->insn), 0, insn, NULL }));
 }
 
 bool lanes_make(const struct timeline *timeline, struct arena *arena,

@@ -21,14 +21,12 @@ struct timed_span {
     enum lane lane;
     unsigned row; /* within the lane */
     const struct timed_insn *insn;
-    const struct timed_piece
-        *piece; /* or phase; NULL: of a scalar instruction */
+    const struct timed_piece *piece; /* or phase; NULL: of a scalar instruction */
 };
 
 struct lanes {
     size_t count, capacity;
-    struct timed_span
-        *spans; /* instruction by instruction, in the order of the run */
+    struct timed_span *spans; /* instruction by instruction, in the order of the run */
     unsigned rows[LANES];
 };
 

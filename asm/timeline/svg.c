@@ -76,8 +76,8 @@ static void put_axis(const struct timeline_picture *picture)
                    "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%d\" y2=\"%u\" "
                    "class=\"tick\"/><text x=\"%.1f\" y=\"%d\" "
                    "class=\"clock\">%" PRIu64 "</text>\n",
-                   x_of(picture, clock), x_of(picture, clock), TOP - 6,
-                   picture->bottom, x_of(picture, clock), TOP - 10, clock);
+                   x_of(picture, clock), x_of(picture, clock), TOP - 6, picture->bottom,
+                   x_of(picture, clock), TOP - 10, clock);
 }
 
 static void put_names(const struct timeline_picture *picture)
@@ -87,9 +87,8 @@ static void put_names(const struct timeline_picture *picture)
     for (lane = 0; lane < LANES; lane++)
         if (picture->lanes.rows[lane] > 0)
             sink_print(picture->sink,
-                       "<text x=\"%d\" y=\"%u\" class=\"lane\">%s</text>\n",
-                       LEFT - 8, picture->top[lane] + 14,
-                       lane_name((enum lane)lane));
+                       "<text x=\"%d\" y=\"%u\" class=\"lane\">%s</text>\n", LEFT - 8,
+                       picture->top[lane] + 14, lane_name((enum lane)lane));
 }
 
 static void put_key(const struct timeline_picture *picture)
@@ -128,13 +127,11 @@ static void put_title(const struct timeline_picture *picture,
 
     sink_put(picture->sink, "<title>");
     if (span->piece)
-        sink_print(picture->sink, "%s, ",
-                   c205_cause_name(span->piece->cause));
+        sink_print(picture->sink, "%s, ", c205_cause_name(span->piece->cause));
     sink_print(picture->sink,
-               "%" PRIu64 " clock%s, %" PRIu64 " .. %" PRIu64 "\n%" PRIX64
-               ": ",
-               span->end - span->begin, plural(span->end - span->begin),
-               span->begin, span->end, insn->pc);
+               "%" PRIu64 " clock%s, %" PRIu64 " .. %" PRIu64 "\n%" PRIX64 ": ",
+               span->end - span->begin, plural(span->end - span->begin), span->begin,
+               span->end, insn->pc);
     svg_put_escaped(picture->sink, insn->text);
     sink_print(picture->sink,
                "\narrived %" PRIu64 ", issued %" PRIu64 ", result %" PRIu64,
@@ -160,14 +157,12 @@ static void put_span(const struct timeline_picture *picture,
                span->piece ? colors[span->piece->cause] : scalar_color);
     put_title(picture, span);
     if (wide > LETTER * (double)strlen(label) + 6)
-        sink_print(picture->sink,
-                   "<text x=\"%.1f\" y=\"%u\" class=\"%s\">%s</text>",
+        sink_print(picture->sink, "<text x=\"%.1f\" y=\"%u\" class=\"%s\">%s</text>",
                    x + wide / 2, y + 13, span->piece ? "on" : "in", label);
     sink_put(picture->sink, "</g>\n");
 }
 
-static void put_head(const struct timeline_picture *picture,
-                     const char *title)
+static void put_head(const struct timeline_picture *picture, const char *title)
 {
     struct svg_sheet sheet = {
         .width = LEFT + WIDTH + RIGHT,

@@ -7,9 +7,8 @@
 
 /* Room in an array of the timeline, or NULL. */
 #define ROOM(timeline, what) \
-    arena_grow(&(timeline)->kept, (timeline)->what##s, \
-               (timeline)->what##_count, &(timeline)->what##_capacity, \
-               sizeof *(timeline)->what##s)
+    arena_grow(&(timeline)->kept, (timeline)->what##s, (timeline)->what##_count, \
+               &(timeline)->what##_capacity, sizeof *(timeline)->what##s)
 
 static bool add_piece(struct timeline *timeline, uint64_t begin,
                       const c205_piece *piece)
@@ -19,9 +18,9 @@ static bool add_piece(struct timeline *timeline, uint64_t begin,
     if (!grown)
         return false;
     timeline->pieces = grown;
-    grown[timeline->piece_count++] = (struct timed_piece){
-        begin, begin + piece->clocks, piece->cause, piece->wait, piece->number
-    };
+    grown[timeline->piece_count++] = (struct timed_piece){ begin, begin + piece->clocks,
+                                                           piece->cause, piece->wait,
+                                                           piece->number };
     return true;
 }
 
@@ -48,10 +47,10 @@ static bool add_phases(struct timeline *timeline, const c205_times *times)
         if (!grown)
             return false;
         timeline->phases = grown;
-        grown[timeline->phase_count++] = (struct timed_piece){
-            times->phase[i].begin, times->phase[i].end, times->phase[i].cause,
-            C205_WAIT_NONE, 0
-        };
+        grown[timeline->phase_count++] = (struct timed_piece){ times->phase[i].begin,
+                                                               times->phase[i].end,
+                                                               times->phase[i].cause,
+                                                               C205_WAIT_NONE, 0 };
     }
     return true;
 }
@@ -101,24 +100,21 @@ static void add_insn(struct timeline *timeline, const c205 *machine,
         made.done = made.arrived + event->clocks;
     }
     made.text = keep_text(timeline, machine, event->pc);
-    if (!made.text || !add_pieces(timeline, times)
-        || !add_phases(timeline, times))
+    if (!made.text || !add_pieces(timeline, times) || !add_phases(timeline, times))
         return;
     made.piece_count = timeline->piece_count - made.first_piece;
     made.phase_count = timeline->phase_count - made.first_phase;
     timeline->insns[timeline->insn_count++] = made;
 }
 
-void timeline_listen(void *context, const c205 *machine,
-                     const c205_event *event)
+void timeline_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct timeline *timeline = context;
 
     if (!event->record || event->record->arrived >= timeline->to
         || done_of(event) <= timeline->from)
         return;
-    if (timeline->insn_count
-        == (timeline->most > 0 ? timeline->most : TIMELINE_MOST))
+    if (timeline->insn_count == (timeline->most > 0 ? timeline->most : TIMELINE_MOST))
         timeline->full = true;
     else
         add_insn(timeline, machine, event);

@@ -25,9 +25,8 @@ struct timed_piece {
 
 struct timed_insn {
     uint64_t pc, arrived, issued, ready;
-    uint64_t done; /* its results are there, and the clock has moved on */
-    const c205_insn
-        *insn; /* NULL: what was in flight at the end of the run */
+    uint64_t done;         /* its results are there, and the clock has moved on */
+    const c205_insn *insn; /* NULL: what was in flight at the end of the run */
     const char *text;
     size_t elements;
     size_t first_piece, piece_count, first_phase, phase_count;
@@ -53,10 +52,8 @@ void timeline_free(struct timeline *timeline);
 /* The title is that of the picture. */
 bool timeline_svg(const struct timeline *timeline, const char *title,
                   const struct sink *sink);
-bool timeline_kanata(const struct timeline *timeline,
-                     const struct sink *sink);
-bool timeline_trace_events(const struct timeline *timeline,
-                           const struct sink *sink);
+bool timeline_kanata(const struct timeline *timeline, const struct sink *sink);
+bool timeline_trace_events(const struct timeline *timeline, const struct sink *sink);
 
 /* "saxpy.s, clocks 0 to 1242 on cyber205-2pipe" */
 enum { TIMELINE_TITLE = 400 };
@@ -71,11 +68,10 @@ void timeline_settle(struct timeline *timeline);
 struct timeline_form;
 const struct timeline_form *timeline_form_of(const char *path);
 bool timeline_is_named(const char *path);
-bool timeline_write(const struct timeline *timeline,
-                    const struct timeline_form *form, const char *title,
-                    const struct sink *sink);
+bool timeline_write(const struct timeline *timeline, const struct timeline_form *form,
+                    const char *title, const struct sink *sink);
 /* As a file of such a name; whole, or not at all. */
-bool timeline_save(const struct timeline *timeline, const char *path,
-                   const char *title, c205_error *error);
+bool timeline_save(const struct timeline *timeline, const char *path, const char *title,
+                   c205_error *error);
 
 #endif

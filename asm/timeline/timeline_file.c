@@ -7,8 +7,8 @@
 #include "base/file.h"
 #include "base/whole.h"
 
-typedef bool write_timeline(const struct timeline *timeline,
-                            const char *title, const struct sink *sink);
+typedef bool write_timeline(const struct timeline *timeline, const char *title,
+                            const struct sink *sink);
 
 static bool write_kanata(const struct timeline *timeline, const char *title,
                          const struct sink *sink)
@@ -17,8 +17,8 @@ static bool write_kanata(const struct timeline *timeline, const char *title,
     return timeline_kanata(timeline, sink);
 }
 
-static bool write_trace_events(const struct timeline *timeline,
-                               const char *title, const struct sink *sink)
+static bool write_trace_events(const struct timeline *timeline, const char *title,
+                               const struct sink *sink)
 {
     (void)title;
     return timeline_trace_events(timeline, sink);
@@ -47,15 +47,14 @@ bool timeline_is_named(const char *path)
     return timeline_form_of(path);
 }
 
-bool timeline_write(const struct timeline *timeline,
-                    const struct timeline_form *form, const char *title,
-                    const struct sink *sink)
+bool timeline_write(const struct timeline *timeline, const struct timeline_form *form,
+                    const char *title, const struct sink *sink)
 {
     return form->write(timeline, title, sink);
 }
 
-bool timeline_save(const struct timeline *timeline, const char *path,
-                   const char *title, c205_error *error)
+bool timeline_save(const struct timeline *timeline, const char *path, const char *title,
+                   c205_error *error)
 {
     struct whole *whole = whole_open(path, error);
     struct sink sink;

@@ -24,8 +24,7 @@ static void put_escaped(const struct sink *sink, const char *text)
 }
 
 /* Threads are numbered through all rows. */
-static unsigned thread_of(const struct lanes *lanes, enum lane lane,
-                          unsigned row)
+static unsigned thread_of(const struct lanes *lanes, enum lane lane, unsigned row)
 {
     unsigned number = 1 + row;
     int i;
@@ -48,28 +47,23 @@ static void put_threads(const struct lanes *lanes, const struct sink *sink)
                        "{\"name\":\"thread_name\",\"ph\":\"M\",\"pid\":1,"
                        "\"tid\":%u,\"args\":{\"name\":\"%s\"}},\n",
                        thread, lane_name((enum lane)lane));
-            sink_print(
-                sink,
-                "{\"name\":\"thread_sort_index\",\"ph\":\"M\","
-                "\"pid\":1,\"tid\":%u,\"args\":{\"sort_index\":%u}},\n",
-                thread, thread);
+            sink_print(sink,
+                       "{\"name\":\"thread_sort_index\",\"ph\":\"M\","
+                       "\"pid\":1,\"tid\":%u,\"args\":{\"sort_index\":%u}},\n",
+                       thread, thread);
         }
 }
 
 static void put_span(const struct lanes *lanes, const struct timed_span *span,
                      const struct sink *sink)
 {
-    const char *cause = span->piece ? c205_cause_name(span->piece->cause)
-                                    : "work";
+    const char *cause = span->piece ? c205_cause_name(span->piece->cause) : "work";
 
     sink_put(sink, "{\"name\":\"");
-    put_escaped(sink, span->lane == LANE_CHARGED
-                          ? cause
-                          : span->insn->insn->mnemonic);
+    put_escaped(sink, span->lane == LANE_CHARGED ? cause : span->insn->insn->mnemonic);
     sink_print(sink,
                "\",\"cat\":\"%s\",\"ph\":\"X\",\"pid\":1,\"tid\":%u,"
-               "\"ts\":%" PRIu64 ",\"dur\":%" PRIu64
-               ",\"args\":{\"pc\":\"%" PRIX64
+               "\"ts\":%" PRIu64 ",\"dur\":%" PRIu64 ",\"args\":{\"pc\":\"%" PRIX64
                "\",\"elements\":%zu,\"instruction\":\"",
                cause, thread_of(lanes, span->lane, span->row), span->begin,
                span->end - span->begin, span->insn->pc, span->insn->elements);
@@ -77,8 +71,7 @@ static void put_span(const struct lanes *lanes, const struct timed_span *span,
     sink_put(sink, "\"}}");
 }
 
-bool timeline_trace_events(const struct timeline *timeline,
-                           const struct sink *sink)
+bool timeline_trace_events(const struct timeline *timeline, const struct sink *sink)
 {
     struct arena arena = { NULL, false };
     struct lanes lanes = { 0 };

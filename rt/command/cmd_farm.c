@@ -33,10 +33,9 @@ int cmd_tell_share(const struct rt205_arguments *arguments, size_t units)
     const struct farm *farm = &arguments->units.farm;
 
     if (farm->file)
-        cmd_print_line(
-            stderr, "%s: part %zu of %zu is done: %s has %zu of %zu unit%s",
-            arguments->command, farm->part, farm->parts, farm->paths[0],
-            unit_file_count(farm->file), units, plural(units));
+        cmd_print_line(stderr, "%s: part %zu of %zu is done: %s has %zu of %zu unit%s",
+                       arguments->command, farm->part, farm->parts, farm->paths[0],
+                       unit_file_count(farm->file), units, plural(units));
     return CMD_DONE;
 }
 
@@ -71,10 +70,9 @@ static int begin_ranks(const struct rt205_arguments *arguments)
     setenv("OMPI_MCA_pml", "ob1", 0);
     process_become(words);
     return cmd_failed(arguments->command,
-                      errno == ENOENT
-                          ? "mpirun is not there: the package openmpi-bin "
-                            "has it"
-                          : "mpirun cannot be begun");
+                      errno == ENOENT ? "mpirun is not there: the package openmpi-bin "
+                                        "has it"
+                                      : "mpirun cannot be begun");
 }
 
 /* Whoever is not rank 0 tells nothing and writes nothing. */
@@ -83,8 +81,7 @@ static void be_silent(struct rt205_arguments *arguments)
     arguments->output = NULL;
     arguments->results.path = NULL;
     arguments->results.format = RESULTS_TEXT;
-    if (!freopen("/dev/null", "w", stdout)
-        || !freopen("/dev/null", "w", stderr))
+    if (!freopen("/dev/null", "w", stdout) || !freopen("/dev/null", "w", stderr))
         abort();
 }
 

@@ -35,8 +35,7 @@ static struct heat_request request_of(const struct rt205_arguments *arguments)
     const struct cmd_heat *wishes = &arguments->heat;
     const struct trace_options *trace = &arguments->trace;
     bool by_lines = wishes->lines > 0;
-    size_t most = by_lines ? (size_t)1 << GLOBAL_LINES_LOG_MOST
-                           : FACTORS_POINTS_MOST;
+    size_t most = by_lines ? (size_t)1 << GLOBAL_LINES_LOG_MOST : FACTORS_POINTS_MOST;
 
     return (struct heat_request){
         .mode = trace->mode,
@@ -71,8 +70,7 @@ static void warn_of_receivers(const struct rt205_arguments *arguments,
 
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (heat->refusals[i])
-            cmd_print_line(stderr,
-                           "%s:%zu: warning: the %s receives alone: %s",
+            cmd_print_line(stderr, "%s:%zu: warning: the %s receives alone: %s",
                            arguments->scene, scene->primitives[i].line,
                            primitive_kind_name(scene->primitives[i].kind),
                            heat->refusals[i]);
@@ -93,8 +91,7 @@ static bool find_stage(const void *found, enum trace_mode mode,
     request.drawn = heat->drawn;
     request.tolerance = 0;
     request.farm = NULL;
-    good = heat_begin(heat->scene, &request, &other, error)
-           && heat_find(&other, error);
+    good = heat_begin(heat->scene, &request, &other, error) && heat_find(&other, error);
     if (good) {
         *same = heat_is_same(heat, &other);
         memcpy(clocks, other.clocks, sizeof other.clocks);
@@ -109,8 +106,7 @@ static bool find_stages(const struct heat *heat, struct stages *stages,
     *stages = (struct stages){ .step_count = HEAT_STEPS };
     for (int i = 0; i < HEAT_STEPS; i++)
         stages->steps[i] = heat_step_name((enum heat_step)i);
-    memcpy(stages->clocks[heat->request->mode], heat->clocks,
-           sizeof heat->clocks);
+    memcpy(stages->clocks[heat->request->mode], heat->clocks, sizeof heat->clocks);
     return stages_find(stages, heat->request->mode, find_stage, heat, error);
 }
 
@@ -152,31 +148,27 @@ static bool tell_tables(const struct heat *heat, const struct stages *stages,
                         bool details, const struct results *results)
 {
     return tell_areas(heat, details, results)
-           && tell_part(results, heat_table_of_factors(heat), "factors",
-                        "Factors")
+           && tell_part(results, heat_table_of_factors(heat), "factors", "Factors")
            && (!heat->request->smooth
                || tell_part(results, heat_table_of_smoothed(heat), "smoothed",
                             "Smoothed factors"))
            && (!heat->request->exchange
-               || tell_part(results, heat_table_of_flows(heat), "flows",
-                            "Flows"))
+               || tell_part(results, heat_table_of_flows(heat), "flows", "Flows"))
            && tell_part(results, accounts_of_run(&heat->accounts), "clocks",
                         "Where the clocks went")
            && (!stages
-               || tell_part(results, stages_table(stages), "stages",
-                            "Three stages"));
+               || tell_part(results, stages_table(stages), "stages", "Three stages"));
 }
 
-static bool tell(const struct rt205_arguments *arguments,
-                 const struct heat *heat, const struct stages *stages,
-                 const struct results *results)
+static bool tell(const struct rt205_arguments *arguments, const struct heat *heat,
+                 const struct stages *stages, const struct results *results)
 {
     const struct heat_request *request = heat->request;
     struct json *json = results->json;
 
-    results_say(results, "%s: %zu repeats of %zu %s%s %s, %s\n",
-                arguments->scene, request->repeats, heat->drawn,
-                request->by_lines ? "line" : "point", plural(heat->drawn),
+    results_say(results, "%s: %zu repeats of %zu %s%s %s, %s\n", arguments->scene,
+                request->repeats, heat->drawn, request->by_lines ? "line" : "point",
+                plural(heat->drawn),
                 request->by_lines ? "through all of it" : "of each primitive",
                 request->lattice ? "of the lattice" : "random");
     results_model(results, request->model);
@@ -206,8 +198,7 @@ static bool check_strictly(const struct heat *heat, c205_error *error)
                                  "A F from %s to %s is not that back: %.1f "
                                  "standard errors lie between, and --strict "
                                  "allows %g",
-                                 surfaces->list[i].name,
-                                 surfaces->list[j].name, sigmas,
+                                 surfaces->list[i].name, surfaces->list[j].name, sigmas,
                                  strict_sigmas);
         }
     return true;
@@ -228,9 +219,8 @@ static bool check_precision(const struct heat *heat, c205_error *error)
 
 /* ---- The command -------------------------------------------------------------- */
 
-static bool draw(const struct rt205_arguments *arguments,
-                 const struct heat *heat, const struct results *results,
-                 c205_error *error)
+static bool draw(const struct rt205_arguments *arguments, const struct heat *heat,
+                 const struct results *results, c205_error *error)
 {
     struct heat_look look = { .shown = (enum heat_shown)arguments->heat.shown,
                               .from = arguments->heat.from,
@@ -244,18 +234,16 @@ static bool draw(const struct rt205_arguments *arguments,
     if (!heat_draw(heat, &look, &drawn, error))
         return false;
     results_say(results, "\npicture %s: %s from %g to %g%s; %llu clocks\n",
-                arguments->output, heat_shown_name(look.shown), drawn.least,
-                drawn.most, heat_shown_unit(look.shown),
-                (unsigned long long)drawn.clocks);
+                arguments->output, heat_shown_name(look.shown), drawn.least, drawn.most,
+                heat_shown_unit(look.shown), (unsigned long long)drawn.clocks);
     if (results->json)
         json_text(results->json, "picture", arguments->output);
     return true;
 }
 
 /* What is told leaves no need of the files. */
-static bool tell_all(const struct rt205_arguments *arguments,
-                     const struct heat *heat, const struct results *results,
-                     c205_error *error)
+static bool tell_all(const struct rt205_arguments *arguments, const struct heat *heat,
+                     const struct results *results, c205_error *error)
 {
     struct stages stages;
 
@@ -265,8 +253,7 @@ static bool tell_all(const struct rt205_arguments *arguments,
     }
     if (arguments->heat.stages && !find_stages(heat, &stages, error))
         return false;
-    if (!tell(arguments, heat, arguments->heat.stages ? &stages : NULL,
-              results))
+    if (!tell(arguments, heat, arguments->heat.stages ? &stages : NULL, results))
         return error_say(error, "no memory");
     if (!check_precision(heat, error)
         || (arguments->strict && !check_strictly(heat, error))
@@ -277,8 +264,8 @@ static bool tell_all(const struct rt205_arguments *arguments,
 }
 
 static bool find_and_tell(const struct rt205_arguments *arguments,
-                          const struct scene *scene,
-                          const struct results *results, c205_error *error)
+                          const struct scene *scene, const struct results *results,
+                          c205_error *error)
 {
     struct heat_request request = request_of(arguments);
     struct heat heat;
@@ -293,8 +280,7 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments,
-               const struct results *results)
+static int run(const struct rt205_arguments *arguments, const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     c205_error error = { "" };
@@ -302,12 +288,10 @@ static int run(const struct rt205_arguments *arguments,
 
     if (!scene)
         return CMD_FAILED;
-    good = arguments->heat.hits
-               ? cmd_heat_hits(arguments, scene, results, &error)
-               : find_and_tell(arguments, scene, results, &error);
+    good = arguments->heat.hits ? cmd_heat_hits(arguments, scene, results, &error)
+                                : find_and_tell(arguments, scene, results, &error);
     scene_free(scene);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
 /* Of options that exclude each other, a sentence; NULL: there are none. */
@@ -323,9 +307,8 @@ static const char *contradiction(const struct rt205_arguments *arguments)
         return "--stages compares what this process finds: not with --ranks "
                "or --part";
     if (arguments->heat.hits
-        && (arguments->heat.stages || arguments->heat.smooth
-            || arguments->heat.exchange || arguments->heat.tolerance > 0
-            || arguments->output))
+        && (arguments->heat.stages || arguments->heat.smooth || arguments->heat.exchange
+            || arguments->heat.tolerance > 0 || arguments->output))
         return "--hits tells what rays strike, and no more: not with "
                "--stages, --smooth, --exchange, --tolerance or -o";
     if (arguments->output && arguments->heat.shown == SHOWN_FLOW
@@ -397,9 +380,8 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(heat.by),
       .choice = by_choice,
       .help = "what the surfaces are" },
-    CMD_FLAG(
-        "exchange", heat.exchange,
-        "also what they lose, of grey diffuse surfaces; lengths are metres"),
+    CMD_FLAG("exchange", heat.exchange,
+             "also what they lose, of grey diffuse surfaces; lengths are metres"),
     CMD_FLAG("smooth", heat.smooth,
              "also the nearest factors that have reciprocity and closure; "
              "the exchange is by these"),
@@ -408,9 +390,8 @@ static const struct command_option options[] = {
       .kind = COMMAND_TEXT,
       .many = true,
       .offset = CMD_PLACE(heat.temperatures),
-      .help =
-          "of a part or a material, or adiabatic; of the environment (0); "
-          "default: of all that have none" },
+      .help = "of a part or a material, or adiabatic; of the environment (0); "
+              "default: of all that have none" },
     { .name = "emissivity",
       .value = "NAME=SHARE",
       .kind = COMMAND_TEXT,
@@ -423,10 +404,9 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(heat.from),
       .help = "the part or material that emits, under --hits; the surface "
               "whose factors are shown" },
-    CMD_FLAG(
-        "hits", heat.hits,
-        "whether rays strike cylinders, and no more, on a scalar machine "
-        "and in queues, the longest ones too"),
+    CMD_FLAG("hits", heat.hits,
+             "whether rays strike cylinders, and no more, on a scalar machine "
+             "and in queues, the longest ones too"),
     { CMD_COUNT("lines", heat.lines, 0, 1 << 30, 0,
                 "through all of the scene, in all repeats at least, in place "
                 "of rays") },
@@ -451,14 +431,12 @@ static const struct command_option options[] = {
       .offset = CMD_PLACE(heat.points),
       .choice = points_choice,
       .help = "what they are made of" },
-    { CMD_COUNT("seed", heat.seed, 0, 1e9, 1,
-                "another one makes other points") },
+    { CMD_COUNT("seed", heat.seed, 0, 1e9, 1, "another one makes other points") },
     CMD_MODE(cmd_mode_choice, "in which form; kernels is that of 1984"),
     CMD_FLAG("stages", heat.stages,
              "also in the other two modes, which must find the same: clocks "
              "of all, step by step"),
-    CMD_FLAG("details", details,
-             "also the surfaces that have no area that is seen"),
+    CMD_FLAG("details", details, "also the surfaces that have no area that is seen"),
     CMD_QUEUE("points and rays in the vector queue"),
     CMD_JOBS("packets of rays at a time"),
     CMD_RESUME("packets"),
@@ -489,10 +467,9 @@ const struct command heat_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details =
-        "Each primitive radiates on its outward side, where it is seen; what "
-        "its rays meet first receives them. Errors are standard errors. "
-        "Floats NAME_Temperature and NAME_Emissivity of the scene are "
-        "those of NAME; options come first. Under --strict reciprocity "
-        "counts, too.",
+    .details = "Each primitive radiates on its outward side, where it is seen; what "
+               "its rays meet first receives them. Errors are standard errors. "
+               "Floats NAME_Temperature and NAME_Emissivity of the scene are "
+               "those of NAME; options come first. Under --strict reciprocity "
+               "counts, too.",
 };

@@ -57,8 +57,7 @@ static bool find_ways(struct hits_ways *ways)
             return false;
     for (int way = WAY_QUEUE; way < WAYS; way++)
         if (ways->found[way].struck != ways->found[WAY_SCALAR].struck
-            || memcmp(&ways->found[way].factor,
-                      &ways->found[WAY_SCALAR].factor,
+            || memcmp(&ways->found[way].factor, &ways->found[WAY_SCALAR].factor,
                       sizeof ways->found[way].factor)
                    != 0)
             return error_say(&ways->error, "the forms differ");
@@ -81,8 +80,7 @@ static const struct table_column columns[] = {
 static double seconds_of(const struct hits_ways *ways, enum way way)
 {
     if (way == WAY_PROJECTED)
-        return accounts_seconds(ways->other,
-                                ways->found[WAY_SCALAR].projected);
+        return accounts_seconds(ways->other, ways->found[WAY_SCALAR].projected);
     return accounts_seconds(ways->arguments->trace.model,
                             ways->found[way].accounts.clocks);
 }
@@ -95,8 +93,8 @@ static void add_causes(struct table *table, const struct hits *found)
     table_count(table, all.clocks[C205_PAGE_FAULT]);
 }
 
-static void add_way(struct table *table, const struct hits_ways *ways,
-                    enum way way, const char *name)
+static void add_way(struct table *table, const struct hits_ways *ways, enum way way,
+                    const char *name)
 {
     const struct hits *found = &ways->found[way];
     uint64_t clocks = way == WAY_PROJECTED ? ways->found[WAY_SCALAR].projected
@@ -110,8 +108,7 @@ static void add_way(struct table *table, const struct hits_ways *ways,
     table_number(table, (double)clocks / tests);
     add_causes(table, found);
     table_number(table, seconds_of(ways, way));
-    table_number(table,
-                 seconds_of(ways, WAY_PROJECTED) / seconds_of(ways, way));
+    table_number(table, seconds_of(ways, WAY_PROJECTED) / seconds_of(ways, way));
 }
 
 static struct table *table_of_ways(const struct hits_ways *ways)
@@ -134,14 +131,13 @@ static bool tell(const struct hits_ways *ways, const struct results *results)
     struct table *table = table_of_ways(ways);
     bool good;
 
-    results_say(
-        results,
-        "%s: %llu of %llu ray%s from %s strike one of %zu cylinder%s: "
-        "the factor is %.6f +- %.6f\n",
-        arguments->scene, (unsigned long long)found->struck,
-        (unsigned long long)found->rays, plural(found->rays),
-        arguments->heat.from, found->cylinders, plural(found->cylinders),
-        found->factor.value, found->factor.error);
+    results_say(results,
+                "%s: %llu of %llu ray%s from %s strike one of %zu cylinder%s: "
+                "the factor is %.6f +- %.6f\n",
+                arguments->scene, (unsigned long long)found->struck,
+                (unsigned long long)found->rays, plural(found->rays),
+                arguments->heat.from, found->cylinders, plural(found->cylinders),
+                found->factor.value, found->factor.error);
     results_model(results, arguments->trace.model);
     if (results->json) {
         json_text(results->json, "scene", arguments->scene);
@@ -151,12 +147,10 @@ static bool tell(const struct hits_ways *ways, const struct results *results)
         json_number(results->json, "error", found->factor.error);
         provenance_json(arguments->trace.model, results->json);
     }
-    good = table
-           && results_part(results, table, "hits", "Whether rays strike");
+    good = table && results_part(results, table, "hits", "Whether rays strike");
     table_free(table);
-    results_say(results,
-                "The paper's: 600 s on a CDC 6600 became 3 s, 200 times; "
-                "its geometry is unknown.\n");
+    results_say(results, "The paper's: 600 s on a CDC 6600 became 3 s, 200 times; "
+                         "its geometry is unknown.\n");
     return good;
 }
 
@@ -168,22 +162,19 @@ static bool begin(struct hits_ways *ways)
                                                  SPEEDUP_6600);
 
     if (!ways->arguments->heat.from)
-        return error_say(&ways->error,
-                         "--hits asks --from NAME: the part that emits");
+        return error_say(&ways->error, "--hits asks --from NAME: the part that emits");
     if (!named_parts_find(ways->scene, &ways->parts))
         return error_say(&ways->error, "no memory");
     ways->other = c205_model_find(other, &ways->error);
     return ways->other;
 }
 
-bool cmd_heat_hits(const struct rt205_arguments *arguments,
-                   const struct scene *scene, const struct results *results,
-                   c205_error *error)
+bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *scene,
+                   const struct results *results, c205_error *error)
 {
     struct hits_ways ways = { .arguments = arguments, .scene = scene };
     bool good = begin(&ways) && find_ways(&ways)
-                && (tell(&ways, results)
-                    || error_say(&ways.error, "no memory"));
+                && (tell(&ways, results) || error_say(&ways.error, "no memory"));
 
     *error = ways.error;
     for (int way = 0; way < WAYS; way++)

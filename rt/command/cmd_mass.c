@@ -67,8 +67,7 @@ static bool find_stage(const void *found, enum trace_mode mode,
     good = mass_begin(mass->scene, &request, &other, &reports, error)
            && mass_find(&other, error);
     if (good) {
-        *same = columns_checksum(&other.sums)
-                == columns_checksum(&mass->sums);
+        *same = columns_checksum(&other.sums) == columns_checksum(&mass->sums);
         take_clocks(&other, clocks);
     }
     mass_free(&other);
@@ -88,8 +87,8 @@ static bool find_stages(const struct mass *mass, struct stages *stages,
 
 /* ---- What is told --------------------------------------------------------- */
 
-static void tell_run(const struct rt205_arguments *arguments,
-                     const struct mass *mass, const struct results *results)
+static void tell_run(const struct rt205_arguments *arguments, const struct mass *mass,
+                     const struct results *results)
 {
     const double *about = mass->request->about;
     const char *mode = trace_mode_name(mass->request->mode);
@@ -98,17 +97,15 @@ static void tell_run(const struct rt205_arguments *arguments,
 
     snprintf(sum, sizeof sum, "%016llX",
              (unsigned long long)columns_checksum(&mass->sums));
-    results_say(
-        results,
-        "%s: 3 views of %zu shift%s of %zu ray%s, %llu crossing%s, %s; "
-        "checksum %s\n"
-        "errors are half the interval of 95 %%; inertia I about "
-        "<%g, %g, %g>, J about the centroid; Ixy = - integral of x y "
-        "dm\n",
-        arguments->scene, mass->sums.repeats, plural(mass->sums.repeats),
-        rays, plural(rays), (unsigned long long)mass->sums.crossings,
-        plural(mass->sums.crossings), mode, sum, about[0], about[1],
-        about[2]);
+    results_say(results,
+                "%s: 3 views of %zu shift%s of %zu ray%s, %llu crossing%s, %s; "
+                "checksum %s\n"
+                "errors are half the interval of 95 %%; inertia I about "
+                "<%g, %g, %g>, J about the centroid; Ixy = - integral of x y "
+                "dm\n",
+                arguments->scene, mass->sums.repeats, plural(mass->sums.repeats), rays,
+                plural(rays), (unsigned long long)mass->sums.crossings,
+                plural(mass->sums.crossings), mode, sum, about[0], about[1], about[2]);
     if (results->json) {
         json_text(results->json, "scene", arguments->scene);
         json_text(results->json, "mode", mode);
@@ -132,15 +129,13 @@ static bool tell_table(const struct results *results, struct table *table,
 static bool tell_tables(const struct mass *mass, const struct stages *stages,
                         const struct results *results)
 {
-    bool good = tell_table(results, mass_table_of_figures(mass), "figures",
-                           "Figures")
+    bool good = tell_table(results, mass_table_of_figures(mass), "figures", "Figures")
                 && (!mass->request->overlaps
-                    || tell_table(results, mass_table_of_overlaps(mass),
-                                  "overlaps", "Overlaps"))
+                    || tell_table(results, mass_table_of_overlaps(mass), "overlaps",
+                                  "Overlaps"))
                 && tell_table(results, mass_table_of_axes(mass), "axes",
                               "Principal axes")
-                && tell_table(results, mass_table_of_clocks(mass), "clocks",
-                              "Clocks")
+                && tell_table(results, mass_table_of_clocks(mass), "clocks", "Clocks")
                 && (!stages
                     || tell_table(results, stages_table(stages), "stages",
                                   "Three stages"));
@@ -155,17 +150,15 @@ static bool check_precision(const struct mass *mass, c205_error *error)
            || error_say(error,
                         "the tolerance %g is not reached: the error of %s of "
                         "%s is %.2g of it with the most rays, --limit %zu",
-                        mass->request->tolerance,
-                        figure_name(mass->worst_figure),
+                        mass->request->tolerance, figure_name(mass->worst_figure),
                         mass->rows[mass->worst_row].name, mass->worst,
                         mass->request->limit);
 }
 
 /* ---- The command --------------------------------------------------------- */
 
-static bool tell_all(const struct rt205_arguments *arguments,
-                     const struct mass *mass, const struct results *results,
-                     c205_error *error)
+static bool tell_all(const struct rt205_arguments *arguments, const struct mass *mass,
+                     const struct results *results, c205_error *error)
 {
     struct stages stages;
 
@@ -191,15 +184,14 @@ static void warn_of_endless(const struct rt205_arguments *arguments,
         const struct named_part *part = &mass->parts.list[i];
 
         if (part->endless && part->left_out && mass->request->part_count == 0)
-            cmd_print_line(stderr,
-                           "%s: warning: %s has no end: it is left out",
+            cmd_print_line(stderr, "%s: warning: %s has no end: it is left out",
                            arguments->scene, part->name);
     }
 }
 
 static bool find_and_tell(const struct rt205_arguments *arguments,
-                          const struct scene *scene,
-                          const struct results *results, c205_error *error)
+                          const struct scene *scene, const struct results *results,
+                          c205_error *error)
 {
     struct mass_request request = request_of(arguments);
     struct diagnostics reports = { 0 };
@@ -215,8 +207,7 @@ static bool find_and_tell(const struct rt205_arguments *arguments,
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments,
-               const struct results *results)
+static int run(const struct rt205_arguments *arguments, const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     c205_error error = { "" };
@@ -226,8 +217,7 @@ static int run(const struct rt205_arguments *arguments,
         return CMD_FAILED;
     good = find_and_tell(arguments, scene, results, &error);
     scene_free(scene);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
 /* What is called a part may be a share: no name has a / in it. */
@@ -266,9 +256,9 @@ static int run_command_line(void *given)
 
 static const char *points_choice(size_t number)
 {
-    static const char *const names[] = { [POINTS_RANDOM] = "random",
-                                         [POINTS_LATTICE] = "lattice",
-                                         [POINTS_GRID] = "grid" };
+    static const char *const names[] = {
+        [POINTS_RANDOM] = "random", [POINTS_LATTICE] = "lattice", [POINTS_GRID] = "grid"
+    };
 
     return number < POINTS_KINDS ? names[number] : NULL;
 }
@@ -288,8 +278,7 @@ static bool take_about(char *text, void *value)
         char *end;
 
         about[i] = strtod(text, &end);
-        if (end == text || !isfinite(about[i])
-            || *end != (i < 2 ? ',' : '\0'))
+        if (end == text || !isfinite(about[i]) || *end != (i < 2 ? ',' : '\0'))
             return false;
         text = end + 1;
     }
@@ -329,8 +318,7 @@ static const struct command_option options[] = {
       .take = take_units,
       .wants = "a length (mm cm dm m in ft) and a mass (mg g kg t oz lb), "
                "with a comma between",
-      .help =
-          "of the scene and of the tables; densities are in g/cm^3 then" },
+      .help = "of the scene and of the tables; densities are in g/cm^3 then" },
     { .name = "about",
       .value = "X,Y,Z",
       .kind = COMMAND_OWN,
@@ -397,8 +385,7 @@ const struct command mass_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details =
-        "Parts are called by the #declare that they come from, materials "
-        "by their texture's; a float NAME_Density of the scene is the "
-        "density of NAME.",
+    .details = "Parts are called by the #declare that they come from, materials "
+               "by their texture's; a float NAME_Density of the scene is the "
+               "density of NAME.",
 };

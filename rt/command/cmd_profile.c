@@ -6,20 +6,17 @@
 #include "rt/study/profile.h"
 
 static void tell_head(const struct rt205_arguments *arguments,
-                      const struct trace *trace,
-                      const struct results *results)
+                      const struct trace *trace, const struct results *results)
 {
     const struct trace_options *options = &arguments->trace;
     struct json *json = results->json;
     char text[17];
 
-    snprintf(text, sizeof text, "%016llX",
-             (unsigned long long)trace_checksum(trace));
-    results_say(
-        results,
-        "%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
-        arguments->scene, options->width, options->height, options->queue,
-        text);
+    snprintf(text, sizeof text, "%016llX", (unsigned long long)trace_checksum(trace));
+    results_say(results,
+                "%s: %zu x %zu, a queue of %zu; frame checksum %s in all stages\n",
+                arguments->scene, options->width, options->height, options->queue,
+                text);
     results_model(results, options->model);
     if (!json)
         return;
@@ -33,8 +30,7 @@ static void tell_head(const struct rt205_arguments *arguments,
 }
 
 /* Readers get clocks in groups, in millions; other programs all of them. */
-static struct results results_of(enum profile_table kind,
-                                 const struct results *results)
+static struct results results_of(enum profile_table kind, const struct results *results)
 {
     struct results chosen = *results;
     bool exact = results->format == RESULTS_CSV;
@@ -58,8 +54,8 @@ static bool tell_table(enum profile_table kind, const struct profile *profile,
     return good;
 }
 
-static bool tell(const struct rt205_arguments *arguments,
-                 const struct profile *profile, const struct results *results)
+static bool tell(const struct rt205_arguments *arguments, const struct profile *profile,
+                 const struct results *results)
 {
     bool good = true;
 
@@ -69,22 +65,19 @@ static bool tell(const struct rt205_arguments *arguments,
     return good;
 }
 
-static int run(const struct rt205_arguments *arguments,
-               const struct results *results)
+static int run(const struct rt205_arguments *arguments, const struct results *results)
 {
     struct scene *scene = cmd_read_scene(arguments);
     struct profile profile = { .traces = { NULL } };
     c205_error error = { "no memory" };
-    bool good = scene != NULL
-                && profile_run(&profile, scene, &arguments->trace, &error)
+    bool good = scene != NULL && profile_run(&profile, scene, &arguments->trace, &error)
                 && tell(arguments, &profile, results);
 
     profile_free(&profile);
     if (!scene)
         return CMD_FAILED;
     scene_free(scene);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
 static int run_command_line(void *arguments)
@@ -113,9 +106,8 @@ const struct command profile_command = {
     .function = run_command_line,
     .options = options,
     .operands = operands,
-    .details =
-        "Traces the frame three times: scalar; kernels, as in 1984 "
-        "(vector intersection, all else serial); vector. The frames "
-        "must be equal. Prints clocks part by part, speedups, Amdahl's "
-        "prediction.",
+    .details = "Traces the frame three times: scalar; kernels, as in 1984 "
+               "(vector intersection, all else serial); vector. The frames "
+               "must be equal. Prints clocks part by part, speedups, Amdahl's "
+               "prediction.",
 };

@@ -86,8 +86,8 @@ static void write_roots(size_t index, const struct polynomial_roots *roots,
 /* Returns how many polynomials were refused; those are named on stderr. */
 static size_t tell_roots(const struct rt205_arguments *arguments,
                          const struct polynomials *polynomials,
-                         const struct polynomial_roots *roots,
-                         struct table *table, const struct results *results)
+                         const struct polynomial_roots *roots, struct table *table,
+                         const struct results *results)
 {
     struct json *json = results->json;
     size_t refused = 0;
@@ -96,11 +96,10 @@ static size_t tell_roots(const struct rt205_arguments *arguments,
         json_array(json, "polynomials");
     for (size_t i = 0; i < polynomials->count; i++) {
         if (roots[i].count == ROOTS_REFUSED) {
-            cmd_print_line(
-                stderr,
-                "%s:%zu:1: error: polynomial %zu: the sizes of the "
-                "coefficients are too far apart for the machine's exponents",
-                arguments->scene, polynomials->lines[i], i);
+            cmd_print_line(stderr,
+                           "%s:%zu:1: error: polynomial %zu: the sizes of the "
+                           "coefficients are too far apart for the machine's exponents",
+                           arguments->scene, polynomials->lines[i], i);
             refused++;
             continue;
         }
@@ -117,8 +116,7 @@ static size_t tell_roots(const struct rt205_arguments *arguments,
 }
 
 /* Nothing of it is text. */
-static bool print_table(const struct table *table,
-                        const struct results *results)
+static bool print_table(const struct table *table, const struct results *results)
 {
     struct results printed = *results;
 
@@ -139,9 +137,8 @@ static size_t count_roots(const struct polynomial_roots *roots, size_t count)
 
 /* ---- The search --------------------------------------------------------- */
 
-static struct roots_options
-search_options(const struct rt205_arguments *arguments, enum trace_mode mode,
-               enum falsi falsi)
+static struct roots_options search_options(const struct rt205_arguments *arguments,
+                                           enum trace_mode mode, enum falsi falsi)
 {
     struct roots_options options = {
         .mode = mode,
@@ -157,11 +154,10 @@ search_options(const struct rt205_arguments *arguments, enum trace_mode mode,
 
 static struct root_search *search(const struct polynomials *polynomials,
                                   const struct roots_options *options,
-                                  struct iterations *iterations,
-                                  c205_error *error)
+                                  struct iterations *iterations, c205_error *error)
 {
-    struct root_search *found = roots_new(polynomials->items,
-                                          polynomials->count, options, error);
+    struct root_search *found = roots_new(polynomials->items, polynomials->count,
+                                          options, error);
 
     if (!found)
         return NULL;
@@ -175,19 +171,14 @@ static struct root_search *search(const struct polynomials *polynomials,
 }
 
 static int solve(const struct rt205_arguments *arguments,
-                 const struct polynomials *polynomials,
-                 const struct results *results)
+                 const struct polynomials *polynomials, const struct results *results)
 {
     c205_error error = { "no memory" };
     struct iterations iterations;
-    struct roots_options options = search_options(arguments,
-                                                  arguments->trace.mode,
-                                                  (enum falsi)
-                                                      arguments->falsi);
-    struct root_search *found = search(polynomials, &options, &iterations,
-                                       &error);
-    struct polynomial_roots *roots = calloc(polynomials->count + 1,
-                                            sizeof *roots);
+    struct roots_options options = search_options(arguments, arguments->trace.mode,
+                                                  (enum falsi)arguments->falsi);
+    struct root_search *found = search(polynomials, &options, &iterations, &error);
+    struct polynomial_roots *roots = calloc(polynomials->count + 1, sizeof *roots);
     bool good = found && roots && roots_read(found, roots, &error);
     struct table *table = table_new(TABLE_COLUMNS(root_columns));
     size_t refused = 0;
@@ -204,8 +195,7 @@ static int solve(const struct rt205_arguments *arguments,
         };
 
         refused = tell_roots(arguments, polynomials, roots, table, results);
-        good = print_table(table, results)
-               && quartic_costs_tell(&costs, results);
+        good = print_table(table, results) && quartic_costs_tell(&costs, results);
     }
     table_free(table);
     roots_free(found);
@@ -229,8 +219,7 @@ struct comparison {
     struct rule_run runs[FALSI_RULES][TRACE_FORMS];
 };
 
-static bool run_rule(void *context, const struct task *task,
-                     c205_error *error)
+static bool run_rule(void *context, const struct task *task, c205_error *error)
 {
     struct comparison *comparison = context;
     size_t rule = task->number / TRACE_FORMS;
@@ -243,8 +232,7 @@ static bool run_rule(void *context, const struct task *task,
 
     options.progress = task->progress;
     options.context = task->context;
-    found = search(comparison->polynomials, &options, &run->iterations,
-                   error);
+    found = search(comparison->polynomials, &options, &run->iterations, error);
     if (found)
         run->clocks = c205_clock(roots_machine(found));
     roots_free(found);
@@ -272,8 +260,7 @@ static void add_rule(struct table *table, const struct comparison *comparison,
         table_text(table, trace_mode_name((enum trace_mode)mode));
         table_count(table, run->clocks);
         table_number(table, ratio(run->clocks, polynomials));
-        table_number(table,
-                     mode == TRACE_VECTOR ? ratio(scalar, run->clocks) : NAN);
+        table_number(table, mode == TRACE_VECTOR ? ratio(scalar, run->clocks) : NAN);
         for (int i = 0; i < STAGES; i++)
             table_number(table, ratio(count[i].steps, count[i].brackets));
         for (int i = 0; i < STAGES; i++)
@@ -308,25 +295,21 @@ static int compare_rules(const struct rt205_arguments *arguments,
         add_rule(table, &comparison, rule);
     if (good) {
         results_say(results, "%s%zu polynomial%s, a queue of %zu, %s\n",
-                    results->format == RESULTS_TEXT ? "# " : "",
-                    polynomials->count, plural(polynomials->count),
-                    arguments->trace.queue,
+                    results->format == RESULTS_TEXT ? "# " : "", polynomials->count,
+                    plural(polynomials->count), arguments->trace.queue,
                     arguments->first ? "first roots" : "all roots");
         quartic_costs_model(results, arguments->trace.model);
         if (results->json)
             provenance_json(arguments->trace.model, results->json);
-        good = quartic_costs_part(results, table, "rules",
-                                  "The rules of falsi");
+        good = quartic_costs_part(results, table, "rules", "The rules of falsi");
     }
     table_free(table);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
 /* ---- The command -------------------------------------------------------- */
 
-static int run(const struct rt205_arguments *arguments,
-               const struct results *results)
+static int run(const struct rt205_arguments *arguments, const struct results *results)
 {
     struct polynomials polynomials = { 0, NULL, NULL };
     struct diagnostics reports = { 0 };
@@ -347,8 +330,7 @@ static int run_command_line(void *given)
     struct rt205_arguments *arguments = given;
 
     if (arguments->all && arguments->first)
-        return cmd_usage(arguments->command,
-                         "--all or --first, not both of them");
+        return cmd_usage(arguments->command, "--all or --first, not both of them");
     arguments->trace.width = arguments->trace.height = 1;
     return cmd_with_machine(arguments, run);
 }

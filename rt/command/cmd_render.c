@@ -8,13 +8,11 @@
 #include "rt/command/rt205_command.h"
 #include "rt/view/frame_profile.h"
 
-static bool write_rows(const struct trace_options *options,
-                       const struct trace *trace, struct picture *picture,
-                       struct picture_error *why)
+static bool write_rows(const struct trace_options *options, const struct trace *trace,
+                       struct picture *picture, struct picture_error *why)
 {
     struct frame part;
-    size_t rows = options->height < PICTURE_PART ? options->height
-                                                 : PICTURE_PART;
+    size_t rows = options->height < PICTURE_PART ? options->height : PICTURE_PART;
     bool good = frame_allocate(&part, options->width, rows);
 
     snprintf(why->message, sizeof why->message, "no memory for the picture");
@@ -48,13 +46,11 @@ static bool write_picture(const struct rt205_arguments *arguments,
     };
     bool good;
 
-    snprintf(clocks, sizeof clocks, "%llu",
-             (unsigned long long)accounts->clocks);
+    snprintf(clocks, sizeof clocks, "%llu", (unsigned long long)accounts->clocks);
     snprintf(rows, sizeof rows, "%zu of %zu", trace_rows_done(trace),
              arguments->trace.height);
-    picture = picture_begin(arguments->output, options->width,
-                            options->height, notes, arguments->half, NULL,
-                            &why);
+    picture = picture_begin(arguments->output, options->width, options->height, notes,
+                            arguments->half, NULL, &why);
     good = picture && write_rows(options, trace, picture, &why);
     good = picture && picture_end(picture, good, &why);
     if (!good)
@@ -91,8 +87,7 @@ static struct result result_of(const struct rt205_arguments *arguments,
 }
 
 /* How many rays a threshold saves. */
-static void print_rays(const struct result *result,
-                       const struct results *results)
+static void print_rays(const struct result *result, const struct results *results)
 {
     const struct trace_options *trace = &result->arguments->trace;
     double all = (double)trace->width * (double)trace->height
@@ -105,8 +100,7 @@ static void print_rays(const struct result *result,
                 100 * (double)result->rays / all);
 }
 
-static void print_result(const struct result *result,
-                         const struct results *results)
+static void print_result(const struct result *result, const struct results *results)
 {
     const struct rt205_arguments *arguments = result->arguments;
     const struct trace_options *trace = &arguments->trace;
@@ -115,8 +109,8 @@ static void print_result(const struct result *result,
     char queue[48] = "", samples[64] = "", time[ACCOUNTS_TIME];
 
     if (sampled)
-        snprintf(samples, sizeof samples, " of %zu x %zu rays",
-                 result->samples, result->samples);
+        snprintf(samples, sizeof samples, " of %zu x %zu rays", result->samples,
+                 result->samples);
     if (trace->mode != TRACE_SCALAR)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     accounts_time(result->model, result->clocks, time);
@@ -127,8 +121,8 @@ static void print_result(const struct result *result,
     results_say(results,
                 "%llu clock%s, %s on the machine\n"
                 "frame checksum %s\n",
-                (unsigned long long)result->clocks, plural(result->clocks),
-                time, result->checksum);
+                (unsigned long long)result->clocks, plural(result->clocks), time,
+                result->checksum);
     if (trace->threshold > 0)
         print_rays(result, results);
     if (arguments->output)
@@ -187,16 +181,14 @@ static void write_result(const struct result *result, struct json *json)
     json_count(json, "rays", result->rays);
     json_count(json, "hits", result->hits);
     json_count(json, "clocks", result->clocks);
-    json_number(json, "seconds",
-                accounts_seconds(result->model, result->clocks));
+    json_number(json, "seconds", accounts_seconds(result->model, result->clocks));
     json_text(json, "checksum", result->checksum);
     if (result->arguments->output)
         json_text(json, "picture", result->arguments->output);
     provenance_json(result->model, json);
 }
 
-static int tell_result(const struct result *result,
-                       const struct results *results)
+static int tell_result(const struct result *result, const struct results *results)
 {
     struct results printed = *results;
     int code = CMD_DONE;
@@ -214,8 +206,7 @@ static int tell_result(const struct result *result,
 
 /* JSON has the accounts in any case. */
 static int tell_accounts(const struct rt205_arguments *arguments,
-                         const struct trace *trace,
-                         const struct results *results)
+                         const struct trace *trace, const struct results *results)
 {
     struct results accounts = *results;
 
@@ -227,9 +218,8 @@ static int tell_accounts(const struct rt205_arguments *arguments,
 }
 
 /* The profile may be NULL. */
-static int tell(const struct rt205_arguments *arguments,
-                const struct trace *trace, const struct line_profile *profile,
-                const struct results *results)
+static int tell(const struct rt205_arguments *arguments, const struct trace *trace,
+                const struct line_profile *profile, const struct results *results)
 {
     struct profile_view view = { arguments->in_order ? PROFILE_AS_WRITTEN
                                                      : PROFILE_HOTTEST,
@@ -239,9 +229,8 @@ static int tell(const struct rt205_arguments *arguments,
 
     if (code == CMD_DONE)
         code = tell_accounts(arguments, trace, results);
-    return code == CMD_DONE && profile
-               ? line_profile_show(profile, view, results)
-               : code;
+    return code == CMD_DONE && profile ? line_profile_show(profile, view, results)
+                                       : code;
 }
 
 /* ---- A frame from its beginning to its end ------------------------------- */
@@ -253,8 +242,7 @@ static void tell_kept(const struct rt205_arguments *arguments,
     const char *path = arguments->units.resume.items[0];
 
     if (arguments->units.farm.kept > 0)
-        cmd_print_line(stderr,
-                       "%s: the frame goes on from %s: %zu of %zu band%s",
+        cmd_print_line(stderr, "%s: the frame goes on from %s: %zu of %zu band%s",
                        arguments->command, path, arguments->units.farm.kept,
                        trace_bands(trace), plural(trace_bands(trace)));
     else
@@ -284,8 +272,7 @@ static void save_rows(const struct rt205_arguments *arguments,
     else if (!write_picture(arguments, trace, &why))
         snprintf(told, size, "; %s", why.message);
     else
-        snprintf(told, size,
-                 "; %.100s has %zu of %zu row%s, the others are black",
+        snprintf(told, size, "; %.100s has %zu of %zu row%s, the others are black",
                  arguments->output, rows, arguments->trace.height,
                  plural(arguments->trace.height));
 }
@@ -297,29 +284,26 @@ static void tell_resume(const struct rt205_arguments *arguments,
     size_t kept = trace_bands_done(trace);
 
     if (arguments->units.resume.count > 0 && kept > 0)
-        snprintf(told, size,
-                 "; --resume goes on from %.100s: %zu of %zu band%s",
+        snprintf(told, size, "; --resume goes on from %.100s: %zu of %zu band%s",
                  arguments->units.resume.items[0], kept, trace_bands(trace),
                  plural(trace_bands(trace)));
     else if (arguments->units.resume.count > 0)
         snprintf(told, size, "; no band is done: --resume begins anew");
 }
 
-static int end_early(const struct rt205_arguments *arguments,
-                     const struct trace *trace, const c205_error *why)
+static int end_early(const struct rt205_arguments *arguments, const struct trace *trace,
+                     const c205_error *why)
 {
     char rows[300] = "", bands[200] = "";
 
     if (interrupt_came() && arguments->output)
         save_rows(arguments, trace, rows, sizeof rows);
     tell_resume(arguments, trace, bands, sizeof bands);
-    return cmd_failed(arguments->command, "%s%s%s", why->message, rows,
-                      bands);
+    return cmd_failed(arguments->command, "%s%s%s", why->message, rows, bands);
 }
 
 /* The profile is there once bands have been watched. */
-static int trace_and_write(const struct rt205_arguments *arguments,
-                           struct trace *trace,
+static int trace_and_write(const struct rt205_arguments *arguments, struct trace *trace,
                            struct line_profile *const *profile,
                            const struct results *results)
 {
@@ -338,8 +322,7 @@ static int trace_and_write(const struct rt205_arguments *arguments,
 
 /* While the machine works, the library that writes pictures is loaded. */
 static int run(const struct rt205_arguments *arguments, struct trace *trace,
-               struct line_profile *const *profile,
-               const struct results *results)
+               struct line_profile *const *profile, const struct results *results)
 {
     struct picture_error why;
     struct picture_loader *loader;
@@ -355,8 +338,8 @@ static int run(const struct rt205_arguments *arguments, struct trace *trace,
     return code;
 }
 
-static int render(const struct rt205_arguments *arguments,
-                  const struct scene *scene, const struct results *results)
+static int render(const struct rt205_arguments *arguments, const struct scene *scene,
+                  const struct results *results)
 {
     struct line_profile *profile = NULL;
     struct observer observer = frame_profile_observer(&profile);
@@ -394,11 +377,9 @@ static int check_files(const struct rt205_arguments *arguments)
     int code;
 
     if (arguments->output && arguments->no_picture)
-        return cmd_usage(arguments->command,
-                         "-o does not go with --no-picture");
+        return cmd_usage(arguments->command, "-o does not go with --no-picture");
     if (arguments->half && arguments->no_picture)
-        return cmd_usage(arguments->command,
-                         "--half does not go with --no-picture");
+        return cmd_usage(arguments->command, "--half does not go with --no-picture");
     if (arguments->no_picture)
         return CMD_DONE;
     if (!arguments->output && arguments->units.farm.parts > 0)
@@ -420,8 +401,7 @@ static int check_debug(const struct rt205_arguments *arguments)
     const struct cmd_units *units = &arguments->units;
 
     if (arguments->output || arguments->accounts || arguments->profile
-        || arguments->results.path || units->resume.count > 0
-        || units->ranks > 1)
+        || arguments->results.path || units->resume.count > 0 || units->ranks > 1)
         return cmd_usage(arguments->command,
                          "--debug writes nothing: -o, --accounts, --profile, "
                          "--json, --resume and --ranks do not go with it");
@@ -434,8 +414,7 @@ static int check_profile(const struct rt205_arguments *arguments)
     const struct cmd_units *units = &arguments->units;
 
     if (arguments->in_order && !arguments->profile)
-        return cmd_usage(arguments->command,
-                         "--in-order goes with --profile");
+        return cmd_usage(arguments->command, "--in-order goes with --profile");
     if (arguments->profile
         && (units->resume.count > 0 || units->ranks > 1 || ranks_are_many()))
         return cmd_usage(arguments->command,
@@ -451,8 +430,7 @@ static int run_command_line(void *given)
 
     if (arguments->pixel.given) {
         code = check_debug(arguments);
-        return code == CMD_DONE ? cmd_with_machine(arguments, cmd_debug_pixel)
-                                : code;
+        return code == CMD_DONE ? cmd_with_machine(arguments, cmd_debug_pixel) : code;
     }
     if (arguments->scripts.count > 0)
         return cmd_usage(arguments->command, "-x goes with --debug");
@@ -484,14 +462,12 @@ static const struct command_option options[] = {
     CMD_RESUME("bands"),
     CMD_PART("bands"),
     CMD_RANKS,
-    CMD_FLAG(
-        "accounts", accounts,
-        "also where the clocks went, cause by cause and region by region"),
+    CMD_FLAG("accounts", accounts,
+             "also where the clocks went, cause by cause and region by region"),
     CMD_FLAG("profile", profile,
              "also where the clocks went line by line of the kernels, the "
              "hottest region first; macros where they are called"),
-    CMD_FLAG("in-order", in_order,
-             "lines of --profile as they stand in memory"),
+    CMD_FLAG("in-order", in_order, "lines of --profile as they stand in memory"),
     CMD_FLAG("half", half, "16-bit colours in an .exr"),
     CMD_PIXEL("debug", "no picture, but a debugger of the machine of that "
                        "pixel's band"),
@@ -509,12 +485,9 @@ static const struct command_option options[] = {
 };
 static const struct command_option operands[] = { CMD_SCENE, COMMAND_END };
 static const struct command_example examples[] = {
-    { "rt205 render SCENE -o PICTURE",
-      "the picture, and what it took the machine" },
-    { "rt205 render SCENE --no-picture --accounts",
-      "where the machine's clocks went" },
-    { "rt205 render SCENE --no-picture --profile",
-      "the same by lines of the kernels" },
+    { "rt205 render SCENE -o PICTURE", "the picture, and what it took the machine" },
+    { "rt205 render SCENE --no-picture --accounts", "where the machine's clocks went" },
+    { "rt205 render SCENE --no-picture --profile", "the same by lines of the kernels" },
     { "rt205 render SCENE --debug 320,240",
       "a debugger, to see what becomes of that pixel's ray" },
     { NULL, NULL }
@@ -527,7 +500,6 @@ const struct command render_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details =
-        "The debugger is that of c205 debug; its verbs seek and lane are "
-        "about the pixel. help tells all of them.",
+    .details = "The debugger is that of c205 debug; its verbs seek and lane are "
+               "about the pixel. help tells all of them.",
 };

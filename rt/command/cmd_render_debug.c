@@ -5,21 +5,18 @@
 #include "rt/trace/form.h"
 #include "rt/view/pixel_verbs.h"
 
-static int debug(const struct rt205_arguments *arguments,
-                 struct frame_pixel *pixel)
+static int debug(const struct rt205_arguments *arguments, struct frame_pixel *pixel)
 {
-    const struct debugger_setup setup = {
-        .object = trace_program(pixel->trace),
-        .name = form_program(arguments->trace.mode),
-        .model = arguments->trace.model,
-        .out = visible_stream(stdout),
-        .printed = stream_sink(stdout),
-        .clocks_most = C205_NO_LIMIT,
-        .interrupted = dialogue_interrupted,
-        .machine = pixel_machine,
-        .verbs = pixel_verbs,
-        .context = pixel
-    };
+    const struct debugger_setup setup = { .object = trace_program(pixel->trace),
+                                          .name = form_program(arguments->trace.mode),
+                                          .model = arguments->trace.model,
+                                          .out = visible_stream(stdout),
+                                          .printed = stream_sink(stdout),
+                                          .clocks_most = C205_NO_LIMIT,
+                                          .interrupted = dialogue_interrupted,
+                                          .machine = pixel_machine,
+                                          .verbs = pixel_verbs,
+                                          .context = pixel };
     const struct dialogue_setup dialogue = { .command = arguments->command,
                                              .prompt = "(rt205) ",
                                              .verb = pixel_verb,

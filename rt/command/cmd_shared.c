@@ -41,8 +41,7 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
     int code;
 
     if (trace->height > 0 && trace->width > TRACE_PIXELS_MOST / trace->height)
-        return cmd_usage(arguments->command, "at most %zu pixels",
-                         TRACE_PIXELS_MOST);
+        return cmd_usage(arguments->command, "at most %zu pixels", TRACE_PIXELS_MOST);
     if (trace->threshold > 0 && trace->samples < 2)
         return cmd_usage(arguments->command,
                          "--threshold goes with --samples 2 or more");
@@ -50,8 +49,7 @@ int cmd_with_machine(struct rt205_arguments *arguments, cmd_work *work)
     if (!model)
         return CMD_FAILED;
     arguments->trace.model = model;
-    arguments->trace.jobs = jobs_wanted(arguments->trace.jobs,
-                                        TRACE_JOBS_MOST);
+    arguments->trace.jobs = jobs_wanted(arguments->trace.jobs, TRACE_JOBS_MOST);
     code = open_and_work(arguments, work);
     c205_model_free(model);
     return code;
@@ -130,20 +128,18 @@ int cmd_check_pixel(const struct rt205_arguments *arguments)
     const struct cmd_pixel *pixel = &arguments->pixel;
     const struct trace_options *trace = &arguments->trace;
 
-    if (!pixel->given
-        || (pixel->x < trace->width && pixel->y < trace->height))
+    if (!pixel->given || (pixel->x < trace->width && pixel->y < trace->height))
         return CMD_DONE;
     return cmd_usage(arguments->command,
-                     "there is no pixel %zu,%zu: the frame has %zu x %zu",
-                     pixel->x, pixel->y, trace->width, trace->height);
+                     "there is no pixel %zu,%zu: the frame has %zu x %zu", pixel->x,
+                     pixel->y, trace->width, trace->height);
 }
 
 /* ---- The names of what options choose ------------------------------------ */
 
 const char *cmd_mode_choice(size_t number)
 {
-    return number < TRACE_MODES ? trace_mode_name((enum trace_mode)number)
-                                : NULL;
+    return number < TRACE_MODES ? trace_mode_name((enum trace_mode)number) : NULL;
 }
 
 const char *cmd_form_choice(size_t number)

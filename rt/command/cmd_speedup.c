@@ -28,15 +28,13 @@ static void print_head(const struct rt205_arguments *arguments,
 
 /* The models of so many projections, one after another: Table 1 needs the
  * first. */
-static bool
-each_projection(const struct rt205_arguments *arguments, int count,
-                void (*tell)(const c205_model *model, void *context),
-                void *context, c205_error *error)
+static bool each_projection(const struct rt205_arguments *arguments, int count,
+                            void (*tell)(const c205_model *model, void *context),
+                            void *context, c205_error *error)
 {
     for (int i = 0; i < count; i++) {
         const char *name = speedup_projection_model(arguments->trace.model,
-                                                    (enum speedup_projection)
-                                                        i);
+                                                    (enum speedup_projection)i);
         c205_model *model = c205_model_find(name, error);
 
         if (!model)
@@ -66,13 +64,12 @@ static void print_projection(const c205_model *model, void *context)
 }
 
 static bool print(const struct rt205_arguments *arguments,
-                  const struct speedup_report *report,
-                  const struct results *results, c205_error *error)
+                  const struct speedup_report *report, const struct results *results,
+                  c205_error *error)
 {
     enum table_format format = results_table_format(results);
     struct results printed = *results;
-    int projections = arguments->details ? SPEEDUP_PROJECTIONS
-                                         : SPEEDUP_720 + 1;
+    int projections = arguments->details ? SPEEDUP_PROJECTIONS : SPEEDUP_720 + 1;
 
     print_head(arguments, results);
     if (!speedup_report_table1(report, format, results->file))
@@ -82,8 +79,7 @@ static bool print(const struct rt205_arguments *arguments,
         results_say(results, "In each row the scalar and the vector frame "
                              "are equal, bit for bit.\n");
     results_model(results, arguments->trace.model);
-    return each_projection(arguments, projections, print_projection, &printed,
-                           error)
+    return each_projection(arguments, projections, print_projection, &printed, error)
            && (!arguments->details
                || speedup_report_detail(report, format, results->file))
            && (!arguments->passes
@@ -91,15 +87,14 @@ static bool print(const struct rt205_arguments *arguments,
 }
 
 /* On what, and how it was measured; models of so many projections. */
-static bool write_head(const struct rt205_arguments *arguments,
-                       int projections, struct json *json, c205_error *error)
+static bool write_head(const struct rt205_arguments *arguments, int projections,
+                       struct json *json, c205_error *error)
 {
     bool good;
 
     provenance_json(arguments->trace.model, json);
     json_array(json, "projections");
-    good = each_projection(arguments, projections, write_projection, json,
-                           error);
+    good = each_projection(arguments, projections, write_projection, json, error);
     json_end(json);
     json_count(json, "queue", arguments->trace.queue);
     json_number(json, "distance", arguments->view.distance);
@@ -137,11 +132,9 @@ static size_t choose(const struct rt205_arguments *arguments,
 static bool measure_all(const struct rt205_arguments *arguments,
                         struct speedup_report *report, c205_error *error)
 {
-    struct speedup_subject *chosen = calloc(speedup_subject_count,
-                                            sizeof *chosen);
-    struct speedup_measure(
-        *measures)[TRACE_FORMS] = calloc(speedup_subject_count,
-                                         sizeof *measures);
+    struct speedup_subject *chosen = calloc(speedup_subject_count, sizeof *chosen);
+    struct speedup_measure(*measures)[TRACE_FORMS] = calloc(speedup_subject_count,
+                                                            sizeof *measures);
     size_t count = chosen ? choose(arguments, chosen) : 0;
     bool good = chosen && measures
                 && speedup_measure_all(chosen, count, &arguments->view,
@@ -157,25 +150,21 @@ static bool measure_all(const struct rt205_arguments *arguments,
 static int speedup(const struct rt205_arguments *arguments,
                    const struct results *results)
 {
-    struct speedup_report *report = speedup_report_new(
-        arguments->trace.model);
+    struct speedup_report *report = speedup_report_new(arguments->trace.model);
     c205_error error = { "no memory" };
     bool good;
 
     good = report && measure_all(arguments, report, &error)
            && (!results->file || print(arguments, report, results, &error))
-           && (!results->json
-               || write_json(arguments, report, results->json, &error));
+           && (!results->json || write_json(arguments, report, results->json, &error));
     speedup_report_free(report);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
 /* ---- Formulations of the cylinder ---------------------------------------- */
 
 static bool tell_formulations(const struct rt205_arguments *arguments,
-                              const struct table *table,
-                              const struct results *results,
+                              const struct table *table, const struct results *results,
                               c205_error *error)
 {
     struct results printed = *results;
@@ -191,8 +180,8 @@ static bool tell_formulations(const struct rt205_arguments *arguments,
             return false;
         putc('\n', results->file);
         results_model(results, arguments->trace.model);
-        if (!each_projection(arguments, SPEEDUP_720 + 1, print_projection,
-                             &printed, error))
+        if (!each_projection(arguments, SPEEDUP_720 + 1, print_projection, &printed,
+                             error))
             return false;
     }
     return !results->json
@@ -203,25 +192,22 @@ static bool tell_formulations(const struct rt205_arguments *arguments,
 static int formulations(const struct rt205_arguments *arguments,
                         const struct results *results)
 {
-    struct speedup_measure(
-        *measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
-                                         sizeof *measures);
+    struct speedup_measure(*measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
+                                                            sizeof *measures);
     struct table *table = NULL;
     c205_error error = { "no memory" };
     bool good;
 
     if (measures
-        && speedup_measure_all(speedup_formulations,
-                               speedup_formulation_count, &arguments->view,
-                               &arguments->trace, measures, &error))
+        && speedup_measure_all(speedup_formulations, speedup_formulation_count,
+                               &arguments->view, &arguments->trace, measures, &error))
         table = formulations_table(arguments->trace.model,
-                                   (const struct speedup_measure(
-                                           *)[TRACE_FORMS])measures);
+                                   (const struct speedup_measure(*)[TRACE_FORMS])
+                                       measures);
     good = table && tell_formulations(arguments, table, results, &error);
     table_free(table);
     free(measures);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
 /* ---- The command --------------------------------------------------------- */
@@ -272,8 +258,7 @@ static const struct command_option options[] = {
 
 static const char *row_choice(size_t number)
 {
-    return number < speedup_subject_count ? speedup_subjects[number].name
-                                          : NULL;
+    return number < speedup_subject_count ? speedup_subjects[number].name : NULL;
 }
 
 static const struct command_option operands[] = {

@@ -32,8 +32,7 @@ static int check_lengths(const struct rt205_arguments *arguments,
 {
     size_t rays = arguments->trace.width * arguments->trace.height;
     size_t longest = arguments->points.count > 0
-                         ? arguments->points
-                               .items[arguments->points.count - 1]
+                         ? arguments->points.items[arguments->points.count - 1]
                          : 0;
 
     if (longest > 0 && !kind->takes_lengths)
@@ -44,8 +43,7 @@ static int check_lengths(const struct rt205_arguments *arguments,
                          "--queue is for pipes and hits; --points names "
                          "lengths");
     if (kind == &sweep_queue && longest > rays)
-        return cmd_usage(arguments->command,
-                         "%zu ray%s not fill a queue of %zu", rays,
+        return cmd_usage(arguments->command, "%zu ray%s not fill a queue of %zu", rays,
                          rays == 1 ? " does" : "s do", longest);
     return CMD_DONE;
 }
@@ -84,13 +82,10 @@ static int check_files(const struct rt205_arguments *arguments)
     for (int i = 0; i < 3; i++) {
         char path[4096];
 
-        snprintf(path, sizeof path, "%.*s%s",
-                 (int)strlen(arguments->output) - 3, arguments->output,
-                 endings[i]);
-        if (arguments->results.path
-            && file_is_one(path, arguments->results.path))
-            return cmd_usage(arguments->command,
-                             "-o and --json name one file");
+        snprintf(path, sizeof path, "%.*s%s", (int)strlen(arguments->output) - 3,
+                 arguments->output, endings[i]);
+        if (arguments->results.path && file_is_one(path, arguments->results.path))
+            return cmd_usage(arguments->command, "-o and --json name one file");
         if (!outputs_add(path))
             return cmd_failed(arguments->command, "no memory");
     }
@@ -117,8 +112,7 @@ static bool has_frame(const struct sweep_kind *kind)
 }
 
 static void print_head(const struct rt205_arguments *arguments,
-                       const struct sweep *sweep,
-                       const struct sweep_kind *kind,
+                       const struct sweep *sweep, const struct sweep_kind *kind,
                        const struct results *results)
 {
     const struct trace_options *trace = &arguments->trace;
@@ -127,27 +121,23 @@ static void print_head(const struct rt205_arguments *arguments,
     if (!kind->takes_lengths)
         snprintf(queue, sizeof queue, ", a queue of %zu", trace->queue);
     if (has_frame(kind))
-        snprintf(rays, sizeof rays, ", %zu x %zu rays", trace->width,
-                 trace->height);
+        snprintf(rays, sizeof rays, ", %zu x %zu rays", trace->width, trace->height);
     if (sweep->subject)
-        snprintf(view, sizeof view,
-                 ", %g degrees across from a distance of %g",
+        snprintf(view, sizeof view, ", %g degrees across from a distance of %g",
                  sweep->base.view.angle, sweep->base.view.distance);
     results_say(results,
                 "%s of %s, %s%s%s%s;\n%s.\nAt each point the scalar and the "
                 "other frame are equal, bit for bit.\n",
-                kind->name,
-                sweep->subject ? sweep->subject->name : arguments->scene,
+                kind->name, sweep->subject ? sweep->subject->name : arguments->scene,
                 trace_mode_name(trace->mode), queue, rays, view,
-                sweep->subject ? "the kernel and its calls alone"
-                               : "the whole frame");
+                sweep->subject ? "the kernel and its calls alone" : "the whole frame");
     results_model(results, trace->model);
 }
 
 /* What has no part in this sweep is left out. */
 static void write_head(const struct rt205_arguments *arguments,
-                       const struct sweep *sweep,
-                       const struct sweep_kind *kind, struct json *json)
+                       const struct sweep *sweep, const struct sweep_kind *kind,
+                       struct json *json)
 {
     const struct trace_options *trace = &arguments->trace;
 
@@ -168,9 +158,9 @@ static void write_head(const struct rt205_arguments *arguments,
     provenance_json(trace->model, json);
 }
 
-static bool draw(const struct rt205_arguments *arguments,
-                 const struct sweep *sweep, const struct sweep_kind *kind,
-                 const struct sweep_report *report, c205_error *error)
+static bool draw(const struct rt205_arguments *arguments, const struct sweep *sweep,
+                 const struct sweep_kind *kind, const struct sweep_report *report,
+                 c205_error *error)
 {
     const c205_model *model = arguments->trace.model;
     char title[160], on[160], belief[PROVENANCE_LINE];
@@ -191,9 +181,8 @@ static bool draw(const struct rt205_arguments *arguments,
 }
 
 /* All but the plot. */
-static bool tell(const struct rt205_arguments *arguments,
-                 const struct sweep *sweep, const struct sweep_kind *kind,
-                 const struct sweep_report *report,
+static bool tell(const struct rt205_arguments *arguments, const struct sweep *sweep,
+                 const struct sweep_kind *kind, const struct sweep_report *report,
                  const struct results *results, c205_error *error)
 {
     bool good = true;
@@ -201,8 +190,7 @@ static bool tell(const struct rt205_arguments *arguments,
     snprintf(error->message, sizeof error->message, "no memory");
     print_head(arguments, sweep, kind, results);
     if (results->file)
-        good = sweep_report_write(report, results_table_format(results),
-                                  results->file);
+        good = sweep_report_write(report, results_table_format(results), results->file);
     if (good && results->json) {
         write_head(arguments, sweep, kind, results->json);
         good = sweep_report_json(report, sweep, results->json);
@@ -211,8 +199,7 @@ static bool tell(const struct rt205_arguments *arguments,
 }
 
 static struct sweep sweep_of(const struct rt205_arguments *arguments,
-                             const struct scene *scene,
-                             const struct sweep_kind *kind)
+                             const struct scene *scene, const struct sweep_kind *kind)
 {
     struct sweep sweep = {
         .subject = !scene ? subject_named(arguments->scene) : NULL,
@@ -228,8 +215,7 @@ static struct sweep sweep_of(const struct rt205_arguments *arguments,
 }
 
 static int sweep_target(const struct rt205_arguments *arguments,
-                        const struct scene *scene,
-                        const struct results *results)
+                        const struct scene *scene, const struct results *results)
 {
     const struct sweep_kind *kind = sweep_kinds[arguments->sweep];
     struct sweep sweep = sweep_of(arguments, scene, kind);
@@ -237,12 +223,10 @@ static int sweep_target(const struct rt205_arguments *arguments,
     c205_error error;
     int code = CMD_DONE;
 
-    if (!kind->measure(&sweep, &error)
-        || !kind->report(&sweep, &report, &error)
+    if (!kind->measure(&sweep, &error) || !kind->report(&sweep, &report, &error)
         || !tell(arguments, &sweep, kind, &report, results, &error))
         code = CMD_FAILED;
-    else if (arguments->output
-             && !draw(arguments, &sweep, kind, &report, &error))
+    else if (arguments->output && !draw(arguments, &sweep, kind, &report, &error))
         code = CMD_UNDRAWN;
     if (code != CMD_DONE)
         cmd_failed(arguments->command, "%s", error.message);
@@ -251,8 +235,7 @@ static int sweep_target(const struct rt205_arguments *arguments,
     return code;
 }
 
-static int sweep(const struct rt205_arguments *arguments,
-                 const struct results *results)
+static int sweep(const struct rt205_arguments *arguments, const struct results *results)
 {
     struct scene *scene;
     int code;
@@ -297,10 +280,8 @@ static bool take_points(char *text, void *value)
         char *end;
         unsigned long length = strtoul(text, &end, 10);
 
-        if (*text < '0' || *text > '9' || length <= last
-            || length > TRACE_QUEUE_MOST
-            || points->count == SWEEP_LENGTHS_MOST
-            || (*end != ',' && *end != '\0'))
+        if (*text < '0' || *text > '9' || length <= last || length > TRACE_QUEUE_MOST
+            || points->count == SWEEP_LENGTHS_MOST || (*end != ',' && *end != '\0'))
             return false;
         points->items[points->count++] = last = (size_t)length;
         text = end;
@@ -314,8 +295,7 @@ static const struct command_option options[] = {
       .value = "FILE",
       .kind = COMMAND_FILE,
       .offset = CMD_PLACE(output),
-      .help =
-          "a plot, NAME.svg or .png, by gnuplot; NAME.dat and NAME.gp too" },
+      .help = "a plot, NAME.svg or .png, by gnuplot; NAME.dat and NAME.gp too" },
     { .name = "points",
       .value = "N,N,..",
       .kind = COMMAND_OWN,
@@ -363,10 +343,9 @@ const struct command sweep_command = {
     .function = run_command_line,
     .options = options,
     .operands = operands,
-    .details =
-        "A primitive is sphere, cylinder, Steiner, 'Steiner, ours' or torus; "
-        "its kernel and calls count. A scene is a name with a /, or ending in "
-        ".pov, or -; all of its frame counts. Scalar and vector frames must be "
-        "equal.",
+    .details = "A primitive is sphere, cylinder, Steiner, 'Steiner, ours' or torus; "
+               "its kernel and calls count. A scene is a name with a /, or ending in "
+               ".pov, or -; all of its frame counts. Scalar and vector frames must be "
+               "equal.",
     .examples = examples,
 };

@@ -11,8 +11,8 @@
 
 /* Which clocks of the band are asked for: those of the pixel's queue, unless told. */
 static bool find_stretch(const struct rt205_arguments *arguments,
-                         const struct frame_pixel *pixel,
-                         struct clock_stretch *stretch, c205_error *error)
+                         const struct frame_pixel *pixel, struct clock_stretch *stretch,
+                         c205_error *error)
 {
     if (!pixel_queue_clocks(pixel, stretch, error))
         return false;
@@ -49,13 +49,12 @@ static bool listen(const struct frame_pixel *pixel, struct timeline *timeline,
     if (!timeline_is_good(timeline))
         return error_say(error, "no memory");
     if (timeline->full)
-        return error_say(
-            error,
-            "these are more than %d instructions: choose some by "
-            "--region NAME, --from CLOCK and --to CLOCK, or a "
-            "shorter --queue; the queue is at work in clocks "
-            "%" PRIu64 " to %" PRIu64,
-            TIMELINE_MOST, timeline->from, timeline->to);
+        return error_say(error,
+                         "these are more than %d instructions: choose some by "
+                         "--region NAME, --from CLOCK and --to CLOCK, or a "
+                         "shorter --queue; the queue is at work in clocks "
+                         "%" PRIu64 " to %" PRIu64,
+                         TIMELINE_MOST, timeline->from, timeline->to);
     return timeline->insn_count > 0
            || error_say(error, "no instruction is at work then");
 }
@@ -78,8 +77,8 @@ static bool save(const struct rt205_arguments *arguments,
 }
 
 static bool draw(const struct rt205_arguments *arguments,
-                 const struct frame_pixel *pixel,
-                 const struct results *results, c205_error *error)
+                 const struct frame_pixel *pixel, const struct results *results,
+                 c205_error *error)
 {
     struct clock_stretch stretch;
     struct timeline timeline = { .from = 0 };
@@ -89,8 +88,7 @@ static bool draw(const struct rt205_arguments *arguments,
         return false;
     timeline.from = stretch.from;
     timeline.to = stretch.to;
-    good = listen(pixel, &timeline, error)
-           && save(arguments, pixel, &timeline, error);
+    good = listen(pixel, &timeline, error) && save(arguments, pixel, &timeline, error);
     if (good)
         results_say(results,
                     "%s: %zu instruction%s, clocks %" PRIu64 " to %" PRIu64
@@ -123,8 +121,7 @@ static int trace_and_draw(const struct rt205_arguments *arguments,
            && draw(arguments, &pixel, results, &error);
     trace_free(trace);
     scene_free(scene);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
 static int run_command_line(void *given)
@@ -134,8 +131,7 @@ static int run_command_line(void *given)
     if (!arguments->output)
         return cmd_usage(arguments->command, "where to? -o FILE");
     if (!timeline_is_named(arguments->output))
-        return cmd_usage(arguments->command,
-                         "%s: a timeline is .svg, .kanata or .json",
+        return cmd_usage(arguments->command, "%s: a timeline is .svg, .kanata or .json",
                          arguments->output);
     if (arguments->from != C205_NO_LIMIT && arguments->from >= arguments->to)
         return cmd_usage(arguments->command, "--from is before --to");
@@ -194,8 +190,7 @@ const struct command timeline_command = {
     .options = options,
     .operands = operands,
     .examples = examples,
-    .details =
-        "A queue is taken from where its rays are made to where their "
-        "colours are stored; of the serial form it is one pixel, with all "
-        "that comes of its ray.",
+    .details = "A queue is taken from where its rays are made to where their "
+               "colours are stored; of the serial form it is one pixel, with all "
+               "that comes of its ray.",
 };

@@ -31,28 +31,25 @@ struct sources {
 };
 
 /* What was found in a file, printed. */
-static bool is_read(bool good, const char *path,
-                    struct diagnostics *diagnostics, c205_error *error)
+static bool is_read(bool good, const char *path, struct diagnostics *diagnostics,
+                    c205_error *error)
 {
     diagnostics_print(diagnostics, stderr);
     diagnostics_free(diagnostics);
     if (!good)
-        snprintf(error->message, sizeof error->message,
-                 "%.200s cannot be used", path);
+        snprintf(error->message, sizeof error->message, "%.200s cannot be used", path);
     return good;
 }
 
-static bool read_sources(const struct arguments *arguments,
-                         struct sources *sources, c205_error *error)
+static bool read_sources(const struct arguments *arguments, struct sources *sources,
+                         c205_error *error)
 {
-    static const char *const files[] = { "table1.csv", "machine.csv",
-                                         "livermore.csv" };
+    static const char *const files[] = { "table1.csv", "machine.csv", "livermore.csv" };
     char path[PATH_SIZE], programs[PATH_SIZE];
     struct run_options how = { .folder = programs };
     struct diagnostics found = { 0 };
 
-    how.model = sources->model = c205_model_find("cyber205-2pipe-prior",
-                                                 error);
+    how.model = sources->model = c205_model_find("cyber205-2pipe-prior", error);
     /* The vector form is short of instructions, and the queue must be full:
      * so it has all 100,000 rays. */
     how.width[TRACE_VECTOR] = 400;
@@ -66,19 +63,17 @@ static bool read_sources(const struct arguments *arguments,
         snprintf(path, sizeof path, "%.400s/observations/%s", arguments->data,
                  files[i]);
         if (!how.model
-            || !is_read(observations_read(&sources->observations, path, &how,
-                                          &found),
+            || !is_read(observations_read(&sources->observations, path, &how, &found),
                         path, &found, error))
             return false;
     }
     snprintf(path, sizeof path, "%.400s/constants.csv", arguments->data);
-    return is_read(constants_read(&sources->constants, path, &found), path,
-                   &found, error);
+    return is_read(constants_read(&sources->constants, path, &found), path, &found,
+                   error);
 }
 
-static bool hold_out(const struct arguments *arguments,
-                     const struct observations *all, struct study *study,
-                     c205_error *error)
+static bool hold_out(const struct arguments *arguments, const struct observations *all,
+                     struct study *study, c205_error *error)
 {
     for (size_t i = 0; i < arguments->held.count; i++) {
         bool found = false;
@@ -88,8 +83,7 @@ static bool hold_out(const struct arguments *arguments,
                 study->held.held[k] = found = true;
         if (!found) {
             snprintf(error->message, sizeof error->message,
-                     "there is no observation '%.100s'",
-                     arguments->held.items[i]);
+                     "there is no observation '%.100s'", arguments->held.items[i]);
             return false;
         }
     }
@@ -99,21 +93,19 @@ static bool hold_out(const struct arguments *arguments,
 /* ---- Writing ------------------------------------------------------------ */
 
 /* See what the models show as they are written, and write those asked for. */
-static bool write_models(const struct arguments *arguments,
-                         const struct study *study, double *written,
-                         c205_error *error)
+static bool write_models(const struct arguments *arguments, const struct study *study,
+                         double *written, c205_error *error)
 {
     bool good = written_predict(study, written, error);
 
     for (size_t i = 0; good && i < arguments->written.count; i++)
-        good = written_model(study, written, arguments->written.items[i],
-                             error);
+        good = written_model(study, written, arguments->written.items[i], error);
     return good;
 }
 
 /* Whether all files can be, asked before a minute of work. */
-static bool check_files(const struct arguments *arguments,
-                        const struct study *study, c205_error *error)
+static bool check_files(const struct arguments *arguments, const struct study *study,
+                        c205_error *error)
 {
     for (size_t i = 0; i < arguments->written.count; i++)
         if (!written_check(study, arguments->written.items[i], error))
@@ -136,8 +128,7 @@ static bool tell(const struct arguments *arguments, const struct study *study,
 }
 
 static bool work(const struct arguments *arguments, struct sources *sources,
-                 struct study *study, const struct results *results,
-                 c205_error *error)
+                 struct study *study, const struct results *results, c205_error *error)
 {
     study->brief = arguments->brief;
     study->fit.observations = &sources->observations;
@@ -151,14 +142,12 @@ static bool work(const struct arguments *arguments, struct sources *sources,
 
 /* ---- The command --------------------------------------------------------- */
 
-static int fit(const struct arguments *arguments,
-               const struct results *results)
+static int fit(const struct arguments *arguments, const struct results *results)
 {
     struct sources *sources = calloc(1, sizeof *sources);
     struct study *study = calloc(1, sizeof *study);
     c205_error error = { "no memory" };
-    bool good = sources && study
-                && work(arguments, sources, study, results, &error);
+    bool good = sources && study && work(arguments, sources, study, results, &error);
 
     if (sources) {
         constants_free(&sources->constants);
@@ -167,8 +156,7 @@ static int fit(const struct arguments *arguments,
     }
     free(sources);
     free(study);
-    return good ? CMD_DONE
-                : cmd_failed(arguments->command, "%s", error.message);
+    return good ? CMD_DONE : cmd_failed(arguments->command, "%s", error.message);
 }
 
 static int run(void *given)

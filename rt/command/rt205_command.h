@@ -18,8 +18,7 @@
 #include "rt/study/sweep/kinds.h"
 
 extern const struct command render_command, profile_command, speedup_command,
-    sweep_command, quartic_command, heat_command, mass_command,
-    timeline_command;
+    sweep_command, quartic_command, heat_command, mass_command, timeline_command;
 
 /* Lengths of the queue, rising. */
 struct cmd_points {
@@ -48,7 +47,7 @@ struct cmd_heat {
     bool exchange, smooth, hits, stages;
     double tolerance; /* 0: none */
     size_t limit;
-    const char *from; /* who emits, or NULL: all */
+    const char *from;                                /* who emits, or NULL: all */
     struct command_texts emissivities, temperatures; /* NAME=VALUE */
 };
 
@@ -84,9 +83,9 @@ struct rt205_arguments {
     bool accounts;                /* of a frame, printed */
     bool profile, in_order;       /* of a frame, line by line */
     bool all, first;              /* roots of polynomials */
-    bool details; /* of the speedup table, and of heat the unseen surfaces */
-    bool passes;  /* of the speedup table: the root solver's, one by one */
-    bool formulations;         /* of the cylinder, in place of that table */
+    bool details;      /* of the speedup table, and of heat the unseen surfaces */
+    bool passes;       /* of the speedup table: the root solver's, one by one */
+    bool formulations; /* of the cylinder, in place of that table */
     struct command_texts rows; /* of that table; none: all of them */
     struct cmd_heat heat;
     int falsi; /* the rule; FALSI_RULES: all of them, compared */
@@ -97,9 +96,8 @@ struct rt205_arguments {
 };
 
 /* .. under --hits. */
-bool cmd_heat_hits(const struct rt205_arguments *arguments,
-                   const struct scene *scene, const struct results *results,
-                   c205_error *error);
+bool cmd_heat_hits(const struct rt205_arguments *arguments, const struct scene *scene,
+                   const struct results *results, c205_error *error);
 
 /* .. of rt205 render under --debug. */
 int cmd_debug_pixel(const struct rt205_arguments *arguments,
@@ -109,8 +107,7 @@ int cmd_debug_pixel(const struct rt205_arguments *arguments,
 
 #define CMD_PLACE(member) offsetof(struct rt205_arguments, member)
 
-command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice,
-    cmd_order_choice;
+command_choice cmd_mode_choice, cmd_form_choice, cmd_visible_choice, cmd_order_choice;
 
 /* clang-format off */
 #define CMD_MODEL COMMAND_OPTION_MODEL(CMD_PLACE(model))

@@ -53,8 +53,8 @@ static bool add_to_key(void *context, const void *bytes, size_t count)
     return true;
 }
 
-uint64_t farm_key(const char *kind, const c205 *machine,
-                  const uint64_t *options, size_t count)
+uint64_t farm_key(const char *kind, const c205 *machine, const uint64_t *options,
+                  size_t count)
 {
     uint64_t key = HASH_START;
     c205_error error;
@@ -98,8 +98,7 @@ static bool take_next(struct pool *pool, size_t *unit)
 
     while (pool->next < work->count && pool->begun[pool->next])
         pool->next++;
-    if (pool->stopped || pool->next >= pool->failed
-        || pool->next >= work->count)
+    if (pool->stopped || pool->next >= pool->failed || pool->next >= work->count)
         return false;
     *unit = pool->next;
     return pool->begun[*unit] = true;
@@ -120,13 +119,11 @@ static void stop(struct pool *pool, const c205_error *why)
     pool->stopped = true;
 }
 
-static bool may_go_on(const struct farm_work *work, size_t done,
-                      c205_error *why)
+static bool may_go_on(const struct farm_work *work, size_t done, c205_error *why)
 {
-    if (work->progress
-        && !work->progress(work->progress_context, done, work->count))
-        return error_say(why, "stopped after %zu of %zu packet%s", done,
-                         work->count, plural(work->count));
+    if (work->progress && !work->progress(work->progress_context, done, work->count))
+        return error_say(why, "stopped after %zu of %zu packet%s", done, work->count,
+                         plural(work->count));
     return !work->go_on || work->go_on(work->context, done, why);
 }
 
@@ -139,18 +136,15 @@ static void ask(struct pool *pool)
         stop(pool, &why);
 }
 
-static void take_unit(struct pool *pool, size_t unit,
-                      struct unit_words *words)
+static void take_unit(struct pool *pool, size_t unit, struct unit_words *words)
 {
     const struct farm_work *work = pool->work;
     c205_error why = { "no memory" };
 
     if (words->failed
-        || (farm_collects(work->farm)
-            && !work->take(work->context, unit, words, &why))
+        || (farm_collects(work->farm) && !work->take(work->context, unit, words, &why))
         || (work->farm->file
-            && !unit_file_add(work->farm->file, work->first + unit, words,
-                              &why))) {
+            && !unit_file_add(work->farm->file, work->first + unit, words, &why))) {
         stop(pool, &why);
         return;
     }
@@ -166,8 +160,7 @@ static bool has_unit(const struct farm_work *work, size_t unit,
     c205_error why;
 
     return farm->file && unit_file_read(farm->file, work->first + unit, words)
-           && (!farm_collects(farm)
-               || work->take(work->context, unit, words, &why));
+           && (!farm_collects(farm) || work->take(work->context, unit, words, &why));
 }
 
 /* Those of other shares, and those that the file has, are not done. */
@@ -291,14 +284,12 @@ static void hear_unit(struct service *service, uint64_t unit,
 {
     struct unit_words words = { .items = NULL };
 
-    words_put_all(&words, message->items + message->at,
-                  message->count - message->at);
+    words_put_all(&words, message->items + message->at, message->count - message->at);
     take_unit(service->pool, (size_t)unit, &words);
     words_free(&words);
 }
 
-static void answer(struct service *service, size_t from,
-                   struct unit_words *message)
+static void answer(struct service *service, size_t from, struct unit_words *message)
 {
     uint64_t what = words_take(message), unit = words_take(message);
 
@@ -341,10 +332,9 @@ static void serve(struct service *service)
 static void serve_ranks(struct pool *pool, struct ranks *ranks)
 {
     size_t *open = calloc(ranks->count, sizeof *open);
-    struct service service = { .pool = pool,
-                               .ranks = ranks,
-                               .open = open,
-                               .left = AHEAD * (ranks->count - 1) };
+    struct service service = {
+        .pool = pool, .ranks = ranks, .open = open, .left = AHEAD * (ranks->count - 1)
+    };
 
     if (!open)
         abort(); /* all ranks end with one */
@@ -354,12 +344,10 @@ static void serve_ranks(struct pool *pool, struct ranks *ranks)
     free(open);
 }
 
-static bool do_for_other(const struct farm_work *work, size_t unit,
-                         c205_error *error)
+static bool do_for_other(const struct farm_work *work, size_t unit, c205_error *error)
 {
     struct unit_words words = { .items = NULL };
-    bool good = work->run(work->context, 0, unit, &words, error)
-                && !words.failed;
+    bool good = work->run(work->context, 0, unit, &words, error) && !words.failed;
 
     if (good)
         ranks_send(work->farm->ranks, 0, RANK_DONE, unit, &words);

@@ -31,19 +31,18 @@ bool farm_collects(const struct farm *farm);
 bool farm_agree(struct farm *farm, uint64_t *word);
 /* What the units of a run depend on: its kind, this version, all of the state that a machine
  * has before it begins, and options besides.  0: no memory. */
-uint64_t farm_key(const char *kind, const c205 *machine,
-                  const uint64_t *options, size_t count);
+uint64_t farm_key(const char *kind, const c205 *machine, const uint64_t *options,
+                  size_t count);
 
 struct farm_work {
-    struct farm
-        *farm;    /* NULL: threads of this process, and nothing is kept */
-    size_t count; /* of units, 0 .. */
-    size_t jobs;  /* threads; 0: one */
+    struct farm *farm; /* NULL: threads of this process, and nothing is kept */
+    size_t count;      /* of units, 0 .. */
+    size_t jobs;       /* threads; 0: one */
     /* Numbers in the file are first + unit, for a file may have several works. */
     uint64_t first;
     /* In the thread of that job: what the unit comes to. */
-    bool (*run)(void *context, size_t job, size_t unit,
-                struct unit_words *words, c205_error *error);
+    bool (*run)(void *context, size_t job, size_t unit, struct unit_words *words,
+                c205_error *error);
     /* One at a time. */
     bool (*take)(void *context, size_t unit, struct unit_words *words,
                  c205_error *error);

@@ -47,9 +47,8 @@ bool ranks_join(struct ranks *ranks, c205_error *error)
 
 /* ---- Messages ------------------------------------------------------------ */
 
-void ranks_send(const struct ranks *ranks, size_t to,
-                enum rank_message message, uint64_t word,
-                const struct unit_words *more)
+void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
+                uint64_t word, const struct unit_words *more)
 {
     size_t count = more ? more->count : 0;
     uint64_t *words = malloc((count + 2) * sizeof *words);
@@ -64,8 +63,7 @@ void ranks_send(const struct ranks *ranks, size_t to,
     free(words);
 }
 
-bool ranks_hear(const struct ranks *ranks, size_t *from,
-                struct unit_words *message)
+bool ranks_hear(const struct ranks *ranks, size_t *from, struct unit_words *message)
 {
     size_t count;
 
@@ -85,8 +83,7 @@ void ranks_wait(struct ranks_pause *pause)
     if (pause->nanoseconds > 0)
         moment.tv_nsec = pause->nanoseconds;
     nanosleep(&moment, NULL);
-    pause->nanoseconds = 2 * moment.tv_nsec < MOST ? 2 * moment.tv_nsec
-                                                   : MOST;
+    pause->nanoseconds = 2 * moment.tv_nsec < MOST ? 2 * moment.tv_nsec : MOST;
 }
 
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word)

@@ -49,17 +49,14 @@ enum rank_message {
     RANK_FREE,   /* work is done */
     RANK_LEAVES
 };
-void ranks_send(const struct ranks *ranks, size_t to,
-                enum rank_message message, uint64_t word,
-                const struct unit_words *more);
+void ranks_send(const struct ranks *ranks, size_t to, enum rank_message message,
+                uint64_t word, const struct unit_words *more);
 /* False: none has come.  message->at is behind the first word. */
-bool ranks_hear(const struct ranks *ranks, size_t *from,
-                struct unit_words *message);
+bool ranks_hear(const struct ranks *ranks, size_t *from, struct unit_words *message);
 /* What rank 0 says next, to one of the others. */
 enum rank_message ranks_await(struct ranks *ranks, uint64_t *word);
 /* Tell rank 0 why a unit is not done. */
-void ranks_fail(const struct ranks *ranks, uint64_t unit,
-                const char *failure);
+void ranks_fail(const struct ranks *ranks, uint64_t unit, const char *failure);
 /* A moment in which others work: 50 us, then twice as long each time up to 4 ms, so that
  * who waits long asks seldom.  Begin with { 0 }, anew when a message has come. */
 struct ranks_pause {

@@ -59,8 +59,7 @@ static bool read_word(FILE *stream, uint64_t *word)
 /* ---- A unit -------------------------------------------------------------- */
 
 /* The next one, whole and unharmed. */
-static bool read_unit(FILE *stream, uint64_t *number,
-                      struct unit_words *words)
+static bool read_unit(FILE *stream, uint64_t *number, struct unit_words *words)
 {
     uint64_t head[2], sum, word = 0;
 
@@ -78,8 +77,7 @@ static bool read_unit(FILE *stream, uint64_t *number,
            && word == hash_words(sum, words->items, words->count);
 }
 
-static bool write_unit(FILE *stream, uint64_t number,
-                       const struct unit_words *words)
+static bool write_unit(FILE *stream, uint64_t number, const struct unit_words *words)
 {
     const uint64_t head[2] = { number, words->count };
     uint64_t sum = hash_words(HASH_START, head, 2);
@@ -88,8 +86,7 @@ static bool write_unit(FILE *stream, uint64_t number,
 
     for (size_t i = 0; good && i < words->count; i++)
         good = write_word(stream, words->items[i]);
-    return good
-           && write_word(stream, hash_words(sum, words->items, words->count))
+    return good && write_word(stream, hash_words(sum, words->items, words->count))
            && fflush(stream) == 0;
 }
 
@@ -131,8 +128,7 @@ static bool note_unit(struct unit_file *file, uint64_t number, long at)
         return true;
     if (file->count == file->room) {
         size_t room = file->room > 0 ? 2 * file->room : 64;
-        struct unit_place *places = realloc(file->places,
-                                            room * sizeof *places);
+        struct unit_place *places = realloc(file->places, room * sizeof *places);
 
         if (!places)
             return false;
@@ -167,14 +163,12 @@ static bool drop_tail(struct unit_file *file)
            && ftruncate(fileno(file->stream), (off_t)file->end) == 0;
 }
 
-bool unit_file_read(struct unit_file *file, uint64_t number,
-                    struct unit_words *words)
+bool unit_file_read(struct unit_file *file, uint64_t number, struct unit_words *words)
 {
     uint64_t found;
 
     return unit_file_has(file, number)
-           && fseek(file->stream, file->places[place_of(file, number)].at,
-                    SEEK_SET)
+           && fseek(file->stream, file->places[place_of(file, number)].at, SEEK_SET)
                   == 0
            && read_unit(file->stream, &found, words) && found == number;
 }
@@ -187,8 +181,7 @@ bool unit_file_add(struct unit_file *file, uint64_t number,
     if (words->failed || fseek(file->stream, file->end, SEEK_SET) != 0
         || !write_unit(file->stream, number, words)
         || !note_unit(file, number, file->end))
-        return error_say(error, "%.100s: a unit of work cannot be added",
-                         file->path);
+        return error_say(error, "%.100s: a unit of work cannot be added", file->path);
     file->end = ftell(file->stream);
     return true;
 }
@@ -199,8 +192,7 @@ static bool read_head(FILE *stream, uint64_t key, c205_error *error)
 {
     uint64_t magic = 0, of = 0;
 
-    if (!read_word(stream, &magic) || !read_word(stream, &of)
-        || magic != MAGIC)
+    if (!read_word(stream, &magic) || !read_word(stream, &of) || magic != MAGIC)
         return error_say(error, "it does not hold units of work");
     return of == key
            || error_say(error, "it is of another run: another scene, other "
@@ -209,8 +201,7 @@ static bool read_head(FILE *stream, uint64_t key, c205_error *error)
 
 static bool write_head(FILE *stream, uint64_t key)
 {
-    return write_word(stream, MAGIC) && write_word(stream, key)
-           && fflush(stream) == 0;
+    return write_word(stream, MAGIC) && write_word(stream, key) && fflush(stream) == 0;
 }
 
 /* Whether the path still leads to the file: a picture of that name may have
@@ -219,9 +210,8 @@ static bool is_there(const struct unit_file *file)
 {
     struct stat kept, named;
 
-    return fstat(fileno(file->stream), &kept) == 0
-           && stat(file->path, &named) == 0 && kept.st_dev == named.st_dev
-           && kept.st_ino == named.st_ino;
+    return fstat(fileno(file->stream), &kept) == 0 && stat(file->path, &named) == 0
+           && kept.st_dev == named.st_dev && kept.st_ino == named.st_ino;
 }
 
 /* The file for this process alone: the lock goes with the process, however it
@@ -234,8 +224,7 @@ static FILE *open_locked(const char *path, c205_error *error)
     FILE *stream = locked ? fdopen(file, "r+b") : NULL;
 
     if (!stream) {
-        error_say(error, "%s",
-                  in_use ? "another run is using it" : strerror(errno));
+        error_say(error, "%s", in_use ? "another run is using it" : strerror(errno));
         if (file >= 0)
             close(file);
     }
@@ -269,8 +258,8 @@ static bool begin(struct unit_file *file, c205_error *error)
     fresh = is_empty(file);
     if (!fresh && !read_head(file->stream, file->key, error))
         return false;
-    return ((!fresh || write_head(file->stream, file->key))
-            && find_units(file) && drop_tail(file))
+    return ((!fresh || write_head(file->stream, file->key)) && find_units(file)
+            && drop_tail(file))
            || error_say(error, "no memory, or no room");
 }
 
@@ -298,8 +287,7 @@ static void give_back(struct unit_file *file)
     free(file);
 }
 
-struct unit_file *unit_file_open(const char *path, uint64_t key,
-                                 c205_error *error)
+struct unit_file *unit_file_open(const char *path, uint64_t key, c205_error *error)
 {
     struct unit_file *file = new_file(path, key);
     c205_error why = { "no memory" };
@@ -359,8 +347,7 @@ static FILE *open_other(const struct unit_file *file, const char *path,
     return NULL;
 }
 
-bool unit_file_merge(struct unit_file *file, const char *path,
-                     c205_error *error)
+bool unit_file_merge(struct unit_file *file, const char *path, c205_error *error)
 {
     c205_error why;
     FILE *stream = open_other(file, path, &why);

@@ -14,18 +14,15 @@ struct unit_file;
 
 /* A new file, or one of the same key; an empty one is as good as none.  NULL: it is a
  * file of something else, cannot be read or written, or another run has it open. */
-struct unit_file *unit_file_open(const char *path, uint64_t key,
-                                 c205_error *error);
+struct unit_file *unit_file_open(const char *path, uint64_t key, c205_error *error);
 /* All units of another file, of the same key, that this one does not have; that file
  * must be there, and stays as it is. */
-bool unit_file_merge(struct unit_file *file, const char *path,
-                     c205_error *error);
+bool unit_file_merge(struct unit_file *file, const char *path, c205_error *error);
 
 size_t unit_file_count(const struct unit_file *file);
 bool unit_file_has(const struct unit_file *file, uint64_t number);
 /* False: it has none of that number, it cannot be read, no memory. */
-bool unit_file_read(struct unit_file *file, uint64_t number,
-                    struct unit_words *words);
+bool unit_file_read(struct unit_file *file, uint64_t number, struct unit_words *words);
 /* One that it has already is not added again. */
 bool unit_file_add(struct unit_file *file, uint64_t number,
                    const struct unit_words *words, c205_error *error);

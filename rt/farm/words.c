@@ -27,8 +27,7 @@ void words_put(struct unit_words *words, uint64_t word)
     words_put_all(words, &word, 1);
 }
 
-void words_put_all(struct unit_words *words, const uint64_t *items,
-                   size_t count)
+void words_put_all(struct unit_words *words, const uint64_t *items, size_t count)
 {
     if (!make_room(words, count)) {
         words->failed = true;
@@ -99,8 +98,7 @@ static void put_account(struct unit_words *words, const c205_account *account)
     words_put(words, account->entries);
 }
 
-void words_put_accounts(struct unit_words *words,
-                        const struct accounts *accounts)
+void words_put_accounts(struct unit_words *words, const struct accounts *accounts)
 {
     words_put(words, accounts->count);
     for (size_t i = 0; i < accounts->count; i++)

@@ -18,8 +18,7 @@ struct unit_words {
 };
 
 void words_put(struct unit_words *words, uint64_t word);
-void words_put_all(struct unit_words *words, const uint64_t *items,
-                   size_t count);
+void words_put_all(struct unit_words *words, const uint64_t *items, size_t count);
 /* 0, and failed, beyond the end. */
 uint64_t words_take(struct unit_words *words);
 /* So many into items; none if there are fewer. */
@@ -29,8 +28,7 @@ bool words_resize(struct unit_words *words, size_t count);
 void words_clear(struct unit_words *words);
 void words_free(struct unit_words *words);
 
-void words_put_accounts(struct unit_words *words,
-                        const struct accounts *accounts);
+void words_put_accounts(struct unit_words *words, const struct accounts *accounts);
 /* Added to those that there are.  False: they are none, or no memory. */
 bool words_take_accounts(struct unit_words *words, struct accounts *accounts);
 

@@ -29,11 +29,10 @@ static void fill(struct columns *columns, double *share, size_t *alias)
     }
 }
 
-bool alias_build(const double *weights, size_t count, double *share,
-                 size_t *alias)
+bool alias_build(const double *weights, size_t count, double *share, size_t *alias)
 {
-    struct columns columns = { malloc((count + 1) * sizeof *columns.list), 0,
-                               0, count };
+    struct columns columns = { malloc((count + 1) * sizeof *columns.list), 0, 0,
+                               count };
     double sum = 0;
 
     if (!columns.list)

@@ -13,7 +13,6 @@
 
 /* weights: as many as count, none below 0, one above; probabilities are theirs over
  * their sum.  share and alias: likewise; shares are 0 .. 1.  False: no memory. */
-bool alias_build(const double *weights, size_t count, double *share,
-                 size_t *alias);
+bool alias_build(const double *weights, size_t count, double *share, size_t *alias);
 
 #endif

@@ -31,9 +31,8 @@ double chords_weight(const struct chords *chords)
     return 2 * elementary_acos(-1) * chords->radius * chords->radius;
 }
 
-bool chords_run(const struct chords *chords,
-                const struct emission_choice *choice, c205_word *planes,
-                struct scene_line *lines, struct accounts *accounts,
+bool chords_run(const struct chords *chords, const struct emission_choice *choice,
+                c205_word *planes, struct scene_line *lines, struct accounts *accounts,
                 c205_error *error)
 {
     size_t count = chords->count;
@@ -42,8 +41,7 @@ bool chords_run(const struct chords *chords,
         return false;
     for (size_t i = 0; i < count; i++)
         for (size_t k = 0; k < 3; k++) {
-            lines[i].origin[k] = c205_to_double(
-                planes[(EMITTED_SPOT + k) * count + i]);
+            lines[i].origin[k] = c205_to_double(planes[(EMITTED_SPOT + k) * count + i]);
             lines[i].direction[k] = c205_to_double(
                 planes[(EMITTED_RAY + k) * count + i]);
         }

@@ -30,9 +30,8 @@ double chords_weight(const struct chords *chords);
 
 /* As many lines, and the planes of the points where they end (enum emitted).  Any number of
  * threads may run them at a time.  False: a trap, no memory. */
-bool chords_run(const struct chords *chords,
-                const struct emission_choice *choice, c205_word *planes,
-                struct scene_line *lines, struct accounts *accounts,
+bool chords_run(const struct chords *chords, const struct emission_choice *choice,
+                c205_word *planes, struct scene_line *lines, struct accounts *accounts,
                 c205_error *error);
 
 #endif

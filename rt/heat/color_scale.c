@@ -77,8 +77,7 @@ static size_t text_width(const char *text)
     return strlen(text) * ADVANCE;
 }
 
-static struct scale_layout layout_of(const struct color_scale *scale,
-                                     size_t width)
+static struct scale_layout layout_of(const struct color_scale *scale, size_t width)
 {
     struct scale_layout layout = { .scale = scale };
 
@@ -86,12 +85,9 @@ static struct scale_layout layout_of(const struct color_scale *scale,
     layout.width = width / layout.dot;
     layout.begin = scale->least < 0 ? -1 : 0;
     layout.end = scale->most > 0 || scale->least >= 0 ? 1 : 0;
-    snprintf(layout.least, NUMBER_SIZE, "%g",
-             layout.begin < 0 ? scale->least : 0);
-    snprintf(layout.most, NUMBER_SIZE, "%g",
-             layout.end > 0 ? scale->most : 0);
-    layout.apart = text_width(layout.least) + text_width(layout.most)
-                       + 2 * MARGIN
+    snprintf(layout.least, NUMBER_SIZE, "%g", layout.begin < 0 ? scale->least : 0);
+    snprintf(layout.most, NUMBER_SIZE, "%g", layout.end > 0 ? scale->most : 0);
+    layout.apart = text_width(layout.least) + text_width(layout.most) + 2 * MARGIN
                    > layout.width;
     return layout;
 }
@@ -116,8 +112,7 @@ static void put_dot(const struct scale_layout *layout, size_t x, size_t y,
         size_t column = x * layout->dot + i % layout->dot;
         size_t row = layout->first + y * layout->dot + i / layout->dot;
 
-        for (int k = 0; column < frame->width && row < frame->height && k < 3;
-             k++)
+        for (int k = 0; column < frame->width && row < frame->height && k < 3; k++)
             frame->channel[k][row * frame->width + column] = color[k];
     }
 }
@@ -129,14 +124,14 @@ static void put_text(const struct scale_layout *layout, size_t x, size_t y,
 
     for (; *text; text++, x += ADVANCE)
         for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
-            for (size_t dot = 0; letters[i].letter == *text
-                                 && dot < LETTER_WIDTH * LETTER_HEIGHT;
+            for (size_t dot = 0;
+                 letters[i].letter == *text && dot < LETTER_WIDTH * LETTER_HEIGHT;
                  dot++)
                 if (letters[i].rows[dot / LETTER_WIDTH]
                         >> (LETTER_WIDTH - 1 - dot % LETTER_WIDTH)
                     & 1)
-                    put_dot(layout, x + dot % LETTER_WIDTH,
-                            y + dot / LETTER_WIDTH, white);
+                    put_dot(layout, x + dot % LETTER_WIDTH, y + dot / LETTER_WIDTH,
+                            white);
 }
 
 /* Where a text begins that is to be around a column, or end there. */
@@ -151,8 +146,7 @@ static void put_bar(const struct scale_layout *layout)
     double reach = layout->end - layout->begin;
 
     for (size_t x = MARGIN; x + MARGIN < layout->width; x++) {
-        double at = ((double)(x - MARGIN) + .5)
-                    / (double)(layout->width - 2 * MARGIN);
+        double at = ((double)(x - MARGIN) + .5) / (double)(layout->width - 2 * MARGIN);
         double color[3];
 
         scale->color(scale->context, layout->begin + at * reach, color);
@@ -168,10 +162,8 @@ static void put_numbers(const struct scale_layout *layout)
     size_t most = before(end + 1, text_width(layout->most));
 
     put_text(layout, MARGIN, BAR_END, layout->least);
-    put_text(layout, most, BAR_END + (layout->apart ? LINE : 0),
-             layout->most);
-    if (layout->begin < 0 && layout->end > 0 && zero > least
-        && zero + ADVANCE < most)
+    put_text(layout, most, BAR_END + (layout->apart ? LINE : 0), layout->most);
+    if (layout->begin < 0 && layout->end > 0 && zero > least && zero + ADVANCE < most)
         put_text(layout, zero - LETTER_WIDTH / 2, BAR_END, "0");
 }
 
@@ -185,6 +177,6 @@ void color_scale_draw(const struct color_scale *scale, struct frame *frame,
     layout.first = first;
     put_bar(&layout);
     put_numbers(&layout);
-    put_text(&layout, before(layout.width / 2, text_width(scale->title) / 2),
-             line, scale->title);
+    put_text(&layout, before(layout.width / 2, text_width(scale->title) / 2), line,
+             scale->title);
 }

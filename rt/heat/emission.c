@@ -31,8 +31,8 @@ static double determinant(const struct transform *map)
 }
 
 /* The rows of the transposed inverse, turned round with the solid. */
-static void put_to_face(struct record *record,
-                        const struct transform *inverse, bool inverted)
+static void put_to_face(struct record *record, const struct transform *inverse,
+                        bool inverted)
 {
     double words[9], side = inverted ? -1 : 1;
 
@@ -42,12 +42,10 @@ static void put_to_face(struct record *record,
     record_numbers(record, "EMISSION_TO_FACE", words, 9);
 }
 
-static void put_place(struct record *record,
-                      const struct primitive *primitive,
+static void put_place(struct record *record, const struct primitive *primitive,
                       const struct emitter *emitter)
 {
-    struct transform map = transform_then(&emitter->to_own,
-                                          &primitive->to_world);
+    struct transform map = transform_then(&emitter->to_own, &primitive->to_world);
     struct transform inverse;
     double area = emitter->area * fabs(determinant(&map));
 
@@ -78,9 +76,8 @@ static void fill_columns(const struct emitter *emitter, const double *share,
 
 static size_t table_size(const struct emitter *emitter)
 {
-    return emitter->piece_count > 0
-               ? emitter->piece_count * (2 + emitter->piece_words)
-               : 0;
+    return emitter->piece_count > 0 ? emitter->piece_count * (2 + emitter->piece_words)
+                                    : 0;
 }
 
 static void put_pieces(struct record *record, const struct emitter *emitter)
@@ -104,8 +101,7 @@ static void put_pieces(struct record *record, const struct emitter *emitter)
     free(columns);
 }
 
-static bool lay_out(struct emission *emission,
-                    const struct primitive *primitive,
+static bool lay_out(struct emission *emission, const struct primitive *primitive,
                     const struct emitter *emitter, c205_error *error)
 {
     struct record_layout layout = { .image = &emission->image,
@@ -136,18 +132,16 @@ static const char *const programs[TRACE_FORMS] = {
     [TRACE_VECTOR] = "heat/emission_vector.s",
 };
 
-static bool check_options(const struct emission_options *options,
-                          c205_error *error)
+static bool check_options(const struct emission_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_FORMS)
         return error_say(error, "emission is scalar or vector");
     if (options->points < 1 || options->points > EMISSION_MOST)
-        return error_say(error, "%zu points: 1 .. %d", options->points,
-                         EMISSION_MOST);
+        return error_say(error, "%zu points: 1 .. %d", options->points, EMISSION_MOST);
     if (options->mode == TRACE_VECTOR
         && (options->queue < 1 || options->queue > EMISSION_MOST))
-        return error_say(error, "a queue of %zu points: 1 .. %d",
-                         options->queue, EMISSION_MOST);
+        return error_say(error, "a queue of %zu points: 1 .. %d", options->queue,
+                         EMISSION_MOST);
     return true;
 }
 
@@ -157,13 +151,11 @@ static bool assemble(struct emission *emission, c205_error *error)
     const struct asm_define defines[] = {
         { "POINTS", (int64_t)options->points },
         { "LATTICE", options->lattice },
-        { options->mode == TRACE_VECTOR ? "QUEUE" : NULL,
-          (int64_t)options->queue },
+        { options->mode == TRACE_VECTOR ? "QUEUE" : NULL, (int64_t)options->queue },
         { NULL, 0 },
     };
 
-    emission->program = program_assemble(programs[options->mode], defines,
-                                         error);
+    emission->program = program_assemble(programs[options->mode], defines, error);
     return emission->program != NULL;
 }
 
@@ -186,8 +178,8 @@ const char *emission_refusal(const struct primitive *primitive)
     return fault;
 }
 
-static bool prepare(struct emission *emission,
-                    const struct primitive *primitive, c205_error *error)
+static bool prepare(struct emission *emission, const struct primitive *primitive,
+                    c205_error *error)
 {
     struct emitter emitter;
     const char *fault = find_emitter(primitive, &emitter);
@@ -196,16 +188,14 @@ static bool prepare(struct emission *emission,
                 && lay_out(emission, primitive, &emitter, error);
 
     if (fault)
-        error_say(error, "the %s of line %zu: %s",
-                  primitive_kind_name(primitive->kind), primitive->line,
-                  fault);
+        error_say(error, "the %s of line %zu: %s", primitive_kind_name(primitive->kind),
+                  primitive->line, fault);
     emitter_free(&emitter);
     return good;
 }
 
 struct emission *emission_new(const struct primitive *primitive,
-                              const struct emission_options *options,
-                              c205_error *error)
+                              const struct emission_options *options, c205_error *error)
 {
     struct emission *emission = calloc(1, sizeof *emission);
 
@@ -235,8 +225,7 @@ static bool load(const struct emission *emission, c205 *machine,
                  const struct emission_choice *choice, c205_error *error)
 {
     /* Integers have the exponent 0. */
-    const c205_word words[] = { choice->seed, choice->first, choice->m,
-                                choice->shift };
+    const c205_word words[] = { choice->seed, choice->first, choice->m, choice->shift };
 
     return c205_load(machine, &emission->program->program, error)
            && image_load(&emission->image, machine, error)
@@ -256,9 +245,8 @@ c205 *emission_load(const struct emission *emission,
     return NULL;
 }
 
-bool emission_run(const struct emission *emission,
-                  const struct emission_choice *choice, c205_word *planes,
-                  struct accounts *accounts, c205_error *error)
+bool emission_run(const struct emission *emission, const struct emission_choice *choice,
+                  c205_word *planes, struct accounts *accounts, c205_error *error)
 {
     size_t words = EMITTED_PLANES * emission->options.points;
     c205 *machine = emission_load(emission, choice, error);
@@ -276,8 +264,8 @@ const struct object *emission_program(const struct emission *emission)
     return emission->program;
 }
 
-struct emission_choice emission_choose(bool lattice, uint64_t seed,
-                                       size_t points, size_t place)
+struct emission_choice emission_choose(bool lattice, uint64_t seed, size_t points,
+                                       size_t place)
 {
     struct emission_choice choice = { .seed = seed, .shift = place };
 

@@ -17,10 +17,10 @@
 enum { EMISSION_MOST = 65535 }; /* points of a run */
 
 struct emission_options {
-    enum trace_mode mode; /* TRACE_SCALAR or TRACE_VECTOR */
-    size_t queue;         /* points; vector mode only; 1 .. EMISSION_MOST */
-    size_t points;        /* of each run; 1 .. EMISSION_MOST */
-    bool lattice;         /* made of the lattice's points, not of the random
+    enum trace_mode mode;    /* TRACE_SCALAR or TRACE_VECTOR */
+    size_t queue;            /* points; vector mode only; 1 .. EMISSION_MOST */
+    size_t points;           /* of each run; 1 .. EMISSION_MOST */
+    bool lattice;            /* made of the lattice's points, not of the random
                              stream (docs/points.md) */
     const c205_model *model; /* must outlive the emission */
 };
@@ -38,8 +38,7 @@ enum emitted {
     /* .. of its outward normal of length one: of a complement in a tree it points into it;
      * of what has no outside, to either side. */
     EMITTED_FACE = EMITTED_SPOT + 3,
-    EMITTED_WEIGHT = EMITTED_FACE
-                     + 3, /* an area; the mean of all is that of the
+    EMITTED_WEIGHT = EMITTED_FACE + 3, /* an area; the mean of all is that of the
                                           surface */
     EMITTED_RAY, /* of a direction of length one, by the cosine law about the
                     normal */
@@ -48,8 +47,8 @@ enum emitted {
 
 /* Those of a run that has a place of its own among all of a seed: another shift of the
  * lattice, or other numbers of the stream. */
-struct emission_choice emission_choose(bool lattice, uint64_t seed,
-                                       size_t points, size_t place);
+struct emission_choice emission_choose(bool lattice, uint64_t seed, size_t points,
+                                       size_t place);
 
 struct emission;
 
@@ -66,9 +65,8 @@ void emission_free(struct emission *emission);
 /* As many as the options say, EMITTED_PLANES planes, in a machine of its own, whose
  * accounts are added (NULL: to none); any number of threads may run one emission at a
  * time.  False: a trap, no memory. */
-bool emission_run(const struct emission *emission,
-                  const struct emission_choice *choice, c205_word *planes,
-                  struct accounts *accounts, c205_error *error);
+bool emission_run(const struct emission *emission, const struct emission_choice *choice,
+                  c205_word *planes, struct accounts *accounts, c205_error *error);
 
 const struct object *emission_program(const struct emission *emission);
 /* A machine before such a run, which the caller frees: for who listens. */

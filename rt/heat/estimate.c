@@ -28,8 +28,7 @@ struct estimate estimate_mean(const double *values, size_t count)
     return (struct estimate){ mean, error_of(squares, count) };
 }
 
-struct estimate estimate_ratio(const double *shares, const double *wholes,
-                               size_t count)
+struct estimate estimate_ratio(const double *shares, const double *wholes, size_t count)
 {
     double whole = mean_of(wholes, count);
     double ratio = mean_of(shares, count) / whole, squares = 0;

@@ -18,20 +18,18 @@ static bool check_surface(const struct exchange_given *given, size_t i,
     if (!(given->area[i] > 0) || !isfinite(given->area[i]))
         return error_say(error, "surface %s has no area", given->names[i]);
     if (!is_share(given->emissivity[i]))
-        return error_say(error,
-                         "the emissivity %g of surface %s is not 0 to 1",
+        return error_say(error, "the emissivity %g of surface %s is not 0 to 1",
                          given->emissivity[i], given->names[i]);
     if (given->emissivity[i] > 0 && !(given->temperature[i] >= 0))
-        return error_say(error, "surface %s has no temperature",
-                         given->names[i]);
+        return error_say(error, "surface %s has no temperature", given->names[i]);
     return true;
 }
 
 static bool check(const struct exchange_given *given, c205_error *error)
 {
     if (given->count == 0 || given->count > EXCHANGE_MOST)
-        return error_say(error, "%zu surfaces: 1 .. %d exchange",
-                         given->count, EXCHANGE_MOST);
+        return error_say(error, "%zu surfaces: 1 .. %d exchange", given->count,
+                         EXCHANGE_MOST);
     if (!(given->outside >= 0))
         return error_say(error, "the environment has no temperature");
     for (size_t i = 0; i < given->count; i++)
@@ -50,8 +48,7 @@ static c205_word *lay_words(const struct exchange_given *given)
         return NULL;
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j <= n; j++)
-            words[j * n + i] = c205_from_double(
-                given->factors[i * (n + 1) + j]);
+            words[j * n + i] = c205_from_double(given->factors[i * (n + 1) + j]);
     planes = words + (n + 1) * n;
     for (size_t i = 0; i < n; i++) {
         double kelvins = given->emissivity[i] > 0 ? given->temperature[i] : 0;
@@ -64,17 +61,11 @@ static c205_word *lay_words(const struct exchange_given *given)
 }
 
 /* What the program makes: three planes, and behind them three words. */
-enum {
-    MADE_PLANES = 3,
-    MADE_OUTSIDE = 0,
-    MADE_SUM,
-    MADE_SINGULAR,
-    MADE_WORDS
-};
+enum { MADE_PLANES = 3, MADE_OUTSIDE = 0, MADE_SUM, MADE_SINGULAR, MADE_WORDS };
 
 static bool run(const struct exchange_given *given, struct object *program,
-                const c205_word *words, c205_word *made,
-                struct accounts *accounts, c205_error *error)
+                const c205_word *words, c205_word *made, struct accounts *accounts,
+                c205_error *error)
 {
     size_t n = given->count, count = MADE_PLANES * n + MADE_WORDS;
     struct single_run run;
@@ -117,13 +108,11 @@ static bool take(const struct exchange_given *given, const c205_word *made,
     return true;
 }
 
-static bool begin(const struct exchange_given *given,
-                  struct exchange *exchange)
+static bool begin(const struct exchange_given *given, struct exchange *exchange)
 {
     size_t n = given->count;
 
-    *exchange = (struct exchange){ .count = n,
-                                   .accounts = { .model = given->model } };
+    *exchange = (struct exchange){ .count = n, .accounts = { .model = given->model } };
     exchange->radiosity = calloc(n, sizeof *exchange->radiosity);
     exchange->irradiation = calloc(n, sizeof *exchange->irradiation);
     exchange->flow = calloc(n, sizeof *exchange->flow);
@@ -139,8 +128,8 @@ void exchange_free(struct exchange *exchange)
     *exchange = (struct exchange){ 0 };
 }
 
-bool exchange_find(const struct exchange_given *given,
-                   struct exchange *exchange, c205_error *error)
+bool exchange_find(const struct exchange_given *given, struct exchange *exchange,
+                   c205_error *error)
 {
     size_t count = MADE_PLANES * given->count + MADE_WORDS;
     struct object *program;

@@ -14,14 +14,12 @@ struct exchange_given {
     size_t count;             /* surfaces, 1 .. EXCHANGE_MOST */
     const char *const *names; /* for errors */
     const double *area;
-    const double
-        *emissivity; /* 0 .. 1; 0: it is adiabatic, or reflects all */
-    const double
-        *temperature;      /* in kelvins; of what has emissivity 0 it means
+    const double *emissivity;  /* 0 .. 1; 0: it is adiabatic, or reflects all */
+    const double *temperature; /* in kelvins; of what has emissivity 0 it means
                                   nothing */
-    const double *factors; /* [count][count + 1]: of each row the last one is
+    const double *factors;     /* [count][count + 1]: of each row the last one is
                                   that to the environment; its sum is 1 */
-    double outside; /* the temperature of the environment, which is black */
+    double outside;            /* the temperature of the environment, which is black */
     const c205_model *model;
 };
 
@@ -38,8 +36,8 @@ struct exchange {
 
 /* False: a figure out of range, an exchange without a solution, whose surface the error tells by
  * its number; a trap, no memory. */
-bool exchange_find(const struct exchange_given *given,
-                   struct exchange *exchange, c205_error *error);
+bool exchange_find(const struct exchange_given *given, struct exchange *exchange,
+                   c205_error *error);
 void exchange_free(struct exchange *exchange);
 
 #endif

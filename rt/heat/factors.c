@@ -13,14 +13,12 @@ struct factors {
 };
 
 struct factors *factors_new(const struct scene *scene,
-                            const struct factors_options *options,
-                            c205_error *error)
+                            const struct factors_options *options, c205_error *error)
 {
     struct factors *factors;
 
     if (options->points < 1 || options->points > FACTORS_POINTS_MOST) {
-        error_say(error, "%zu points: 1 .. %d", options->points,
-                  FACTORS_POINTS_MOST);
+        error_say(error, "%zu points: 1 .. %d", options->points, FACTORS_POINTS_MOST);
         return NULL;
     }
     if (options->repeats < 2) {
@@ -50,8 +48,7 @@ void factors_free(struct factors *factors)
 
 /* ---- Rows ----------------------------------------------------------------- */
 
-static bool row_begin(struct factor_row *row,
-                      const struct packet_programs *programs)
+static bool row_begin(struct factor_row *row, const struct packet_programs *programs)
 {
     size_t receivers = packet_receivers(programs);
 
@@ -78,8 +75,7 @@ enum { PIECE = 1 << 14 };
 
 static size_t piece_count(const struct factors_options *options)
 {
-    return options->points > EMISSION_MOST ? (options->points - 1) / PIECE + 1
-                                           : 1;
+    return options->points > EMISSION_MOST ? (options->points - 1) / PIECE + 1 : 1;
 }
 
 static size_t packet_count(const struct factors_options *options)
@@ -105,8 +101,7 @@ struct repeats {
 };
 
 /* Of a repeat, the mean over its points of what a receiver gets. */
-static double share_of(const struct repeats *repeats, size_t k,
-                       size_t receiver)
+static double share_of(const struct repeats *repeats, size_t k, size_t receiver)
 {
     const struct packet *packet = &repeats->packets[k * repeats->pieces];
     double sum = 0;
@@ -124,8 +119,7 @@ static void find_areas(const struct repeats *repeats)
                             - share_of(repeats, k, repeats->receivers);
 }
 
-static struct estimate factor_of(const struct repeats *repeats,
-                                 size_t receiver)
+static struct estimate factor_of(const struct repeats *repeats, size_t receiver)
 {
     for (size_t k = 0; k < repeats->count; k++)
         repeats->shares[k] = share_of(repeats, k, receiver);
@@ -141,8 +135,7 @@ static bool count_rays(const struct repeats *repeats, struct factor_row *row)
 
         row->tried += packet->made;
         row->sent += packet->stay
-                     - (uint64_t)c205_to_integer(
-                         packet->counts[row->receivers]);
+                     - (uint64_t)c205_to_integer(packet->counts[row->receivers]);
         for (size_t j = 0; j < row->receivers; j++)
             row->count[j] += (uint64_t)c205_to_integer(packet->counts[j]);
         for (int i = 0; i < HEAT_STEPS; i++)
@@ -202,9 +195,8 @@ struct rows_work {
     struct factor_row *rows;   /* .. */
 };
 
-static bool begin_source(const struct rows_work *work,
-                         struct emitting *emitting, size_t primitive,
-                         size_t points, c205_error *error)
+static bool begin_source(const struct rows_work *work, struct emitting *emitting,
+                         size_t primitive, size_t points, c205_error *error)
 {
     const struct factors_options *options = &work->programs->options;
     const struct emission_options emits = { .mode = options->mode,
@@ -219,13 +211,12 @@ static bool begin_source(const struct rows_work *work,
     source_free(emitting->source);
     emitting->primitive = primitive;
     emitting->points = points;
-    emitting->source = source_new(work->programs->scene, primitive, &emits,
-                                  error);
+    emitting->source = source_new(work->programs->scene, primitive, &emits, error);
     return emitting->source;
 }
 
-static bool run_unit(void *context, size_t job, size_t unit,
-                     struct unit_words *words, c205_error *error)
+static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *words,
+                     c205_error *error)
 {
     const struct rows_work *work = context;
     const struct factors_options *options = &work->programs->options;
@@ -242,8 +233,7 @@ static bool run_unit(void *context, size_t job, size_t unit,
     if (!begin_source(work, emitting, choice.primitive, points, error))
         return false;
     good = packet_begin(&packet, work->programs)
-               ? packet_run(work->programs, emitting->source, &choice,
-                            &packet, error)
+               ? packet_run(work->programs, emitting->source, &choice, &packet, error)
                : error_say(error, "no memory");
     if (good)
         packet_put(&packet, words);
@@ -300,8 +290,7 @@ static size_t unit_count(const struct rows_work *work)
 /* ---- All rows ---------------------------------------------------------------- */
 
 /* All that packets depend on, but for the scene. */
-static bool keep(const struct rows_work *work, struct farm *farm,
-                 c205_error *error)
+static bool keep(const struct rows_work *work, struct farm *farm, c205_error *error)
 {
     const struct packet_programs *programs = work->programs;
     const struct factors_options *options = &programs->options;
@@ -314,8 +303,7 @@ static bool keep(const struct rows_work *work, struct farm *farm,
         options->seed,
         packet_receivers(programs),
         hash_sizes(HASH_START, options->receiver_of,
-                   options->receiver_of ? programs->scene->primitive_count
-                                        : 0),
+                   options->receiver_of ? programs->scene->primitive_count : 0),
         hash_sizes(HASH_START, work->emitters, work->emitter_count),
     };
 
@@ -366,8 +354,8 @@ size_t factors_units(const struct factors *factors, size_t count)
     return count * packet_count(&factors->programs.options);
 }
 
-bool factors_find(const struct factors *factors, const size_t *emitters,
-                  size_t count, struct factor_row *rows, c205_error *error)
+bool factors_find(const struct factors *factors, const size_t *emitters, size_t count,
+                  struct factor_row *rows, c205_error *error)
 {
     struct rows_work work = { .programs = &factors->programs,
                               .emitters = emitters,
@@ -377,8 +365,7 @@ bool factors_find(const struct factors *factors, const size_t *emitters,
 
     for (size_t i = 0; i < count; i++)
         rows[i] = (struct factor_row){ .receivers = 0 };
-    good = begin(&work) ? run_farm(&work, error)
-                        : error_say(error, "no memory");
+    good = begin(&work) ? run_farm(&work, error) : error_say(error, "no memory");
     end(&work);
     for (size_t i = 0; !good && i < count; i++)
         factor_row_free(&rows[i]);

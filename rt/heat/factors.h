@@ -43,12 +43,12 @@ struct factors_options {
 
 /* Of one emitter. */
 struct factor_row {
-    struct estimate area;     /* seen of it, in the world */
-    uint64_t tried, sent;     /* points, and the rays of those that stayed */
-    size_t receivers;         /* all that receive, and the environment */
-    uint64_t *count;          /* of rays, by receiver; their sum is sent */
-    struct estimate *factor;  /* .. as a share of the area; their sum is 1 */
-    struct accounts accounts; /* of all machines */
+    struct estimate area;        /* seen of it, in the world */
+    uint64_t tried, sent;        /* points, and the rays of those that stayed */
+    size_t receivers;            /* all that receive, and the environment */
+    uint64_t *count;             /* of rays, by receiver; their sum is sent */
+    struct estimate *factor;     /* .. as a share of the area; their sum is 1 */
+    struct accounts accounts;    /* of all machines */
     uint64_t clocks[HEAT_STEPS]; /* .. of them */
 };
 void factor_row_free(struct factor_row *row);
@@ -58,16 +58,15 @@ struct factors;
 /* NULL: options that cannot be, no memory; the error says why.  The scene must outlive
  * the factors. */
 struct factors *factors_new(const struct scene *scene,
-                            const struct factors_options *options,
-                            c205_error *error);
+                            const struct factors_options *options, c205_error *error);
 void factors_free(struct factors *factors);
 
 /* Those from so many primitives, numbers of the scene's from 0 on, on their outward sides:
  * rows, which the caller frees.  Where the farm does not collect packets
  * (farm_collects), the rows stay empty.  False: one has no emission, a trap, no memory, a
  * file of another run; the rows are empty then. */
-bool factors_find(const struct factors *factors, const size_t *emitters,
-                  size_t count, struct factor_row *rows, c205_error *error);
+bool factors_find(const struct factors *factors, const size_t *emitters, size_t count,
+                  struct factor_row *rows, c205_error *error);
 /* Packets of so many emitters. */
 size_t factors_units(const struct factors *factors, size_t count);
 

@@ -69,12 +69,11 @@ static bool find_sphere(struct global_work *work, c205_error *error)
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     double low[3] = { INFINITY, INFINITY, INFINITY };
     double high[3] = { -INFINITY, -INFINITY, -INFINITY }, square = 0;
-    bool good = (bounds && bound_nodes(scene, bounds))
-                || error_say(error, "no memory");
+    bool good = (bounds && bound_nodes(scene, bounds)) || error_say(error, "no memory");
 
     for (size_t i = 0; good && i < scene->region_count; i++)
-        good = join_box(&bounds[scene->regions[i].first_node],
-                        &scene->regions[i], low, high, error);
+        good = join_box(&bounds[scene->regions[i].first_node], &scene->regions[i], low,
+                        high, error);
     for (int i = 0; good && i < 3; i++) {
         work->chords.center[i] = (low[i] + high[i]) / 2;
         square += (high[i] - low[i]) * (high[i] - low[i]);
@@ -93,8 +92,7 @@ static size_t surface_count(const struct scene *scene,
     return options->surface_of ? options->surfaces : scene->primitive_count;
 }
 
-static bool check(const struct scene *scene,
-                  const struct global_lines_options *options,
+static bool check(const struct scene *scene, const struct global_lines_options *options,
                   c205_error *error)
 {
     if (scene->primitive_count == 0)
@@ -115,8 +113,7 @@ static bool check(const struct scene *scene,
 static bool begin_chords(struct global_work *work, c205_error *error)
 {
     const struct global_lines_options *options = work->options;
-    const struct emission_options emits = { .mode = trace_mode_besides(
-                                                options->mode),
+    const struct emission_options emits = { .mode = trace_mode_besides(options->mode),
                                             .queue = options->queue,
                                             .points = work->lines_of_packet,
                                             .lattice = options->lattice,
@@ -143,8 +140,7 @@ static bool begin_lines(struct global_work *work, c205_error *error)
 
 static bool begin_gaps(struct global_work *work, c205_error *error)
 {
-    work->gaps = form_assemble_beside("heat/gaps", work->options->mode, NULL,
-                                      error);
+    work->gaps = form_assemble_beside("heat/gaps", work->options->mode, NULL, error);
     return work->gaps;
 }
 
@@ -159,8 +155,7 @@ static bool begin(struct global_work *work, c205_error *error)
 {
     size_t lines = (size_t)1 << work->options->lines_log;
 
-    work->lines_of_packet = lines < GLOBAL_LINES_PACKET ? lines
-                                                        : GLOBAL_LINES_PACKET;
+    work->lines_of_packet = lines < GLOBAL_LINES_PACKET ? lines : GLOBAL_LINES_PACKET;
     work->packets = lines / work->lines_of_packet;
     if (!begin_room(work))
         return error_say(error, "no memory");
@@ -195,10 +190,9 @@ static bool make_lines(struct global_packet *packet)
     const struct global_lines_options *options = work->options;
     size_t repeat = packet->unit / work->packets;
     size_t first = packet->unit % work->packets * work->lines_of_packet;
-    struct emission_choice choice = { .seed = options->seed,
-                                      .m = options->lines_log,
-                                      .shift = repeat,
-                                      .first = first };
+    struct emission_choice choice = {
+        .seed = options->seed, .m = options->lines_log, .shift = repeat, .first = first
+    };
 
     if (!options->lattice)
         choice.first += repeat << options->lines_log;
@@ -217,8 +211,7 @@ struct ends {
     c205_word *planes[GAP_PLANES]; /* one behind the other */
 };
 
-static void add_end(struct ends *ends, c205_word distance, size_t surface,
-                    int within)
+static void add_end(struct ends *ends, c205_word distance, size_t surface, int within)
 {
     size_t i = ends->count++;
 
@@ -249,8 +242,7 @@ static bool lay_ends(const struct global_packet *packet, struct ends *ends)
         add_end(ends, away, environment, 0);
         for (size_t i = seen->first[line]; i < seen->first[line + 1]; i++)
             add_end(ends, seen->list[i].distance,
-                    surface_of(packet, seen->list[i].primitive),
-                    seen->list[i].within);
+                    surface_of(packet, seen->list[i].primitive), seen->list[i].within);
     }
     if (words)
         add_end(ends, away, environment, 0);
@@ -273,8 +265,7 @@ static bool count_gaps(struct global_packet *packet, const struct ends *ends,
         for (i = 0; i <= count; i++)
             part[k * (count + 1) + i] = ends->planes[k][first + i];
     if (part && made) {
-        single_run_begin(&run, work->gaps, work->options->model,
-                         packet->error);
+        single_run_begin(&run, work->gaps, work->options->model, packet->error);
         run.accounts = &packet->accounts;
         single_run_word(&run, "gaps_count", count);
         single_run_word(&run, "gaps_surfaces", width_of(work));
@@ -284,9 +275,8 @@ static bool count_gaps(struct global_packet *packet, const struct ends *ends,
         single_run_number(&run, "gaps_least", 0, least_gap);
         good = single_run_end(&run, counts, made, cells, &clocks);
         for (i = 0; good && i < cells; i++)
-            packet->counts[i] = c205_from_integer(
-                c205_to_integer(packet->counts[i])
-                + c205_to_integer(made[i]));
+            packet->counts[i] = c205_from_integer(c205_to_integer(packet->counts[i])
+                                                  + c205_to_integer(made[i]));
     } else {
         error_say(packet->error, "no memory");
     }
@@ -299,13 +289,11 @@ static bool count_all(struct global_packet *packet)
 {
     struct ends ends = { .count = 0 };
     size_t most = ENDS_MOST - 1, gaps;
-    bool good = lay_ends(packet, &ends)
-                || error_say(packet->error, "no memory");
+    bool good = lay_ends(packet, &ends) || error_say(packet->error, "no memory");
 
     gaps = good ? ends.count - 1 : 0;
     for (size_t i = 0; good && i < gaps; i += most)
-        good = count_gaps(packet, &ends, i,
-                          gaps - i < most ? gaps - i : most);
+        good = count_gaps(packet, &ends, i, gaps - i < most ? gaps - i : most);
     free(ends.planes[0]);
     return good;
 }
@@ -314,9 +302,8 @@ static bool run_packet(struct global_packet *packet)
 {
     const struct global_work *work = packet->work;
     bool good = make_lines(packet)
-                && lines_find(work->lines, packet->lines,
-                              work->lines_of_packet, &packet->seen,
-                              packet->error);
+                && lines_find(work->lines, packet->lines, work->lines_of_packet,
+                              &packet->seen, packet->error);
 
     if (good)
         good = accounts_add_all(&packet->accounts, &packet->seen.accounts)
@@ -352,8 +339,7 @@ static void end_packet(struct global_packet *packet)
 
 /* Most surfaces do not see most others: what they have is their numbers, and how many
  * that are. */
-static void put_counts(const struct global_packet *packet,
-                       struct unit_words *words)
+static void put_counts(const struct global_packet *packet, struct unit_words *words)
 {
     size_t cells = cells_of(packet->work), some = 0;
 
@@ -370,12 +356,10 @@ static void put_counts(const struct global_packet *packet,
     }
 }
 
-static bool run_unit(void *context, size_t job, size_t unit,
-                     struct unit_words *words, c205_error *error)
+static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *words,
+                     c205_error *error)
 {
-    struct global_packet packet = { .work = context,
-                                    .unit = unit,
-                                    .error = error };
+    struct global_packet packet = { .work = context, .unit = unit, .error = error };
     bool good = begin_packet(&packet) ? run_packet(&packet)
                                       : error_say(error, "no memory");
 
@@ -390,21 +374,18 @@ static bool run_unit(void *context, size_t job, size_t unit,
 }
 
 /* A gap from i to j is one from j to i as well. */
-static void add_gaps(const struct global_work *work, size_t unit,
-                     uint64_t cell, uint64_t count)
+static void add_gaps(const struct global_work *work, size_t unit, uint64_t cell,
+                     uint64_t count)
 {
-    size_t width = width_of(work), i = (size_t)cell / width,
-           j = (size_t)cell % width;
-    uint64_t *ends = work->found->ends
-                     + unit / work->packets * cells_of(work);
+    size_t width = width_of(work), i = (size_t)cell / width, j = (size_t)cell % width;
+    uint64_t *ends = work->found->ends + unit / work->packets * cells_of(work);
 
     ends[i * width + j] += count;
     ends[j * width + i] += count;
 }
 
 /* Whether the next words are what put_counts puts. */
-static bool are_counts(const struct global_work *work,
-                       const struct unit_words *words)
+static bool are_counts(const struct global_work *work, const struct unit_words *words)
 {
     struct unit_words look = *words;
     uint64_t some = words_take(&look), last = 0;
@@ -444,8 +425,7 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
 }
 
 /* All that packets depend on, but for the scene. */
-static bool keep(const struct global_work *work, struct farm *farm,
-                 c205_error *error)
+static bool keep(const struct global_work *work, struct farm *farm, c205_error *error)
 {
     const struct global_lines_options *options = work->options;
     const uint64_t choices[] = {
@@ -487,9 +467,7 @@ bool global_lines_find(const struct scene *scene,
                        const struct global_lines_options *options,
                        struct global_lines *found, c205_error *error)
 {
-    struct global_work work = { .scene = scene,
-                                .options = options,
-                                .found = found };
+    struct global_work work = { .scene = scene, .options = options, .found = found };
     bool good;
 
     *found = (struct global_lines){ .surfaces = surface_count(scene, options),
@@ -514,8 +492,8 @@ void global_lines_free(struct global_lines *found)
 
 /* ---- What they say ----------------------------------------------------------- */
 
-static uint64_t count_in(const struct global_lines *found, size_t repeat,
-                         size_t i, size_t j)
+static uint64_t count_in(const struct global_lines *found, size_t repeat, size_t i,
+                         size_t j)
 {
     size_t width = found->surfaces + 1;
 
@@ -523,8 +501,7 @@ static uint64_t count_in(const struct global_lines *found, size_t repeat,
 }
 
 /* All ends of gaps at i. */
-static uint64_t row_in(const struct global_lines *found, size_t repeat,
-                       size_t i)
+static uint64_t row_in(const struct global_lines *found, size_t repeat, size_t i)
 {
     uint64_t sum = 0;
 
@@ -542,8 +519,7 @@ static uint64_t row_of(const struct global_lines *found, size_t i)
     return sum;
 }
 
-uint64_t global_lines_count(const struct global_lines *found, size_t i,
-                            size_t j)
+uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j)
 {
     uint64_t sum = 0;
 
@@ -577,8 +553,8 @@ struct estimate global_lines_area(const struct global_lines *found, size_t i)
 }
 
 /* A ratio: its error is that of count - factor row. */
-struct estimate global_lines_factor(const struct global_lines *found,
-                                    size_t i, size_t j)
+struct estimate global_lines_factor(const struct global_lines *found, size_t i,
+                                    size_t j)
 {
     double row = (double)row_of(found, i);
     double factor = (double)global_lines_count(found, i, j) / row;

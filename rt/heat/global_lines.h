@@ -62,11 +62,10 @@ bool global_lines_find(const struct scene *scene,
 void global_lines_free(struct global_lines *found);
 
 /* n_ij of all repeats. */
-uint64_t global_lines_count(const struct global_lines *found, size_t i,
-                            size_t j);
+uint64_t global_lines_count(const struct global_lines *found, size_t i, size_t j);
 struct estimate global_lines_area(const struct global_lines *found, size_t i);
 /* NAN where no line met i. */
-struct estimate global_lines_factor(const struct global_lines *found,
-                                    size_t i, size_t j);
+struct estimate global_lines_factor(const struct global_lines *found, size_t i,
+                                    size_t j);
 
 #endif

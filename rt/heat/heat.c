@@ -23,8 +23,7 @@ static bool collects(const struct heat *heat)
     return !heat->request->farm || farm_collects(heat->request->farm);
 }
 
-static bool add_accounts(const struct heat_work *work,
-                         const struct accounts *accounts,
+static bool add_accounts(const struct heat_work *work, const struct accounts *accounts,
                          const uint64_t clocks[HEAT_STEPS])
 {
     for (int i = 0; i < HEAT_STEPS; i++)
@@ -88,8 +87,7 @@ static void place_rows(const struct heat_work *work)
 static bool combine_rows(const struct heat_work *work)
 {
     for (size_t i = 0; i < work->heat->scene->primitive_count; i++)
-        if (!add_accounts(work, &work->rows[i].accounts,
-                          work->rows[i].clocks))
+        if (!add_accounts(work, &work->rows[i].accounts, work->rows[i].clocks))
             return false;
     surfaces_combine(&work->heat->surfaces, work->rows);
     return true;
@@ -103,8 +101,7 @@ static bool find_by_rays(struct heat_work *work)
     work->emitter_count = 0;
     work->emitters = calloc(primitives + 1, sizeof *work->emitters);
     work->rows = calloc(primitives + 1, sizeof *work->rows);
-    good = (work->emitters && work->rows)
-           || error_say(work->error, "no memory");
+    good = (work->emitters && work->rows) || error_say(work->error, "no memory");
     if (good)
         list_emitters(work);
     good = good && find_rows(work);
@@ -155,8 +152,7 @@ static bool find_by_lines(struct heat_work *work)
     if (!global_lines_find(heat->scene, &options, &found, work->error))
         return false;
     heat->units = found.units;
-    good = !collects(heat)
-           || add_accounts(work, &found.accounts, found.clocks);
+    good = !collects(heat) || add_accounts(work, &found.accounts, found.clocks);
     if (good && collects(heat))
         surfaces_take_lines(&heat->surfaces, &found);
     global_lines_free(&found);
@@ -201,9 +197,8 @@ static size_t limit_of(const struct heat_request *request)
 {
     size_t limit = request->limit;
 
-    return request->by_lines && limit > 0
-               ? (size_t)1 << (log_of(limit + 1) - 1)
-               : limit;
+    return request->by_lines && limit > 0 ? (size_t)1 << (log_of(limit + 1) - 1)
+                                          : limit;
 }
 
 /* How many are drawn in the next round; 0: none is needed, or allowed. */
@@ -227,8 +222,7 @@ static bool begin_round(const struct heat_work *work)
     heat->accounts = (struct accounts){ .model = heat->request->model };
     memset(heat->clocks, 0, sizeof heat->clocks);
     surfaces_free(&heat->surfaces);
-    return surfaces_find(heat->scene, &heat->parts, heat->request->by,
-                         &heat->surfaces)
+    return surfaces_find(heat->scene, &heat->parts, heat->request->by, &heat->surfaces)
            || error_say(work->error, "no memory");
 }
 
@@ -240,8 +234,7 @@ static bool find_factors(struct heat_work *work)
     do {
         work->heat->drawn = (size_t)next;
         if (!begin_round(work)
-            || !(request->by_lines ? find_by_lines(work)
-                                   : find_by_rays(work)))
+            || !(request->by_lines ? find_by_lines(work) : find_by_rays(work)))
             return false;
         next = find_next(work->heat);
         if (request->farm && !farm_agree(request->farm, &next))
@@ -253,8 +246,8 @@ static bool find_factors(struct heat_work *work)
 /* ---- What is given --------------------------------------------------------- */
 
 static bool take_given(const struct heat *heat, struct given_values *given,
-                       const char *const *texts, size_t count,
-                       const char *besides, c205_error *error)
+                       const char *const *texts, size_t count, const char *besides,
+                       c205_error *error)
 {
     bool good = true;
 
@@ -278,8 +271,7 @@ bool heat_begin(const struct scene *scene, const struct heat_request *request,
     return take_given(heat, &heat->emissivities, request->emissivities,
                       request->emissivity_count, NULL, error)
            && take_given(heat, &heat->temperatures, request->temperatures,
-                         request->temperature_count, thermal_environment,
-                         error);
+                         request->temperature_count, thermal_environment, error);
 }
 
 /* ---- What follows from factors ---------------------------------------------- */
@@ -308,8 +300,7 @@ static bool find_exchange(const struct heat_work *work)
     if (!thermal_find(&heat->surfaces, &heat->parts, &heat->emissivities,
                       &heat->temperatures, request->mode, request->model,
                       &heat->thermal, work->error)
-        || !accounts_add_all(&heat->accounts,
-                             &heat->thermal.exchange.accounts))
+        || !accounts_add_all(&heat->accounts, &heat->thermal.exchange.accounts))
         return false;
     heat_charge(heat->clocks, &heat->accounts, STEP_EXCHANGE);
     return true;
@@ -360,25 +351,20 @@ const char *heat_receiver(const struct heat *heat, size_t to)
                                       : heat->surfaces.list[to].name;
 }
 
-static bool is_same_surface(const struct surface *one,
-                            const struct surface *other, size_t receivers)
+static bool is_same_surface(const struct surface *one, const struct surface *other,
+                            size_t receivers)
 {
     return one->tried == other->tried && one->sent == other->sent
            && memcmp(&one->area, &other->area, sizeof one->area) == 0
-           && memcmp(one->count, other->count, receivers * sizeof *one->count)
-                  == 0
-           && memcmp(one->factor, other->factor,
-                     receivers * sizeof *one->factor)
-                  == 0
+           && memcmp(one->count, other->count, receivers * sizeof *one->count) == 0
+           && memcmp(one->factor, other->factor, receivers * sizeof *one->factor) == 0
            && !one->smooth == !other->smooth
            && (!one->smooth
-               || memcmp(one->smooth, other->smooth,
-                         receivers * sizeof *one->smooth)
+               || memcmp(one->smooth, other->smooth, receivers * sizeof *one->smooth)
                       == 0);
 }
 
-static bool is_same_exchange(const struct exchange *one,
-                             const struct exchange *other)
+static bool is_same_exchange(const struct exchange *one, const struct exchange *other)
 {
     size_t size = one->count * sizeof *one->flow;
 
@@ -395,9 +381,7 @@ bool heat_is_same(const struct heat *one, const struct heat *other)
     bool same = one->drawn == other->drawn && count == other->surfaces.count;
 
     for (size_t i = 0; same && i < count; i++)
-        same = is_same_surface(&one->surfaces.list[i],
-                               &other->surfaces.list[i], count + 1);
-    return same
-           && is_same_exchange(&one->thermal.exchange,
-                               &other->thermal.exchange);
+        same = is_same_surface(&one->surfaces.list[i], &other->surfaces.list[i],
+                               count + 1);
+    return same && is_same_exchange(&one->thermal.exchange, &other->thermal.exchange);
 }

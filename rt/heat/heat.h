@@ -41,9 +41,8 @@ struct heat {
     struct thermal thermal;      /* if the exchange is asked */
     struct accounts accounts;    /* of all machines that found it */
     uint64_t clocks[HEAT_STEPS]; /* .. of them */
-    size_t drawn,
-        units;    /* of the last round; packets, done here or elsewhere */
-    double worst; /* the largest error of a factor, one ray at least, */
+    size_t drawn, units; /* of the last round; packets, done here or elsewhere */
+    double worst;        /* the largest error of a factor, one ray at least, */
     size_t worst_from, worst_to; /* .. and whose it is */
 };
 

@@ -46,8 +46,7 @@ static bool find_from(struct heat_drawing *drawing)
     while (drawing->from < surfaces->count
            && strcmp(surfaces->list[drawing->from].name, name) != 0)
         drawing->from++;
-    if (drawing->from < surfaces->count
-        && surfaces->list[drawing->from].sent > 0)
+    if (drawing->from < surfaces->count && surfaces->list[drawing->from].sent > 0)
         return true;
     error_say(drawing->error,
               "no surface is called '%s', or nothing comes "
@@ -77,8 +76,7 @@ static void put_flows(const struct heat_drawing *drawing)
         size_t surface = thermal->surface[i];
 
         drawing->values[surface] = thermal->exchange.flow[i]
-                                   / drawing->heat->surfaces.list[surface]
-                                         .area.value;
+                                   / drawing->heat->surfaces.list[surface].area.value;
     }
 }
 
@@ -119,8 +117,7 @@ static bool find_values(struct heat_drawing *drawing)
 static const double grey[3] = { .25, .25, .25 }, green[3] = { .1, .55, .1 };
 
 /* On the way through so many colours, at a share of it. */
-static void mix(const double (*way)[3], size_t count, double share,
-                double color[3])
+static void mix(const double (*way)[3], size_t count, double share, double color[3])
 {
     double at = fmin(fmax(share, 0), 1) * (double)(count - 1);
     size_t i = at < (double)(count - 2) ? (size_t)at : count - 2;
@@ -138,10 +135,9 @@ static void color_at(const void *given, double share, double color[3])
                                       { .9, .9, .9 },
                                       { .9, .35, .15 },
                                       { .55, .01, .02 } };
-    static const double factor[][3] = { { .01, .02, .12 },
-                                        { .2, .02, .35 },
-                                        { .75, .12, .1 },
-                                        { .95, .75, .1 } };
+    static const double factor[][3] = {
+        { .01, .02, .12 }, { .2, .02, .35 }, { .75, .12, .1 }, { .95, .75, .1 }
+    };
 
     if (drawing->look->shown == SHOWN_FLOW)
         mix(flow, 5, (1 + share) / 2, color);
@@ -198,8 +194,7 @@ static bool paint_scene(struct heat_drawing *drawing)
         color_of(drawing, drawing->heat->surfaces.surface_of[i], color);
         paint(&scene->primitives[i], color);
     }
-    drawing->lamp = (struct light){ .color = { 1, 1, 1 },
-                                    .shadowless = true };
+    drawing->lamp = (struct light){ .color = { 1, 1, 1 }, .shadowless = true };
     memcpy(drawing->lamp.position, from->camera.location,
            sizeof drawing->lamp.position);
     scene->lights = &drawing->lamp;
@@ -214,22 +209,19 @@ static bool paint_scene(struct heat_drawing *drawing)
 
 /* ---- The frame -------------------------------------------------------------- */
 
-static void put_values(const struct heat_drawing *drawing,
-                       const struct frame *frame)
+static void put_values(const struct heat_drawing *drawing, const struct frame *frame)
 {
     for (size_t i = 0; i < frame->width * frame->height; i++) {
         size_t id = (size_t)frame->channel[CHANNEL_ID][i];
-        double value =
-            id > 0
-                ? drawing->values[drawing->heat->surfaces.surface_of[id - 1]]
-                : 0;
+        double value = id > 0
+                           ? drawing->values[drawing->heat->surfaces.surface_of[id - 1]]
+                           : 0;
 
         frame->value[i] = value;
     }
 }
 
-static bool write_frame(const struct heat_drawing *drawing,
-                        struct frame *frame)
+static bool write_frame(const struct heat_drawing *drawing, struct frame *frame)
 {
     const struct heat_look *look = drawing->look;
     char range[80], clocks[32];
@@ -242,11 +234,9 @@ static bool write_frame(const struct heat_drawing *drawing,
     };
     struct picture_error why;
 
-    snprintf(range, sizeof range, "%s from %g to %g%s",
-             heat_shown_name(look->shown), drawing->drawn->least,
-             drawing->drawn->most, heat_shown_unit(look->shown));
-    snprintf(clocks, sizeof clocks, "%llu",
-             (unsigned long long)drawing->drawn->clocks);
+    snprintf(range, sizeof range, "%s from %g to %g%s", heat_shown_name(look->shown),
+             drawing->drawn->least, drawing->drawn->most, heat_shown_unit(look->shown));
+    snprintf(clocks, sizeof clocks, "%llu", (unsigned long long)drawing->drawn->clocks);
     return picture_write(look->path, frame, notes, false, &why)
            || error_say(drawing->error, "%s", why.message);
 }
@@ -262,8 +252,7 @@ static bool read_and_write(const struct heat_drawing *drawing,
         .color = color_at,
         .context = drawing,
     };
-    size_t height = options->height
-                    + color_scale_rows(&scale, options->width);
+    size_t height = options->height + color_scale_rows(&scale, options->width);
     struct frame frame;
     double *value = calloc(options->width * height, sizeof *value);
     bool good = frame_allocate(&frame, options->width, height) && value;

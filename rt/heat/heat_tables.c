@@ -3,12 +3,9 @@
 #include <math.h>
 
 static const struct table_column area_columns[] = {
-    { "surface", "surface", TABLE_TEXT, 0 },
-    { "kind", "kind", TABLE_TEXT, 0 },
-    { "line", "line", TABLE_COUNT, 0 },
-    { "area", "area", TABLE_NUMBER, 6 },
-    { "area_error", "+-", TABLE_NUMBER, 6 },
-    { "points", "points", TABLE_COUNT, 0 },
+    { "surface", "surface", TABLE_TEXT, 0 }, { "kind", "kind", TABLE_TEXT, 0 },
+    { "line", "line", TABLE_COUNT, 0 },      { "area", "area", TABLE_NUMBER, 6 },
+    { "area_error", "+-", TABLE_NUMBER, 6 }, { "points", "points", TABLE_COUNT, 0 },
     { "rays", "rays", TABLE_COUNT, 0 },
 };
 static const struct table_column factor_columns[] = {
@@ -51,8 +48,7 @@ size_t heat_unseen(const struct heat *heat)
 }
 
 /* As many more decimals as the square of the scene's unit has digits after the point. */
-static int decimals_of(const struct heat *heat,
-                       const struct table_column *column)
+static int decimals_of(const struct heat *heat, const struct table_column *column)
 {
     return column->decimals - (int)(2 * heat->scene->unit_log * log10(2));
 }
@@ -151,8 +147,8 @@ struct table *heat_table_of_flows(const struct heat *heat)
         table_rounded(table, exchange->flow[i], decimals);
     }
     if (table) {
-        add_flow(table, thermal_environment, 1, thermal->outside,
-                 exchange->outside, decimals);
+        add_flow(table, thermal_environment, 1, thermal->outside, exchange->outside,
+                 decimals);
         add_flow(table, "all", NAN, NAN, exchange->sum, decimals);
     }
     return table;

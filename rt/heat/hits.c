@@ -15,8 +15,8 @@
 /* As in hits.s. */
 enum { CYLINDER_WORDS = 8 };
 
-static void transform_point(const struct transform *map,
-                            const double point[3], double to[3])
+static void transform_point(const struct transform *map, const double point[3],
+                            double to[3])
 {
     for (size_t i = 0; i < 3; i++)
         to[i] = dot3(map->rows[i], point) + map->rows[i][3];
@@ -35,8 +35,7 @@ static double scale_of(const struct transform *map)
         double length = sqrt(dot3(columns[i], columns[i]));
         double slant = dot3(columns[i], columns[(i + 1) % 3]);
 
-        if (fabs(length - scale) > 1e-9 * scale
-            || fabs(slant) > 1e-9 * scale * scale)
+        if (fabs(length - scale) > 1e-9 * scale || fabs(slant) > 1e-9 * scale * scale)
             return 0;
     }
     return scale;
@@ -47,8 +46,7 @@ static bool put_cylinder(const struct primitive *primitive, double *words)
     double base[3], cap[3], length, scale = scale_of(&primitive->to_world);
     double radius = primitive->shape.cylinder.radius * scale;
 
-    transform_point(&primitive->to_world, primitive->shape.cylinder.base,
-                    base);
+    transform_point(&primitive->to_world, primitive->shape.cylinder.base, base);
     transform_point(&primitive->to_world, primitive->shape.cylinder.cap, cap);
     for (size_t i = 0; i < 3; i++) {
         words[i] = base[i];
@@ -68,15 +66,14 @@ struct hits_work {
     const struct hits_options *options;
     struct hits *hits;
     struct object *program, *received;
-    double *cylinders; /* [count][CYLINDER_WORDS] */
-    c205_word *planes; /* of a repeat's points */
-    c205_word *told; /* of each, whether it strikes; then what that sums to */
+    double *cylinders;    /* [count][CYLINDER_WORDS] */
+    c205_word *planes;    /* of a repeat's points */
+    c205_word *told;      /* of each, whether it strikes; then what that sums to */
     double *share, *area; /* of each repeat, means over its points */
     c205_error *error;
 };
 
-static bool is_emitter(const struct hits_work *work,
-                       const struct primitive *primitive)
+static bool is_emitter(const struct hits_work *work, const struct primitive *primitive)
 {
     const struct named_part
         *part = &work->parts->list[work->parts->part_of[primitive->object]];
@@ -92,23 +89,19 @@ static bool list_cylinders(const struct hits_work *work)
 
     for (size_t i = 0; i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
-        const struct primitive
-            *primitive = &scene->primitives[region->first_primitive];
+        const struct primitive *primitive = &scene->primitives[region->first_primitive];
 
         if (is_emitter(work, primitive))
             continue;
         if (region->primitive_count != 1 || primitive->inverted
-            || primitive->kind != PRIMITIVE_CYLINDER
-            || primitive->shape.cylinder.open
+            || primitive->kind != PRIMITIVE_CYLINDER || primitive->shape.cylinder.open
             || !put_cylinder(primitive,
-                             work->cylinders
-                                 + CYLINDER_WORDS * work->hits->cylinders))
+                             work->cylinders + CYLINDER_WORDS * work->hits->cylinders))
             return error_say(work->error,
                              "the %s of line %zu is no solid cylinder by "
                              "itself: of others it is not known here whether "
                              "rays strike them",
-                             primitive_kind_name(primitive->kind),
-                             primitive->line);
+                             primitive_kind_name(primitive->kind), primitive->line);
         work->hits->cylinders++;
     }
     return work->hits->cylinders > 0
@@ -134,10 +127,8 @@ static bool run_hits(struct hits_work *work)
     run.projection = options->projection;
     run.projected = &work->hits->projected;
     single_run_word(&run, "hits_rays", points);
-    at = single_run_room(&run, "hits_from", work->planes,
-                         EMITTED_PLANES * points);
-    layout_word(&run.layout, "hits_towards",
-                at + UINT64_C(64) * EMITTED_RAY * points);
+    at = single_run_room(&run, "hits_from", work->planes, EMITTED_PLANES * points);
+    layout_word(&run.layout, "hits_towards", at + UINT64_C(64) * EMITTED_RAY * points);
     single_run_word(&run, "hits_cylinders", count);
     single_run_room(&run, "hits_list", words, numbers);
     made = single_run_room(&run, "hits_made", NULL, points);
@@ -157,8 +148,8 @@ static bool run_received(struct hits_work *work, size_t repeat)
     single_run_begin(&run, work->received, work->options->model, work->error);
     single_run_word(&run, "received_rays", points);
     single_run_word(&run, "received_receivers", RECEIVERS);
-    single_run_room(&run, "received_weights",
-                    work->planes + EMITTED_WEIGHT * points, points);
+    single_run_room(&run, "received_weights", work->planes + EMITTED_WEIGHT * points,
+                    points);
     single_run_room(&run, "received_list", work->told, points);
     sums = single_run_room(&run, "received_sums", NULL, SUMS);
     layout_word(&run.layout, "received_counts", sums + 64 * (RECEIVERS + 1));
@@ -173,16 +164,13 @@ static bool run_received(struct hits_work *work, size_t repeat)
     return true;
 }
 
-static bool run_repeat(struct hits_work *work,
-                       const struct emission *emission, size_t primitive,
-                       size_t repeat)
+static bool run_repeat(struct hits_work *work, const struct emission *emission,
+                       size_t primitive, size_t repeat)
 {
     const struct hits_options *options = work->options;
-    struct emission_choice choice = emission_choose(options->lattice,
-                                                    options->seed,
+    struct emission_choice choice = emission_choose(options->lattice, options->seed,
                                                     options->points,
-                                                    primitive
-                                                            * options->repeats
+                                                    primitive * options->repeats
                                                         + repeat);
 
     return emission_run(emission, &choice, work->planes, NULL, work->error)
@@ -199,8 +187,7 @@ static bool run_emitter(struct hits_work *work, size_t primitive)
         .lattice = options->lattice,
         .model = options->model,
     };
-    struct emission *emission = emission_new(&work->scene
-                                                  ->primitives[primitive],
+    struct emission *emission = emission_new(&work->scene->primitives[primitive],
                                              &emits, work->error);
     bool good = emission;
 
@@ -215,8 +202,7 @@ static bool run_emitter(struct hits_work *work, size_t primitive)
 static bool run_emitters(struct hits_work *work)
 {
     for (size_t i = 0; i < work->scene->primitive_count; i++)
-        if (is_emitter(work, &work->scene->primitives[i])
-            && !run_emitter(work, i))
+        if (is_emitter(work, &work->scene->primitives[i]) && !run_emitter(work, i))
             return false;
     return true;
 }
@@ -225,8 +211,7 @@ static struct object *assemble(const struct hits_work *work, const char *name)
 {
     const struct hits_options *options = work->options;
     const struct asm_define defines[] = {
-        { options->mode == TRACE_VECTOR ? "QUEUE" : NULL,
-          (int64_t)options->queue },
+        { options->mode == TRACE_VECTOR ? "QUEUE" : NULL, (int64_t)options->queue },
         { NULL, 0 },
     };
 
@@ -246,8 +231,7 @@ static bool begin(struct hits_work *work)
     work->told = calloc(points, sizeof *work->told);
     work->share = calloc(repeats, sizeof *work->share);
     work->area = calloc(repeats, sizeof *work->area);
-    if (!work->cylinders || !work->planes || !work->told || !work->share
-        || !work->area)
+    if (!work->cylinders || !work->planes || !work->told || !work->share || !work->area)
         return error_say(work->error, "no memory");
     if (!list_cylinders(work))
         return false;
@@ -273,21 +257,17 @@ void hits_free(struct hits *hits)
 }
 
 bool hits_find(const struct scene *scene, const struct named_parts *parts,
-               const struct hits_options *options, struct hits *hits,
-               c205_error *error)
+               const struct hits_options *options, struct hits *hits, c205_error *error)
 {
-    struct hits_work work = { .scene = scene,
-                              .parts = parts,
-                              .options = options,
-                              .hits = hits,
-                              .error = error };
+    struct hits_work work = {
+        .scene = scene, .parts = parts, .options = options, .hits = hits, .error = error
+    };
     bool good;
 
     *hits = (struct hits){ .accounts = { .model = options->model } };
     good = begin(&work) && run_emitters(&work);
     if (good)
-        hits->factor = estimate_ratio(work.share, work.area,
-                                      options->repeats);
+        hits->factor = estimate_ratio(work.share, work.area, options->repeats);
     end(&work);
     if (!good)
         hits_free(hits);

@@ -11,9 +11,8 @@ static const double below = 1e-3;
 
 /* ---- To begin ------------------------------------------------------------- */
 
-static struct lines *begin_lines(const struct packet_programs *programs,
-                                 double behind, bool bodies,
-                                 c205_error *error)
+static struct lines *begin_lines(const struct packet_programs *programs, double behind,
+                                 bool bodies, c205_error *error)
 {
     const struct lines_options options = { .mode = programs->options.mode,
                                            .queue = programs->options.queue,
@@ -24,8 +23,7 @@ static struct lines *begin_lines(const struct packet_programs *programs,
     return lines_new(programs->scene, &options, error);
 }
 
-bool packet_programs_begin(struct packet_programs *programs,
-                           c205_error *error)
+bool packet_programs_begin(struct packet_programs *programs, c205_error *error)
 {
     enum trace_mode mode = programs->options.mode;
 
@@ -38,8 +36,7 @@ bool packet_programs_begin(struct packet_programs *programs,
     programs->faces = form_assemble_beside("heat/faces", mode, NULL, error);
     if (!programs->faces)
         return false;
-    programs->received = form_assemble_beside("heat/received", mode, NULL,
-                                              error);
+    programs->received = form_assemble_beside("heat/received", mode, NULL, error);
     return programs->received;
 }
 
@@ -62,8 +59,7 @@ size_t packet_receivers(const struct packet_programs *programs)
                                    : programs->scene->primitive_count);
 }
 
-bool packet_begin(struct packet *packet,
-                  const struct packet_programs *programs)
+bool packet_begin(struct packet *packet, const struct packet_programs *programs)
 {
     size_t receivers = packet_receivers(programs);
 
@@ -125,15 +121,13 @@ static void charge(const struct packet_work *work, enum heat_step step)
 static bool emit(struct packet_work *work)
 {
     const struct factors_options *options = &work->programs->options;
-    size_t place = work->choice.primitive * options->repeats
-                   + work->choice.repeat;
-    struct emission_choice choice = emission_choose(options->lattice,
-                                                    options->seed,
+    size_t place = work->choice.primitive * options->repeats + work->choice.repeat;
+    struct emission_choice choice = emission_choose(options->lattice, options->seed,
                                                     options->points, place);
 
     choice.first += work->choice.first;
-    if (!source_run(work->source, &choice, &work->made,
-                    &work->packet->accounts, work->error))
+    if (!source_run(work->source, &choice, &work->made, &work->packet->accounts,
+                    work->error))
         return false;
     charge(work, STEP_EMISSION);
     return true;
@@ -141,8 +135,8 @@ static bool emit(struct packet_work *work)
 
 /* Those crossings that lines find from the points on in directions of these planes. */
 static bool follow(const struct packet_work *work, const struct lines *lines,
-                   const c205_word *planes, enum emitted direction,
-                   size_t count, struct seen_crossings *found)
+                   const c205_word *planes, enum emitted direction, size_t count,
+                   struct seen_crossings *found)
 {
     size_t points = work->made.count;
 
@@ -161,11 +155,10 @@ static bool follow(const struct packet_work *work, const struct lines *lines,
     return error_say(work->error, "no memory");
 }
 
-static void begin_run(const struct packet_work *work,
-                      const struct object *program, struct single_run *run)
+static void begin_run(const struct packet_work *work, const struct object *program,
+                      struct single_run *run)
 {
-    single_run_begin(run, program, work->programs->options.model,
-                     work->error);
+    single_run_begin(run, program, work->programs->options.model, work->error);
     run->accounts = &work->packet->accounts;
 }
 
@@ -185,8 +178,7 @@ static c205_word *lay_crossings(const struct seen_crossings *found)
             planes[FACE_PRIMITIVE * count + i] = c205_from_integer(
                 (int64_t)seen->primitive);
             planes[FACE_POINT * count + i] = c205_from_integer((int64_t)line);
-            planes[FACE_SENSE * count + i] = c205_from_integer(seen->sense
-                                                               + 2);
+            planes[FACE_SENSE * count + i] = c205_from_integer(seen->sense + 2);
         }
     return planes;
 }
@@ -245,8 +237,7 @@ static bool begins_within(const struct seen_crossings *found, size_t line)
     return false;
 }
 
-static size_t receiver_of(const struct packet_programs *programs,
-                          size_t primitive)
+static size_t receiver_of(const struct packet_programs *programs, size_t primitive)
 {
     const size_t *receivers = programs->options.receiver_of;
 
@@ -256,8 +247,7 @@ static size_t receiver_of(const struct packet_programs *programs,
 /* Of each ray, what it meets first; of one that meets nothing, the environment; of one from
  * a point that another body covers, nothing: the place behind the environment. */
 static void list_receivers(const struct packet_work *work,
-                           const struct seen_crossings *found,
-                           c205_word *list)
+                           const struct seen_crossings *found, c205_word *list)
 {
     size_t environment = packet_receivers(work->programs) - 1;
 
@@ -267,14 +257,12 @@ static void list_receivers(const struct packet_work *work,
         if (begins_within(found, i))
             receiver = environment + 1;
         else if (first < found->first[i + 1])
-            receiver = receiver_of(work->programs,
-                                   found->list[first].primitive);
+            receiver = receiver_of(work->programs, found->list[first].primitive);
         list[i] = c205_from_integer((int64_t)receiver);
     }
 }
 
-static bool run_received(const struct packet_work *work,
-                         const c205_word *list)
+static bool run_received(const struct packet_work *work, const c205_word *list)
 {
     const struct packet *made = work->packet;
     size_t rays = (size_t)made->stay, points = work->made.count;
@@ -285,12 +273,11 @@ static bool run_received(const struct packet_work *work,
     begin_run(work, work->programs->received, &run);
     single_run_word(&run, "received_rays", rays);
     single_run_word(&run, "received_receivers", receivers);
-    single_run_room(&run, "received_weights",
-                    work->stays + EMITTED_WEIGHT * points, rays);
+    single_run_room(&run, "received_weights", work->stays + EMITTED_WEIGHT * points,
+                    rays);
     single_run_room(&run, "received_list", list, rays);
     sums = single_run_room(&run, "received_sums", NULL, 2 * receivers + 1);
-    layout_word(&run.layout, "received_counts",
-                sums + 64 * (receivers + UINT64_C(1)));
+    layout_word(&run.layout, "received_counts", sums + 64 * (receivers + UINT64_C(1)));
     single_run_room(&run, "received_room", NULL, rays);
     single_run_room(&run, "received_places", NULL, receivers);
     return single_run_end(&run, sums, made->sums, 2 * receivers + 1, &clocks);
@@ -306,15 +293,13 @@ static bool receive(const struct packet_work *work)
 
     if (rays == 0)
         return true;
-    if (!follow(work, work->programs->rays, work->stays, EMITTED_RAY, rays,
-                &found))
+    if (!follow(work, work->programs->rays, work->stays, EMITTED_RAY, rays, &found))
         return false;
     charge(work, STEP_CROSSINGS);
     list = calloc(rays, sizeof *list);
     if (list)
         list_receivers(work, &found, list);
-    good = list ? run_received(work, list)
-                : error_say(work->error, "no memory");
+    good = list ? run_received(work, list) : error_say(work->error, "no memory");
     charge(work, STEP_COUNTS);
     free(list);
     seen_crossings_free(&found);
@@ -344,9 +329,8 @@ static bool run_packet(struct packet_work *work)
 
 
 bool packet_run(const struct packet_programs *programs,
-                const struct heat_source *source,
-                const struct packet_choice *choice, struct packet *packet,
-                c205_error *error)
+                const struct heat_source *source, const struct packet_choice *choice,
+                struct packet *packet, c205_error *error)
 {
     struct packet_work work = { .programs = programs,
                                 .source = source,

@@ -22,8 +22,7 @@ struct packet_programs {
 };
 
 /* False: options that cannot be, no memory.  End it in either case. */
-bool packet_programs_begin(struct packet_programs *programs,
-                           c205_error *error);
+bool packet_programs_begin(struct packet_programs *programs, c205_error *error);
 void packet_programs_end(struct packet_programs *programs);
 
 /* What receives something: .. and the environment, the last one. */
@@ -31,18 +30,17 @@ size_t packet_receivers(const struct packet_programs *programs);
 
 /* What the rays of a repeat come to, and what that took. */
 struct packet {
-    uint64_t made;   /* points of the source */
-    uint64_t stay;   /* .. that are on faces */
-    size_t width;    /* of words */
-    c205_word *sums; /* of weights: by receiver, of what is covered, of all */
+    uint64_t made;     /* points of the source */
+    uint64_t stay;     /* .. that are on faces */
+    size_t width;      /* of words */
+    c205_word *sums;   /* of weights: by receiver, of what is covered, of all */
     c205_word *counts; /* of rays: by receiver, of what is covered */
     struct accounts accounts;
     uint64_t clocks[HEAT_STEPS]; /* .. of them */
 };
 
 /* False: no memory.  Free it in either case. */
-bool packet_begin(struct packet *packet,
-                  const struct packet_programs *programs);
+bool packet_begin(struct packet *packet, const struct packet_programs *programs);
 void packet_free(struct packet *packet);
 
 /* Which points a packet has: those of a repeat of a primitive, from number `first` on. */
@@ -52,9 +50,8 @@ struct packet_choice {
 
 /* Any number of threads may run packets at a time.  False: a trap, no memory. */
 bool packet_run(const struct packet_programs *programs,
-                const struct heat_source *source,
-                const struct packet_choice *choice, struct packet *packet,
-                c205_error *error);
+                const struct heat_source *source, const struct packet_choice *choice,
+                struct packet *packet, c205_error *error);
 
 /* As a unit of work comes to it. */
 void packet_put(const struct packet *packet, struct unit_words *words);

@@ -19,12 +19,10 @@ static bool check(const struct smooth_given *given, c205_error *error)
     size_t n = given->count;
 
     if (n == 0 || n > SMOOTH_MOST)
-        return error_say(error, "%zu surfaces: 1 .. %d are smoothed", n,
-                         SMOOTH_MOST);
+        return error_say(error, "%zu surfaces: 1 .. %d are smoothed", n, SMOOTH_MOST);
     for (size_t i = 0; i < n; i++) {
         if (!(given->areas[i] > 0) || !isfinite(given->areas[i]))
-            return error_say(error, "surface %s has no area",
-                             given->names[i]);
+            return error_say(error, "surface %s has no area", given->names[i]);
         for (size_t j = 0; j <= n; j++)
             if (!is_positive(given->flows[i * (n + 1) + j])
                 || !is_positive(given->variances[i * (n + 1) + j]))
@@ -66,8 +64,8 @@ static size_t made_size(size_t n)
 }
 
 static bool run(const struct smooth_given *given, struct object *program,
-                const c205_word *words, c205_word *made,
-                struct accounts *accounts, c205_error *error)
+                const c205_word *words, c205_word *made, struct accounts *accounts,
+                c205_error *error)
 {
     size_t n = given->count, size = n * (n + 1);
     struct single_run run;
@@ -84,8 +82,8 @@ static bool run(const struct smooth_given *given, struct object *program,
     return single_run_end(&run, at, made, made_size(n), &clocks);
 }
 
-static bool take(const struct smooth_given *given, const c205_word *made,
-                 double *flows, c205_error *error)
+static bool take(const struct smooth_given *given, const c205_word *made, double *flows,
+                 c205_error *error)
 {
     size_t n = given->count;
     int64_t singular = c205_to_integer(made[made_size(n) - 1]);
@@ -146,8 +144,8 @@ static struct estimate flow_of(const struct surface *from, size_t to)
 }
 
 /* What both ways say. */
-static struct estimate flow_between(const struct smoothing *smoothing,
-                                    size_t i, size_t j)
+static struct estimate flow_between(const struct smoothing *smoothing, size_t i,
+                                    size_t j)
 {
     size_t there = smoothing->seen[i], back = smoothing->seen[j];
     const struct surface *one = &smoothing->surfaces->list[there];
@@ -184,19 +182,16 @@ static void put_row(const struct smoothing *smoothing, size_t i)
     for (size_t j = 0; j < smoothing->count; j++)
         put_flow(smoothing, i, j, flow_between(smoothing, i, j));
     put_flow(smoothing, i, smoothing->count,
-             surface->count[surfaces->count] > 0
-                 ? flow_of(surface, surfaces->count)
-                 : none);
+             surface->count[surfaces->count] > 0 ? flow_of(surface, surfaces->count)
+                                                 : none);
 }
 
-static bool take_row(const struct smoothing *smoothing, size_t i,
-                     c205_error *error)
+static bool take_row(const struct smoothing *smoothing, size_t i, c205_error *error)
 {
     struct surface *surface = &smoothing->surfaces->list[smoothing->seen[i]];
     const double *flows = smoothing->flows + i * (smoothing->count + 1);
 
-    surface->smooth = calloc(smoothing->surfaces->count + 1,
-                             sizeof *surface->smooth);
+    surface->smooth = calloc(smoothing->surfaces->count + 1, sizeof *surface->smooth);
     if (!surface->smooth)
         return error_say(error, "no memory");
 
@@ -218,8 +213,7 @@ static bool list_seen(struct smoothing *smoothing, c205_error *error)
             return error_say(error,
                              "factors cannot be smoothed: surface %s, the %s "
                              "of line %zu, receives alone",
-                             surface->name,
-                             primitive_kind_name(surface->first->kind),
+                             surface->name, primitive_kind_name(surface->first->kind),
                              surface->first->line);
         if (surface->sent == 0)
             continue;
@@ -264,8 +258,8 @@ bool smooth_surfaces(struct surfaces *surfaces, enum trace_mode mode,
         .flows = calloc(count * count, sizeof *smoothing.flows),
         .variances = calloc(count * count, sizeof *smoothing.variances),
     };
-    bool good = (smoothing.seen && smoothing.names && smoothing.areas
-                 && smoothing.flows && smoothing.variances)
+    bool good = (smoothing.seen && smoothing.names && smoothing.areas && smoothing.flows
+                 && smoothing.variances)
                 || error_say(error, "no memory");
 
     good = good && list_seen(&smoothing, error)

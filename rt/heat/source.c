@@ -39,8 +39,7 @@ static void bound_in(const struct scene *scene, const struct region *region,
     for (size_t i = first; i < end; i++) {
         struct bound *bound = &bounds[scene->nodes[i].primitive];
 
-        if (scene->nodes[i].operation == TREE_LEAF
-            && !bound_is_none(&nodes[i])
+        if (scene->nodes[i].operation == TREE_LEAF && !bound_is_none(&nodes[i])
             && (bound_is_none(bound) || nodes[i].radius < bound->radius))
             *bound = nodes[i];
     }
@@ -62,8 +61,8 @@ static struct bound *bound_primitives(const struct scene *scene)
     return NULL;
 }
 
-static const char *refusal_of(const struct scene *scene,
-                              const struct bound *bounds, size_t primitive)
+static const char *refusal_of(const struct scene *scene, const struct bound *bounds,
+                              size_t primitive)
 {
     const char *refusal = emission_refusal(&scene->primitives[primitive]);
 
@@ -76,8 +75,7 @@ static const char *refusal_of(const struct scene *scene,
 
 const char **source_refusals(const struct scene *scene)
 {
-    const char **refusals = calloc(scene->primitive_count + 1,
-                                   sizeof *refusals);
+    const char **refusals = calloc(scene->primitive_count + 1, sizeof *refusals);
     struct bound *bounds = bound_primitives(scene);
 
     for (size_t i = 0; refusals && bounds && i < scene->primitive_count; i++)
@@ -105,8 +103,7 @@ static bool find_sphere(struct heat_source *source, const struct scene *scene,
     free(bounds);
     if (refusal)
         return error_say(error, "the %s of line %zu: %s",
-                         primitive_kind_name(
-                             scene->primitives[primitive].kind),
+                         primitive_kind_name(scene->primitives[primitive].kind),
                          scene->primitives[primitive].line, refusal);
     for (int i = 0; i < 3; i++)
         source->chords.center[i] = bound.center[i];
@@ -126,8 +123,8 @@ static void put_alone(struct heat_source *source, const struct scene *scene,
     source->alone.primitives = &source->primitive;
     source->alone.nodes = &source->node;
     source->alone.regions = &source->region;
-    source->alone.primitive_count = source->alone.node_count =
-        source->alone.region_count = 1;
+    source->alone.primitive_count = source->alone.node_count = source->alone
+                                                                   .region_count = 1;
 }
 
 static bool begin_lines(struct heat_source *source, c205_error *error)
@@ -145,8 +142,7 @@ static bool begin_lines(struct heat_source *source, c205_error *error)
     source->lines = lines_new(&source->alone, &options, error);
     if (!source->lines)
         return false;
-    source->spots = form_assemble_beside("heat/spots", emits.mode, NULL,
-                                         error);
+    source->spots = form_assemble_beside("heat/spots", emits.mode, NULL, error);
     return source->spots && chords_begin(&source->chords, &emits, error);
 }
 
@@ -215,18 +211,16 @@ static c205_word *lay_crossings(const struct seen_crossings *found)
             const struct seen_crossing *seen = &found->list[i];
 
             planes[CROSSED_DISTANCE * count + i] = seen->distance;
-            planes[CROSSED_LINE * count + i] = c205_from_integer(
-                (int64_t)line);
+            planes[CROSSED_LINE * count + i] = c205_from_integer((int64_t)line);
             for (size_t k = 0; k < 3; k++)
                 planes[(CROSSED_NORMAL + k) * count + i] = seen->normal[k];
         }
     return planes;
 }
 
-static bool run_spots(const struct heat_source *source,
-                      const c205_word *lines, const c205_word *crossings,
-                      struct sourced *made, struct accounts *accounts,
-                      c205_error *error)
+static bool run_spots(const struct heat_source *source, const c205_word *lines,
+                      const c205_word *crossings, struct sourced *made,
+                      struct accounts *accounts, c205_error *error)
 {
     size_t words = EMITTED_PLANES * made->count;
     struct single_run run;
@@ -236,21 +230,16 @@ static bool run_spots(const struct heat_source *source,
     run.accounts = accounts;
     single_run_word(&run, "spots_lines", source->chords.count);
     single_run_word(&run, "spots_crossings", made->count);
-    single_run_room(&run, "spots_from", lines,
-                    EMITTED_PLANES * source->chords.count);
-    single_run_room(&run, "spots_list", crossings,
-                    CROSSED_PLANES * made->count);
+    single_run_room(&run, "spots_from", lines, EMITTED_PLANES * source->chords.count);
+    single_run_room(&run, "spots_list", crossings, CROSSED_PLANES * made->count);
     at = single_run_room(&run, "spots_made", NULL, words);
-    single_run_number(&run, "spots_weight", 0,
-                      chords_weight(&source->chords));
+    single_run_number(&run, "spots_weight", 0, chords_weight(&source->chords));
     return single_run_end(&run, at, made->planes, words, &clocks);
 }
 
-static bool make_spots(const struct heat_source *source,
-                       const c205_word *lines,
-                       const struct seen_crossings *found,
-                       struct sourced *made, struct accounts *accounts,
-                       c205_error *error)
+static bool make_spots(const struct heat_source *source, const c205_word *lines,
+                       const struct seen_crossings *found, struct sourced *made,
+                       struct accounts *accounts, c205_error *error)
 {
     c205_word *crossings;
     bool good;
@@ -263,8 +252,7 @@ static bool make_spots(const struct heat_source *source,
                          primitive_kind_name(source->primitive.kind),
                          source->primitive.line, made->count, EMISSION_MOST);
     crossings = lay_crossings(found);
-    made->planes = malloc((EMITTED_PLANES * made->count + 1)
-                          * sizeof *made->planes);
+    made->planes = malloc((EMITTED_PLANES * made->count + 1) * sizeof *made->planes);
     good = (crossings && made->planes) || error_say(error, "no memory");
     if (good && made->count > 0)
         good = run_spots(source, lines, crossings, made, accounts, error);
@@ -273,16 +261,14 @@ static bool make_spots(const struct heat_source *source,
 }
 
 static bool run_lines(const struct heat_source *source,
-                      const struct emission_choice *choice,
-                      struct scene_line *lines, c205_word *planes,
-                      struct sourced *made, struct accounts *accounts,
-                      c205_error *error)
+                      const struct emission_choice *choice, struct scene_line *lines,
+                      c205_word *planes, struct sourced *made,
+                      struct accounts *accounts, c205_error *error)
 {
     struct seen_crossings found = { 0 };
-    bool good = chords_run(&source->chords, choice, planes, lines, accounts,
-                           error)
-                && lines_find(source->lines, lines, source->chords.count,
-                              &found, error);
+    bool good = chords_run(&source->chords, choice, planes, lines, accounts, error)
+                && lines_find(source->lines, lines, source->chords.count, &found,
+                              error);
 
     if (good && !accounts_add_all(accounts, &found.accounts))
         good = error_say(error, "no memory");
@@ -292,16 +278,15 @@ static bool run_lines(const struct heat_source *source,
 }
 
 static bool run_by_lines(const struct heat_source *source,
-                         const struct emission_choice *choice,
-                         struct sourced *made, struct accounts *accounts,
-                         c205_error *error)
+                         const struct emission_choice *choice, struct sourced *made,
+                         struct accounts *accounts, c205_error *error)
 {
     size_t count = source->chords.count;
     struct scene_line *lines = malloc(count * sizeof *lines);
     c205_word *planes = malloc(EMITTED_PLANES * count * sizeof *planes);
-    bool good = lines && planes ? run_lines(source, choice, lines, planes,
-                                            made, accounts, error)
-                                : error_say(error, "no memory");
+    bool good = lines && planes
+                    ? run_lines(source, choice, lines, planes, made, accounts, error)
+                    : error_say(error, "no memory");
 
     free(lines);
     free(planes);
@@ -311,28 +296,24 @@ static bool run_by_lines(const struct heat_source *source,
 /* ---- Runs --------------------------------------------------------------------- */
 
 static bool run_emission(const struct heat_source *source,
-                         const struct emission_choice *choice,
-                         struct sourced *made, struct accounts *accounts,
-                         c205_error *error)
+                         const struct emission_choice *choice, struct sourced *made,
+                         struct accounts *accounts, c205_error *error)
 {
     made->count = source->options.points;
-    made->planes = malloc(EMITTED_PLANES * made->count
-                          * sizeof *made->planes);
-    return made->planes ? emission_run(source->emission, choice, made->planes,
-                                       accounts, error)
-                        : error_say(error, "no memory");
+    made->planes = malloc(EMITTED_PLANES * made->count * sizeof *made->planes);
+    return made->planes
+               ? emission_run(source->emission, choice, made->planes, accounts, error)
+               : error_say(error, "no memory");
 }
 
-bool source_run(const struct heat_source *source,
-                const struct emission_choice *choice, struct sourced *made,
-                struct accounts *accounts, c205_error *error)
+bool source_run(const struct heat_source *source, const struct emission_choice *choice,
+                struct sourced *made, struct accounts *accounts, c205_error *error)
 {
     bool good;
 
     *made = (struct sourced){ .count = 0 };
-    good = source->emission
-               ? run_emission(source, choice, made, accounts, error)
-               : run_by_lines(source, choice, made, accounts, error);
+    good = source->emission ? run_emission(source, choice, made, accounts, error)
+                            : run_by_lines(source, choice, made, accounts, error);
     if (!good) {
         free(made->planes);
         *made = (struct sourced){ .count = 0 };

@@ -35,8 +35,7 @@ struct sourced {
 
 /* In machines of its own, whose accounts are added; any number of threads may run a source at
  * a time.  False: a trap, no memory, more crossings than a vector is long. */
-bool source_run(const struct heat_source *source,
-                const struct emission_choice *choice, struct sourced *made,
-                struct accounts *accounts, c205_error *error);
+bool source_run(const struct heat_source *source, const struct emission_choice *choice,
+                struct sourced *made, struct accounts *accounts, c205_error *error);
 
 #endif

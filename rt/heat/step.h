@@ -5,8 +5,8 @@
 #include "base/accounts.h"
 
 enum heat_step {
-    STEP_EMISSION, /* points and directions are made */
-    STEP_FACES,    /* which points are on faces that are seen; not of lines */
+    STEP_EMISSION,  /* points and directions are made */
+    STEP_FACES,     /* which points are on faces that are seen; not of lines */
     STEP_CROSSINGS, /* what is seen along the rays, or lines */
     STEP_COUNTS,    /* .. is counted by receivers, or by pairs of surfaces */
     STEP_SMOOTHING, /* if asked */

@@ -9,9 +9,8 @@
 
 /* ---- Which there are ------------------------------------------------------ */
 
-static const char *name_of(struct surfaces *surfaces,
-                           const struct named_part *part, enum surfaces_by by,
-                           size_t primitive)
+static const char *name_of(struct surfaces *surfaces, const struct named_part *part,
+                           enum surfaces_by by, size_t primitive)
 {
     char number[24];
 
@@ -45,9 +44,9 @@ static bool place(const struct scene *scene, const struct named_parts *parts,
     if (by != BY_PRIMITIVE)
         found = find_named(surfaces, name);
     if (found == surfaces->count)
-        surfaces->list[surfaces->count++] = (struct surface){
-            .name = name, .first = primitive, .part = part
-        };
+        surfaces->list[surfaces->count++] = (struct surface){ .name = name,
+                                                              .first = primitive,
+                                                              .part = part };
     surfaces->surface_of[i] = found;
     surfaces->part_of[i] = part;
     return true;
@@ -61,8 +60,7 @@ static bool make_rows(struct surfaces *surfaces)
         struct surface *surface = &surfaces->list[i];
 
         surface->count = calloc(surfaces->count + 1, sizeof *surface->count);
-        surface->factor = calloc(surfaces->count + 1,
-                                 sizeof *surface->factor);
+        surface->factor = calloc(surfaces->count + 1, sizeof *surface->factor);
         good = surface->count && surface->factor;
     }
     return good;
@@ -106,8 +104,7 @@ static void add_row(struct surface *surface, const struct factor_row *row)
     double area = row->area.value;
 
     surface->area.value += area;
-    surface->area.error = elementary_hypot(surface->area.error,
-                                           row->area.error);
+    surface->area.error = elementary_hypot(surface->area.error, row->area.error);
     surface->tried += row->tried;
     surface->sent += row->sent;
     for (size_t j = 0; j < row->receivers; j++) {
@@ -122,17 +119,14 @@ static void add_errors(struct surface *surface, const struct factor_row *row)
     for (size_t j = 0; j < row->receivers; j++) {
         struct estimate *factor = &surface->factor[j];
         double own = row->area.value * row->factor[j].error;
-        double beside = row->area.error
-                        * (row->factor[j].value - factor->value);
+        double beside = row->area.error * (row->factor[j].value - factor->value);
 
-        factor->error = elementary_hypot(factor->error,
-                                         elementary_hypot(own, beside)
-                                             / surface->area.value);
+        factor->error = elementary_hypot(factor->error, elementary_hypot(own, beside)
+                                                            / surface->area.value);
     }
 }
 
-void surfaces_combine(struct surfaces *surfaces,
-                      const struct factor_row *rows)
+void surfaces_combine(struct surfaces *surfaces, const struct factor_row *rows)
 {
     size_t primitive_count = surfaces->primitive_count;
 
@@ -153,8 +147,7 @@ void surfaces_combine(struct surfaces *surfaces,
             add_errors(&surfaces->list[surfaces->surface_of[i]], &rows[i]);
 }
 
-void surfaces_take_lines(struct surfaces *surfaces,
-                         const struct global_lines *found)
+void surfaces_take_lines(struct surfaces *surfaces, const struct global_lines *found)
 {
     for (size_t i = 0; i < surfaces->count; i++) {
         struct surface *surface = &surfaces->list[i];
@@ -175,8 +168,7 @@ double surface_factor(const struct surface *from, size_t to)
     return from->smooth ? from->smooth[to] : from->factor[to].value;
 }
 
-double surfaces_reciprocity(const struct surfaces *surfaces, size_t from,
-                            size_t to)
+double surfaces_reciprocity(const struct surfaces *surfaces, size_t from, size_t to)
 {
     const struct surface *one = &surfaces->list[from];
     const struct surface *other = &surfaces->list[to];

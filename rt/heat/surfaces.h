@@ -14,8 +14,7 @@
 enum surfaces_by { BY_PRIMITIVE, BY_PART, BY_MATERIAL, SURFACES_BY };
 
 struct surface {
-    const char
-        *name; /* of the part or the material, or the primitive's number */
+    const char *name; /* of the part or the material, or the primitive's number */
     const struct primitive *first; /* of its primitives */
     size_t part;                   /* .. the part that it is of */
     struct estimate area;
@@ -42,19 +41,16 @@ void surfaces_free(struct surfaces *surfaces);
 
 /* Of the rows of all primitives, which have surfaces as receivers; one that has no
  * emission has an empty one. */
-void surfaces_combine(struct surfaces *surfaces,
-                      const struct factor_row *rows);
+void surfaces_combine(struct surfaces *surfaces, const struct factor_row *rows);
 
 /* Of all of them at once. */
-void surfaces_take_lines(struct surfaces *surfaces,
-                         const struct global_lines *found);
+void surfaces_take_lines(struct surfaces *surfaces, const struct global_lines *found);
 
 /* The factor from one to another, smoothed if they are. */
 double surface_factor(const struct surface *from, size_t to);
 
 /* By how many standard errors A F from one to the other differs from that back; NaN: of itself,
  * or where there is no way back. */
-double surfaces_reciprocity(const struct surfaces *surfaces, size_t from,
-                            size_t to);
+double surfaces_reciprocity(const struct surfaces *surfaces, size_t from, size_t to);
 
 #endif

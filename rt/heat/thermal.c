@@ -41,8 +41,7 @@ struct thermal_work {
 };
 
 /* Of those that something is seen of. */
-static const struct surface *surface_of(const struct thermal_work *work,
-                                        size_t i)
+static const struct surface *surface_of(const struct thermal_work *work, size_t i)
 {
     return &work->surfaces->list[work->thermal->surface[i]];
 }
@@ -71,8 +70,7 @@ static bool list_surfaces(const struct thermal_work *work)
             return error_say(work->error,
                              "surface %s, the %s of line %zu, receives "
                              "alone: nothing is known of what it gives",
-                             surface->name,
-                             primitive_kind_name(surface->first->kind),
+                             surface->name, primitive_kind_name(surface->first->kind),
                              surface->first->line);
         if (surface->sent > 0)
             thermal->surface[thermal->count++] = i;
@@ -114,11 +112,9 @@ static bool check_parts(const struct thermal_work *work)
     const struct surfaces *surfaces = work->surfaces;
 
     for (size_t i = 0; i < surfaces->primitive_count; i++) {
-        const struct surface *surface = &surfaces
-                                             ->list[surfaces->surface_of[i]];
+        const struct surface *surface = &surfaces->list[surfaces->surface_of[i]];
         const struct named_part *first = &work->parts->list[surface->part];
-        const struct named_part *part = &work->parts
-                                             ->list[surfaces->part_of[i]];
+        const struct named_part *part = &work->parts->list[surfaces->part_of[i]];
 
         if (!alike(given_of_part(work->temperatures, part),
                    given_of_part(work->temperatures, first))
@@ -151,10 +147,8 @@ static void fill_factors(const struct thermal_work *work, double *factors)
         const struct surface *surface = surface_of(work, i);
 
         for (size_t j = 0; j < n; j++)
-            factors[i * (n + 1) + j] = surface_factor(surface,
-                                                      thermal->surface[j]);
-        factors[i * (n + 1) + n] = surface_factor(surface,
-                                                  work->surfaces->count);
+            factors[i * (n + 1) + j] = surface_factor(surface, thermal->surface[j]);
+        factors[i * (n + 1) + n] = surface_factor(surface, work->surfaces->count);
     }
 }
 
@@ -170,8 +164,8 @@ static void split_values(struct thermal *thermal, double *emissivity)
     }
 }
 
-static bool find_exchange(const struct thermal_work *work,
-                          enum trace_mode mode, const c205_model *model)
+static bool find_exchange(const struct thermal_work *work, enum trace_mode mode,
+                          const c205_model *model)
 {
     struct thermal *thermal = work->thermal;
     size_t n = thermal->count;
@@ -229,12 +223,10 @@ void thermal_free(struct thermal *thermal)
     *thermal = (struct thermal){ 0 };
 }
 
-bool thermal_find(const struct surfaces *surfaces,
-                  const struct named_parts *parts,
+bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
                   const struct given_values *emissivities,
-                  const struct given_values *temperatures,
-                  enum trace_mode mode, const c205_model *model,
-                  struct thermal *thermal, c205_error *error)
+                  const struct given_values *temperatures, enum trace_mode mode,
+                  const c205_model *model, struct thermal *thermal, c205_error *error)
 {
     const struct thermal_work work = { .surfaces = surfaces,
                                        .parts = parts,
@@ -246,8 +238,8 @@ bool thermal_find(const struct surfaces *surfaces,
 
     if (good)
         find_outside(&work);
-    good = good && list_surfaces(&work) && check_parts(&work)
-           && find_values(&work) && find_exchange(&work, mode, model);
+    good = good && list_surfaces(&work) && check_parts(&work) && find_values(&work)
+           && find_exchange(&work, mode, model);
     if (!good)
         thermal_free(thermal);
     return good;

@@ -22,12 +22,10 @@ struct thermal {
 
 /* False: a surface without temperature, or of parts that have several; one that receives
  * alone; an exchange without solution; a trap, no memory.  The error names what it is about. */
-bool thermal_find(const struct surfaces *surfaces,
-                  const struct named_parts *parts,
+bool thermal_find(const struct surfaces *surfaces, const struct named_parts *parts,
                   const struct given_values *emissivities,
-                  const struct given_values *temperatures,
-                  enum trace_mode mode, const c205_model *model,
-                  struct thermal *thermal, c205_error *error);
+                  const struct given_values *temperatures, enum trace_mode mode,
+                  const c205_model *model, struct thermal *thermal, c205_error *error);
 void thermal_free(struct thermal *thermal);
 
 #endif

@@ -25,15 +25,13 @@ static bool program_folder(char *folder, size_t size)
     return slash != NULL;
 }
 
-static bool is_in(const char *folder, const char *file,
-                  char path[ADAPTER_PATH])
+static bool is_in(const char *folder, const char *file, char path[ADAPTER_PATH])
 {
     snprintf(path, ADAPTER_PATH, "%.4096s/%.60s", folder, file);
     return access(path, R_OK) == 0;
 }
 
-bool adapter_find(const char *file, char path[ADAPTER_PATH],
-                  c205_error *error)
+bool adapter_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 {
     const char *named = getenv("RT205_LIBDIR");
     char beside[4096], installed[sizeof beside + sizeof FROM_BIN];
@@ -43,8 +41,7 @@ bool adapter_find(const char *file, char path[ADAPTER_PATH],
     snprintf(installed, sizeof installed, "%s%s", beside, FROM_BIN);
     return (named && is_in(named, file, path)) || is_in(beside, file, path)
            || is_in(installed, file, path)
-           || error_say(error, "no %s in %.80s or %.80s", file, beside,
-                        installed);
+           || error_say(error, "no %s in %.80s or %.80s", file, beside, installed);
 }
 
 const void *adapter_open(const char *path, const char *table, bool shared,
@@ -52,8 +49,7 @@ const void *adapter_open(const char *path, const char *table, bool shared,
 {
     /* Lazily: a third of the time that a large one takes goes for names that
      * nobody calls. */
-    void *object = dlopen(path,
-                          RTLD_LAZY | (shared ? RTLD_GLOBAL : RTLD_LOCAL));
+    void *object = dlopen(path, RTLD_LAZY | (shared ? RTLD_GLOBAL : RTLD_LOCAL));
     const void *found = object ? dlsym(object, table) : NULL;
 
     if (!found)

@@ -16,8 +16,7 @@ enum { ADAPTER_PATH = 4096 + 64 };
 
 /* In the folder that the environment's RT205_LIBDIR names, beside the program, or where it
  * is installed; false: nowhere, the error says where it was looked for. */
-bool adapter_find(const char *file, char path[ADAPTER_PATH],
-                  c205_error *error);
+bool adapter_find(const char *file, char path[ADAPTER_PATH], c205_error *error);
 
 /* The table that the object at the path has by that name.  shared: the names of
  * the object are for all others, too.  NULL: the error says why. */

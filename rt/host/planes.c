@@ -14,8 +14,7 @@ static int open_nameless(size_t bytes)
     char path[4096];
     int file;
 
-    snprintf(path, sizeof path, "%s/rt205.XXXXXX",
-             folder && *folder ? folder : "/tmp");
+    snprintf(path, sizeof path, "%s/rt205.XXXXXX", folder && *folder ? folder : "/tmp");
     file = mkstemp(path);
     if (file < 0)
         return -1;
@@ -28,12 +27,11 @@ static int open_nameless(size_t bytes)
 }
 
 /* Some of the file, again without memory where it is mapped already. */
-static void *map_part(const struct frame_planes *planes, void *where,
-                      size_t begin, size_t end)
+static void *map_part(const struct frame_planes *planes, void *where, size_t begin,
+                      size_t end)
 {
     return mmap(where, end - begin, PROT_READ | PROT_WRITE,
-                MAP_SHARED | (where ? MAP_FIXED : 0), planes->file,
-                (off_t)begin);
+                MAP_SHARED | (where ? MAP_FIXED : 0), planes->file, (off_t)begin);
 }
 
 static bool map_file(struct frame_planes *planes)
@@ -76,8 +74,7 @@ void planes_give_back(struct frame_planes *planes)
     planes->words = NULL;
 }
 
-void planes_leave(const struct frame_planes *planes, size_t first,
-                  size_t count)
+void planes_leave(const struct frame_planes *planes, size_t first, size_t count)
 {
     size_t page = (size_t)sysconf(_SC_PAGESIZE);
     size_t begin = first * sizeof *planes->words / page * page;

@@ -25,7 +25,6 @@ bool planes_take(struct frame_planes *planes, size_t words);
 void planes_give_back(struct frame_planes *planes);
 
 /* These words are not looked at for now. */
-void planes_leave(const struct frame_planes *planes, size_t first,
-                  size_t count);
+void planes_leave(const struct frame_planes *planes, size_t first, size_t count);
 
 #endif

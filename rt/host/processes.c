@@ -11,8 +11,8 @@
 /* ---- A program that is run ----------------------------------------------- */
 
 /* In the new process, of which only the parent's descriptors are used. */
-static void become_program(const char *folder, char *const words[],
-                           int output, int messages)
+static void become_program(const char *folder, char *const words[], int output,
+                           int messages)
 {
     if (chdir(folder) != 0 || dup2(output, STDOUT_FILENO) < 0
         || dup2(messages, STDERR_FILENO) < 0)
@@ -22,8 +22,7 @@ static void become_program(const char *folder, char *const words[],
 }
 
 /* Its process, whose output can be read from *output; -1: errno tells. */
-static pid_t start(const char *folder, char *const words[], FILE *messages,
-                   int *output)
+static pid_t start(const char *folder, char *const words[], FILE *messages, int *output)
 {
     int ends[2];
     pid_t process;
@@ -68,8 +67,8 @@ static int wait_for(pid_t process)
     return WIFEXITED(status) ? WEXITSTATUS(status) : PROCESS_CANNOT_RUN;
 }
 
-int process_run(const char *folder, char *const words[], FILE *output,
-                size_t *written, FILE **messages)
+int process_run(const char *folder, char *const words[], FILE *output, size_t *written,
+                FILE **messages)
 {
     FILE *file = tmpfile();
     int end, code;
@@ -129,8 +128,7 @@ void process_become(char *const words[])
 
 bool process_lock(int file, bool alone)
 {
-    struct flock lock = { .l_type = alone ? F_WRLCK : F_RDLCK,
-                          .l_whence = SEEK_SET };
+    struct flock lock = { .l_type = alone ? F_WRLCK : F_RDLCK, .l_whence = SEEK_SET };
 
     return fcntl(file, F_SETLK, &lock) == 0;
 }

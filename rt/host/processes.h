@@ -17,8 +17,8 @@ enum { PROCESS_CANNOT_RUN = 126, PROCESS_NOT_FOUND = 127 };
  * output; what it complains of is read from *messages, which the caller closes.
  * Its exit code, or one of the above; -1: no process can be had, errno says why,
  * and there are no messages. */
-int process_run(const char *folder, char *const words[], FILE *output,
-                size_t *written, FILE **messages);
+int process_run(const char *folder, char *const words[], FILE *output, size_t *written,
+                FILE **messages);
 
 /* Become the first of the words, whose arguments are the others, then this
  * program's path, then its own arguments.  Comes back only where that cannot be: errno

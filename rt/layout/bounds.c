@@ -6,8 +6,8 @@
 #include "rt/shapes/shape.h"
 
 /* The bounds of a node's children, one after another; how many. */
-static size_t gather(const struct scene *scene, size_t node,
-                     const struct bound *bounds, struct bound *children)
+static size_t gather(const struct scene *scene, size_t node, const struct bound *bounds,
+                     struct bound *children)
 {
     size_t count = 0;
 
@@ -26,23 +26,22 @@ static void bound_leaf(const struct primitive *primitive, struct bound *bound)
         bound_primitive(primitive, bound);
 }
 
-static void bound_alone(const struct scene *scene,
-                        const struct region *region, struct bound *bounds)
+static void bound_alone(const struct scene *scene, const struct region *region,
+                        struct bound *bounds)
 {
     if (region->primitive_count == 1)
         bound_primitive(&scene->primitives[region->first_primitive],
                         &bounds[region->first_node + region->node_count - 1]);
 }
 
-static void bound_node(const struct scene *scene, size_t node,
-                       struct bound *bounds, struct bound *children)
+static void bound_node(const struct scene *scene, size_t node, struct bound *bounds,
+                       struct bound *children)
 {
     size_t count = gather(scene, node, bounds, children);
 
     switch (scene->nodes[node].operation) {
     case TREE_LEAF:
-        bound_leaf(&scene->primitives[scene->nodes[node].primitive],
-                   &bounds[node]);
+        bound_leaf(&scene->primitives[scene->nodes[node].primitive], &bounds[node]);
         break;
     case TREE_AND: bound_common(children, count, &bounds[node]); break;
     case TREE_OR: bound_enclose(children, count, &bounds[node]); break;
@@ -53,8 +52,7 @@ static void bound_node(const struct scene *scene, size_t node,
 /* Backwards, so that what is below a node comes before it. */
 bool bound_nodes(const struct scene *scene, struct bound *bounds)
 {
-    struct bound *children = malloc((scene->node_count + 1)
-                                    * sizeof *children);
+    struct bound *children = malloc((scene->node_count + 1) * sizeof *children);
 
     if (!children)
         return false;

@@ -67,8 +67,8 @@ static void put_level(double at, double height, double row[HEIGHT_SIZE])
     row[2] = height;
 }
 
-static void put_slope(const struct slope_stop *stop,
-                      const struct slope_stop *next, double row[HEIGHT_SIZE])
+static void put_slope(const struct slope_stop *stop, const struct slope_stop *next,
+                      double row[HEIGHT_SIZE])
 {
     double far = next->at - stop->at, rise = next->height - stop->height;
 
@@ -136,8 +136,7 @@ static void put_pattern(struct record *record, const struct bump *bump,
     pattern_rows(&pattern, rows);
     pattern_numbers(&pattern.pattern, numbers);
     record_numbers(record, "BUMP_TO_LOCAL", rows, PATTERN_ROWS);
-    record_routine(record, "BUMP_FUNCTION",
-                   pattern_routine(&pattern.pattern));
+    record_routine(record, "BUMP_FUNCTION", pattern_routine(&pattern.pattern));
     if (wave)
         record_routine(record, "BUMP_WAVE", wave);
     record_numbers(record, "BUMP_NUMBERS", numbers, MAP_NUMBERS);
@@ -208,12 +207,10 @@ static void put_carry(struct record *record, const struct transform *to_local,
 /* A bump whose pattern's space has another one around it, or none.  A normal of
  * which the length counts has the length that it has in the file's unit. */
 static void put_bump(struct record *record, const struct bump *bump,
-                     const struct transform *around,
-                     const struct transform *to_local, bool unscaled,
-                     double unit)
+                     const struct transform *around, const struct transform *to_local,
+                     bool unscaled, double unit)
 {
-    struct transform whole = around ? transform_then(around, to_local)
-                                    : *to_local;
+    struct transform whole = around ? transform_then(around, to_local) : *to_local;
 
     if (is_quilted(bump)) {
         record_numbers(record, "BUMP_TO_LOCAL", &whole.rows[0][0], 12);
@@ -236,22 +233,18 @@ static size_t entry_rows(const struct bump_list *list)
     return list->count == 1 ? 2 : list->count;
 }
 
-static const struct bump_entry *entry_of(const struct bump_list *list,
-                                         size_t row)
+static const struct bump_entry *entry_of(const struct bump_list *list, size_t row)
 {
     return &list->entries[row < list->count ? row : list->count - 1];
 }
 
 /* Where among the values of its map it counts: from the entry before on, from its own
  * place on; of the first and the last everywhere. */
-static void put_share(struct record *record, const struct bump_list *list,
-                      size_t i)
+static void put_share(struct record *record, const struct bump_list *list, size_t i)
 {
     size_t last = entry_rows(list) - 1;
     double at = entry_of(list, i)->at;
-    double from = i > 1    ? entry_of(list, i - 1)->at
-                  : i == 1 ? -BEYOND
-                           : BEYOND;
+    double from = i > 1 ? entry_of(list, i - 1)->at : i == 1 ? -BEYOND : BEYOND;
     double to = i == 0 ? -BEYOND : i < last ? at : BEYOND;
     double far = entry_of(list, i + 1)->at - at;
     double rise = list->average ? at : far > STEP ? 1 / far : BEYOND;
@@ -275,8 +268,7 @@ static void put_entries(struct record *record, const struct bumps *bumps,
     }
 }
 
-static void put_map(struct record *record, const struct bumps *bumps,
-                    double unit)
+static void put_map(struct record *record, const struct bumps *bumps, double unit)
 {
     const struct bump_list *list = bumps->list;
 
@@ -290,8 +282,7 @@ static void put_map(struct record *record, const struct bumps *bumps,
     put_entries(record, bumps, list, unit);
 }
 
-static void put_bumps(struct record *record, const struct bumps *bumps,
-                      double unit)
+static void put_bumps(struct record *record, const struct bumps *bumps, double unit)
 {
     const struct bump_list *list = bumps->list;
 
@@ -299,16 +290,14 @@ static void put_bumps(struct record *record, const struct bumps *bumps,
         put_map(record, bumps, unit);
         return;
     }
-    put_bump(record, &list->bump, NULL, &bumps->to_local, bumps->unscaled,
-             unit);
+    put_bump(record, &list->bump, NULL, &bumps->to_local, bumps->unscaled, unit);
     record_write(record);
 }
 
 /* ---- All of them --------------------------------------------------------- */
 
 /* Records and words of heights of those that are not the ones before. */
-static void count_bumps(const struct scene *scene, size_t *records,
-                        size_t *words)
+static void count_bumps(const struct scene *scene, size_t *records, size_t *words)
 {
     const struct bumps *before = NULL;
 

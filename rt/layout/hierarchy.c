@@ -53,25 +53,22 @@ static void take_bound(const struct bound *bound, struct boxed *thing)
 
 /* --- nodes --------------------------------------------------------------- */
 
-static void bound_many(const struct build *build, const size_t *row,
-                       size_t count, const struct box *box,
-                       struct bound *whole)
+static void bound_many(const struct build *build, const size_t *row, size_t count,
+                       const struct box *box, struct bound *whole)
 {
     double reach = 0;
 
     for (int i = 0; i < 3; i++)
         whole->center[i] = (box->low[i] + box->high[i]) / 2;
     for (size_t i = 0; i < count; i++)
-        reach = fmax(reach,
-                     bound_reach(&build->bounds[row[i]], whole->center));
+        reach = fmax(reach, bound_reach(&build->bounds[row[i]], whole->center));
     whole->radius = reach * (1 + 1e-12);
     memcpy(whole->low, box->low, sizeof whole->low);
     memcpy(whole->high, box->high, sizeof whole->high);
 }
 
-static void bound_row(const struct build *build, const size_t *row,
-                      size_t count, const struct box *box,
-                      struct bound *whole)
+static void bound_row(const struct build *build, const size_t *row, size_t count,
+                      const struct box *box, struct bound *whole)
 {
     if (count > EXACT) {
         bound_many(build, row, count, box, whole);
@@ -100,8 +97,7 @@ static void build_node(const struct build *build, size_t first, size_t count,
     size_t number = hierarchy->node_count++;
     struct hierarchy_node *node = &hierarchy->nodes[number];
     struct box box = box_about(build->cutting.things, row, count);
-    struct cut cut = cut_find(&build->cutting, row, count, &box,
-                              (double)count);
+    struct cut cut = cut_find(&build->cutting, row, count, &box, (double)count);
 
     *node = (struct hierarchy_node){ .first = first, .count = count };
     bound_row(build, row, count, &box, &node->bound);

@@ -20,13 +20,11 @@ static bool add(struct image *image, struct image_block block)
 
 bool image_reserve(struct image *image, uint64_t address, size_t count)
 {
-    return add(image,
-               (struct image_block){ address, count, NULL, NULL, true });
+    return add(image, (struct image_block){ address, count, NULL, NULL, true });
 }
 
 /* The mapped block that has the words, or NULL. */
-static struct image_block *block_of(struct image *image, uint64_t address,
-                                    size_t count)
+static struct image_block *block_of(struct image *image, uint64_t address, size_t count)
 {
     for (size_t i = image->count; i-- > 0;) {
         struct image_block *block = &image->blocks[i];
@@ -39,14 +37,13 @@ static struct image_block *block_of(struct image *image, uint64_t address,
     return NULL;
 }
 
-bool image_write(struct image *image, uint64_t address,
-                 const c205_word *words, size_t count)
+bool image_write(struct image *image, uint64_t address, const c205_word *words,
+                 size_t count)
 {
     struct image_block *block = block_of(image, address, count);
 
     if (!block) {
-        if (!add(image,
-                 (struct image_block){ address, count, NULL, NULL, false }))
+        if (!add(image, (struct image_block){ address, count, NULL, NULL, false }))
             return false;
         block = &image->blocks[image->count - 1];
     }
@@ -81,8 +78,7 @@ static bool load_block(const struct image_block *block, c205 *machine,
         return c205_map_shared(machine, block->address, block->shared, error);
     if (block->mapped
         && !c205_map(machine, block->address, block->count,
-                     block->words ? C205_READ_WRITE : C205_WHEN_TOUCHED,
-                     error))
+                     block->words ? C205_READ_WRITE : C205_WHEN_TOUCHED, error))
         return false;
     return !block->words
            || c205_write(machine, block->address, block->words, block->count)

@@ -29,8 +29,8 @@ struct image {
 bool image_reserve(struct image *image, uint64_t address, size_t count);
 /* Words into a block that was reserved, or among those of the program.
  * False: no memory. */
-bool image_write(struct image *image, uint64_t address,
-                 const c205_word *words, size_t count);
+bool image_write(struct image *image, uint64_t address, const c205_word *words,
+                 size_t count);
 /* Nothing more is written: machines have in common what they only read, as far as there
  * is memory for that. */
 void image_share(struct image *image);

@@ -55,9 +55,8 @@ void image_numbers(const struct image_map *map, double numbers[])
 }
 
 /* Row after row, so that the words stand here but once. */
-static void put_rows(struct record_layout *layout,
-                     const struct image_table *table, const c205_word *light,
-                     uint64_t address)
+static void put_rows(struct record_layout *layout, const struct image_table *table,
+                     const c205_word *light, uint64_t address)
 {
     size_t count = PIXEL_SIZE * table->width;
     c205_word *words = calloc(count, sizeof *words);
@@ -68,17 +67,15 @@ static void put_rows(struct record_layout *layout,
         const uint16_t *samples = table->samples + row * count;
         for (size_t i = 0; i < count; i++)
             words[i] = light[samples[i]];
-        layout_words(layout, address + UINT64_C(64) * row * count, words,
-                     count);
+        layout_words(layout, address + UINT64_C(64) * row * count, words, count);
     }
     free(words);
 }
 
-static uint64_t put_table(struct record_layout *layout,
-                          const struct image_table *table)
+static uint64_t put_table(struct record_layout *layout, const struct image_table *table)
 {
-    uint64_t address = layout_reserve(layout, PIXEL_SIZE * table->width
-                                                  * table->height);
+    uint64_t address = layout_reserve(layout,
+                                      PIXEL_SIZE * table->width * table->height);
     c205_word *light = calloc((size_t)table->most + 1, sizeof *light);
 
     if (light) {
@@ -91,8 +88,8 @@ static uint64_t put_table(struct record_layout *layout,
     return address;
 }
 
-static void lay_out(struct record_layout *layout,
-                    const struct pigment *pigment, uint64_t *addresses)
+static void lay_out(struct record_layout *layout, const struct pigment *pigment,
+                    uint64_t *addresses)
 {
     const struct image_table *table = pigment->image.table;
 
@@ -100,8 +97,7 @@ static void lay_out(struct record_layout *layout,
         addresses[table->number] = put_table(layout, table);
 }
 
-uint64_t *images_layout(struct record_layout *layout,
-                        const struct scene *scene)
+uint64_t *images_layout(struct record_layout *layout, const struct scene *scene)
 {
     uint64_t *addresses = calloc(scene->image_count + 1, sizeof *addresses);
 

@@ -9,8 +9,7 @@
 bool scene_has_images(const struct scene *scene);
 /* Lay out those that are seen: where the pixels of each are, by its number, or 0.
  * NULL: no memory.  The caller frees it. */
-uint64_t *images_layout(struct record_layout *layout,
-                        const struct scene *scene);
+uint64_t *images_layout(struct record_layout *layout, const struct scene *scene);
 /* What makes a place of a point, and a colour of that; its numbers, MAP_NUMBERS of
  * them. */
 const char *image_routine(const struct image_map *map);

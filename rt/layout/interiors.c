@@ -42,8 +42,7 @@ bool interiors_find(const struct scene *scene, struct interiors *interiors)
         const struct primitive *primitive = &scene->primitives[i];
 
         if (is_wanted(primitive))
-            interiors->index[interiors_number(interiors, primitive)] =
-                primitive->ior;
+            interiors->index[interiors_number(interiors, primitive)] = primitive->ior;
     }
     return true;
 }
@@ -79,8 +78,7 @@ static uint64_t layout_table(struct record_layout *layout,
     return table;
 }
 
-void interiors_layout(struct record_layout *layout,
-                      const struct interiors *interiors,
+void interiors_layout(struct record_layout *layout, const struct interiors *interiors,
                       const struct scene *scene)
 {
     enum { NUMBERS = 5 };
@@ -94,15 +92,11 @@ void interiors_layout(struct record_layout *layout,
         bits++;
     room = BITS / bits;
     base = ldexp(1, bits);
-    full = interiors->bodies.count > (size_t)room
-               ? ldexp(1, bits * (room - 1))
-               : 0;
+    full = interiors->bodies.count > (size_t)room ? ldexp(1, bits * (room - 1)) : 0;
     words[0] = layout_table(layout, interiors);
     put_numbers(words + 1,
-                (double[NUMBERS]){ base, 1 / base, full,
-                                   full > 0 ? 1 / full : 0,
+                (double[NUMBERS]){ base, 1 / base, full, full > 0 ? 1 / full : 0,
                                    (double)scene->max_trace_level },
                 NUMBERS);
-    layout_words(layout, layout_symbol(layout, "scene_interiors"), words,
-                 1 + NUMBERS);
+    layout_words(layout, layout_symbol(layout, "scene_interiors"), words, 1 + NUMBERS);
 }

@@ -26,8 +26,7 @@ void interiors_free(struct interiors *interiors);
 /* A primitive's, 0 if rays need not know it. */
 size_t interiors_number(const struct interiors *interiors,
                         const struct primitive *primitive);
-void interiors_layout(struct record_layout *layout,
-                      const struct interiors *interiors,
+void interiors_layout(struct record_layout *layout, const struct interiors *interiors,
                       const struct scene *scene);
 
 #endif

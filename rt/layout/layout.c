@@ -26,24 +26,18 @@ static size_t count_levels(const struct scene *scene)
     return 1;
 }
 
-static void layout_levels(struct record_layout *layout,
-                          const struct scene *scene)
+static void layout_levels(struct record_layout *layout, const struct scene *scene)
 {
     size_t levels = count_levels(scene);
 
     layout_word(layout, "scene_levels",
                 layout_reserve(layout,
-                               levels
-                                   * (size_t)layout_symbol(layout,
-                                                           "LEVEL_SIZE")));
-    layout_word(layout, "scene_level_count",
-                c205_from_integer((int64_t)levels));
-    layout_word(layout, "scene_bailout",
-                c205_from_double(scene->adc_bailout));
+                               levels * (size_t)layout_symbol(layout, "LEVEL_SIZE")));
+    layout_word(layout, "scene_level_count", c205_from_integer((int64_t)levels));
+    layout_word(layout, "scene_bailout", c205_from_double(scene->adc_bailout));
 }
 
-static void layout_camera(struct record_layout *layout,
-                          const struct scene *scene)
+static void layout_camera(struct record_layout *layout, const struct scene *scene)
 {
     const struct camera *camera = &scene->camera;
     c205_word words[12];
@@ -59,8 +53,7 @@ static void layout_camera(struct record_layout *layout,
 
 /* Of samples that are averaged in linear light, perhaps through a lens. */
 static void layout_samples(struct record_layout *layout, double gamma,
-                           const struct camera *camera,
-                           struct frame_layout *frame)
+                           const struct camera *camera, struct frame_layout *frame)
 {
     if (gamma > 0)
         layout_word(layout, "scene_gamma", c205_from_double(gamma));
@@ -79,11 +72,9 @@ static size_t count_rays(const struct ray_grid *grid)
 }
 
 /* All samples of all pixels. */
-static struct ray_grid all_samples(const struct frame_layout *frame,
-                                   size_t samples)
+static struct ray_grid all_samples(const struct frame_layout *frame, size_t samples)
 {
-    return (struct ray_grid){ frame->width * samples,
-                              frame->first_row * samples,
+    return (struct ray_grid){ frame->width * samples, frame->first_row * samples,
                               frame->rows * samples };
 }
 
@@ -91,8 +82,7 @@ static struct ray_grid all_samples(const struct frame_layout *frame,
  * which pixels are compared. */
 static struct ray_grid first_rays(const struct frame_layout *frame)
 {
-    return (struct ray_grid){ frame->width + 1, frame->first_row,
-                              frame->rows + 1 };
+    return (struct ray_grid){ frame->width + 1, frame->first_row, frame->rows + 1 };
 }
 
 /* Of the colours that are compared (POV-Ray's Antialias_Gamma). */
@@ -109,26 +99,20 @@ static void layout_adaptive(struct record_layout *layout, double gamma,
     size_t strings = (size_t)layout_symbol(layout, "FINE_STRINGS")
                      * (frame->width / 64 + 4);
 
-    layout_word(layout, "scene_threshold",
-                c205_from_double(frame->threshold));
+    layout_word(layout, "scene_threshold", c205_from_double(frame->threshold));
     if (gamma > 0)
-        layout_word(layout, "scene_power",
-                    c205_from_double(gamma / COMPARED_GAMMA));
-    layout_word(layout, "scene_wide",
-                c205_from_double((double)grid->columns));
+        layout_word(layout, "scene_power", c205_from_double(gamma / COMPARED_GAMMA));
+    layout_word(layout, "scene_wide", c205_from_double((double)grid->columns));
     layout_word(layout, "scene_fine",
                 layout_reserve(layout,
-                               (size_t)layout_symbol(layout, "FINE_PLANES")
-                                       * rays
+                               (size_t)layout_symbol(layout, "FINE_PLANES") * rays
                                    + strings));
-    layout_word(layout, "scene_sampled_pixels",
-                c205_from_integer((int64_t)pixels));
+    layout_word(layout, "scene_sampled_pixels", c205_from_integer((int64_t)pixels));
     layout_word(layout, "scene_sampled",
                 layout_reserve(layout, FRAME_CHANNELS * samples * pixels));
 }
 
-static void layout_band(struct record_layout *layout,
-                        const struct ray_grid *grid)
+static void layout_band(struct record_layout *layout, const struct ray_grid *grid)
 {
     const double rows[2] = { (double)grid->first_row,
                              (double)(grid->first_row + grid->rows) };
@@ -137,20 +121,16 @@ static void layout_band(struct record_layout *layout,
     put_numbers(words, rows, 2);
     layout_words(layout, layout_symbol(layout, "scene_band"), words, 2);
     layout_word(layout, "scene_first_pixel",
-                c205_from_integer(
-                    (int64_t)(grid->first_row * grid->columns)));
-    layout_word(layout, "scene_pixels",
-                c205_from_integer((int64_t)count_rays(grid)));
+                c205_from_integer((int64_t)(grid->first_row * grid->columns)));
+    layout_word(layout, "scene_pixels", c205_from_integer((int64_t)count_rays(grid)));
 }
 
 static void layout_frame(struct record_layout *layout, double gamma,
-                         const struct camera *camera,
-                         struct frame_layout *frame)
+                         const struct camera *camera, struct frame_layout *frame)
 {
     size_t samples = frame->samples > 0 ? frame->samples : 1;
     bool adaptive = frame->threshold > 0;
-    struct ray_grid grid = adaptive ? first_rays(frame)
-                                    : all_samples(frame, samples);
+    struct ray_grid grid = adaptive ? first_rays(frame) : all_samples(frame, samples);
 
     layout_word(layout, "scene_width",
                 c205_from_double((double)(frame->width * samples)));
@@ -159,15 +139,13 @@ static void layout_frame(struct record_layout *layout, double gamma,
     layout_band(layout, &grid);
     if (frame->tiles)
         layout_word(layout, "scene_tiles", 1);
-    frame->address = layout_reserve(layout,
-                                    count_rays(&grid) * FRAME_CHANNELS);
+    frame->address = layout_reserve(layout, count_rays(&grid) * FRAME_CHANNELS);
     layout_word(layout, "scene_frame", frame->address);
     if (samples == 1)
         return;
-    layout_word(layout, "scene_samples",
-                c205_from_integer((int64_t)frame->samples));
-    frame->address = layout_reserve(layout, frame->width * frame->rows
-                                                * FRAME_CHANNELS);
+    layout_word(layout, "scene_samples", c205_from_integer((int64_t)frame->samples));
+    frame->address = layout_reserve(layout,
+                                    frame->width * frame->rows * FRAME_CHANNELS);
     layout_word(layout, "scene_picture", frame->address);
     if (adaptive)
         layout_adaptive(layout, gamma, frame, &grid);
@@ -183,8 +161,8 @@ struct scene_layout {
     struct camera camera;
 };
 
-static void layout_things(struct record_layout *layout,
-                          const struct scene *scene, enum bounding bounding)
+static void layout_things(struct record_layout *layout, const struct scene *scene,
+                          enum bounding bounding)
 {
     uint64_t *images = images_layout(layout, scene);
     struct interiors interiors;
@@ -204,11 +182,9 @@ static void layout_things(struct record_layout *layout,
     free(images);
 }
 
-struct scene_layout *layout_new(const struct object *program,
-                                const struct scene *scene,
-                                enum bounding bounding,
-                                bool (*go_on)(void *context), void *context,
-                                c205_error *error)
+struct scene_layout *layout_new(const struct object *program, const struct scene *scene,
+                                enum bounding bounding, bool (*go_on)(void *context),
+                                void *context, c205_error *error)
 {
     struct scene_layout *whole = calloc(1, sizeof *whole);
     struct record_layout layout = { .program = program,
@@ -250,10 +226,9 @@ bool layout_put(const struct scene_layout *whole, c205 *machine,
                 struct frame_layout *frame, c205_error *error)
 {
     struct image image = { 0 };
-    struct record_layout layout = { .image = &image,
-                                    .program = whole->program,
-                                    .error = error,
-                                    .free = whole->end };
+    struct record_layout layout = {
+        .image = &image, .program = whole->program, .error = error, .free = whole->end
+    };
     bool good;
 
     layout_frame(&layout, whole->gamma, &whole->camera, frame);

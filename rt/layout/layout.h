@@ -25,11 +25,9 @@ struct scene_layout;
 
 /* NULL: no memory, or numbers that do not fit.  go_on is asked now and then:
  * false ends a long layout, with an error; NULL: nobody is asked. */
-struct scene_layout *layout_new(const struct object *program,
-                                const struct scene *scene,
-                                enum bounding bounding,
-                                bool (*go_on)(void *context), void *context,
-                                c205_error *error);
+struct scene_layout *layout_new(const struct object *program, const struct scene *scene,
+                                enum bounding bounding, bool (*go_on)(void *context),
+                                void *context, c205_error *error);
 void layout_free(struct scene_layout *layout);
 
 /* After c205_load: map and fill what the program reads, map the planes that

@@ -26,9 +26,7 @@ static void disk_point(double a, double b, double point[2])
 {
     bool by_a = fabs(a) > fabs(b);
     double radius = by_a ? a : b;
-    double angle = by_a     ? PI / 4 * (b / a)
-                   : b != 0 ? PI / 2 - PI / 4 * (a / b)
-                            : 0;
+    double angle = by_a ? PI / 4 * (b / a) : b != 0 ? PI / 2 - PI / 4 * (a / b) : 0;
 
     point[0] = radius * elementary_cos(angle);
     point[1] = radius * elementary_sin(angle);
@@ -65,16 +63,14 @@ void layout_lens(struct record_layout *layout, const struct camera *camera,
     for (size_t i = 0; i < count; i++) {
         size_t row = i / samples, column = i % samples;
 
-        disk_point(middle(row + column, samples),
-                   middle(row + 2 * column, samples), point);
+        disk_point(middle(row + column, samples), middle(row + 2 * column, samples),
+                   point);
         for (size_t axis = 0; axis < 3; axis++) {
-            c205_word word = c205_from_double(x[axis] * point[0]
-                                              + y[axis] * point[1]);
+            c205_word word = c205_from_double(x[axis] * point[0] + y[axis] * point[1]);
 
             layout_words(layout, address + 64 * (axis * count + i), &word, 1);
         }
     }
     layout_word(layout, "scene_lens", address);
-    layout_word(layout, "scene_focus",
-                c205_from_double(camera->focal_distance));
+    layout_word(layout, "scene_focus", c205_from_double(camera->focal_distance));
 }

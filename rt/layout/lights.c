@@ -75,9 +75,7 @@ static double weight_of(size_t first, size_t last, size_t at)
         return 0;
     if (last - first < 2)
         return last == first ? 1 : .5;
-    return (weight_of(first, sum / 2, at)
-            + weight_of((sum + 1) / 2, last, at))
-           / 2;
+    return (weight_of(first, sum / 2, at) + weight_of((sum + 1) / 2, last, at)) / 2;
 }
 
 /* From -.5 to .5. */
@@ -100,30 +98,26 @@ static void draw_together(double place[2])
     place[1] *= most;
 }
 
-static void put_point(struct record *record, const struct light *light,
-                      size_t i, size_t k)
+static void put_point(struct record *record, const struct light *light, size_t i,
+                      size_t k)
 {
     const size_t *size = light->area_size;
-    double place[2] = { place_on_side(i, size[0]),
-                        place_on_side(k, size[1]) };
-    double weight = weight_of(0, size[0] - 1, i)
-                    * weight_of(0, size[1] - 1, k);
+    double place[2] = { place_on_side(i, size[0]), place_on_side(k, size[1]) };
+    double weight = weight_of(0, size[0] - 1, i) * weight_of(0, size[1] - 1, k);
     double position[3];
 
     if (light->circular)
         draw_together(place);
     for (int axis = 0; axis < 3; axis++)
-        position[axis] = light->position[axis]
-                         + place[0] * light->area_axes[0][axis]
+        position[axis] = light->position[axis] + place[0] * light->area_axes[0][axis]
                          + place[1] * light->area_axes[1][axis];
     record_numbers(record, "LIGHT_POINT_POSITION", position, 3);
     record_numbers(record, "LIGHT_POINT_WEIGHT", &weight, 1);
     record_write(record);
 }
 
-static void layout_points(struct record_layout *layout,
-                          const struct scene *scene, size_t count,
-                          struct row *row)
+static void layout_points(struct record_layout *layout, const struct scene *scene,
+                          size_t count, struct row *row)
 {
     struct record record;
 
@@ -155,8 +149,7 @@ static void put_edge(struct record *record, const struct light *light)
         high = elementary_cos(light->radius * PI / 180);
         soft = high > 0;
     } else if (light->beam == BEAM_CYLINDER) {
-        high = fmax(1 - light->radius / light->falloff,
-                    -1); /* q is above 0 */
+        high = fmax(1 - light->radius / light->falloff, -1); /* q is above 0 */
         soft = light->radius > 0;
     }
     if (soft) {
@@ -166,8 +159,7 @@ static void put_edge(struct record *record, const struct light *light)
     record_numbers(record, "BEAM_EDGE", edge, 2);
 }
 
-static void put_beam(struct record *record, const struct light *light,
-                     uint64_t points)
+static void put_beam(struct record *record, const struct light *light, uint64_t points)
 {
     double way[3], falloff = 1 / light->falloff;
     double fade[2] = { 1 / fabs(light->fade_distance), light->fade_power };
@@ -201,9 +193,8 @@ static void put_light(struct record *record, const struct light *light)
     record_numbers(record, "LIGHT_GLEAMS", &gleams, 1);
 }
 
-static void layout_beams(struct record_layout *layout,
-                         const struct scene *scene, size_t count,
-                         struct row *row)
+static void layout_beams(struct record_layout *layout, const struct scene *scene,
+                         size_t count, struct row *row)
 {
     struct record record;
     struct row points = { 0, 0 };

@@ -17,8 +17,7 @@ struct lines_layout {
 
 /* Plain surfaces have no bodies that rays remember, and no images; lines come from
  * anywhere. */
-static void layout_bare_solids(struct record_layout *layout,
-                               const struct scene *scene,
+static void layout_bare_solids(struct record_layout *layout, const struct scene *scene,
                                enum bounding bounding)
 {
     struct interiors interiors;
@@ -31,8 +30,7 @@ static void layout_bare_solids(struct record_layout *layout,
 }
 
 struct lines_layout *lines_layout_new(const struct object *program,
-                                      const struct scene *scene,
-                                      enum bounding bounding,
+                                      const struct scene *scene, enum bounding bounding,
                                       c205_error *error)
 {
     struct lines_layout *whole = calloc(1, sizeof *whole);
@@ -98,8 +96,7 @@ static void layout_packet(struct record_layout *layout,
     layout_rays(layout, packet);
     packet->counts = layout_reserve(layout, packet->count);
     packet->found = layout_reserve(layout, size * most * packet->count);
-    layout_word(layout, "lines_count",
-                c205_from_integer((int64_t)packet->count));
+    layout_word(layout, "lines_count", c205_from_integer((int64_t)packet->count));
     layout_word(layout, "lines_behind", c205_from_double(packet->behind));
     layout_word(layout, "lines_counts", packet->counts);
     layout_word(layout, "lines_found", packet->found);
@@ -108,19 +105,16 @@ static void layout_packet(struct record_layout *layout,
         layout_word(layout, "lines_inside",
                     layout_reserve(layout,
                                    objects
-                                       * (size_t)
-                                           layout_symbol(layout,
-                                                         "INSIDE_SIZE")));
+                                       * (size_t)layout_symbol(layout, "INSIDE_SIZE")));
 }
 
 bool lines_layout_put(const struct lines_layout *whole, c205 *machine,
                       struct packet_layout *packet, c205_error *error)
 {
     struct image image = { 0 };
-    struct record_layout layout = { .image = &image,
-                                    .program = whole->program,
-                                    .error = error,
-                                    .free = whole->end };
+    struct record_layout layout = {
+        .image = &image, .program = whole->program, .error = error, .free = whole->end
+    };
     bool good;
 
     layout_packet(&layout, whole, packet);

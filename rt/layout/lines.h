@@ -27,8 +27,7 @@ struct lines_layout;
 
 /* NULL: no memory, or numbers that do not fit. */
 struct lines_layout *lines_layout_new(const struct object *program,
-                                      const struct scene *scene,
-                                      enum bounding bounding,
+                                      const struct scene *scene, enum bounding bounding,
                                       c205_error *error);
 void lines_layout_free(struct lines_layout *layout);
 

@@ -26,8 +26,7 @@ struct part_list {
 
 static void nest_node(struct nesting *nesting, size_t node);
 
-static size_t open_node(struct nesting *nesting,
-                        enum tree_operation operation,
+static size_t open_node(struct nesting *nesting, enum tree_operation operation,
                         const struct bound *bound)
 {
     struct scene *nested = &nesting->nested->scene;
@@ -49,8 +48,7 @@ static void close_node(struct nesting *nesting, size_t node)
 
 /* What of a child can be put together with others: a solid of a union, or what
  * is taken away; 0: nothing. */
-static size_t part_of(const struct nesting *nesting, size_t parent,
-                      size_t child)
+static size_t part_of(const struct nesting *nesting, size_t parent, size_t child)
 {
     const struct tree_node *nodes = nesting->scene->nodes;
     size_t part = nodes[parent].operation == TREE_OR ? child
@@ -67,8 +65,7 @@ static size_t count_parts(const struct nesting *nesting, size_t node)
     const struct tree_node *nodes = nesting->scene->nodes;
     size_t count = 0;
 
-    for (size_t child = node + 1; child < nodes[node].next;
-         child = nodes[child].next)
+    for (size_t child = node + 1; child < nodes[node].next; child = nodes[child].next)
         count += part_of(nesting, node, child) > 0;
     return count;
 }
@@ -173,13 +170,11 @@ static void nest_parts(struct nesting *nesting, size_t node, size_t count)
 static void nest_node(struct nesting *nesting, size_t node)
 {
     const struct tree_node *nodes = nesting->scene->nodes;
-    size_t nested = open_node(nesting, nodes[node].operation,
-                              &nesting->bounds[node]);
+    size_t nested = open_node(nesting, nodes[node].operation, &nesting->bounds[node]);
     size_t count = count_parts(nesting, node);
 
     nesting->nested->scene.nodes[nested].primitive = nodes[node].primitive;
-    for (size_t child = node + 1; child < nodes[node].next;
-         child = nodes[child].next)
+    for (size_t child = node + 1; child < nodes[node].next; child = nodes[child].next)
         if (count < MANY || part_of(nesting, node, child) == 0)
             nest_node(nesting, child);
     if (count >= MANY)
@@ -211,23 +206,18 @@ static bool take_room(const struct scene *scene, struct nested_scene *nested)
 
     nested->scene = *scene;
     nested->scene.nodes = malloc(nodes * sizeof *nested->scene.nodes);
-    nested->scene.regions = malloc((regions + 1)
-                                   * sizeof *nested->scene.regions);
+    nested->scene.regions = malloc((regions + 1) * sizeof *nested->scene.regions);
     nested->bounds = malloc(nodes * sizeof *nested->bounds);
     if (nested->scene.regions && regions > 0)
-        memcpy(nested->scene.regions, scene->regions,
-               regions * sizeof *scene->regions);
+        memcpy(nested->scene.regions, scene->regions, regions * sizeof *scene->regions);
     return nested->scene.nodes && nested->scene.regions && nested->bounds;
 }
 
 bool nesting_make(const struct scene *scene, struct nested_scene *nested)
 {
     struct bound *bounds = malloc((scene->node_count + 1) * sizeof *bounds);
-    struct nesting nesting = { .scene = scene,
-                               .bounds = bounds,
-                               .nested = nested };
-    bool good = take_room(scene, nested) && bounds
-                && bound_nodes(scene, bounds);
+    struct nesting nesting = { .scene = scene, .bounds = bounds, .nested = nested };
+    bool good = take_room(scene, nested) && bounds && bound_nodes(scene, bounds);
 
     if (good)
         nest_regions(&nesting);

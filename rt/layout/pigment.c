@@ -11,8 +11,7 @@
 enum { STOP_SIZE = 8 };
 #define STEP 1e-30 /* what is nearer is in the same place */
 
-void gradient_words(const struct pigment *pigment,
-                    double words[GRADIENT_STOPS])
+void gradient_words(const struct pigment *pigment, double words[GRADIENT_STOPS])
 {
     for (int i = 0; i < GRADIENT_STOPS; i++) {
         words[i] = 0;
@@ -50,12 +49,10 @@ const char *pattern_wave(const struct pigment *pigment)
         [WAVE_CUBIC] = "wave_cubic", [WAVE_POLY] = "wave_poly",
     };
 
-    return pigment_list_count(pigment) > 0 ? NULL
-                                           : routines[pigment->pattern.wave];
+    return pigment_list_count(pigment) > 0 ? NULL : routines[pigment->pattern.wave];
 }
 
-void pattern_numbers(const struct pattern *pattern,
-                     double numbers[MAP_NUMBERS])
+void pattern_numbers(const struct pattern *pattern, double numbers[MAP_NUMBERS])
 {
     numbers[0] = pattern->frequency;
     numbers[1] = pattern->phase;
@@ -99,8 +96,7 @@ bool has_stops_of(const struct pigment *pigment, const struct pigment *other)
     const struct pattern *a = &pigment->pattern, *b = &other->pattern;
     size_t listed = pigment_list_count(pigment);
 
-    return pigment->map.stops == other->map.stops
-           && listed == pigment_list_count(other)
+    return pigment->map.stops == other->map.stops && listed == pigment_list_count(other)
            && (listed == 0
                || (a->wave == b->wave && a->frequency == b->frequency
                    && a->phase == b->phase && a->exponent == b->exponent));
@@ -124,13 +120,12 @@ static struct color_stop step(const struct pigment *pigment, size_t i)
 
 static struct color_stop stop_of(const struct pigment *pigment, size_t i)
 {
-    return pigment_list_count(pigment) > 0 ? step(pigment, i)
-                                           : pigment->map.stops[i];
+    return pigment_list_count(pigment) > 0 ? step(pigment, i) : pigment->map.stops[i];
 }
 
 /* One with nothing behind it is the next one itself. */
-static void put_stop(const struct color_stop *stop,
-                     const struct color_stop *next, double row[STOP_SIZE])
+static void put_stop(const struct color_stop *stop, const struct color_stop *next,
+                     double row[STOP_SIZE])
 {
     double far = next->at - stop->at;
 

@@ -14,15 +14,13 @@ enum { GRADIENT_STOPS = 4, PATTERN_ROWS = 12, MAP_NUMBERS = 4 };
 bool scene_has_patterns(const struct scene *scene);
 /* How a point's value grows with its three coordinates, and what it is at the
  * origin. */
-void gradient_words(const struct pigment *pigment,
-                    double words[GRADIENT_STOPS]);
+void gradient_words(const struct pigment *pigment, double words[GRADIENT_STOPS]);
 /* From world points to those whose value a pattern has. */
 void pattern_rows(const struct pigment *pigment, double words[PATTERN_ROWS]);
 /* What makes a wave of its values, NULL if they go in none; by which numbers; and
  * what finds them. */
 const char *pattern_wave(const struct pigment *pigment);
-void pattern_numbers(const struct pattern *pattern,
-                     double numbers[MAP_NUMBERS]);
+void pattern_numbers(const struct pattern *pattern, double numbers[MAP_NUMBERS]);
 const char *pattern_routine(const struct pattern *pattern);
 /* The stops of its map, of a list as steps; whether they are another one's. */
 size_t stop_count(const struct pigment *pigment);

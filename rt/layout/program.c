@@ -4,8 +4,7 @@
 
 #include "rt/shapes/kernels.h"
 
-struct object *program_assemble(const char *kernel,
-                                const struct asm_define *defines,
+struct object *program_assemble(const char *kernel, const struct asm_define *defines,
                                 c205_error *error)
 {
     const struct text *const texts[] = { kernel_texts, shape_texts, NULL };
@@ -20,16 +19,14 @@ struct object *program_assemble(const char *kernel,
     object = assemble_text(kernel, start, &how, &errors);
     if (!object && errors.count > 0)
         snprintf(error->message, sizeof error->message, "%s:%zu: %s",
-                 errors.items[0].file, errors.items[0].line,
-                 errors.items[0].message);
+                 errors.items[0].file, errors.items[0].line, errors.items[0].message);
     else if (!object)
         snprintf(error->message, sizeof error->message, "no memory");
     diagnostics_free(&errors);
     return object;
 }
 
-bool program_run(c205 *machine,
-                 bool (*go_on)(void *context, const c205 *machine),
+bool program_run(c205 *machine, bool (*go_on)(void *context, const c205 *machine),
                  void *context, bool *stopped, c205_error *error)
 {
     enum { SLICE = 5000000 }; /* clocks between two questions */

@@ -10,15 +10,13 @@
 
 /* A kernel's text as a program.  The defines are constants for it, as in
  * asm_options.  NULL: the first error in it, a fault of the build. */
-struct object *program_assemble(const char *kernel,
-                                const struct asm_define *defines,
+struct object *program_assemble(const char *kernel, const struct asm_define *defines,
                                 c205_error *error);
 
 /* Run to the program's end.  go_on is called now and then and says whether to
  * (NULL: always); when it says no, *stopped is set.  False: stopped, or a trap,
  * which the error tells. */
-bool program_run(c205 *machine,
-                 bool (*go_on)(void *context, const c205 *machine),
+bool program_run(c205 *machine, bool (*go_on)(void *context, const c205 *machine),
                  void *context, bool *stopped, c205_error *error);
 
 /* The first page that the program leaves free: its bit address. */

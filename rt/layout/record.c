@@ -16,8 +16,7 @@ void layout_fail(struct record_layout *layout, const char *format, ...)
         return;
     layout->failed = true;
     va_start(arguments, format);
-    vsnprintf(layout->error->message, sizeof layout->error->message, format,
-              arguments);
+    vsnprintf(layout->error->message, sizeof layout->error->message, format, arguments);
     va_end(arguments);
 }
 
@@ -38,8 +37,7 @@ void layout_words(struct record_layout *layout, uint64_t address,
         layout_fail(layout, "no memory");
 }
 
-void layout_word(struct record_layout *layout, const char *name,
-                 c205_word word)
+void layout_word(struct record_layout *layout, const char *name, c205_word word)
 {
     layout_words(layout, layout_symbol(layout, name), &word, 1);
 }
@@ -56,8 +54,8 @@ uint64_t layout_reserve(struct record_layout *layout, size_t words)
     return address;
 }
 
-void layout_reserve_rows(struct record_layout *layout,
-                         const struct row_wanted *wanted, size_t rows)
+void layout_reserve_rows(struct record_layout *layout, const struct row_wanted *wanted,
+                         size_t rows)
 {
     size_t words = 0;
     uint64_t first;
@@ -78,8 +76,8 @@ uint64_t row_at(const struct row *row, size_t i)
     return row->first + UINT64_C(64) * row->size * i;
 }
 
-void record_begin(struct record *record, struct record_layout *layout,
-                  const char *size, size_t count, size_t more)
+void record_begin(struct record *record, struct record_layout *layout, const char *size,
+                  size_t count, size_t more)
 {
     record->layout = layout;
     record->size = (size_t)layout_symbol(layout, size);
@@ -111,8 +109,7 @@ void record_write(struct record *record)
     ask(record->layout);
     if (record->layout->failed)
         return;
-    layout_words(record->layout, record->address, record->words,
-                 record->size);
+    layout_words(record->layout, record->address, record->words, record->size);
     memset(record->words, 0, record->size * sizeof *record->words);
     record->address += UINT64_C(64) * record->size;
 }
@@ -124,8 +121,7 @@ void record_end(struct record *record)
 }
 
 /* Where a field of so many words begins, or NULL: it does not fit. */
-static c205_word *find_field(struct record *record, const char *name,
-                             size_t count)
+static c205_word *find_field(struct record *record, const char *name, size_t count)
 {
     uint64_t offset = layout_symbol(record->layout, name);
 
@@ -170,8 +166,8 @@ void record_check(struct record *record, const double *values, size_t count)
                         record->line);
 }
 
-void record_numbers(struct record *record, const char *name,
-                    const double *values, size_t count)
+void record_numbers(struct record *record, const char *name, const double *values,
+                    size_t count)
 {
     c205_word *field;
 
@@ -196,14 +192,12 @@ void record_address(struct record *record, const char *name, uint64_t address)
     put_word(record, name, address);
 }
 
-void record_routine(struct record *record, const char *name,
-                    const char *routine)
+void record_routine(struct record *record, const char *name, const char *routine)
 {
     record_address(record, name, layout_symbol(record->layout, routine));
 }
 
-void record_bound(struct record *record, const char *name,
-                  const struct bound *bound)
+void record_bound(struct record *record, const char *name, const struct bound *bound)
 {
     double words[5];
 
@@ -213,8 +207,8 @@ void record_bound(struct record *record, const char *name,
     record_numbers(record, name, words, 5);
 }
 
-void record_table(struct record *record, const char *name,
-                  const c205_word *table, size_t count)
+void record_table(struct record *record, const char *name, const c205_word *table,
+                  size_t count)
 {
     layout_words(record->layout, record->table, table, count);
     record_address(record, name, record->table);

@@ -28,8 +28,7 @@ uint64_t layout_symbol(struct record_layout *layout, const char *name);
 void layout_words(struct record_layout *layout, uint64_t address,
                   const c205_word *words, size_t count);
 /* One word, to the place of that name. */
-void layout_word(struct record_layout *layout, const char *name,
-                 c205_word word);
+void layout_word(struct record_layout *layout, const char *name, c205_word word);
 /* Room for words from a page of its own on. */
 uint64_t layout_reserve(struct record_layout *layout, size_t words);
 
@@ -46,8 +45,8 @@ struct row_wanted {
     const char *size;
     size_t count;
 };
-void layout_reserve_rows(struct record_layout *layout,
-                         const struct row_wanted *wanted, size_t rows);
+void layout_reserve_rows(struct record_layout *layout, const struct row_wanted *wanted,
+                         size_t rows);
 uint64_t row_at(const struct row *row, size_t i);
 
 /* A row of records of one size, written one after another: the words of the
@@ -63,8 +62,8 @@ struct record {
 
 /* With the program's symbol for the size, and room for that many records and
  * more words behind them, where the table begins. */
-void record_begin(struct record *record, struct record_layout *layout,
-                  const char *size, size_t count, size_t more);
+void record_begin(struct record *record, struct record_layout *layout, const char *size,
+                  size_t count, size_t more);
 /* Where they go; before the first is written. */
 struct row record_row(const struct record *record);
 void record_write(struct record *record);
@@ -72,24 +71,21 @@ void record_end(struct record *record);
 
 /* Each number must be finite: else it is a failure. */
 void record_check(struct record *record, const double *values, size_t count);
-void record_numbers(struct record *record, const char *name,
-                    const double *values, size_t count);
+void record_numbers(struct record *record, const char *name, const double *values,
+                    size_t count);
 void record_integer(struct record *record, const char *name, size_t value);
 /* Below 0, too. */
 void record_signed(struct record *record, const char *name, int value);
 /* So many words of a field that has been put. */
 void record_read(struct record *record, const char *name, c205_word *words,
                  size_t count);
-void record_address(struct record *record, const char *name,
-                    uint64_t address);
+void record_address(struct record *record, const char *name, uint64_t address);
 /* The address of a routine. */
-void record_routine(struct record *record, const char *name,
-                    const char *routine);
-void record_bound(struct record *record, const char *name,
-                  const struct bound *bound);
+void record_routine(struct record *record, const char *name, const char *routine);
+void record_bound(struct record *record, const char *name, const struct bound *bound);
 /* Words to the table, their address to the field. */
-void record_table(struct record *record, const char *name,
-                  const c205_word *table, size_t count);
+void record_table(struct record *record, const char *name, const c205_word *table,
+                  size_t count);
 
 void put_numbers(c205_word *words, const double *values, size_t count);
 

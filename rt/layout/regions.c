@@ -15,11 +15,11 @@ struct places {
     const struct scene *scene;
     const struct bound *bounds; /* of the nodes */
     struct tree_join *joins;    /* .. their steps, of the whole scene's */
-    bool *needed;    /* .. without which their trees have no value */
-    size_t *kept;    /* how many nodes before each are no complements */
-    size_t *results; /* of the regions: the value of its tree */
-    int *bodies;     /* .. R_BODY */
-    uint64_t *clear; /* .. the address of its word, or 0 */
+    bool *needed;               /* .. without which their trees have no value */
+    size_t *kept;               /* how many nodes before each are no complements */
+    size_t *results;            /* of the regions: the value of its tree */
+    int *bodies;                /* .. R_BODY */
+    uint64_t *clear;            /* .. the address of its word, or 0 */
     struct hierarchy hierarchy;
     bool *spheres; /* its nodes with spheres alone below */
     const struct region_places *given;
@@ -44,8 +44,8 @@ static void layout_step(struct record *record, const struct row *values,
 }
 
 /* The steps of a region, behind so many of others; returns how many then. */
-static size_t layout_tree(struct record *record, struct places *places,
-                          size_t i, struct tree_step *steps, size_t before)
+static size_t layout_tree(struct record *record, struct places *places, size_t i,
+                          struct tree_step *steps, size_t before)
 {
     const struct region *region = &places->scene->regions[i];
     struct tree_plan plan = { .steps = steps,
@@ -77,8 +77,7 @@ static void layout_steps(struct record_layout *layout, struct places *places)
     }
     record_begin(&record, layout, "T_SIZE", count, 0);
     places->steps = record_row(&record);
-    for (size_t i = 0; i < places->scene->region_count && !layout->failed;
-         i++)
+    for (size_t i = 0; i < places->scene->region_count && !layout->failed; i++)
         written = layout_tree(&record, places, i, steps, written);
     record_end(&record);
     free(steps);
@@ -88,8 +87,8 @@ static void layout_steps(struct record_layout *layout, struct places *places)
 
 /* The parts of an intersection are needed where it is; complements are not
  * recorded. */
-static void find_needed(const struct scene *scene,
-                        const struct region *region, bool *needed)
+static void find_needed(const struct scene *scene, const struct region *region,
+                        bool *needed)
 {
     needed[region->first_node] = true;
     for (size_t i = 0; i < region->node_count; i++) {
@@ -118,30 +117,26 @@ static bool has_mesh(const struct scene *scene, size_t node)
 {
     for (size_t i = node; i < scene->nodes[node].next; i++)
         if (scene->nodes[i].operation == TREE_LEAF
-            && primitive_is_mesh(
-                &scene->primitives[scene->nodes[i].primitive]))
+            && primitive_is_mesh(&scene->primitives[scene->nodes[i].primitive]))
             return true;
     return false;
 }
 
-static void layout_node(struct record *record, const struct places *places,
-                        size_t i)
+static void layout_node(struct record *record, const struct places *places, size_t i)
 {
     const struct tree_node *node = &places->scene->nodes[i];
     const struct tree_join *join = &places->joins[i];
 
     record_bound(record, "N_BOUND", &places->bounds[i]);
     if (join->step_count > 0)
-        record_address(record, "N_STEPS",
-                       row_at(&places->steps, join->first_step));
+        record_address(record, "N_STEPS", row_at(&places->steps, join->first_step));
     record_integer(record, "N_STEP_COUNT", join->step_count);
     if (node->operation == TREE_LEAF)
         record_address(record, "N_PRIMITIVE",
                        row_at(&places->given->primitives, node->primitive));
     record_integer(record, "N_NEEDED", places->needed[i]);
     record_address(record, "N_NEXT", node_at(places, node->next));
-    record_address(record, "N_VALUE",
-                   row_at(&places->given->values, join->value));
+    record_address(record, "N_VALUE", row_at(&places->given->values, join->value));
     if (object_symbol(record->layout->program, "N_MESH"))
         record_integer(record, "N_MESH", has_mesh(places->scene, i));
     record_write(record);
@@ -152,8 +147,7 @@ static void layout_nodes(struct record_layout *layout, struct places *places)
     const struct scene *scene = places->scene;
     struct record record;
 
-    record_begin(&record, layout, "N_SIZE", places->kept[scene->node_count],
-                 0);
+    record_begin(&record, layout, "N_SIZE", places->kept[scene->node_count], 0);
     places->nodes = record_row(&record);
     for (size_t i = 0; i < scene->node_count && !layout->failed; i++)
         if (scene->nodes[i].operation != TREE_NOT)
@@ -165,11 +159,9 @@ static void layout_nodes(struct record_layout *layout, struct places *places)
 
 /* 0: none, 1: a full shadow, 2: parts of it are clear.  One primitive that
  * casts a shadow is enough for all. */
-static size_t shadow_of(const struct scene *scene,
-                        const struct region *region)
+static size_t shadow_of(const struct scene *scene, const struct region *region)
 {
-    const struct primitive
-        *first = &scene->primitives[region->first_primitive];
+    const struct primitive *first = &scene->primitives[region->first_primitive];
     bool casts = false, clear = false;
 
     for (size_t i = 0; i < region->primitive_count; i++) {
@@ -180,8 +172,7 @@ static size_t shadow_of(const struct scene *scene,
 }
 
 /* The rays that see none of its primitives: R_HIDDEN_FROM. */
-static unsigned hidden_from(const struct scene *scene,
-                            const struct region *region)
+static unsigned hidden_from(const struct scene *scene, const struct region *region)
 {
     unsigned rays = HIDDEN_FROM_IMAGE | HIDDEN_FROM_REFLECTIONS;
 
@@ -236,8 +227,7 @@ static void layout_box(struct record *record, const struct bound *bound)
     record_numbers(record, "R_BOX", words, 6);
 }
 
-static void layout_region(struct record *record, const struct places *places,
-                          size_t i)
+static void layout_region(struct record *record, const struct places *places, size_t i)
 {
     const struct scene *scene = places->scene;
     const struct region *region = &scene->regions[i];
@@ -256,8 +246,7 @@ static void layout_region(struct record *record, const struct places *places,
     record_integer(record, "R_SHADOW", shadow_of(scene, region));
     record_address(record, "R_CLEAR", places->clear[i]);
     record_address(record, "R_FIRST",
-                   row_at(&places->given->primitives,
-                          region->first_primitive));
+                   row_at(&places->given->primitives, region->first_primitive));
     record_address(record, "R_NODES", node_at(places, region->first_node));
     record_address(record, "R_NODES_END",
                    node_at(places, region->first_node + region->node_count));
@@ -284,16 +273,14 @@ static void layout_clear(struct record_layout *layout, struct places *places)
         if (places->clear[i] > 0)
             places->clear[i] = first + 64 * (places->clear[i] - 1);
     layout_word(layout, "scene_clear", first);
-    layout_word(layout, "scene_clear_count",
-                c205_from_integer((int64_t)count));
+    layout_word(layout, "scene_clear_count", c205_from_integer((int64_t)count));
 }
 
 /* One opaque sphere that stands in the world's space, casts a shadow, and is seen by
  * all rays? */
 static bool is_sphere(const struct scene *scene, const struct region *region)
 {
-    const struct primitive
-        *first = &scene->primitives[region->first_primitive];
+    const struct primitive *first = &scene->primitives[region->first_primitive];
     struct shape_words shape;
 
     shape_words(first, &shape);
@@ -314,17 +301,14 @@ static void find_spheres(struct places *places, size_t most)
         bool all = nodes[i].count <= most;
 
         for (size_t k = 0; all && k < nodes[i].count; k++)
-            all = is_sphere(scene,
-                            &scene->regions[order[nodes[i].first + k]]);
+            all = is_sphere(scene, &scene->regions[order[nodes[i].first + k]]);
         if (nodes[i].count == 0)
-            all = places->spheres[i + 1]
-                  && places->spheres[nodes[i + 1].next];
+            all = places->spheres[i + 1] && places->spheres[nodes[i + 1].next];
         places->spheres[i] = all;
     }
 }
 
-static void layout_hierarchy_node(struct record *record,
-                                  const struct places *places,
+static void layout_hierarchy_node(struct record *record, const struct places *places,
                                   const struct row *row, size_t i)
 {
     const struct hierarchy_node *nodes = places->hierarchy.nodes;
@@ -334,8 +318,7 @@ static void layout_hierarchy_node(struct record *record,
     record_integer(record, "H_REGION_COUNT", node->count);
     record_integer(record, "H_SPHERES", places->spheres[i]);
     if (node->count > 0) {
-        record_address(record, "H_REGIONS",
-                       row_at(&places->regions, node->first));
+        record_address(record, "H_REGIONS", row_at(&places->regions, node->first));
     } else {
         record_address(record, "H_REGIONS", row_at(row, nodes[i + 1].next));
         record_numbers(record, "H_WAY", node->way, 3);
@@ -343,8 +326,7 @@ static void layout_hierarchy_node(struct record *record,
     record_write(record);
 }
 
-static void layout_hierarchy(struct record_layout *layout,
-                             struct places *places)
+static void layout_hierarchy(struct record_layout *layout, struct places *places)
 {
     const struct hierarchy *hierarchy = &places->hierarchy;
     struct record record;
@@ -356,13 +338,11 @@ static void layout_hierarchy(struct record_layout *layout,
     for (size_t i = 0; i < hierarchy->node_count && !layout->failed; i++)
         layout_hierarchy_node(&record, places, &row, i);
     record_end(&record);
-    layout_word(layout, "scene_hierarchy",
-                hierarchy->node_count > 0 ? row.first : 0);
+    layout_word(layout, "scene_hierarchy", hierarchy->node_count > 0 ? row.first : 0);
 }
 
 /* In the hierarchy's order. */
-static void layout_ordered(struct record_layout *layout,
-                           struct places *places)
+static void layout_ordered(struct record_layout *layout, struct places *places)
 {
     const struct scene *scene = places->scene;
     struct record record;
@@ -392,9 +372,7 @@ static bool plan_hierarchy(struct places *places, enum bounding bounding)
     bounds = malloc((scene->region_count + 1) * sizeof *bounds);
     for (size_t i = 0; bounds && i < scene->region_count; i++)
         bounds[i] = *bound_of(places, &scene->regions[i]);
-    good = bounds
-           && hierarchy_build(bounds, scene->region_count,
-                              &places->hierarchy);
+    good = bounds && hierarchy_build(bounds, scene->region_count, &places->hierarchy);
     free(bounds);
     return good;
 }
@@ -408,8 +386,7 @@ static void plan_nodes(struct places *places)
         find_needed(scene, &scene->regions[i], places->needed);
 }
 
-static void layout_records(struct record_layout *layout,
-                           struct places *places)
+static void layout_records(struct record_layout *layout, struct places *places)
 {
     plan_nodes(places);
     layout_steps(layout, places);
@@ -420,9 +397,8 @@ static void layout_records(struct record_layout *layout,
 }
 
 /* The scene, with its trees as they are walked. */
-static void layout_scene(struct record_layout *layout,
-                         const struct scene *scene, enum bounding bounding,
-                         const struct bound *bounds,
+static void layout_scene(struct record_layout *layout, const struct scene *scene,
+                         enum bounding bounding, const struct bound *bounds,
                          const struct region_places *given)
 {
     size_t nodes = scene->node_count + 1, regions = scene->region_count + 1;
@@ -439,9 +415,8 @@ static void layout_scene(struct record_layout *layout,
         .given = given,
     };
 
-    if (places.joins && places.needed && places.kept && places.results
-        && places.bodies && places.clear && places.spheres
-        && plan_hierarchy(&places, bounding))
+    if (places.joins && places.needed && places.kept && places.results && places.bodies
+        && places.clear && places.spheres && plan_hierarchy(&places, bounding))
         layout_records(layout, &places);
     else
         layout_fail(layout, "no memory");
@@ -455,22 +430,19 @@ static void layout_scene(struct record_layout *layout,
     hierarchy_free(&places.hierarchy);
 }
 
-static void layout_nested(struct record_layout *layout,
-                          const struct scene *scene,
+static void layout_nested(struct record_layout *layout, const struct scene *scene,
                           const struct region_places *places)
 {
     struct nested_scene nested = { .bounds = NULL };
 
     if (nesting_make(scene, &nested))
-        layout_scene(layout, &nested.scene, BOUNDING_HIERARCHY, nested.bounds,
-                     places);
+        layout_scene(layout, &nested.scene, BOUNDING_HIERARCHY, nested.bounds, places);
     else
         layout_fail(layout, "no memory");
     nesting_free(&nested);
 }
 
-static void layout_as_written(struct record_layout *layout,
-                              const struct scene *scene,
+static void layout_as_written(struct record_layout *layout, const struct scene *scene,
                               enum bounding bounding,
                               const struct region_places *places)
 {
@@ -487,8 +459,7 @@ static void layout_as_written(struct record_layout *layout,
 }
 
 void layout_regions(struct record_layout *layout, const struct scene *scene,
-                    enum bounding bounding,
-                    const struct region_places *places)
+                    enum bounding bounding, const struct region_places *places)
 {
     if (bounding == BOUNDING_HIERARCHY)
         layout_nested(layout, scene, places);

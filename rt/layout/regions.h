@@ -17,7 +17,6 @@ bool scene_hides(const struct scene *scene);
 
 /* All regions, and the lists for one of them. */
 void layout_regions(struct record_layout *layout, const struct scene *scene,
-                    enum bounding bounding,
-                    const struct region_places *places);
+                    enum bounding bounding, const struct region_places *places);
 
 #endif

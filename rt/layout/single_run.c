@@ -6,9 +6,7 @@
 void single_run_begin(struct single_run *run, const struct object *program,
                       const c205_model *model, c205_error *error)
 {
-    *run = (struct single_run){ .model = model,
-                                .program = program,
-                                .error = error };
+    *run = (struct single_run){ .model = model, .program = program, .error = error };
     run->layout = (struct record_layout){ .image = &run->image,
                                           .program = program,
                                           .error = error,
@@ -20,8 +18,7 @@ void single_run_word(struct single_run *run, const char *name, size_t value)
     layout_word(&run->layout, name, c205_from_integer((int64_t)value));
 }
 
-void single_run_number(struct single_run *run, const char *name, size_t i,
-                       double value)
+void single_run_number(struct single_run *run, const char *name, size_t i, double value)
 {
     uint64_t address = layout_symbol(&run->layout, name) + 64 * i;
     c205_word word = c205_from_double(value);
@@ -62,11 +59,10 @@ static bool add_projected(const struct single_run *run, const c205 *machine,
     return true;
 }
 
-static bool run_projected(struct single_run *run, c205 *machine,
-                          uint64_t from, c205_word *words, size_t count)
+static bool run_projected(struct single_run *run, c205 *machine, uint64_t from,
+                          c205_word *words, size_t count)
 {
-    c205_projection *projection = c205_projection_new(run->projection,
-                                                      run->error);
+    c205_projection *projection = c205_projection_new(run->projection, run->error);
     bool good = projection && c205_listen(machine, c205_project, projection)
                 && run_on(run, machine, from, words, count)
                 && add_projected(run, machine, projection);
@@ -78,12 +74,10 @@ static bool run_projected(struct single_run *run, c205 *machine,
 bool single_run_end(struct single_run *run, uint64_t from, c205_word *words,
                     size_t count, uint64_t *clocks)
 {
-    c205 *machine = run->layout.failed ? NULL
-                                       : c205_new(run->model, run->error);
+    c205 *machine = run->layout.failed ? NULL : c205_new(run->model, run->error);
     bool good = machine
-                && (run->projection
-                        ? run_projected(run, machine, from, words, count)
-                        : run_on(run, machine, from, words, count));
+                && (run->projection ? run_projected(run, machine, from, words, count)
+                                    : run_on(run, machine, from, words, count));
 
     if (good)
         *clocks += c205_clock(machine);

@@ -14,9 +14,8 @@
 #include "rt/shapes/shape_words.h"
 
 /* False: there is no memory. */
-static bool put_integers(const struct primitive *primitive,
-                         const struct eyes *eyes, const double *table,
-                         size_t count, c205_word *words)
+static bool put_integers(const struct primitive *primitive, const struct eyes *eyes,
+                         const double *table, size_t count, c205_word *words)
 {
     const struct shape *shape = shape_of(primitive);
     bool *marks;
@@ -34,8 +33,7 @@ static bool put_integers(const struct primitive *primitive,
     return true;
 }
 
-static void put_table(struct record *record,
-                      const struct primitive *primitive,
+static void put_table(struct record *record, const struct primitive *primitive,
                       const struct eyes *eyes)
 {
     size_t count = shape_table_count(primitive, eyes);
@@ -65,8 +63,7 @@ static size_t mesh_sort(const struct primitive *primitive,
     return primitive->unseen ? UNSEEN : shape->state ? OUTSIDE : NO_OUTSIDE;
 }
 
-static void put_shape(struct record *record,
-                      const struct primitive *primitive,
+static void put_shape(struct record *record, const struct primitive *primitive,
                       const struct leaf_plan *plan, const struct eyes *eyes)
 {
     struct shape_words shape;
@@ -88,9 +85,8 @@ static void put_shape(struct record *record,
     }
     record_integer(record, "P_TRANSFORMED", shape.transformed);
     record_integer(record, "P_ON_PATCH",
-                   shape.on_mesh && !plan->simple
-                       ? mesh_sort(primitive, &shape)
-                       : shape.on_patch);
+                   shape.on_mesh && !plan->simple ? mesh_sort(primitive, &shape)
+                                                  : shape.on_patch);
     record_integer(record, "P_SEGMENTS", shape.segments);
     record_integer(record, "P_EVENTS", shape.events);
     record_integer(record, "P_INVERTED", primitive->inverted);
@@ -115,8 +111,7 @@ static size_t space_of(const struct scene *scene, size_t i, size_t before)
     const struct transform *space = &scene->primitives[i].to_local;
 
     return i > 0
-                   && memcmp(space, &scene->primitives[i - 1].to_local,
-                             sizeof *space)
+                   && memcmp(space, &scene->primitives[i - 1].to_local, sizeof *space)
                           == 0
                ? before
                : i + 1;
@@ -129,8 +124,7 @@ static void put_finish(struct record *record, const struct scene *scene,
     double words[8];
 
     for (size_t i = 0; i < 3; i++)
-        words[i] = (finish->ambient[i] * scene->ambient_light[i]
-                    + finish->emission[i])
+        words[i] = (finish->ambient[i] * scene->ambient_light[i] + finish->emission[i])
                    * opacity;
     words[3] = finish->diffuse * opacity;
     words[4] = finish->phong;
@@ -152,10 +146,8 @@ static void put_gloss(struct record *record, const struct finish *finish)
         range[i] = finish->reflection_most[i] - finish->reflection[i];
     record_numbers(record, "P_GLOSS", gloss, 2);
     record_numbers(record, "P_REFLECTION_RANGE", range, 3);
-    record_numbers(record, "P_REFLECTION_FALLOFF",
-                   &finish->reflection_falloff, 1);
-    record_numbers(record, "P_REFLECTION_METALLIC",
-                   &finish->reflection_metallic, 1);
+    record_numbers(record, "P_REFLECTION_FALLOFF", &finish->reflection_falloff, 1);
+    record_numbers(record, "P_REFLECTION_METALLIC", &finish->reflection_metallic, 1);
     record_integer(record, "P_REFLECTION_KIND", surface_mirror_kind(finish));
 }
 
@@ -199,8 +191,7 @@ static void put_pattern(struct record *record, const struct pigment *pigment,
     pattern_rows(pigment, words);
     pattern_numbers(&pigment->pattern, numbers);
     record_numbers(record, "P_PATTERN", words, PATTERN_ROWS);
-    record_routine(record, "P_MAP_FUNCTION",
-                   pattern_routine(&pigment->pattern));
+    record_routine(record, "P_MAP_FUNCTION", pattern_routine(&pigment->pattern));
     if (wave)
         record_routine(record, "P_MAP_WAVE", wave);
     record_numbers(record, "P_MAP_NUMBERS", numbers, MAP_NUMBERS);
@@ -216,8 +207,7 @@ static void put_image(struct record *record, const struct pigment *pigment,
     double numbers[MAP_NUMBERS];
 
     image_numbers(image, numbers);
-    record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0],
-                   PATTERN_ROWS);
+    record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0], PATTERN_ROWS);
     record_routine(record, "P_MAP_FUNCTION", image_routine(image));
     record_routine(record, "P_MAP_WAVE", image_sampler(image));
     record_numbers(record, "P_MAP_NUMBERS", numbers, MAP_NUMBERS);
@@ -225,8 +215,7 @@ static void put_image(struct record *record, const struct pigment *pigment,
 }
 
 static void put_surface(struct record *record, const struct scene *scene,
-                        const struct primitive *primitive,
-                        struct map_place *map)
+                        const struct primitive *primitive, struct map_place *map)
 {
     const struct pigment *pigment = &primitive->pigment;
     bool metal = surface_is_metal(pigment, &primitive->finish);
@@ -238,8 +227,7 @@ static void put_surface(struct record *record, const struct scene *scene,
         else
             surface_color(pigment, i, color[i]);
         surface_passing(pigment, i, passing[i]);
-        passing[i][3] = surface_passing_weight(passing[i],
-                                               scene->adc_bailout);
+        passing[i][3] = surface_passing_weight(passing[i], scene->adc_bailout);
     }
     record_integer(record, "P_PIGMENT", pigment->kind);
     record_numbers(record, "P_COLOR", &color[0][0], 6);
@@ -250,8 +238,7 @@ static void put_surface(struct record *record, const struct scene *scene,
     else if (pigment->kind == PIGMENT_IMAGE)
         put_image(record, pigment, map);
     else
-        record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0],
-                       12);
+        record_numbers(record, "P_PATTERN", &pigment->to_local.rows[0][0], 12);
     record_integer(record, "P_CLEAR", pigment_is_clear(pigment));
     record_numbers(record, "P_PASSING", &passing[0][0], 8);
     put_finish(record, scene, &primitive->finish,
@@ -259,8 +246,7 @@ static void put_surface(struct record *record, const struct scene *scene,
     put_gloss(record, &primitive->finish);
 }
 
-static void put_interior(struct record *record,
-                         const struct interiors *interiors,
+static void put_interior(struct record *record, const struct interiors *interiors,
                          const struct primitive *primitive)
 {
     double number = (double)interiors_number(interiors, primitive);
@@ -279,12 +265,10 @@ struct clear_ranks {
     size_t used, count;
 };
 
-static bool has_clear_part(const struct scene *scene,
-                           const struct region *region)
+static bool has_clear_part(const struct scene *scene, const struct region *region)
 {
     for (size_t i = 0; i < region->primitive_count; i++)
-        if (pigment_is_clear(
-                &scene->primitives[region->first_primitive + i].pigment))
+        if (pigment_is_clear(&scene->primitives[region->first_primitive + i].pigment))
             return true;
     return false;
 }
@@ -299,8 +283,8 @@ static struct clear_ranks ranks_of(const struct scene *scene)
 }
 
 /* Primitives come in the order of the regions. */
-static void put_rank(struct record *record, const struct scene *scene,
-                     size_t i, struct clear_ranks *ranks)
+static void put_rank(struct record *record, const struct scene *scene, size_t i,
+                     struct clear_ranks *ranks)
 {
     double yield;
 
@@ -321,22 +305,19 @@ static void put_rank(struct record *record, const struct scene *scene,
     record_numbers(record, "P_YIELD", &yield, 1);
 }
 
-static void put_mirror(struct record *record,
-                       const struct primitive *primitive)
+static void put_mirror(struct record *record, const struct primitive *primitive)
 {
     const double index[2] = { primitive->ior, 1 / primitive->ior };
     double words[4];
 
     memcpy(words, primitive->finish.reflection, 3 * sizeof *words);
-    words[3] = fmax(greatest_of(words),
-                    greatest_of(primitive->finish.reflection_most));
+    words[3] = fmax(greatest_of(words), greatest_of(primitive->finish.reflection_most));
     record_integer(record, "P_MIRROR", surface_is_mirror(&primitive->finish));
     record_numbers(record, "P_REFLECTION", words, 4);
     record_numbers(record, "P_INDEX", index, 2);
 }
 
-static size_t table_words(const struct scene *scene,
-                          const struct leaf_plan *plans,
+static size_t table_words(const struct scene *scene, const struct leaf_plan *plans,
                           const struct eyes *eyes)
 {
     const struct pigment *before = NULL;
@@ -347,8 +328,7 @@ static size_t table_words(const struct scene *scene,
 
         count += shape_table_count(&scene->primitives[i],
                                    plans[i].simple ? eyes : NULL);
-        if (!pigment_has_map(pigment)
-            || (before && has_stops_of(pigment, before)))
+        if (!pigment_has_map(pigment) || (before && has_stops_of(pigment, before)))
             continue;
         before = pigment;
         count += stops_size(pigment);
@@ -358,8 +338,7 @@ static size_t table_words(const struct scene *scene,
 
 /* Spheres in the world's space that have the same surface look alike; any
  * other primitive looks like none. */
-static uint64_t look_of(struct record *record,
-                        const struct primitive *primitive,
+static uint64_t look_of(struct record *record, const struct primitive *primitive,
                         struct looks *looks)
 {
     enum {
@@ -404,19 +383,18 @@ static uint64_t look_of(struct record *record,
 static void put_part(struct record *record, const struct leaf_plan *plan,
                      const struct row *crossings, const struct row *values)
 {
-    record_address(record, "P_FIRST_STATE",
-                   row_at(crossings, plan->first_state));
-    record_address(record, "P_FIRST_EVENT",
-                   row_at(crossings, plan->first_event));
+    record_address(record, "P_FIRST_STATE", row_at(crossings, plan->first_state));
+    record_address(record, "P_FIRST_EVENT", row_at(crossings, plan->first_event));
     record_address(record, "P_VALUE", row_at(values, plan->value));
 }
 
-static struct row
-layout_primitives(struct record_layout *layout, const struct scene *scene,
-                  const struct leaf_plan *plans,
-                  const struct interiors *interiors, const uint64_t *images,
-                  const uint64_t *bumps, const struct row *crossings,
-                  const struct row *values, const struct eyes *eyes)
+static struct row layout_primitives(struct record_layout *layout,
+                                    const struct scene *scene,
+                                    const struct leaf_plan *plans,
+                                    const struct interiors *interiors,
+                                    const uint64_t *images, const uint64_t *bumps,
+                                    const struct row *crossings,
+                                    const struct row *values, const struct eyes *eyes)
 {
     struct looks *looks = looks_new(scene->primitive_count);
     bool alike = false;
@@ -463,8 +441,7 @@ layout_primitives(struct record_layout *layout, const struct scene *scene,
 
 /* Values, and the lists of leaves and of branches at hand, of which one more is
  * written before it is known to be none. */
-static struct row layout_values(struct record_layout *layout,
-                                const struct scene *scene)
+static struct row layout_values(struct record_layout *layout, const struct scene *scene)
 {
     size_t most = most_leaves(scene);
     struct row values, leaves, branches;
@@ -484,8 +461,7 @@ void layout_solids(struct record_layout *layout, const struct scene *scene,
                    const struct interiors *interiors, const uint64_t *images,
                    const struct eyes *eyes, enum bounding bounding)
 {
-    struct leaf_plan *plans = calloc(scene->primitive_count + 1,
-                                     sizeof *plans);
+    struct leaf_plan *plans = calloc(scene->primitive_count + 1, sizeof *plans);
     uint64_t *bumps = calloc(scene->primitive_count + 1, sizeof *bumps);
     struct region_places places;
     struct row crossings;
@@ -502,9 +478,8 @@ void layout_solids(struct record_layout *layout, const struct scene *scene,
                                               plan_leaves(scene, plans) },
                         1);
     places.values = layout_values(layout, scene);
-    places.primitives = layout_primitives(layout, scene, plans, interiors,
-                                          images, bumps, &crossings,
-                                          &places.values, eyes);
+    places.primitives = layout_primitives(layout, scene, plans, interiors, images,
+                                          bumps, &crossings, &places.values, eyes);
     layout_regions(layout, scene, bounding, &places);
     free(plans);
     free(bumps);

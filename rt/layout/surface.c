@@ -16,8 +16,7 @@ static bool is_black(const double color[3])
 
 bool surface_is_mirror(const struct finish *finish)
 {
-    return !is_black(finish->reflection)
-           || !is_black(finish->reflection_most);
+    return !is_black(finish->reflection) || !is_black(finish->reflection_most);
 }
 
 enum mirror_kind surface_mirror_kind(const struct finish *finish)
@@ -29,8 +28,7 @@ enum mirror_kind surface_mirror_kind(const struct finish *finish)
     if (finish->fresnel)
         return MIRROR_FRESNEL;
     for (int i = 0; i < 3; i++)
-        varies = varies
-                 || finish->reflection[i] != finish->reflection_most[i];
+        varies = varies || finish->reflection[i] != finish->reflection_most[i];
     return varies ? MIRROR_POWER : MIRROR_CONSTANT;
 }
 
@@ -51,8 +49,7 @@ bool scene_is_glossy(const struct scene *scene)
     return false;
 }
 
-void surface_passing(const struct pigment *pigment, int which,
-                     double passing[3])
+void surface_passing(const struct pigment *pigment, int which, double passing[3])
 {
     for (int i = 0; i < 3; i++)
         passing[i] = pigment->filter[which] * pigment->color[which][i]
@@ -63,8 +60,7 @@ void surface_passing(const struct pigment *pigment, int which,
  * its greatest part. */
 double surface_passing_weight(const double passing[3], double least)
 {
-    double brightness = .297 * passing[0] + .589 * passing[1]
-                        + .114 * passing[2];
+    double brightness = .297 * passing[0] + .589 * passing[1] + .114 * passing[2];
 
     return brightness > least ? greatest_of(passing) : -1;
 }
@@ -74,8 +70,7 @@ double surface_opacity(const struct pigment *pigment, int which)
     return 1 - pigment->filter[which] - pigment->transmit[which];
 }
 
-bool surface_is_metal(const struct pigment *pigment,
-                      const struct finish *finish)
+bool surface_is_metal(const struct pigment *pigment, const struct finish *finish)
 {
     bool one = pigment_cells(pigment) == 1
                || surface_opacity(pigment, 0) == surface_opacity(pigment, 1);

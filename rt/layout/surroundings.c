@@ -9,9 +9,8 @@
 #include "rt/scene/elementary.h"
 
 /* Where a sky's map has its routines and its numbers: as sky.s has it. */
-static void put_sky_map(struct record_layout *layout,
-                        const struct pigment *sky, const char *function,
-                        const char *wave, const double *numbers,
+static void put_sky_map(struct record_layout *layout, const struct pigment *sky,
+                        const char *function, const char *wave, const double *numbers,
                         const c205_word stops[2])
 {
     double rows[PATTERN_ROWS];
@@ -19,31 +18,27 @@ static void put_sky_map(struct record_layout *layout,
 
     pattern_rows(sky, rows);
     put_numbers(words, rows, PATTERN_ROWS);
-    layout_words(layout, layout_symbol(layout, "sky_pattern"), words,
-                 PATTERN_ROWS);
+    layout_words(layout, layout_symbol(layout, "sky_pattern"), words, PATTERN_ROWS);
     words[0] = layout_symbol(layout, function);
     words[1] = wave ? layout_symbol(layout, wave) : 0;
     put_numbers(words + 2, numbers, MAP_NUMBERS);
     memcpy(words + 2 + MAP_NUMBERS, stops, 2 * sizeof *stops);
-    layout_words(layout, layout_symbol(layout, "sky_map"), words,
-                 2 + MAP_NUMBERS + 2);
+    layout_words(layout, layout_symbol(layout, "sky_map"), words, 2 + MAP_NUMBERS + 2);
 }
 
 /* Of a sky that is no plain gradient; where its stops are. */
-static void layout_sky_pattern(struct record_layout *layout,
-                               const struct pigment *sky,
+static void layout_sky_pattern(struct record_layout *layout, const struct pigment *sky,
                                const c205_word stops[2])
 {
     double numbers[MAP_NUMBERS];
 
     pattern_numbers(&sky->pattern, numbers);
-    put_sky_map(layout, sky, pattern_routine(&sky->pattern),
-                pattern_wave(sky), numbers, stops);
+    put_sky_map(layout, sky, pattern_routine(&sky->pattern), pattern_wave(sky), numbers,
+                stops);
 }
 
 /* .. that is an image, which stands in place of stops. */
-static void layout_sky_image(struct record_layout *layout,
-                             const struct pigment *sky,
+static void layout_sky_image(struct record_layout *layout, const struct pigment *sky,
                              const uint64_t *images)
 {
     const struct image_map *image = &sky->image;
@@ -51,10 +46,9 @@ static void layout_sky_image(struct record_layout *layout,
     double numbers[MAP_NUMBERS];
 
     image_numbers(image, numbers);
-    put_sky_map(layout, sky, image_routine(image), image_sampler(image),
-                numbers, stops);
-    layout_words(layout,
-                 layout_symbol(layout, "scene_sky") + 64 * GRADIENT_STOPS,
+    put_sky_map(layout, sky, image_routine(image), image_sampler(image), numbers,
+                stops);
+    layout_words(layout, layout_symbol(layout, "scene_sky") + 64 * GRADIENT_STOPS,
                  stops, 1);
 }
 
@@ -77,10 +71,8 @@ void layout_sky(struct record_layout *layout, const struct scene *scene,
     gradient_words(&scene->sky, numbers);
     put_numbers(words, numbers, GRADIENT_STOPS);
     words[GRADIENT_STOPS] = layout_reserve(layout, size);
-    words[GRADIENT_STOPS + 1] = c205_from_integer(
-        (int64_t)stop_count(&scene->sky));
-    layout_words(layout, layout_symbol(layout, "scene_sky"), words,
-                 GRADIENT_STOPS + 2);
+    words[GRADIENT_STOPS + 1] = c205_from_integer((int64_t)stop_count(&scene->sky));
+    layout_words(layout, layout_symbol(layout, "scene_sky"), words, GRADIENT_STOPS + 2);
     layout_words(layout, words[GRADIENT_STOPS], stops, size);
     if (scene->sky.kind == PIGMENT_PATTERN)
         layout_sky_pattern(layout, &scene->sky, words + GRADIENT_STOPS);

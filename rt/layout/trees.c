@@ -17,11 +17,10 @@ bool primitive_is_mesh(const struct primitive *primitive)
 
 bool region_is_simple(const struct scene *scene, const struct region *region)
 {
-    const struct primitive
-        *first = &scene->primitives[region->first_primitive];
+    const struct primitive *first = &scene->primitives[region->first_primitive];
 
-    return !scene->every_crossing && region->primitive_count == 1
-           && region->yield == 0 && !pigment_is_clear(&first->pigment);
+    return !scene->every_crossing && region->primitive_count == 1 && region->yield == 0
+           && !pigment_is_clear(&first->pigment);
 }
 
 static bool is_closed(const struct primitive *primitive)
@@ -103,8 +102,7 @@ bool scene_has_crossed_meshes(const struct scene *scene)
         if (region_is_simple(scene, region))
             continue;
         for (size_t k = 0; k < region->primitive_count; k++)
-            if (primitive_is_mesh(
-                    &scene->primitives[region->first_primitive + k]))
+            if (primitive_is_mesh(&scene->primitives[region->first_primitive + k]))
                 return true;
     }
     return false;
@@ -127,8 +125,7 @@ size_t most_crossings(const struct scene *scene)
 
     for (size_t i = 0; i < scene->region_count; i++) {
         const struct region *region = &scene->regions[i];
-        const struct primitive *first = scene->primitives
-                                        + region->first_primitive;
+        const struct primitive *first = scene->primitives + region->first_primitive;
         bool alone = region_is_simple(scene, region);
 
         for (size_t k = 0; k < region->primitive_count; k++) {
@@ -172,8 +169,8 @@ struct evaluation {
 
 /* x and y, by de Morgan's rules without complements of their own.  Each step
  * has a value to itself, so that all can be looked at afterwards. */
-static struct tree_term both(struct evaluation *evaluation,
-                             struct tree_term x, struct tree_term y)
+static struct tree_term both(struct evaluation *evaluation, struct tree_term x,
+                             struct tree_term y)
 {
     struct tree_plan *plan = evaluation->plan;
     size_t result = evaluation->leaf_count + plan->step_count;
@@ -189,8 +186,8 @@ static struct tree_term both(struct evaluation *evaluation,
     return (struct tree_term){ result, x.complement && y.complement };
 }
 
-static struct tree_term either(struct evaluation *evaluation,
-                               struct tree_term x, struct tree_term y)
+static struct tree_term either(struct evaluation *evaluation, struct tree_term x,
+                               struct tree_term y)
 {
     struct tree_term value;
 
@@ -205,14 +202,12 @@ static struct tree_term either(struct evaluation *evaluation,
 static void join(struct evaluation *evaluation, size_t count,
                  enum tree_operation operation)
 {
-    struct tree_term *children = evaluation->stack + evaluation->depth
-                                 - count;
+    struct tree_term *children = evaluation->stack + evaluation->depth - count;
     struct tree_term value = children[0];
 
     for (size_t i = 1; i < count; i++)
-        value = operation == TREE_AND
-                    ? both(evaluation, value, children[i])
-                    : either(evaluation, value, children[i]);
+        value = operation == TREE_AND ? both(evaluation, value, children[i])
+                                      : either(evaluation, value, children[i]);
     evaluation->depth -= count;
     evaluation->stack[evaluation->depth++] = value;
 }
@@ -244,8 +239,7 @@ static void evaluate(struct evaluation *evaluation, const struct scene *scene,
     case TREE_NOT: top[-1].complement = !top[-1].complement; break;
     case TREE_AND:
     case TREE_OR:
-        join(evaluation, count_children(scene, node),
-             scene->nodes[node].operation);
+        join(evaluation, count_children(scene, node), scene->nodes[node].operation);
         break;
     }
     made->value = evaluation->stack[evaluation->depth - 1].place;
@@ -260,8 +254,7 @@ bool plan_tree(const struct scene *scene, const struct region *region,
                                      .leaf_count = region->primitive_count };
 
     plan->step_count = 0;
-    evaluation.stack = calloc(region->node_count + 1,
-                              sizeof *evaluation.stack);
+    evaluation.stack = calloc(region->node_count + 1, sizeof *evaluation.stack);
     if (!evaluation.stack)
         return false;
     for (size_t i = region->node_count; i-- > 0;)

@@ -55,9 +55,9 @@ struct tree_join {
 
 struct tree_plan {
     size_t step_count;
-    size_t result;   /* the value of the tree, or what it is not: the same
+    size_t result;           /* the value of the tree, or what it is not: the same
                       surfaces */
-    bool complement; /* .. the latter */
+    bool complement;         /* .. the latter */
     struct tree_step *steps; /* those of a node before those above it */
     struct tree_join *joins;
 };

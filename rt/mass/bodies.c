@@ -29,8 +29,8 @@ bool bodies_find_endless(const struct scene *scene, struct named_parts *parts)
 }
 
 /* Behind those that are there: its primitives, its nodes, itself. */
-static void copy_region(const struct scene *scene,
-                        const struct region *region, struct scene *bodies)
+static void copy_region(const struct scene *scene, const struct region *region,
+                        struct scene *bodies)
 {
     struct region *copy = &bodies->regions[bodies->region_count++];
     size_t primitive = bodies->primitive_count, node = bodies->node_count;
@@ -47,8 +47,7 @@ static void copy_region(const struct scene *scene,
         *to = scene->nodes[region->first_node + i];
         to->next = to->next - region->first_node + node;
         if (to->operation == TREE_LEAF)
-            to->primitive = to->primitive - region->first_primitive
-                            + primitive;
+            to->primitive = to->primitive - region->first_primitive + primitive;
     }
     bodies->primitive_count += region->primitive_count;
     bodies->node_count += region->node_count;
@@ -59,11 +58,9 @@ bool bodies_take(const struct scene *scene, const struct named_parts *parts,
 {
     *bodies = *scene;
     bodies->primitive_count = bodies->node_count = bodies->region_count = 0;
-    bodies->primitives = calloc(scene->primitive_count + 1,
-                                sizeof *bodies->primitives);
+    bodies->primitives = calloc(scene->primitive_count + 1, sizeof *bodies->primitives);
     bodies->nodes = calloc(scene->node_count + 1, sizeof *bodies->nodes);
-    bodies->regions = calloc(scene->region_count + 1,
-                             sizeof *bodies->regions);
+    bodies->regions = calloc(scene->region_count + 1, sizeof *bodies->regions);
     if (!bodies->primitives || !bodies->nodes || !bodies->regions)
         return false;
     for (size_t i = 0; i < scene->region_count; i++)

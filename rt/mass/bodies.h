@@ -6,8 +6,7 @@
 
 /* Parts that reach for ever, or have no bound that is known, are marked endless.
  * False: no memory. */
-bool bodies_find_endless(const struct scene *scene,
-                         struct named_parts *parts);
+bool bodies_find_endless(const struct scene *scene, struct named_parts *parts);
 /* The regions of parts that are not left out; what primitives point to is the scene's, which
  * must outlive it.  Objects keep their numbers.  False: no memory. */
 bool bodies_take(const struct scene *scene, const struct named_parts *parts,

@@ -29,11 +29,10 @@ static bool join_box(const struct bound *bound, const struct region *region,
                      double low[3], double high[3], c205_error *error)
 {
     if (bound_is_none(bound)) {
-        return error_say(
-            error,
-            "the solid of line %zu has no end that is known: its volume "
-            "cannot be found",
-            region->line);
+        return error_say(error,
+                         "the solid of line %zu has no end that is known: its volume "
+                         "cannot be found",
+                         region->line);
     }
     for (int i = 0; i < 3; i++) {
         low[i] = fmin(low[i], bound->low[i]);
@@ -48,12 +47,11 @@ static bool find_box(const struct scene *scene, struct columns_sums *sums,
     struct bound *bounds = calloc(scene->node_count + 1, sizeof *bounds);
     double low[3] = { INFINITY, INFINITY, INFINITY };
     double high[3] = { -INFINITY, -INFINITY, -INFINITY };
-    bool good = (bounds && bound_nodes(scene, bounds))
-                || error_say(error, "no memory");
+    bool good = (bounds && bound_nodes(scene, bounds)) || error_say(error, "no memory");
 
     for (size_t i = 0; good && i < scene->region_count; i++)
-        good = join_box(&bounds[scene->regions[i].first_node],
-                        &scene->regions[i], low, high, error);
+        good = join_box(&bounds[scene->regions[i].first_node], &scene->regions[i], low,
+                        high, error);
     for (int i = 0; i < 3; i++) {
         sums->middle[i] = (low[i] + high[i]) / 2;
         sums->width[i] = high[i] - low[i];
@@ -90,8 +88,8 @@ static size_t unit_count(const struct columns_work *work)
     return VIEWS * work->options->repeats * work->packets;
 }
 
-static struct object *assemble(const struct columns_work *work,
-                               const char *name, c205_error *error)
+static struct object *assemble(const struct columns_work *work, const char *name,
+                               c205_error *error)
 {
     const struct asm_define defines[] = {
         { "POINTS", work->options->points },
@@ -102,8 +100,7 @@ static struct object *assemble(const struct columns_work *work,
     return form_assemble_beside(name, work->options->mode, defines, error);
 }
 
-static bool begin_view(struct columns_work *work, size_t view,
-                       c205_error *error)
+static bool begin_view(struct columns_work *work, size_t view, c205_error *error)
 {
     const struct columns_options *options = work->options;
     const struct lines_options lines = {
@@ -226,11 +223,10 @@ static bool find_crossings(struct columns_packet *packet)
     const struct columns_work *work = packet->work;
 
     lay_lines(packet);
-    if (!lines_find(work->lines[packet->view], packet->lines,
-                    work->rays_of_packet, &packet->seen, packet->error))
+    if (!lines_find(work->lines[packet->view], packet->lines, work->rays_of_packet,
+                    &packet->seen, packet->error))
         return false;
-    work->clocks[packet->unit][STAGE_CROSSINGS] += packet->seen.accounts
-                                                       .clocks;
+    work->clocks[packet->unit][STAGE_CROSSINGS] += packet->seen.accounts.clocks;
     work->crossings[packet->unit] = packet->seen.first[work->rays_of_packet];
     return true;
 }
@@ -244,10 +240,9 @@ static bool check_crossing(const struct columns_packet *packet,
 
     if (seen->sense != 0)
         return true;
-    return error_say(
-        packet->error,
-        "the %s of line %zu is an open surface: it has no volume",
-        primitive_kind_name(primitive->kind), primitive->line);
+    return error_say(packet->error,
+                     "the %s of line %zu is an open surface: it has no volume",
+                     primitive_kind_name(primitive->kind), primitive->line);
 }
 
 /* Where the fields of a crossing stand, in the order of crossed.s. */
@@ -262,8 +257,8 @@ enum {
     CROSSED_SIZE
 };
 
-static void lay_crossing(const struct columns_packet *packet, size_t ray,
-                         size_t i, size_t count, c205_word *planes)
+static void lay_crossing(const struct columns_packet *packet, size_t ray, size_t i,
+                         size_t count, c205_word *planes)
 {
     const struct seen_crossing *seen = &packet->seen.list[i];
     const size_t *part_of = packet->work->options->part_of;
@@ -278,8 +273,7 @@ static void lay_crossing(const struct columns_packet *packet, size_t ray,
     planes[CROSSED_WITHIN * count + i] = c205_from_integer(seen->within);
 }
 
-static bool lay_crossings(const struct columns_packet *packet,
-                          c205_word *planes)
+static bool lay_crossings(const struct columns_packet *packet, c205_word *planes)
 {
     const struct seen_crossings *seen = &packet->seen;
     size_t count = seen->first[seen->line_count];
@@ -313,8 +307,7 @@ static uint64_t give_crossed(const struct columns_packet *packet,
     return single_run_room(run, "crossed_sums", NULL, totals);
 }
 
-static bool run_columns(const struct columns_packet *packet,
-                        const c205_word *planes)
+static bool run_columns(const struct columns_packet *packet, const c205_word *planes)
 {
     const struct columns_work *work = packet->work;
     size_t rays = work->rays_of_packet;
@@ -322,8 +315,7 @@ static bool run_columns(const struct columns_packet *packet,
     struct single_run run;
     uint64_t made;
 
-    single_run_begin(&run, work->columns, work->options->model,
-                     packet->error);
+    single_run_begin(&run, work->columns, work->options->model, packet->error);
     made = give_crossed(packet, planes, width, &run);
     single_run_word(&run, "column_parts", work->options->part_count);
     single_run_word(&run, "column_rays", rays);
@@ -332,8 +324,7 @@ static bool run_columns(const struct columns_packet *packet,
                           &work->clocks[packet->unit][STAGE_SUMS]);
 }
 
-static bool run_overlaps(const struct columns_packet *packet,
-                         const c205_word *planes)
+static bool run_overlaps(const struct columns_packet *packet, const c205_word *planes)
 {
     const struct columns_work *work = packet->work;
     const struct columns_sums *sums = work->sums;
@@ -342,22 +333,18 @@ static bool run_overlaps(const struct columns_packet *packet,
 
     if (sums->pairs == 0)
         return true;
-    single_run_begin(&run, work->overlaps, work->options->model,
-                     packet->error);
+    single_run_begin(&run, work->overlaps, work->options->model, packet->error);
     made = give_crossed(packet, planes, sums->pairs, &run);
     overlaps_give(work->options->overlaps, &run);
-    return single_run_end(&run, made,
-                          words_of(packet) + sums->parts * MOMENTS,
-                          sums->pairs,
-                          &work->clocks[packet->unit][STAGE_OVERLAPS]);
+    return single_run_end(&run, made, words_of(packet) + sums->parts * MOMENTS,
+                          sums->pairs, &work->clocks[packet->unit][STAGE_OVERLAPS]);
 }
 
 static bool add_columns(const struct columns_packet *packet)
 {
     size_t count = packet->seen.first[packet->seen.line_count];
     c205_word *planes = calloc(CROSSED_SIZE * count + 1, sizeof *planes);
-    bool good = planes ? lay_crossings(packet, planes)
-                             && run_columns(packet, planes)
+    bool good = planes ? lay_crossings(packet, planes) && run_columns(packet, planes)
                              && run_overlaps(packet, planes)
                        : error_say(packet->error, "no memory");
 
@@ -365,8 +352,7 @@ static bool add_columns(const struct columns_packet *packet)
     return good;
 }
 
-static bool do_packet(const struct columns_work *work, size_t unit,
-                      c205_error *error)
+static bool do_packet(const struct columns_work *work, size_t unit, c205_error *error)
 {
     size_t rays = work->rays_of_packet;
     size_t group = unit / work->packets;
@@ -392,8 +378,8 @@ static bool do_packet(const struct columns_work *work, size_t unit,
 }
 
 /* What a packet comes to, as words. */
-static bool run_unit(void *context, size_t job, size_t unit,
-                     struct unit_words *words, c205_error *error)
+static bool run_unit(void *context, size_t job, size_t unit, struct unit_words *words,
+                     c205_error *error)
 {
     const struct columns_work *work = context;
     size_t width = width_of(work->sums);
@@ -421,8 +407,7 @@ static bool take_unit(void *context, size_t unit, struct unit_words *words,
 
 /* All that packets depend on.  Of a run with several sums the first decide, for the others
  * follow from them. */
-static bool keep(const struct columns_work *work, struct farm *farm,
-                 c205_error *error)
+static bool keep(const struct columns_work *work, struct farm *farm, c205_error *error)
 {
     const struct columns_options *options = work->options;
     const uint64_t choices[] = {
@@ -478,8 +463,7 @@ static bool add_packets(struct columns_work *work, c205_error *error)
     single_run_word(&run, "total_groups", groups);
     single_run_word(&run, "total_rows", work->packets);
     single_run_word(&run, "total_width", width);
-    single_run_room(&run, "totals_from", work->words,
-                    groups * work->packets * width);
+    single_run_room(&run, "totals_from", work->words, groups * work->packets * width);
     made = single_run_room(&run, "totals_made", NULL, groups * width);
     return single_run_end(&run, made, sums->words, groups * width,
                           &sums->clocks[STAGE_TOTALS]);
@@ -497,8 +481,7 @@ static void add_accounts(const struct columns_work *work)
 }
 
 static bool check_options(const struct scene *scene,
-                          const struct columns_options *options,
-                          c205_error *error)
+                          const struct columns_options *options, c205_error *error)
 {
     if (options->rays_log > COLUMNS_LOG_MOST)
         return error_say(error, "at most 2^20 rays of a view under a shift");
@@ -517,30 +500,23 @@ static bool check_options(const struct scene *scene,
     return true;
 }
 
-bool columns_sum(const struct scene *scene,
-                 const struct columns_options *options,
+bool columns_sum(const struct scene *scene, const struct columns_options *options,
                  struct columns_sums *sums, c205_error *error)
 {
-    struct columns_work work = { .scene = scene,
-                                 .options = options,
-                                 .sums = sums };
+    struct columns_work work = { .scene = scene, .options = options, .sums = sums };
     bool good;
 
     *sums = (struct columns_sums){ .parts = options->part_count + 1,
-                                   .pairs = options->overlaps
-                                                ? options->overlaps->count
-                                                : 0,
+                                   .pairs = options->overlaps ? options->overlaps->count
+                                                              : 0,
                                    .repeats = options->repeats,
                                    .rays_log = options->rays_log };
-    if (!check_options(scene, options, error)
-        || !find_box(scene, sums, error))
+    if (!check_options(scene, options, error) || !find_box(scene, sums, error))
         return false;
-    sums->words = calloc(VIEWS * sums->repeats * width_of(sums),
-                         sizeof *sums->words);
-    good = sums->words
-               ? begin_work(&work, error) && do_packets(&work, error)
-                     && (!collects(&work) || add_packets(&work, error))
-               : error_say(error, "no memory");
+    sums->words = calloc(VIEWS * sums->repeats * width_of(sums), sizeof *sums->words);
+    good = sums->words ? begin_work(&work, error) && do_packets(&work, error)
+                             && (!collects(&work) || add_packets(&work, error))
+                       : error_say(error, "no memory");
     if (good)
         add_accounts(&work);
     end_work(&work);
@@ -558,31 +534,29 @@ void columns_sums_free(struct columns_sums *sums)
 /* ---- What they mean ------------------------------------------------------ */
 
 /* Of a sum, that which stands there among those of a shift. */
-static double integral_of(const struct columns_sums *sums, size_t view,
-                          size_t repeat, size_t place)
+static double integral_of(const struct columns_sums *sums, size_t view, size_t repeat,
+                          size_t place)
 {
     size_t shift = view * sums->repeats + repeat;
     c205_word sum = sums->words[shift * width_of(sums) + place];
-    double area = sums->width[axis_of(view, 1)]
-                  * sums->width[axis_of(view, 2)];
+    double area = sums->width[axis_of(view, 1)] * sums->width[axis_of(view, 2)];
 
     return ldexp(c205_to_double(sum) * area, -(int)sums->rays_log);
 }
 
-double columns_integral(const struct columns_sums *sums, size_t view,
-                        size_t repeat, size_t part, enum moment moment)
+double columns_integral(const struct columns_sums *sums, size_t view, size_t repeat,
+                        size_t part, enum moment moment)
 {
     return integral_of(sums, view, repeat, part * MOMENTS + moment);
 }
 
-double columns_overlap(const struct columns_sums *sums, size_t view,
-                       size_t repeat, size_t pair)
+double columns_overlap(const struct columns_sums *sums, size_t view, size_t repeat,
+                       size_t pair)
 {
     return integral_of(sums, view, repeat, sums->parts * MOMENTS + pair);
 }
 
 uint64_t columns_checksum(const struct columns_sums *sums)
 {
-    return hash_words(HASH_START, sums->words,
-                      VIEWS * sums->repeats * width_of(sums));
+    return hash_words(HASH_START, sums->words, VIEWS * sums->repeats * width_of(sums));
 }

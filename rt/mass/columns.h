@@ -16,12 +16,7 @@
 
 enum { VIEWS = 3, COLUMNS_PACKET = 4096, COLUMNS_LOG_MOST = 20 };
 
-enum columns_points {
-    POINTS_RANDOM,
-    POINTS_LATTICE,
-    POINTS_GRID,
-    POINTS_KINDS
-};
+enum columns_points { POINTS_RANDOM, POINTS_LATTICE, POINTS_GRID, POINTS_KINDS };
 
 /* Of a part: in a view along s, whose other axes are p and q, relative to the
  * middle of the box; lengths in the world.  As in rt/kernels/mass/columns.s. */
@@ -64,9 +59,9 @@ struct columns_options {
                         2^COLUMNS_LOG_MOST */
     size_t repeats;  /* shifts, each with rays of its own */
     size_t seed;
-    size_t jobs;           /* packets at a time; 0: one */
-    size_t part_count;     /* 1 .. COLUMNS_PARTS_MOST */
-    const size_t *part_of; /* of each of the scene's objects, its part */
+    size_t jobs;                     /* packets at a time; 0: one */
+    size_t part_count;               /* 1 .. COLUMNS_PARTS_MOST */
+    const size_t *part_of;           /* of each of the scene's objects, its part */
     const struct overlaps *overlaps; /* .. of these parts; NULL: not asked */
     const c205_model *model;
     bool (*progress)(void *context, size_t done, size_t all);
@@ -82,7 +77,7 @@ struct columns_sums {
     size_t repeats;
     size_t rays_log;            /* 2^rays_log rays of a view under a shift */
     double middle[3], width[3]; /* of the box */
-    c205_word *words; /* of all rays of a shift: [VIEWS][repeats], in each
+    c205_word *words;           /* of all rays of a shift: [VIEWS][repeats], in each
                   [parts][MOMENTS], then [pairs] */
     uint64_t clocks[COLUMNS_STAGES];
     uint64_t crossings;
@@ -91,18 +86,17 @@ struct columns_sums {
 /* Where the farm does not collect what packets come to, there are no words. */
 /* False: options that cannot be; a scene without bodies, with one that has no end, or with
  * an open surface, which the error names; a trap; progress said to stop. */
-bool columns_sum(const struct scene *scene,
-                 const struct columns_options *options,
+bool columns_sum(const struct scene *scene, const struct columns_options *options,
                  struct columns_sums *sums, c205_error *error);
 void columns_sums_free(struct columns_sums *sums);
 
 /* Of a sum over the rays of a shift the integral over space: the sum, times the area
  * that belongs to a ray. */
-double columns_integral(const struct columns_sums *sums, size_t view,
-                        size_t repeat, size_t part, enum moment moment);
+double columns_integral(const struct columns_sums *sums, size_t view, size_t repeat,
+                        size_t part, enum moment moment);
 /* .. the volume that both parts of a pair claim. */
-double columns_overlap(const struct columns_sums *sums, size_t view,
-                       size_t repeat, size_t pair);
+double columns_overlap(const struct columns_sums *sums, size_t view, size_t repeat,
+                       size_t pair);
 /* 64-bit FNV-1a over all words. */
 uint64_t columns_checksum(const struct columns_sums *sums);
 

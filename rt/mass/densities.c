@@ -9,14 +9,12 @@ static bool is_density(double value)
     return value > 0 && isfinite(value);
 }
 
-const struct value_kind density_kind = { .name = "density",
-                                         .ending = "_Density",
-                                         .range = "above 0",
-                                         .allows = is_density };
+const struct value_kind density_kind = {
+    .name = "density", .ending = "_Density", .range = "above 0", .allows = is_density
+};
 
-bool densities_find(const struct given_values *given,
-                    const struct named_parts *parts, double *densities,
-                    c205_error *error)
+bool densities_find(const struct given_values *given, const struct named_parts *parts,
+                    double *densities, c205_error *error)
 {
     const char *separator = ": ";
     bool good = true;

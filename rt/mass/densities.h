@@ -8,8 +8,7 @@ extern const struct value_kind density_kind;
 
 /* Of each part; of one that is left out it may be NaN.  False: some others have none, or
  * are of several materials; the error names them. */
-bool densities_find(const struct given_values *given,
-                    const struct named_parts *parts, double *densities,
-                    c205_error *error);
+bool densities_find(const struct given_values *given, const struct named_parts *parts,
+                    double *densities, c205_error *error);
 
 #endif

@@ -75,10 +75,8 @@ static void find_integrals(const struct mass_body *body, size_t repeat,
     struct summand summand = { .sums = body->sums, .repeat = repeat };
 
     *sum = (struct integrals){ 0 };
-    for (summand.part = 0; summand.part + 1 < body->sums->parts;
-         summand.part++)
-        for (summand.view = 0;
-             body->density[summand.part] > 0 && summand.view < VIEWS;
+    for (summand.part = 0; summand.part + 1 < body->sums->parts; summand.part++)
+        for (summand.view = 0; body->density[summand.part] > 0 && summand.view < VIEWS;
              summand.view++)
             add_view(&summand, body->density[summand.part], sum);
 }
@@ -97,9 +95,8 @@ static void add_integrals(struct integrals *sum, const struct integrals *more,
 
 /* The tensor about a point, of integrals about the middle and the centroid from
  * there; offset: from the point to the centroid. */
-static void find_inertia(const struct integrals *sum,
-                         const double centroid[3], const double offset[3],
-                         double inertia[6])
+static void find_inertia(const struct integrals *sum, const double centroid[3],
+                         const double offset[3], double inertia[6])
 {
     double central[6] = { 0 }, trace = 0;
 
@@ -129,14 +126,12 @@ static void find_principal(const double inertia[6], double moments[3],
 
     for (size_t i = 0; i < 3; i++)
         for (size_t k = 0; k < 3; k++)
-            singular.scaled[i][k] =
-                inertia[product_place(i < k ? i : k, i < k ? k : i)];
+            singular
+                .scaled[i][k] = inertia[product_place(i < k ? i : k, i < k ? k : i)];
     singular_decompose(&singular);
     for (size_t i = 0; i < 3; i++)
         for (size_t k = i;
-             k > 0
-             && singular.values[order[k]] < singular.values[order[k - 1]];
-             k--) {
+             k > 0 && singular.values[order[k]] < singular.values[order[k - 1]]; k--) {
             size_t other = order[k];
 
             order[k] = order[k - 1];
@@ -149,9 +144,8 @@ static void find_principal(const double inertia[6], double moments[3],
     }
 }
 
-static void find_values(const struct mass_body *body,
-                        const struct integrals *sum, double value[FIGURES],
-                        double axes[3][3])
+static void find_values(const struct mass_body *body, const struct integrals *sum,
+                        double value[FIGURES], double axes[3][3])
 {
     const double *middle = body->sums->middle;
     double centroid[3], offset[3], none[3] = { 0 };
@@ -161,8 +155,7 @@ static void find_values(const struct mass_body *body,
     value[FIGURE_MASS] = sum->mass;
     for (size_t i = 0; i < 3; i++) {
         centroid[i] = sum->mass != 0 ? sum->first[i] / sum->mass : 0;
-        value[FIGURE_CENTROID + i] = sum->mass != 0 ? centroid[i] + middle[i]
-                                                    : NAN;
+        value[FIGURE_CENTROID + i] = sum->mass != 0 ? centroid[i] + middle[i] : NAN;
         offset[i] = centroid[i] + middle[i] - body->about[i];
         value[FIGURE_VIEWS + i] = sum->views[i];
     }
@@ -176,8 +169,7 @@ static void find_values(const struct mass_body *body,
 /* The quantile of 97.5 % with so many degrees of freedom, 3 at the least. */
 static double student(double freedom)
 {
-    const double terms[] = { 1.959964, 2.372271, 2.822500, 2.555852,
-                             1.589534 };
+    const double terms[] = { 1.959964, 2.372271, 2.822500, 2.555852, 1.589534 };
     double sum = 0;
 
     for (int i = 4; i >= 0; i--)
@@ -189,16 +181,12 @@ static double student(double freedom)
  * mean and the sum of its squares about that. */
 static double interval(double squares, double count)
 {
-    return count > 3
-               ? student(count - 1) * sqrt((count - 1) / count * squares)
-               : NAN;
+    return count > 3 ? student(count - 1) * sqrt((count - 1) / count * squares) : NAN;
 }
 
 /* Of figures without each of the shifts in turn. */
-static void find_errors(const struct mass_body *body,
-                        const struct integrals *shifts,
-                        const struct integrals *sum,
-                        struct mass_figures *figures,
+static void find_errors(const struct mass_body *body, const struct integrals *shifts,
+                        const struct integrals *sum, struct mass_figures *figures,
                         double (*without)[FIGURES])
 {
     size_t count = body->sums->repeats;
@@ -223,8 +211,7 @@ static void find_errors(const struct mass_body *body,
     }
 }
 
-bool mass_figures_find(const struct mass_body *body,
-                       struct mass_figures *figures)
+bool mass_figures_find(const struct mass_body *body, struct mass_figures *figures)
 {
     size_t count = body->sums->repeats;
     struct integrals *shifts = calloc(count, sizeof *shifts), sum = { 0 };
@@ -289,8 +276,8 @@ static double overlap_of_pair(const struct columns_sums *sums, size_t repeat,
 
 /* The mean of what is found under each shift, and its error. */
 static void find_mean(const struct columns_sums *sums,
-                      double (*of)(const struct columns_sums *sums,
-                                   size_t repeat, size_t which),
+                      double (*of)(const struct columns_sums *sums, size_t repeat,
+                                   size_t which),
                       size_t which, double *volume, double *error)
 {
     double count = (double)sums->repeats, squares = 0;
@@ -306,8 +293,7 @@ static void find_mean(const struct columns_sums *sums,
     *error = interval(squares, count);
 }
 
-void mass_overlap(const struct columns_sums *sums, double *volume,
-                  double *error)
+void mass_overlap(const struct columns_sums *sums, double *volume, double *error)
 {
     find_mean(sums, overlap_of_all, 0, volume, error);
 }
@@ -315,8 +301,8 @@ void mass_overlap(const struct columns_sums *sums, double *volume,
 /* What is no more than roundings leave of bodies that touch. */
 static const double TOUCHING = 0x1p-36;
 
-bool mass_overlap_of(const struct columns_sums *sums, size_t pair,
-                     double *volume, double *error)
+bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volume,
+                     double *error)
 {
     const double *width = sums->width;
 
@@ -333,8 +319,7 @@ static double scale_of(const struct mass_figures *figures,
     if (figure < FIGURE_CENTROID)
         return figures->value[figure];
     if (figure < FIGURE_INERTIA)
-        return sqrt(width[0] * width[0] + width[1] * width[1]
-                    + width[2] * width[2]);
+        return sqrt(width[0] * width[0] + width[1] * width[1] + width[2] * width[2]);
     if (figure < FIGURE_CENTRAL)
         return fmax(figures->value[FIGURE_PRINCIPAL + 2],
                     fmax(figures->value[FIGURE_INERTIA],
@@ -343,8 +328,8 @@ static double scale_of(const struct mass_figures *figures,
     return figures->value[FIGURE_PRINCIPAL + 2];
 }
 
-double mass_worst(const struct mass_figures *figures,
-                  const struct columns_sums *sums, size_t *figure)
+double mass_worst(const struct mass_figures *figures, const struct columns_sums *sums,
+                  size_t *figure)
 {
     double worst = -1;
 

@@ -18,14 +18,12 @@ enum figure {
     FIGURE_VOLUME,
     FIGURE_AREA,
     FIGURE_MASS,
-    FIGURE_CENTROID, /* x, y, z, of the mass; NaN: it is 0 */
-    FIGURE_INERTIA = FIGURE_CENTROID
-                     + 3, /* about the point asked for: Ixx, Iyy, Izz,
+    FIGURE_CENTROID,                       /* x, y, z, of the mass; NaN: it is 0 */
+    FIGURE_INERTIA = FIGURE_CENTROID + 3,  /* about the point asked for: Ixx, Iyy, Izz,
                                              Ixy, Ixz, Iyz */
     FIGURE_CENTRAL = FIGURE_INERTIA + 6,   /* about the centroid, likewise */
     FIGURE_PRINCIPAL = FIGURE_CENTRAL + 6, /* three moments, rising */
-    FIGURE_VIEWS = FIGURE_PRINCIPAL
-                   + 3, /* the volume as seen along x, y, z */
+    FIGURE_VIEWS = FIGURE_PRINCIPAL + 3,   /* the volume as seen along x, y, z */
     FIGURES = FIGURE_VIEWS + 3
 };
 const char *figure_name(size_t figure);
@@ -44,19 +42,17 @@ struct mass_body {
 };
 
 /* False: no memory. */
-bool mass_figures_find(const struct mass_body *body,
-                       struct mass_figures *figures);
+bool mass_figures_find(const struct mass_body *body, struct mass_figures *figures);
 /* In a unit of length that is 2^log times as large. */
 void mass_figures_enlarge(struct mass_figures *figures, int log);
 /* The volume that more than one object claims, each time that it does, and its error. */
-void mass_overlap(const struct columns_sums *sums, double *volume,
-                  double *error);
+void mass_overlap(const struct columns_sums *sums, double *volume, double *error);
 /* .. that the parts of a pair claim both.  False: none, but for roundings. */
-bool mass_overlap_of(const struct columns_sums *sums, size_t pair,
-                     double *volume, double *error);
+bool mass_overlap_of(const struct columns_sums *sums, size_t pair, double *volume,
+                     double *error);
 /* Of errors beside what they are errors of the largest, and which figure's it is:
  * moments beside the largest principal one, the centroid beside the box's diagonal. */
-double mass_worst(const struct mass_figures *figures,
-                  const struct columns_sums *sums, size_t *figure);
+double mass_worst(const struct mass_figures *figures, const struct columns_sums *sums,
+                  size_t *figure);
 
 #endif

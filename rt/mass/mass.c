@@ -11,8 +11,7 @@
 
 /* ---- Densities and rows -------------------------------------------------- */
 
-static bool take_densities(const struct mass *mass,
-                           struct given_values *densities,
+static bool take_densities(const struct mass *mass, struct given_values *densities,
                            struct diagnostics *reports, c205_error *error)
 {
     const struct mass_request *request = mass->request;
@@ -42,8 +41,7 @@ static bool weigh_parts(struct mass *mass, struct diagnostics *reports,
     return good;
 }
 
-static const char *row_name(const struct mass *mass,
-                            const struct named_part *part)
+static const char *row_name(const struct mass *mass, const struct named_part *part)
 {
     if (mass->request->by == MASS_BY_PART)
         return part->name;
@@ -57,8 +55,7 @@ static struct mass_row *find_row(struct mass *mass, const char *name)
     while (row < mass->rows + mass->row_count && strcmp(row->name, name) != 0)
         row++;
     if (row == mass->rows + mass->row_count) {
-        row->density = mass->densities
-                       + mass->row_count++ * mass->parts.count;
+        row->density = mass->densities + mass->row_count++ * mass->parts.count;
         row->name = name;
     }
     return row;
@@ -70,8 +67,7 @@ static bool make_rows(struct mass *mass)
     size_t count = mass->parts.count;
 
     mass->rows = calloc(count + 1, sizeof *mass->rows);
-    mass->densities = calloc((count + 1) * count + 1,
-                             sizeof *mass->densities);
+    mass->densities = calloc((count + 1) * count + 1, sizeof *mass->densities);
     if (!mass->rows || !mass->densities)
         return false;
     for (size_t i = 0; i < count; i++) {
@@ -79,8 +75,8 @@ static bool make_rows(struct mass *mass)
 
         if (part->left_out)
             continue;
-        find_row(mass, row_name(mass, part))->density[i] =
-            mass_units_density(&mass->request->units, mass->weights[i]);
+        find_row(mass, row_name(mass, part))
+            ->density[i] = mass_units_density(&mass->request->units, mass->weights[i]);
     }
     if (mass->row_count > 1) {
         struct mass_row *all = &mass->rows[mass->row_count];
@@ -206,17 +202,16 @@ static bool choose_parts(struct mass *mass, c205_error *error)
 
     return named_parts_find(mass->scene, &mass->parts)
            && bodies_find_endless(mass->scene, &mass->parts)
-           && named_parts_choose(&mass->parts, request->parts,
-                                 request->part_count, error)
+           && named_parts_choose(&mass->parts, request->parts, request->part_count,
+                                 error)
            && bodies_take(mass->scene, &mass->parts, &mass->bodies)
            && (!request->overlaps
-               || overlaps_find(&mass->bodies, mass->parts.part_of,
-                                mass->parts.count, &mass->overlaps));
+               || overlaps_find(&mass->bodies, mass->parts.part_of, mass->parts.count,
+                                &mass->overlaps));
 }
 
 bool mass_begin(const struct scene *scene, const struct mass_request *request,
-                struct mass *mass, struct diagnostics *reports,
-                c205_error *error)
+                struct mass *mass, struct diagnostics *reports, c205_error *error)
 {
     *mass = (struct mass){ .request = request, .scene = scene };
     error_say(error, "no memory");

@@ -63,8 +63,7 @@ struct mass {
  * a name that nobody has, a density that is missing or out of range, a file of them that
  * cannot be read, which the reports tell of; no memory.  Free it in either case. */
 bool mass_begin(const struct scene *scene, const struct mass_request *request,
-                struct mass *mass, struct diagnostics *reports,
-                c205_error *error);
+                struct mass *mass, struct diagnostics *reports, c205_error *error);
 /* Where the farm does not collect packets nothing but their number is found.  False: what
  * columns_sum refuses. */
 bool mass_find(struct mass *mass, c205_error *error);

@@ -3,17 +3,13 @@
 #include <math.h>
 
 static const struct table_column figure_columns[] = {
-    { "part", "part", TABLE_TEXT, 0 },
-    { "figure", "figure", TABLE_TEXT, 0 },
-    { "value", "value", TABLE_NUMBER, 0 },
-    { "error", "+-", TABLE_NUMBER, 0 },
+    { "part", "part", TABLE_TEXT, 0 },     { "figure", "figure", TABLE_TEXT, 0 },
+    { "value", "value", TABLE_NUMBER, 0 }, { "error", "+-", TABLE_NUMBER, 0 },
     { "unit", "unit", TABLE_TEXT, 0 },
 };
 static const struct table_column overlap_columns[] = {
-    { "part", "part", TABLE_TEXT, 0 },
-    { "other", "other", TABLE_TEXT, 0 },
-    { "volume", "volume", TABLE_NUMBER, 0 },
-    { "error", "+-", TABLE_NUMBER, 0 },
+    { "part", "part", TABLE_TEXT, 0 },       { "other", "other", TABLE_TEXT, 0 },
+    { "volume", "volume", TABLE_NUMBER, 0 }, { "error", "+-", TABLE_NUMBER, 0 },
     { "unit", "unit", TABLE_TEXT, 0 },
 };
 static const struct table_column axis_columns[] = {
@@ -42,8 +38,7 @@ static int error_decimals(double error)
     return error > 0 ? decimals_of(0, error) : 0;
 }
 
-static void unit_of(const struct mass_units *units, size_t figure,
-                    char text[MASS_UNIT])
+static void unit_of(const struct mass_units *units, size_t figure, char text[MASS_UNIT])
 {
     if (figure == FIGURE_AREA)
         mass_units_text(units, 0, 2, text);
@@ -58,8 +53,8 @@ static void unit_of(const struct mass_units *units, size_t figure,
 }
 
 static void add_figure(struct table *table, const struct mass_units *units,
-                       const char *part, const char *figure, double value,
-                       double error, size_t unit)
+                       const char *part, const char *figure, double value, double error,
+                       size_t unit)
 {
     char text[MASS_UNIT];
 
@@ -88,14 +83,14 @@ struct table *mass_table_of_figures(const struct mass *mass)
     for (size_t i = 0; i < mass->row_count; i++)
         for (size_t k = 0; k < FIGURES; k++)
             add_figure(table, units, mass->rows[i].name, figure_name(k),
-                       mass->rows[i].figures.value[k],
-                       mass->rows[i].figures.error[k], k);
+                       mass->rows[i].figures.value[k], mass->rows[i].figures.error[k],
+                       k);
     if (mass->request->overlaps) {
         mass_overlap(&mass->sums, &volume, &error);
         volume *= cube_of(mass);
         error *= cube_of(mass);
-        add_figure(table, units, "overlaps", figure_name(FIGURE_VOLUME),
-                   volume, error, FIGURE_VOLUME);
+        add_figure(table, units, "overlaps", figure_name(FIGURE_VOLUME), volume, error,
+                   FIGURE_VOLUME);
     }
     return table;
 }
@@ -114,9 +109,7 @@ struct table *mass_table_of_overlaps(const struct mass *mass)
         volume *= cube_of(mass);
         error *= cube_of(mass);
         for (size_t k = 0; k < 2; k++)
-            table_text(table,
-                       mass->parts.list[mass->overlaps.pairs[i].parts[k]]
-                           .name);
+            table_text(table, mass->parts.list[mass->overlaps.pairs[i].parts[k]].name);
         table_rounded(table, volume, decimals_of(volume, error));
         table_rounded(table, error, error_decimals(error));
         table_text(table, unit);
@@ -147,8 +140,7 @@ struct table *mass_table_of_clocks(const struct mass *mass)
             continue;
         table_text(table, columns_stage_name((enum columns_stage)i));
         table_count(table, mass->sums.clocks[i]);
-        table_number(table,
-                     (double)mass->sums.clocks[i] / (double)mass_rays(mass));
+        table_number(table, (double)mass->sums.clocks[i] / (double)mass_rays(mass));
     }
     return table;
 }

@@ -17,8 +17,7 @@ struct boxes {
 };
 
 static const struct bound empty = { .low = { INFINITY, INFINITY, INFINITY },
-                                    .high = { -INFINITY, -INFINITY,
-                                              -INFINITY } };
+                                    .high = { -INFINITY, -INFINITY, -INFINITY } };
 
 static void join(struct bound *bound, const struct bound *more)
 {
@@ -33,8 +32,7 @@ static bool meet(const struct bound *one, const struct bound *other)
     bool good = true;
 
     for (int i = 0; i < 3; i++)
-        good = good && one->low[i] <= other->high[i]
-               && other->low[i] <= one->high[i];
+        good = good && one->low[i] <= other->high[i] && other->low[i] <= one->high[i];
     return good;
 }
 
@@ -80,9 +78,9 @@ static void list_objects(const struct scene *scene, const size_t *part_of,
             boxes->list[--boxes->first[part_of[i] + 1]] = i;
     for (size_t i = 0; i < count; i++)
         boxes->first[i] = boxes->first[i + 1];
-    boxes->first[count] = count > 0 ? boxes->first[count - 1]
-                                          + overlaps->objects[count - 1]
-                                    : 0;
+    boxes->first[count] = count > 0
+                              ? boxes->first[count - 1] + overlaps->objects[count - 1]
+                              : 0;
 }
 
 static bool find_boxes(const struct scene *scene, const size_t *part_of,
@@ -94,8 +92,8 @@ static bool find_boxes(const struct scene *scene, const size_t *part_of,
     boxes->of_parts = calloc(parts + 1, sizeof *boxes->of_parts);
     boxes->first = calloc(parts + 1, sizeof *boxes->first);
     boxes->list = calloc(objects, sizeof *boxes->list);
-    if (!boxes->of_objects || !boxes->of_parts || !boxes->first
-        || !boxes->list || !box_objects(scene, boxes->of_objects))
+    if (!boxes->of_objects || !boxes->of_parts || !boxes->first || !boxes->list
+        || !box_objects(scene, boxes->of_objects))
         return false;
     list_objects(scene, part_of, overlaps, boxes);
     return true;
@@ -137,8 +135,8 @@ static bool add_pair(struct overlaps *overlaps, size_t one, size_t other)
     return true;
 }
 
-bool overlaps_find(const struct scene *scene, const size_t *part_of,
-                   size_t part_count, struct overlaps *overlaps)
+bool overlaps_find(const struct scene *scene, const size_t *part_of, size_t part_count,
+                   struct overlaps *overlaps)
 {
     struct boxes boxes = { NULL, NULL, NULL, NULL };
     bool good;
@@ -199,8 +197,8 @@ static bool is_own(const struct overlap_pair *pair)
     return pair->parts[0] == pair->parts[1];
 }
 
-static void place_field(struct tables *tables, struct part_field *field,
-                        size_t objects, size_t *end)
+static void place_field(struct tables *tables, struct part_field *field, size_t objects,
+                        size_t *end)
 {
     field->first_level = tables->level_count;
     for (size_t k = 0; k < LEVELS_OF_PART; k++)
@@ -255,8 +253,8 @@ static void give_groups(struct tables *tables)
             const struct part_field *field = &tables->fields[i];
             bool there = field->width > 0 && field->group == group;
 
-            tables->words[i] = c205_from_integer(
-                there ? (int64_t)1 << field->shift : 0);
+            tables->words[i] = c205_from_integer(there ? (int64_t)1 << field->shift
+                                                       : 0);
             levels += there ? field->level_count : 0;
         }
         record_table(&record, "GROUP_STEPS", tables->words, parts);
@@ -276,8 +274,7 @@ static size_t list_partners(struct tables *tables, size_t part, bool own)
         const struct overlap_pair *pair = &overlaps->pairs[i];
         size_t other = pair->parts[pair->parts[0] == part];
 
-        if (is_own(pair) != own
-            || (pair->parts[0] != part && pair->parts[1] != part))
+        if (is_own(pair) != own || (pair->parts[0] != part && pair->parts[1] != part))
             continue;
         tables->words[2 * count] = row_at(&tables->levels,
                                           level_of(tables, other, own));
@@ -287,8 +284,8 @@ static size_t list_partners(struct tables *tables, size_t part, bool own)
     return count;
 }
 
-static void give_level(struct tables *tables, struct record *record,
-                       size_t part, bool own)
+static void give_level(struct tables *tables, struct record *record, size_t part,
+                       bool own)
 {
     const struct part_field *field = &tables->fields[part];
     size_t least = own ? 2 : 1, mask = ((size_t)1 << field->width) - 1;
@@ -336,8 +333,7 @@ static void give_parts(struct tables *tables)
 {
     struct record record;
 
-    record_begin(&record, tables->layout, "PART_SIZE",
-                 tables->overlaps->part_count, 0);
+    record_begin(&record, tables->layout, "PART_SIZE", tables->overlaps->part_count, 0);
     layout_word(tables->layout, "overlap_parts", record_row(&record).first);
     for (size_t i = 0; i < tables->overlaps->part_count; i++) {
         const struct part_field *field = &tables->fields[i];
@@ -359,14 +355,12 @@ static void give_tables(struct tables *tables, struct single_run *run)
     give_groups(tables);
     give_levels(tables);
     give_pairs(tables);
-    single_run_room(run, "overlap_pairs", tables->words,
-                    2 * tables->overlaps->count);
+    single_run_room(run, "overlap_pairs", tables->words, 2 * tables->overlaps->count);
     give_parts(tables);
     single_run_word(run, "overlap_groups", tables->group_count);
     single_run_room(run, "overlap_carries", NULL, tables->group_count);
     bits = (size_t)layout_symbol(&run->layout, "LEVEL_BITS");
-    single_run_room(run, "overlap_bits", NULL,
-                    tables->level_count * bits / 64);
+    single_run_room(run, "overlap_bits", NULL, tables->level_count * bits / 64);
 }
 
 void overlaps_give(const struct overlaps *overlaps, struct single_run *run)

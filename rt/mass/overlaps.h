@@ -24,8 +24,8 @@ struct overlaps {
 
 /* Of a scene whose bodies all have an end; part_of: of each of its objects, its part.  False: no
  * memory. */
-bool overlaps_find(const struct scene *scene, const size_t *part_of,
-                   size_t part_count, struct overlaps *overlaps);
+bool overlaps_find(const struct scene *scene, const size_t *part_of, size_t part_count,
+                   struct overlaps *overlaps);
 void overlaps_free(struct overlaps *overlaps);
 
 /* What the program of overlaps is given besides the crossings; what fails fails the run. */

@@ -27,13 +27,11 @@ const char *mass_unit_name(size_t i)
                                   : NULL;
 }
 
-static const struct named_unit *find_unit(const struct named_unit *list,
-                                          size_t count, const char *name,
-                                          size_t length)
+static const struct named_unit *find_unit(const struct named_unit *list, size_t count,
+                                          const char *name, size_t length)
 {
     for (size_t i = 0; i < count; i++)
-        if (strlen(list[i].name) == length
-            && strncmp(list[i].name, name, length) == 0)
+        if (strlen(list[i].name) == length && strncmp(list[i].name, name, length) == 0)
             return &list[i];
     return NULL;
 }
@@ -49,8 +47,7 @@ bool mass_units_take(const char *text, struct mass_units *units)
     mass = find_unit(masses, MASSES, comma + 1, strlen(comma + 1));
     if (!length || !mass)
         return false;
-    *units = (struct mass_units){ length->name, mass->name, length->size,
-                                  mass->size };
+    *units = (struct mass_units){ length->name, mass->name, length->size, mass->size };
     return true;
 }
 
@@ -58,8 +55,7 @@ double mass_units_density(const struct mass_units *units, double density)
 {
     double side = units->centimetres;
 
-    return units->length ? density * side * side * side / units->grams
-                         : density;
+    return units->length ? density * side * side * side / units->grams : density;
 }
 
 void mass_units_text(const struct mass_units *units, int mass, int length,

@@ -131,19 +131,17 @@ static const double *plane_of(const struct frame *frame, size_t channel)
 }
 
 /* The planes of some rows, side by side. */
-static void interleave(const struct frame *frame,
-                       const struct picture_image *image, float *sample)
+static void interleave(const struct frame *frame, const struct picture_image *image,
+                       float *sample)
 {
     for (size_t i = 0; i < frame->width * frame->height; i++)
         for (size_t channel = 0; channel < image->channels; channel++) {
             double value = plane_of(frame, channel)[i];
-            *sample++ = (float)(image->srgb ? picture_shown(frame, value)
-                                            : value);
+            *sample++ = (float)(image->srgb ? picture_shown(frame, value) : value);
         }
 }
 
-static void separate(const struct picture_image *image,
-                     const struct frame *frame)
+static void separate(const struct picture_image *image, const struct frame *frame)
 {
     const float *sample = image->samples;
     for (size_t i = 0; i < frame->width * frame->height; i++)
@@ -174,8 +172,7 @@ static const struct picture_adapter *adapter(struct picture_error *error)
     if (!adapter_path(path, error))
         return NULL;
     c205_error cause;
-    const void *table = adapter_open(path, PICTURE_ADAPTER_SYMBOL, false,
-                                     &cause);
+    const void *table = adapter_open(path, PICTURE_ADAPTER_SYMBOL, false, &cause);
     if (!table)
         fail(error, "pictures: %s", cause.message);
     return table;
@@ -239,8 +236,7 @@ bool picture_check_path(const char *path, struct picture_error *error)
     struct stat status;
     if (!kind_of(path))
         return fail_ending(path, error);
-    if (!file_is_stream(path) && stat(path, &status) == 0
-        && !S_ISREG(status.st_mode))
+    if (!file_is_stream(path) && stat(path, &status) == 0 && !S_ISREG(status.st_mode))
         return fail(error, "%s is not a regular file", path);
     c205_error cause;
     return whole_check(path, &cause) || fail(error, "%s", cause.message);
@@ -275,8 +271,7 @@ static bool fail_at(const char *path, const struct picture_error *cause,
     return fail(error, "%s: %s", path, message);
 }
 
-static bool open_file(struct picture *picture,
-                      const struct picture_note *notes,
+static bool open_file(struct picture *picture, const struct picture_note *notes,
                       struct picture_error *error)
 {
     struct picture_error why;
@@ -362,15 +357,13 @@ bool picture_rows(struct picture *picture, const struct frame *part,
     if (!samples)
         return fail(error, "out of memory");
     interleave(part, image, samples);
-    bool good = picture->files->rows(picture->writing, first, last, samples,
-                                     &why);
+    bool good = picture->files->rows(picture->writing, first, last, samples, &why);
     free(samples);
     picture->rows = last;
     return good || fail_at(picture->path, &why, error);
 }
 
-bool picture_end(struct picture *picture, bool good,
-                 struct picture_error *error)
+bool picture_end(struct picture *picture, bool good, struct picture_error *error)
 {
     struct picture_error why = { "its last rows are missing" };
     c205_error cause;
@@ -393,8 +386,7 @@ static struct frame part_of(const struct frame *frame, size_t first)
     size_t left = frame->height - first;
     struct frame part = { .width = frame->width,
                           .gamma_off = frame->gamma_off,
-                          .height = left < PICTURE_PART ? left
-                                                        : PICTURE_PART };
+                          .height = left < PICTURE_PART ? left : PICTURE_PART };
     for (size_t i = 0; i < FRAME_CHANNELS; i++)
         part.channel[i] = frame->channel[i] + first * frame->width;
     if (frame->layer)
@@ -406,8 +398,8 @@ bool picture_write(const char *path, const struct frame *frame,
                    const struct picture_note *notes, bool half,
                    struct picture_error *error)
 {
-    struct picture *picture = picture_begin(path, frame->width, frame->height,
-                                            notes, half, frame->layer, error);
+    struct picture *picture = picture_begin(path, frame->width, frame->height, notes,
+                                            half, frame->layer, error);
     bool good = picture != NULL;
     for (size_t row = 0; good && row < frame->height; row += PICTURE_PART) {
         struct frame part = part_of(frame, row);
@@ -417,14 +409,13 @@ bool picture_write(const char *path, const struct frame *frame,
 }
 
 /* The layer may be NULL. */
-static bool read_frame(const char *path, const char *layer,
-                       struct frame *frame, struct picture_error *error)
+static bool read_frame(const char *path, const char *layer, struct frame *frame,
+                       struct picture_error *error)
 {
     struct picture_error cause;
     const char *names[FRAME_CHANNELS + 1];
-    struct picture_image image = {
-        .channels = FRAME_CHANNELS + (layer != NULL), .names = names
-    };
+    struct picture_image image = { .channels = FRAME_CHANNELS + (layer != NULL),
+                                   .names = names };
     memcpy(names, channel_names, sizeof channel_names);
     names[FRAME_CHANNELS] = layer;
     const struct picture_adapter *files = adapter(error);
@@ -436,8 +427,7 @@ static bool read_frame(const char *path, const char *layer,
     bool good = frame_allocate(frame, image.width, image.height);
     frame->layer = layer;
     if (good && layer)
-        frame->value = calloc(image.width * image.height,
-                              sizeof *frame->value);
+        frame->value = calloc(image.width * image.height, sizeof *frame->value);
     good = good && (frame->value || !layer);
     if (good)
         separate(&image, frame);
@@ -445,20 +435,19 @@ static bool read_frame(const char *path, const char *layer,
     return good || fail(error, "out of memory");
 }
 
-bool picture_read(const char *path, struct frame *frame,
-                  struct picture_error *error)
+bool picture_read(const char *path, struct frame *frame, struct picture_error *error)
 {
     return read_frame(path, NULL, frame, error);
 }
 
-bool picture_read_layer(const char *path, const char *layer,
-                        struct frame *frame, struct picture_error *error)
+bool picture_read_layer(const char *path, const char *layer, struct frame *frame,
+                        struct picture_error *error)
 {
     return read_frame(path, layer, frame, error);
 }
 
-bool picture_read_note(const char *path, const char *name, char *text,
-                       size_t size, struct picture_error *error)
+bool picture_read_note(const char *path, const char *name, char *text, size_t size,
+                       struct picture_error *error)
 {
     struct picture_error cause;
     const struct picture_adapter *files = adapter(error);

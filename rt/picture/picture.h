@@ -34,8 +34,7 @@ enum frame_channel {
 struct frame {
     size_t width, height;
     double *channel[FRAME_CHANNELS];
-    bool
-        gamma_off; /* colours are as displayed: files have them as they are */
+    bool gamma_off; /* colours are as displayed: files have them as they are */
     /* The name of one plane more, which pictures of linear colours have as a
      * channel, and that plane, the caller's own; NULL: there is none. */
     const char *layer;
@@ -74,8 +73,7 @@ struct picture *picture_begin(const char *path, size_t width, size_t height,
                               const char *layer, struct picture_error *error);
 bool picture_rows(struct picture *picture, const struct frame *part,
                   struct picture_error *error);
-bool picture_end(struct picture *picture, bool good,
-                 struct picture_error *error);
+bool picture_end(struct picture *picture, bool good, struct picture_error *error);
 
 /* Load the adapter in a thread, for a picture that is to be written later;
  * whoever needs it waits for it.  NULL: the adapter is nowhere; any other fault
@@ -94,18 +92,17 @@ bool picture_holds_half(const char *path);
 
 /* A picture back into a frame, which the caller frees: colours as linear
  * light, the other channels where the file has them and 0 elsewhere. */
-bool picture_read(const char *path, struct frame *frame,
-                  struct picture_error *error);
+bool picture_read(const char *path, struct frame *frame, struct picture_error *error);
 
 /* .. and of a layer, whose samples become frame->value, which the caller frees,
  * too; 0 where the file has none of that name; of .tif, which has no names, the
  * one plane behind the channels. */
-bool picture_read_layer(const char *path, const char *layer,
-                        struct frame *frame, struct picture_error *error);
+bool picture_read_layer(const char *path, const char *layer, struct frame *frame,
+                        struct picture_error *error);
 
 /* The text of one note of a picture, "" when it has none. */
-bool picture_read_note(const char *path, const char *name, char *text,
-                       size_t size, struct picture_error *error);
+bool picture_read_note(const char *path, const char *name, char *text, size_t size,
+                       struct picture_error *error);
 
 /* Linear light, between 0 and 1, encoded as the 8-bit pictures have it; beyond is
  * clipped, and what is not a number is black. */

@@ -39,8 +39,7 @@ const int TIFF_PALETTE = 3;
 void require(bool good, const std::string &message)
 {
     if (!good)
-        throw std::runtime_error(message.empty() ? "the file is broken"
-                                                 : message);
+        throw std::runtime_error(message.empty() ? "the file is broken" : message);
 }
 
 // Run the body; a failure is its message and false.
@@ -52,11 +51,9 @@ template <class Error, class Body> bool guarded(Error *error, Body body)
         body();
         return true;
     } catch (const std::exception &caught) {
-        std::snprintf(error->message, sizeof error->message, "%s",
-                      caught.what());
+        std::snprintf(error->message, sizeof error->message, "%s", caught.what());
     } catch (...) {
-        std::snprintf(error->message, sizeof error->message,
-                      "unknown failure");
+        std::snprintf(error->message, sizeof error->message, "unknown failure");
     }
     return false;
 }
@@ -100,9 +97,8 @@ void annotate(OIIO::ImageSpec &spec, const picture_note *notes)
 OIIO::ImageSpec spec_of(const picture_image &image)
 {
     const int channels = static_cast<int>(image.channels);
-    OIIO::ImageSpec spec(static_cast<int>(image.width),
-                         static_cast<int>(image.height), channels,
-                         type_of(image.format[image.channels - 1]));
+    OIIO::ImageSpec spec(static_cast<int>(image.width), static_cast<int>(image.height),
+                         channels, type_of(image.format[image.channels - 1]));
     spec.channelnames.assign(image.names, image.names + channels);
     for (int i = 0; i < channels; i++)
         spec.channelformats.push_back(type_of(image.format[i]));
@@ -116,8 +112,7 @@ OIIO::ImageSpec spec_of(const picture_image &image)
 // A file that never fails: the library does not bear a full disk (its JPEG ends
 // the process), and who has opened the file asks that at the end.
 struct patient_file : OIIO::Filesystem::IOFile {
-    explicit patient_file(std::FILE *to)
-        : IOFile(to, OIIO::Filesystem::IOProxy::Write)
+    explicit patient_file(std::FILE *to) : IOFile(to, OIIO::Filesystem::IOProxy::Write)
     {
     }
     // By its own name JPEG would go around it.
@@ -142,8 +137,8 @@ struct writing {
     std::unique_ptr<OIIO::ImageOutput> output;
 };
 
-void *begin(const char *path, const picture_image *image,
-            const picture_note *notes, FILE *file, picture_error *error)
+void *begin(const char *path, const picture_image *image, const picture_note *notes,
+            FILE *file, picture_error *error)
 {
     std::unique_ptr<writing> picture;
     const bool good = guarded(error, [&] {
@@ -164,9 +159,8 @@ bool rows(void *given, size_t first, size_t last, const float *samples,
 {
     auto &output = static_cast<writing *>(given)->output;
     return guarded(error, [&] {
-        require(output->write_scanlines(static_cast<int>(first),
-                                        static_cast<int>(last), 0,
-                                        OIIO::TypeDesc::FLOAT, samples),
+        require(output->write_scanlines(static_cast<int>(first), static_cast<int>(last),
+                                        0, OIIO::TypeDesc::FLOAT, samples),
                 output->geterror());
     });
 }
@@ -191,13 +185,11 @@ std::unique_ptr<OIIO::ImageInput> opened(const char *path)
 
 // Which of the file's channels has the name; TIFF keeps no names, so a file
 // with just as many channels as are asked for has them in their order.
-int place_of(const OIIO::ImageSpec &spec, const picture_image &image,
-             size_t channel)
+int place_of(const OIIO::ImageSpec &spec, const picture_image &image, size_t channel)
 {
     const int place = spec.channelindex(image.names[channel]);
     const bool named = spec.channelindex(image.names[CHANNEL_NORMAL_X]) >= 0;
-    if (place < 0 && !named
-        && spec.nchannels == static_cast<int>(image.channels))
+    if (place < 0 && !named && spec.nchannels == static_cast<int>(image.channels))
         return static_cast<int>(channel);
     return place;
 }
@@ -227,8 +219,8 @@ bool read(const char *path, picture_image *image, picture_error *error)
         image->srgb = spec.get_string_attribute("oiio:ColorSpace") == "sRGB";
         const size_t pixels = image->width * image->height;
         std::vector<float> file(pixels * static_cast<size_t>(spec.nchannels));
-        require(input->read_image(0, 0, 0, spec.nchannels,
-                                  OIIO::TypeDesc::FLOAT, file.data()),
+        require(input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT,
+                                  file.data()),
                 input->geterror());
         image->samples = static_cast<float *>(
             std::calloc(pixels * image->channels, sizeof(float)));
@@ -265,8 +257,7 @@ void describe(const OIIO::ImageSpec &spec, raster &image)
     require(spec.format == OIIO::TypeDesc::UINT8
                 || spec.format == OIIO::TypeDesc::UINT16,
             "its samples are not whole numbers of 16 bits at most");
-    require(spec.get_int_attribute("tiff:PhotometricInterpretation")
-                != TIFF_PALETTE,
+    require(spec.get_int_attribute("tiff:PhotometricInterpretation") != TIFF_PALETTE,
             "its pixels are numbers of colours in a table, which cannot be "
             "read of a TIFF file");
     image.width = width;
@@ -282,16 +273,14 @@ void take_samples(OIIO::ImageInput &input, raster &image)
     require(input.read_image(0, 0, 0, static_cast<int>(image.channels),
                              OIIO::TypeDesc::UINT16, samples.data()),
             input.geterror());
-    image.samples = static_cast<uint16_t *>(
-        std::calloc(count, sizeof *image.samples));
+    image.samples = static_cast<uint16_t *>(std::calloc(count, sizeof *image.samples));
     require(image.samples != nullptr, "out of memory");
     for (size_t i = 0; i < count; i++)
-        image.samples[i] = static_cast<uint16_t>(samples[i] * image.most
-                                                 / 65535);
+        image.samples[i] = static_cast<uint16_t>(samples[i] * image.most / 65535);
 }
 
-bool read_raster(const char *format, const char *bytes, size_t length,
-                 raster *image, c205_error *error)
+bool read_raster(const char *format, const char *bytes, size_t length, raster *image,
+                 c205_error *error)
 {
     return guarded(error, [&] {
         OIIO::Filesystem::IOMemReader file(bytes, length);
@@ -300,8 +289,7 @@ bool read_raster(const char *format, const char *bytes, size_t length,
         require(input != nullptr, OIIO::geterror());
         how.attribute("oiio:UnassociatedAlpha", 1);
         require(input->set_ioproxy(&file),
-                std::string("OpenImageIO cannot read '") + format
-                    + "' from memory");
+                std::string("OpenImageIO cannot read '") + format + "' from memory");
         require(input->open(format, spec, how), input->geterror());
         describe(spec, *image);
         take_samples(*input, *image);
@@ -311,6 +299,5 @@ bool read_raster(const char *format, const char *bytes, size_t length,
 
 } // namespace
 
-const struct picture_adapter rt205_picture_adapter = {
-    begin, rows, end, read, read_note, read_raster
-};
+const struct picture_adapter rt205_picture_adapter = { begin, rows,      end,
+                                                       read,  read_note, read_raster };

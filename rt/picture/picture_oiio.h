@@ -33,8 +33,8 @@ struct picture_adapter {
                    const struct picture_note *notes, FILE *file,
                    struct picture_error *error);
     /* The samples of rows first .. last - 1, each row once and in order. */
-    bool (*rows)(void *picture, size_t first, size_t last,
-                 const float *samples, struct picture_error *error);
+    bool (*rows)(void *picture, size_t first, size_t last, const float *samples,
+                 struct picture_error *error);
     /* Finish it, if it is whole, and free it in any case. */
     bool (*end)(void *picture, bool whole, struct picture_error *error);
 
@@ -43,8 +43,8 @@ struct picture_adapter {
     bool (*read)(const char *path, struct picture_image *image,
                  struct picture_error *error);
 
-    bool (*read_note)(const char *path, const char *name, char *text,
-                      size_t size, struct picture_error *error);
+    bool (*read_note)(const char *path, const char *name, char *text, size_t size,
+                      struct picture_error *error);
 
     /* An image of whole numbers, from bytes: of 8 or 16 bits, which most
      * tells. */

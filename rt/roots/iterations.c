@@ -16,8 +16,8 @@ const char *stage_name(enum stage stage)
     return stages[stage].name;
 }
 
-static bool find(const struct object *program, const char *routine,
-                 const char *suffix, uint64_t *address)
+static bool find(const struct object *program, const char *routine, const char *suffix,
+                 uint64_t *address)
 {
     char name[64];
     const struct asm_symbol *symbol;
@@ -28,8 +28,8 @@ static bool find(const struct object *program, const char *routine,
     return symbol != NULL;
 }
 
-bool iterations_begin(struct iterations *iterations,
-                      const struct object *program, bool vector)
+bool iterations_begin(struct iterations *iterations, const struct object *program,
+                      bool vector)
 {
     bool good = true;
 
@@ -56,17 +56,16 @@ static uint64_t lanes_of(const c205_event *event)
 
 /* What the instruction has put into its register T.  In the scalar form there
  * is one bracket at a time. */
-static uint64_t result_of(const struct iterations *iterations,
-                          const c205 *machine, const c205_event *event,
-                          uint64_t scalar)
+static uint64_t result_of(const struct iterations *iterations, const c205 *machine,
+                          const c205_event *event, uint64_t scalar)
 {
-    return iterations->vector ? (uint64_t)c205_to_integer(
-               c205_register(machine, event->fields.t))
-                              : scalar;
+    return iterations->vector
+               ? (uint64_t)c205_to_integer(c205_register(machine, event->fields.t))
+               : scalar;
 }
 
-static void count_pass(struct iterations *iterations,
-                       struct stage_count *count, uint64_t lanes)
+static void count_pass(struct iterations *iterations, struct stage_count *count,
+                       uint64_t lanes)
 {
     size_t pass = iterations->pass++;
 
@@ -79,8 +78,7 @@ static void count_pass(struct iterations *iterations,
     }
 }
 
-void iterations_listen(void *context, const c205 *machine,
-                       const c205_event *event)
+void iterations_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct iterations *iterations = context;
 
@@ -96,8 +94,7 @@ void iterations_listen(void *context, const c205 *machine,
             count->brackets += iterations->active;
         } else if (event->pc == labels->wide) {
             count->halvings += result_of(iterations, machine, event, 1);
-        } else if (event->pc == labels->step
-                   || event->pc == labels->midpoint) {
+        } else if (event->pc == labels->step || event->pc == labels->midpoint) {
             count_pass(iterations, count, lanes_of(event));
         } else if (event->pc == labels->left) {
             iterations->active = result_of(iterations, machine, event, 0);
@@ -107,8 +104,7 @@ void iterations_listen(void *context, const c205 *machine,
 
 /* ---- Of a frame, band by band -------------------------------------------- */
 
-static void *begin_band(void *context, const struct object *program,
-                        c205_error *error)
+static void *begin_band(void *context, const struct object *program, c205_error *error)
 {
     const struct iterations *sum = context;
     struct iterations *band = malloc(sizeof *band);
@@ -145,6 +141,5 @@ static void merge_band(void *context, const void *band)
 
 struct observer iterations_observer(struct iterations *sum)
 {
-    return (struct observer){ begin_band, iterations_listen, merge_band, free,
-                              sum };
+    return (struct observer){ begin_band, iterations_listen, merge_band, free, sum };
 }

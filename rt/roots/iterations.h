@@ -37,12 +37,11 @@ struct iterations {
 };
 
 /* A c205_listener whose context is a struct iterations. */
-void iterations_listen(void *iterations, const c205 *machine,
-                       const c205_event *event);
+void iterations_listen(void *iterations, const c205 *machine, const c205_event *event);
 /* Zero all and find the labels of a program in the vector or scalar form.
  * False: the program has no such labels. */
-bool iterations_begin(struct iterations *iterations,
-                      const struct object *program, bool vector);
+bool iterations_begin(struct iterations *iterations, const struct object *program,
+                      bool vector);
 /* Of all bands of a frame, zeroed but for its form. */
 struct observer iterations_observer(struct iterations *sum);
 

@@ -10,8 +10,7 @@
 
 enum { COEFFICIENTS = 5, COLUMNS = 6 };
 
-static const char *const headings[COLUMNS] = { "c4", "c3", "c2",
-                                               "c1", "c0", "bound" };
+static const char *const headings[COLUMNS] = { "c4", "c3", "c2", "c1", "c0", "bound" };
 
 /* One line of the file as it is read. */
 struct polynomial_line {
@@ -21,8 +20,7 @@ struct polynomial_line {
     struct diagnostics *reports;
 };
 
-static bool bad(struct polynomial_line *line, const char *at,
-                const char *message)
+static bool bad(struct polynomial_line *line, const char *at, const char *message)
 {
     const struct position position = {
         .file = line->file,
@@ -36,8 +34,7 @@ static bool bad(struct polynomial_line *line, const char *at,
     return false;
 }
 
-static bool failed(struct diagnostics *reports, const char *path,
-                   const char *message)
+static bool failed(struct diagnostics *reports, const char *path, const char *message)
 {
     const struct position position = { .file = path };
 
@@ -86,13 +83,11 @@ static bool take_number(struct polynomial_line *line, c205_word *word)
     if (!at_comma_or_end(line))
         return bad(line, line->at, "expected a comma");
     if (*word == C205_INDEFINITE)
-        return bad(
-            line, begin,
-            "larger than the machine's numbers, which end at 9.5e8644");
+        return bad(line, begin,
+                   "larger than the machine's numbers, which end at 9.5e8644");
     if (*word == C205_MACHINE_ZERO && has_value(begin, end))
-        return bad(
-            line, begin,
-            "smaller than the machine's numbers, which begin at 5.2e-8618");
+        return bad(line, begin,
+                   "smaller than the machine's numbers, which begin at 5.2e-8618");
     return true;
 }
 
@@ -117,16 +112,13 @@ static bool take_bound(struct polynomial_line *line, c205_word *bound)
         return true;
     if (!take_number(line, bound))
         return false;
-    return line->at == line->end
-           || bad(line, line->at, "more than six numbers");
+    return line->at == line->end || bad(line, line->at, "more than six numbers");
 }
 
-static bool take_polynomial(struct polynomial_line *line,
-                            struct polynomial *polynomial)
+static bool take_polynomial(struct polynomial_line *line, struct polynomial *polynomial)
 {
     for (int i = 0; i < COEFFICIENTS; i++)
-        if ((i > 0 && !take_comma(line))
-            || !take_number(line, &polynomial->c[i]))
+        if ((i > 0 && !take_comma(line)) || !take_number(line, &polynomial->c[i]))
             return false;
     return take_bound(line, &polynomial->bound);
 }
@@ -155,8 +147,7 @@ static bool add(struct polynomials *polynomials, size_t line,
                 const struct polynomial *polynomial)
 {
     size_t n = polynomials->count;
-    struct polynomial *items = array_grow(polynomials->items, n,
-                                          sizeof *items);
+    struct polynomial *items = array_grow(polynomials->items, n, sizeof *items);
     size_t *lines;
 
     if (!items)
@@ -187,8 +178,7 @@ static const char *cut_line(struct polynomial_line *line, const char *text,
 }
 
 static bool read_lines(struct polynomials *polynomials, const char *path,
-                       const char *text, size_t length,
-                       struct diagnostics *reports)
+                       const char *text, size_t length, struct diagnostics *reports)
 {
     struct polynomial_line line = { .file = path, .reports = reports };
     const char *end = text + length;
@@ -200,8 +190,7 @@ static bool read_lines(struct polynomials *polynomials, const char *path,
         text = cut_line(&line, text, end);
         if (line.at == line.end || *line.at == '#')
             continue;
-        if (!(first && is_heading(line))
-            && take_polynomial(&line, &polynomial)
+        if (!(first && is_heading(line)) && take_polynomial(&line, &polynomial)
             && !add(polynomials, line.number, &polynomial))
             return failed(reports, path, "no memory");
         first = false;

@@ -30,8 +30,7 @@ static const char *const programs[TRACE_FORMS] = {
     [TRACE_VECTOR] = "roots/roots_vector.s",
 };
 
-static struct object *assemble(const struct roots_options *options,
-                               c205_error *error)
+static struct object *assemble(const struct roots_options *options, c205_error *error)
 {
     struct asm_define defines[] = { { "QUEUE", (int64_t)options->queue },
                                     { NULL, 0 },
@@ -44,13 +43,12 @@ static struct object *assemble(const struct roots_options *options,
     return program_assemble(programs[options->mode], defines, error);
 }
 
-static bool write_symbol(struct root_search *search, const char *name,
-                         c205_word word, c205_error *error)
+static bool write_symbol(struct root_search *search, const char *name, c205_word word,
+                         c205_error *error)
 {
     const struct asm_symbol *symbol = object_symbol(search->program, name);
 
-    if (symbol
-        && c205_write(search->machine, (uint64_t)symbol->value, &word, 1))
+    if (symbol && c205_write(search->machine, (uint64_t)symbol->value, &word, 1))
         return true;
     return error_say(error, "the program has no place %s", name);
 }
@@ -71,8 +69,7 @@ static bool find_planes(struct root_search *search, c205_error *error)
 {
     struct planes *planes = &search->planes;
 
-    return read_symbol(search, "INPUT_COEFFICIENTS", &planes->coefficients,
-                       error)
+    return read_symbol(search, "INPUT_COEFFICIENTS", &planes->coefficients, error)
            && read_symbol(search, "INPUT_BOUND", &planes->bound, error)
            && read_symbol(search, "INPUT_SIZE", &planes->inputs, error)
            && read_symbol(search, "RESULT_COUNT", &planes->count, error)
@@ -80,25 +77,24 @@ static bool find_planes(struct root_search *search, c205_error *error)
            && read_symbol(search, "RESULT_SIZE", &planes->results, error);
 }
 
-static uint64_t plane_address(const struct root_search *search,
-                              uint64_t first, uint64_t plane)
+static uint64_t plane_address(const struct root_search *search, uint64_t first,
+                              uint64_t plane)
 {
     return first + UINT64_C(64) * search->count * plane;
 }
 
-static bool write_plane(struct root_search *search, uint64_t first,
-                        uint64_t plane, const c205_word *words)
+static bool write_plane(struct root_search *search, uint64_t first, uint64_t plane,
+                        const c205_word *words)
 {
-    return c205_write(search->machine, plane_address(search, first, plane),
-                      words, search->count);
+    return c205_write(search->machine, plane_address(search, first, plane), words,
+                      search->count);
 }
 
 static bool read_plane(const struct root_search *search, uint64_t plane,
                        c205_word *words)
 {
-    return c205_read(search->machine,
-                     plane_address(search, search->results, plane), words,
-                     search->count);
+    return c205_read(search->machine, plane_address(search, search->results, plane),
+                     words, search->count);
 }
 
 /* The numbers of roots are indefinite until the machine has written them, so
@@ -113,8 +109,7 @@ static bool write_planes(struct root_search *search,
     for (uint64_t k = 0; good && k < COEFFICIENTS; k++) {
         for (size_t i = 0; i < search->count; i++)
             words[i] = polynomials[i].c[k];
-        good = write_plane(search, search->inputs, planes->coefficients + k,
-                           words);
+        good = write_plane(search, search->inputs, planes->coefficients + k, words);
     }
     for (size_t i = 0; good && i < search->count; i++)
         words[i] = polynomials[i].bound;
@@ -126,8 +121,8 @@ static bool write_planes(struct root_search *search,
     return good;
 }
 
-static bool lay_out(struct root_search *search,
-                    const struct polynomial *polynomials, c205_error *error)
+static bool lay_out(struct root_search *search, const struct polynomial *polynomials,
+                    c205_error *error)
 {
     size_t count = search->count;
 
@@ -136,26 +131,24 @@ static bool lay_out(struct root_search *search,
         plane_address(search, search->inputs, search->planes.inputs));
     if (count > 0
         && (!c205_map(search->machine, search->inputs,
-                      (size_t)search->planes.inputs * count, C205_READ_ONLY,
-                      error)
+                      (size_t)search->planes.inputs * count, C205_READ_ONLY, error)
             || !c205_map(search->machine, search->results,
-                         (size_t)search->planes.results * count,
-                         C205_READ_WRITE, error)))
+                         (size_t)search->planes.results * count, C205_READ_WRITE,
+                         error)))
         return false;
     if (count > 0 && !write_planes(search, polynomials))
         return error_say(error, "no memory for the polynomials");
-    return write_symbol(search, "roots_polynomials",
-                        c205_from_integer((int64_t)count), error)
+    return write_symbol(search, "roots_polynomials", c205_from_integer((int64_t)count),
+                        error)
            && write_symbol(search, "roots_wanted",
-                           c205_from_integer(
-                               search->options.first ? 1 : ROOTS_MOST),
+                           c205_from_integer(search->options.first ? 1 : ROOTS_MOST),
                            error)
            && write_symbol(search, "roots_inputs", search->inputs, error)
            && write_symbol(search, "roots_results", search->results, error);
 }
 
-static bool prepare(struct root_search *search,
-                    const struct polynomial *polynomials, c205_error *error)
+static bool prepare(struct root_search *search, const struct polynomial *polynomials,
+                    c205_error *error)
 {
     search->program = assemble(&search->options, error);
     if (!search->program)
@@ -163,14 +156,11 @@ static bool prepare(struct root_search *search,
     search->machine = c205_new(search->options.model, error);
     return search->machine != NULL
            && c205_load(search->machine, &search->program->program, error)
-           && find_planes(search, error)
-           && lay_out(search, polynomials, error);
+           && find_planes(search, error) && lay_out(search, polynomials, error);
 }
 
-struct root_search *roots_new(const struct polynomial *polynomials,
-                              size_t count,
-                              const struct roots_options *options,
-                              c205_error *error)
+struct root_search *roots_new(const struct polynomial *polynomials, size_t count,
+                              const struct roots_options *options, c205_error *error)
 {
     struct root_search *search = calloc(1, sizeof *search);
 
@@ -205,8 +195,7 @@ bool roots_watch(struct root_search *search, struct iterations *iterations)
 /* The first polynomial whose number of roots is not yet there. */
 static size_t done(const struct root_search *search)
 {
-    uint64_t counts = plane_address(search, search->results,
-                                    search->planes.count);
+    uint64_t counts = plane_address(search, search->results, search->planes.count);
     size_t low = 0, high = search->count;
 
     while (low < high) {
@@ -236,26 +225,25 @@ bool roots_run(struct root_search *search, c205_error *error)
     const struct roots_options *options = &search->options;
     bool stopped = false;
     bool good = program_run(search->machine,
-                            options->progress ? tell_polynomials : NULL,
-                            search, &stopped, error);
+                            options->progress ? tell_polynomials : NULL, search,
+                            &stopped, error);
 
     if (good && options->progress)
         options->progress(options->context, search->count, search->count);
     if (stopped)
-        error_say(error, "stopped after %zu of %zu polynomial%s",
-                  done(search), search->count, plural(search->count));
+        error_say(error, "stopped after %zu of %zu polynomial%s", done(search),
+                  search->count, plural(search->count));
     return good;
 }
 
-bool roots_read(const struct root_search *search,
-                struct polynomial_roots *roots, c205_error *error)
+bool roots_read(const struct root_search *search, struct polynomial_roots *roots,
+                c205_error *error)
 {
     c205_word *words = malloc((search->count + 1) * sizeof *words);
     bool good = words != NULL;
 
     good = good
-           && (search->count == 0
-               || read_plane(search, search->planes.count, words));
+           && (search->count == 0 || read_plane(search, search->planes.count, words));
     for (size_t i = 0; good && i < search->count; i++)
         roots[i].count = (int)c205_to_double(words[i]);
     for (uint64_t k = 0; good && search->count > 0 && k < ROOTS_MOST; k++) {

@@ -40,10 +40,8 @@ struct roots_options {
 struct root_search;
 
 /* NULL: the error says why.  Of the polynomials nothing is kept. */
-struct root_search *roots_new(const struct polynomial *polynomials,
-                              size_t count,
-                              const struct roots_options *options,
-                              c205_error *error);
+struct root_search *roots_new(const struct polynomial *polynomials, size_t count,
+                              const struct roots_options *options, c205_error *error);
 void roots_free(struct root_search *search);
 
 /* Count the steps of the refinement from now on; before the run. */
@@ -53,8 +51,8 @@ bool roots_watch(struct root_search *search, struct iterations *iterations);
 bool roots_run(struct root_search *search, c205_error *error);
 
 /* As many as there are polynomials. */
-bool roots_read(const struct root_search *search,
-                struct polynomial_roots *roots, c205_error *error);
+bool roots_read(const struct root_search *search, struct polynomial_roots *roots,
+                c205_error *error);
 /* The rule that it was assembled with. */
 enum falsi roots_falsi(const struct root_search *search);
 const c205 *roots_machine(const struct root_search *search);

@@ -5,6 +5,5 @@ bool bumps_show(const struct bumps *bumps)
 {
     const struct bump_list *list = bumps->list;
 
-    return list
-           && (list->bump.pattern.kind != PIGMENT_COLOR || list->average);
+    return list && (list->bump.pattern.kind != PIGMENT_COLOR || list->average);
 }

@@ -22,8 +22,7 @@ struct twofold {
 enum { HALVINGS = 8 };
 
 static const struct twofold one = { 1, 0 };
-static const struct twofold ln2 = { 0x1.62e42fefa39efp-1,
-                                    0x1.abc9e3b39803fp-56 };
+static const struct twofold ln2 = { 0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56 };
 /* pi / 2 by three doubles. */
 static const double quarter[] = { 0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54,
                                   -0x1.f1976b7ed8fbcp-110 };
@@ -51,8 +50,7 @@ static struct twofold product(double a, double b)
     double high = a * b, c = SPLIT * a, d = SPLIT * b;
     double a1 = c - (c - a), a2 = a - a1, b1 = d - (d - b), b2 = b - b1;
 
-    return (struct twofold){ high, ((a1 * b1 - high) + a1 * b2 + a2 * b1)
-                                       + a2 * b2 };
+    return (struct twofold){ high, ((a1 * b1 - high) + a1 * b2 + a2 * b1) + a2 * b2 };
 }
 
 static struct twofold minus(struct twofold a)
@@ -87,8 +85,7 @@ static struct twofold divide(struct twofold a, struct twofold b)
 
     second = rest.high / b.high;
     rest = add(rest, minus(by(b, second)));
-    return add(quick_sum(first, second),
-               (struct twofold){ rest.high / b.high, 0 });
+    return add(quick_sum(first, second), (struct twofold){ rest.high / b.high, 0 });
 }
 
 static struct twofold square_root(struct twofold a)
@@ -121,8 +118,7 @@ static struct twofold reciprocal(double a)
 
 /* first + first f / n .. (n + step - 1) + ..; of terms so small that their first bits
  * alone count, these. */
-static struct twofold series(struct twofold first, struct twofold f, int n,
-                             int step)
+static struct twofold series(struct twofold first, struct twofold f, int n, int step)
 {
     struct twofold all = first, term = first;
     double small, rest = 0;
@@ -155,8 +151,7 @@ static struct twofold reduce(double x, int *quadrant)
 {
     double k = floor(x / quarter[0] + .5);
     struct twofold first = product(k, quarter[0]);
-    struct twofold rest = add(sum(x, -first.high),
-                              (struct twofold){ -first.low, 0 });
+    struct twofold rest = add(sum(x, -first.high), (struct twofold){ -first.low, 0 });
 
     *quadrant = (int)(k - 4 * floor(k / 4));
     rest = add(rest, minus(product(k, quarter[1])));
@@ -195,11 +190,9 @@ static struct twofold power_less_one(struct twofold x)
 static struct twofold power_of_e(struct twofold x)
 {
     double k = floor(x.high / ln2.high + .5);
-    struct twofold power = add(one,
-                               power_less_one(add(x, minus(by(ln2, k)))));
+    struct twofold power = add(one, power_less_one(add(x, minus(by(ln2, k)))));
 
-    return (struct twofold){ ldexp(power.high, (int)k),
-                             ldexp(power.low, (int)k) };
+    return (struct twofold){ ldexp(power.high, (int)k), ldexp(power.low, (int)k) };
 }
 
 static struct twofold sinh_of(struct twofold x)
@@ -287,17 +280,15 @@ double elementary_log(double x)
 
 double elementary_log10(double x)
 {
-    return is_plain(x) && x > 0 && x != 1
-               ? rounded(divide(log_of(x), log_of(10)))
-               : log10(x);
+    return is_plain(x) && x > 0 && x != 1 ? rounded(divide(log_of(x), log_of(10)))
+                                          : log10(x);
 }
 
 double elementary_pow(double x, double y)
 {
     struct twofold power;
 
-    if (!is_plain(x) || !is_plain(y) || fabs(x) == 1
-        || (x < 0 && y != floor(y)))
+    if (!is_plain(x) || !is_plain(y) || fabs(x) == 1 || (x < 0 && y != floor(y)))
         return pow(x, y);
     power = by(log_of(fabs(x)), y);
     if (!(fabs(power.high) < EXP_MOST))
@@ -367,9 +358,8 @@ double elementary_tanh(double x)
 {
     struct twofold at = { x, 0 };
 
-    return !is_tiny(x) && fabs(x) < 30
-               ? rounded(divide(sinh_of(at), cosh_of(at)))
-               : tanh(x);
+    return !is_tiny(x) && fabs(x) < 30 ? rounded(divide(sinh_of(at), cosh_of(at)))
+                                       : tanh(x);
 }
 
 double elementary_asinh(double x)

@@ -32,15 +32,15 @@ enum { PARTS_MOST = 64 /* of one curve */, TURNS_MOST = 100 };
 struct freetype {
     FT_Error (*init)(FT_Library *library);
     FT_Error (*done)(FT_Library library);
-    FT_Error (*new_face)(FT_Library library, const FT_Byte *bytes,
-                         FT_Long length, FT_Long index, FT_Face *face);
+    FT_Error (*new_face)(FT_Library library, const FT_Byte *bytes, FT_Long length,
+                         FT_Long index, FT_Face *face);
     FT_Error (*done_face)(FT_Face face);
     FT_UInt (*char_index)(FT_Face face, FT_ULong character);
     FT_Error (*load_glyph)(FT_Face face, FT_UInt glyph, FT_Int32 flags);
-    FT_Error (*decompose)(FT_Outline *outline,
-                          const FT_Outline_Funcs *functions, void *context);
-    FT_Error (*kerning)(FT_Face face, FT_UInt left, FT_UInt right,
-                        FT_UInt mode, FT_Vector *kerning);
+    FT_Error (*decompose)(FT_Outline *outline, const FT_Outline_Funcs *functions,
+                          void *context);
+    FT_Error (*kerning)(FT_Face face, FT_UInt left, FT_UInt right, FT_UInt mode,
+                        FT_Vector *kerning);
 };
 
 struct font {
@@ -63,15 +63,14 @@ static bool open_library(struct freetype *calls)
            && adapter_call(library, "FT_Get_Kerning", &calls->kerning);
 }
 
-static const char *open_face(struct font *font, const char *bytes,
-                             size_t length)
+static const char *open_face(struct font *font, const char *bytes, size_t length)
 {
     if (!open_library(&font->calls))
         return "there is no FreeType (libfreetype.so.6) to read fonts";
     if (font->calls.init(&font->library))
         return "FreeType does not work";
-    if (font->calls.new_face(font->library, (const FT_Byte *)bytes,
-                             (FT_Long)length, 0, &font->face))
+    if (font->calls.new_face(font->library, (const FT_Byte *)bytes, (FT_Long)length, 0,
+                             &font->face))
         return "it is not a font";
     return FT_IS_SCALABLE(font->face) ? NULL : "the font has no outlines";
 }
@@ -80,8 +79,7 @@ struct font *font_open(const char *bytes, size_t length, const char **fault)
 {
     struct font *font = calloc(1, sizeof *font);
 
-    *fault = font ? open_face(font, bytes, length)
-                  : "there is not enough memory";
+    *fault = font ? open_face(font, bytes, length) : "there is not enough memory";
     if (!*fault)
         return font;
     font_close(font);
@@ -112,9 +110,8 @@ struct drawing {
 static bool add_point(struct drawing *drawing, double x, double y)
 {
     struct glyph *glyph = drawing->glyph;
-    double(*points)[2] = arena_grow(drawing->arena, glyph->points,
-                                    glyph->count, &drawing->capacity,
-                                    sizeof *points);
+    double(*points)[2] = arena_grow(drawing->arena, glyph->points, glyph->count,
+                                    &drawing->capacity, sizeof *points);
 
     if (!points)
         return false;
@@ -170,8 +167,7 @@ static bool add_line(struct drawing *drawing, const double to[2])
 
     if (equal2(from, to))
         return true;
-    return (drawing->glyph->apart == 1
-            || add_point(drawing, middle[0], middle[1]))
+    return (drawing->glyph->apart == 1 || add_point(drawing, middle[0], middle[1]))
            && add_point(drawing, to[0], to[1]);
 }
 
@@ -269,17 +265,15 @@ static int cubic_parts(const double points[2][4])
     double third[2], parts;
 
     for (int k = 0; k < 2; k++)
-        third[k] = points[k][3] - 3 * points[k][2] + 3 * points[k][1]
-                   - points[k][0];
+        third[k] = points[k][3] - 3 * points[k][2] + 3 * points[k][1] - points[k][0];
     parts = ceil(
-        elementary_pow(sqrt(3) / 36 * elementary_hypot(third[0], third[1])
-                           / FLATNESS,
+        elementary_pow(sqrt(3) / 36 * elementary_hypot(third[0], third[1]) / FLATNESS,
                        1. / 3));
     return parts < 1 ? 1 : parts > PARTS_MOST ? PARTS_MOST : (int)parts;
 }
 
-static int cubic_to(const FT_Vector *by, const FT_Vector *and_by,
-                    const FT_Vector *to, void *context)
+static int cubic_to(const FT_Vector *by, const FT_Vector *and_by, const FT_Vector *to,
+                    void *context)
 {
     struct drawing *drawing = context;
     const FT_Vector *const given[] = { by, and_by, to };
@@ -303,8 +297,7 @@ static int cubic_to(const FT_Vector *by, const FT_Vector *and_by,
         for (int k = 0; k < 2; k++) {
             end[k] = cubic_at(points[k], next);
             handle[k] = (cubic_at(points[k], t) + end[k]) / 2
-                        + (cubic_slope(points[k], t)
-                           - cubic_slope(points[k], next))
+                        + (cubic_slope(points[k], t) - cubic_slope(points[k], next))
                               / (4 * parts);
         }
         if (!add_point(drawing, handle[0], handle[1])
@@ -322,8 +315,8 @@ static bool is_curved(const FT_Outline *outline)
     return false;
 }
 
-bool font_glyph(const struct font *font, uint32_t character,
-                struct arena *arena, struct glyph *glyph)
+bool font_glyph(const struct font *font, uint32_t character, struct arena *arena,
+                struct glyph *glyph)
 {
     static const FT_Outline_Funcs functions = { move_to,  line_to, conic_to,
                                                 cubic_to, 0,       0 };

@@ -34,8 +34,8 @@ void font_close(struct font *font);
 
 /* Of a character, which the font may show by a box of its own.  False without
  * memory, or where the font is broken. */
-bool font_glyph(const struct font *font, uint32_t character,
-                struct arena *arena, struct glyph *glyph);
+bool font_glyph(const struct font *font, uint32_t character, struct arena *arena,
+                struct glyph *glyph);
 /* A loop, its last point not its first again yet, that touches itself begins
  * where it does not, for there it would be taken for two.  One that touches
  * itself in all of its first hundred corners stays as it is.  Corners are so

@@ -19,8 +19,7 @@ void given_begin(struct given_values *given, const struct value_kind *kind)
 static bool keep(struct given_values *given, const char *name, size_t length,
                  double value)
 {
-    struct given_value *list = array_grow(given->list, given->count,
-                                          sizeof *list);
+    struct given_value *list = array_grow(given->list, given->count, sizeof *list);
     char *kept = arena_text(&given->kept, name, length);
 
     if (list)
@@ -32,8 +31,7 @@ static bool keep(struct given_values *given, const char *name, size_t length,
 }
 
 /* A number in range, or the word. */
-static bool is_value(const struct value_kind *kind, const char *text,
-                     double *value)
+static bool is_value(const struct value_kind *kind, const char *text, double *value)
 {
     char *end;
 
@@ -44,8 +42,7 @@ static bool is_value(const struct value_kind *kind, const char *text,
     return kind->word && strcmp(text, kind->word) == 0;
 }
 
-bool given_add(struct given_values *given, const char *text,
-               c205_error *error)
+bool given_add(struct given_values *given, const char *text, c205_error *error)
 {
     const char *sign = strchr(text, '=');
     double value;
@@ -53,10 +50,9 @@ bool given_add(struct given_values *given, const char *text,
     if (!sign || sign == text || !is_value(given->kind, sign + 1, &value)) {
         bool vowel = strchr("aeiou", given->kind->name[0]);
 
-        return error_say(error,
-                         "%s %s is NAME=VALUE with a value %s, not '%.100s'",
-                         vowel ? "an" : "a", given->kind->name,
-                         given->kind->range, text);
+        return error_say(error, "%s %s is NAME=VALUE with a value %s, not '%.100s'",
+                         vowel ? "an" : "a", given->kind->name, given->kind->range,
+                         text);
     }
     if (sign - text == 7 && !strncmp(text, "default", 7)) {
         given->others = value;
@@ -76,8 +72,7 @@ bool given_add_scene(struct given_values *given, const struct scene *scene,
         const struct declared_float *declared = &scene->floats[i];
         size_t length = strlen(declared->name);
 
-        if (length <= behind
-            || strcmp(declared->name + length - behind, ending) != 0)
+        if (length <= behind || strcmp(declared->name + length - behind, ending) != 0)
             continue;
         if (!given->kind->allows(declared->value))
             return error_say(error, "%.100s is not %s", declared->name,
@@ -115,8 +110,7 @@ static bool skip_number(char **text, double *value)
 }
 
 /* False: it is wrong, and the message says what; of an empty one nothing is. */
-static bool take_line(struct given_values *given, char *line,
-                      c205_error *error)
+static bool take_line(struct given_values *given, char *line, c205_error *error)
 {
     char *remark = strchr(line, '#');
     double number, value;
@@ -136,8 +130,7 @@ static bool take_line(struct given_values *given, char *line,
     if (!given->kind->allows(value))
         return error_say(error, "the %s is not %s", given->kind->name,
                          given->kind->range);
-    return keep(given, line, strlen(line), value)
-           || error_say(error, "no memory");
+    return keep(given, line, strlen(line), value) || error_say(error, "no memory");
 }
 
 bool given_read(struct given_values *given, const char *path,
@@ -166,8 +159,7 @@ bool given_read(struct given_values *given, const char *path,
             hidden = invisible_find(line, &code);
             position.column = hidden ? (size_t)(hidden - line) + 1 : 1;
             position.source_length = strlen(line);
-            diagnostics_add(reports, SEVERITY_ERROR, &position,
-                            error.message);
+            diagnostics_add(reports, SEVERITY_ERROR, &position, error.message);
             good = false;
         }
     }
@@ -177,9 +169,8 @@ bool given_read(struct given_values *given, const char *path,
 
 /* ---- Which has which ----------------------------------------------------- */
 
-bool given_check(const struct given_values *given,
-                 const struct named_parts *parts, const char *besides,
-                 c205_error *error)
+bool given_check(const struct given_values *given, const struct named_parts *parts,
+                 const char *besides, c205_error *error)
 {
     for (size_t i = 0; i < given->count; i++) {
         const char *name = given->list[i].name;
@@ -200,8 +191,7 @@ double given_of_name(const struct given_values *given, const char *name)
     return NAN;
 }
 
-double given_of_part(const struct given_values *given,
-                     const struct named_part *part)
+double given_of_part(const struct given_values *given, const struct named_part *part)
 {
     double value = given_of_name(given, part->name);
 

@@ -38,8 +38,7 @@ struct given_values {
 void given_begin(struct given_values *given, const struct value_kind *kind);
 /* NAME=VALUE, where the name `default` is all others.  False: it is no such text,
  * or a value out of range; or no memory; the error says which. */
-bool given_add(struct given_values *given, const char *text,
-               c205_error *error);
+bool given_add(struct given_values *given, const char *text, c205_error *error);
 /* A file of lines: a number, which means nothing, a value, a name; what is behind # is
  * passed over.  False: the reports say what is wrong with it. */
 bool given_read(struct given_values *given, const char *path,
@@ -51,12 +50,10 @@ void given_free(struct given_values *given);
 
 /* False: one of the names so far is not that of a part or a material, nor this one (NULL: there
  * is no other); the error lists those that there are. */
-bool given_check(const struct given_values *given,
-                 const struct named_parts *parts, const char *besides,
-                 c205_error *error);
+bool given_check(const struct given_values *given, const struct named_parts *parts,
+                 const char *besides, c205_error *error);
 /* NaN: the part has none. */
-double given_of_part(const struct given_values *given,
-                     const struct named_part *part);
+double given_of_part(const struct given_values *given, const struct named_part *part);
 /* .. nobody has that name. */
 double given_of_name(const struct given_values *given, const char *name);
 

@@ -40,8 +40,7 @@ struct image_map {
     const struct image_table *table; /* the scene keeps it */
     enum image_mapping mapping;
     enum image_sampling sampling;
-    bool
-        once; /* not repeated, but for neighbours of its edges that are the edges
+    bool once; /* not repeated, but for neighbours of its edges that are the edges
                   themselves */
 };
 /* A place may be outside of it, where it is clear. */

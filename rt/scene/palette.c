@@ -31,8 +31,7 @@ static unsigned byte_at(const char *bytes, size_t i)
 }
 
 /* Colours of so many bytes, up to the end of a file. */
-static bool paint(char *bytes, size_t length, size_t at, size_t count,
-                  size_t size)
+static bool paint(char *bytes, size_t length, size_t at, size_t count, size_t size)
 {
     if (at > length || count > (length - at) / size || count > 256)
         return false;
@@ -110,8 +109,7 @@ static bool paint_gif(char *bytes, size_t length)
     size_t at, ignored;
 
     if (length < GIF_TABLE
-        || !paint_table(bytes, length, GIF_TABLE, byte_at(bytes, GIF_FLAGS),
-                        &at))
+        || !paint_table(bytes, length, GIF_TABLE, byte_at(bytes, GIF_FLAGS), &at))
         return false;
     while (at + 1 < length && bytes[at] == '!')
         at = behind_blocks(bytes, length, at + 2);
@@ -151,10 +149,8 @@ bool palette_is_used(enum raster_kind kind, const char *bytes, size_t length)
     switch (kind) {
     case RASTER_GIF: return true;
     case RASTER_PNG:
-        return length > PNG_COLOR_TYPE
-               && bytes[PNG_COLOR_TYPE] == PNG_INDEXED;
-    case RASTER_BMP:
-        return length > BMP_BITS && byte_at(bytes, BMP_BITS) <= 8;
+        return length > PNG_COLOR_TYPE && bytes[PNG_COLOR_TYPE] == PNG_INDEXED;
+    case RASTER_BMP: return length > BMP_BITS && byte_at(bytes, BMP_BITS) <= 8;
     case RASTER_TGA: return length > TGA_TABLE && (bytes[2] & 7) == 1;
     default: return false;
     }

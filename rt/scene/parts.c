@@ -25,8 +25,8 @@ static const char *object_name(struct named_parts *parts,
 }
 
 /* The number of the object's part, which may be a new one. */
-static size_t find_part(struct named_parts *parts,
-                        const struct world_object *object, const char *name)
+static size_t find_part(struct named_parts *parts, const struct world_object *object,
+                        const char *name)
 {
     size_t i = 0;
 
@@ -47,8 +47,7 @@ bool named_parts_find(const struct scene *scene, struct named_parts *parts)
     *parts = (struct named_parts){ 0 };
     parts->list = calloc(scene->object_count + 1, sizeof *parts->list);
     parts->part_of = calloc(scene->object_count + 1, sizeof *parts->part_of);
-    for (size_t i = 0;
-         parts->list && parts->part_of && i < scene->object_count; i++) {
+    for (size_t i = 0; parts->list && parts->part_of && i < scene->object_count; i++) {
         const char *name = object_name(parts, &scene->objects[i]);
 
         if (!name)
@@ -67,8 +66,7 @@ void named_parts_free(struct named_parts *parts)
 
 /* ---- Names --------------------------------------------------------------- */
 
-void named_parts_add_name(c205_error *error, const char *separator,
-                          const char *name)
+void named_parts_add_name(c205_error *error, const char *separator, const char *name)
 {
     size_t used = strlen(error->message), room = sizeof error->message;
 
@@ -87,13 +85,11 @@ static bool is_there(const struct named_parts *parts, const char *name)
     return false;
 }
 
-static bool name_is_new(const struct named_parts *parts, size_t i,
-                        const char *name, bool material)
+static bool name_is_new(const struct named_parts *parts, size_t i, const char *name,
+                        bool material)
 {
     for (size_t k = 0; k < i; k++)
-        if (same_text(material ? parts->list[k].material
-                               : parts->list[k].name,
-                      name))
+        if (same_text(material ? parts->list[k].material : parts->list[k].name, name))
             return false;
     return name;
 }

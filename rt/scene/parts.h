@@ -14,8 +14,8 @@ struct named_part {
     const char *name;
     const char *material; /* NULL: its texture has no name */
     bool mixed;           /* .. it has several textures */
-    bool endless;  /* it reaches for ever: rt/mass/bodies.h finds that */
-    bool left_out; /* nobody asks for it */
+    bool endless;         /* it reaches for ever: rt/mass/bodies.h finds that */
+    bool left_out;        /* nobody asks for it */
 };
 
 struct named_parts {
@@ -39,7 +39,6 @@ bool named_parts_choose(struct named_parts *parts, const char *const *names,
                         size_t count, c205_error *error);
 
 /* Behind an error's message; lists that are too long for it end in dots. */
-void named_parts_add_name(c205_error *error, const char *separator,
-                          const char *name);
+void named_parts_add_name(c205_error *error, const char *separator, const char *name);
 
 #endif

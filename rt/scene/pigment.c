@@ -10,16 +10,14 @@
 
 bool pigment_has_map(const struct pigment *pigment)
 {
-    return pigment->kind == PIGMENT_GRADIENT
-           || pigment->kind == PIGMENT_PATTERN;
+    return pigment->kind == PIGMENT_GRADIENT || pigment->kind == PIGMENT_PATTERN;
 }
 
 /* All of a sphere and a torus is within the image. */
 bool image_is_bounded(const struct image_map *map)
 {
     return map->once
-           && (map->mapping == IMAGE_PLANAR
-               || map->mapping == IMAGE_CYLINDRICAL);
+           && (map->mapping == IMAGE_PLANAR || map->mapping == IMAGE_CYLINDRICAL);
 }
 
 int pigment_cells(const struct pigment *pigment)

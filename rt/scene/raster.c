@@ -17,15 +17,9 @@ static const struct raster_mark {
     enum raster_kind kind;
     const char *bytes;
 } marks[] = {
-    { RASTER_BMP, "BM" },
-    { RASTER_GIF, "GIF8" },
-    { RASTER_JPEG, "\xff\xd8\xff" },
-    { RASTER_PGM, "P2" },
-    { RASTER_PGM, "P5" },
-    { RASTER_PNG, "\x89PNG\r\n\x1a\n" },
-    { RASTER_PPM, "P3" },
-    { RASTER_PPM, "P6" },
-    { RASTER_TIFF, "II*" },
+    { RASTER_BMP, "BM" },  { RASTER_GIF, "GIF8" }, { RASTER_JPEG, "\xff\xd8\xff" },
+    { RASTER_PGM, "P2" },  { RASTER_PGM, "P5" },   { RASTER_PNG, "\x89PNG\r\n\x1a\n" },
+    { RASTER_PPM, "P3" },  { RASTER_PPM, "P6" },   { RASTER_TIFF, "II*" },
     { RASTER_TIFF, "MM" },
 };
 
@@ -81,8 +75,8 @@ static bool take_number(struct netpbm *file, uint32_t *number)
 
     pass_spaces(file);
     first = file->next;
-    for (*number = 0; file->next < file->end && *file->next >= '0'
-                      && *file->next <= '9' && *number <= RASTER_PIXELS;
+    for (*number = 0; file->next < file->end && *file->next >= '0' && *file->next <= '9'
+                      && *number <= RASTER_PIXELS;
          file->next++)
         *number = 10 * *number + (uint32_t)(*file->next - '0');
     return file->next > first && *number <= RASTER_PIXELS;
@@ -100,22 +94,20 @@ static bool take_sample(struct netpbm *file, uint32_t *sample)
     return true;
 }
 
-static bool take_samples(struct netpbm *file, struct raster *raster,
-                         c205_error *error)
+static bool take_samples(struct netpbm *file, struct raster *raster, c205_error *error)
 {
     size_t count = raster->width * raster->height * raster->channels;
 
     for (size_t i = 0; i < count; i++) {
         uint32_t sample;
         if (!take_sample(file, &sample))
-            return error_say(error, "only %zu of its %zu sample%s are there",
-                             i, count, plural(count));
+            return error_say(error, "only %zu of its %zu sample%s are there", i, count,
+                             plural(count));
         if (sample > raster->most)
-            return error_say(
-                error,
-                "a sample is %lu, more than the %lu that it names as "
-                "the greatest",
-                (unsigned long)sample, (unsigned long)raster->most);
+            return error_say(error,
+                             "a sample is %lu, more than the %lu that it names as "
+                             "the greatest",
+                             (unsigned long)sample, (unsigned long)raster->most);
         raster->samples[i] = (uint16_t)sample;
     }
     return true;
@@ -123,8 +115,7 @@ static bool take_samples(struct netpbm *file, struct raster *raster,
 
 /* Behind the two letters of its kind: width, height and the greatest sample;
  * one space ends them. */
-static bool take_header(struct netpbm *file, struct raster *raster,
-                        c205_error *error)
+static bool take_header(struct netpbm *file, struct raster *raster, c205_error *error)
 {
     uint32_t width, height;
 
@@ -132,8 +123,7 @@ static bool take_header(struct netpbm *file, struct raster *raster,
         || !take_number(file, &raster->most))
         return error_say(error, "its first numbers are wrong");
     if (raster->most == 0 || raster->most > UINT16_MAX)
-        return error_say(error, "its greatest sample is not from 1 to %d",
-                         UINT16_MAX);
+        return error_say(error, "its greatest sample is not from 1 to %d", UINT16_MAX);
     if (width == 0 || height == 0)
         return error_say(error, "it has no pixels");
     if (width > RASTER_PIXELS / height)
@@ -145,8 +135,8 @@ static bool take_header(struct netpbm *file, struct raster *raster,
     return true;
 }
 
-static bool read_netpbm(const char *bytes, size_t length,
-                        struct raster *raster, c205_error *error)
+static bool read_netpbm(const char *bytes, size_t length, struct raster *raster,
+                        c205_error *error)
 {
     const unsigned char *first = (const unsigned char *)bytes;
     struct netpbm file = { .next = first + 2,
@@ -167,8 +157,7 @@ static bool read_netpbm(const char *bytes, size_t length,
 }
 
 bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
-                 raster_reader *reads, struct raster *raster,
-                 c205_error *error)
+                 raster_reader *reads, struct raster *raster, c205_error *error)
 {
     memset(raster, 0, sizeof *raster);
     if (kind == RASTER_PGM || kind == RASTER_PPM) {
@@ -176,7 +165,6 @@ bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
         return read_netpbm(bytes, length, raster, error);
     }
     return reads ? reads(formats[kind], bytes, length, raster, error)
-                 : error_say(error,
-                             "images other than PGM and PPM cannot be read "
-                             "here");
+                 : error_say(error, "images other than PGM and PPM cannot be read "
+                                    "here");
 }

@@ -25,9 +25,8 @@ enum { RASTER_PIXELS = 1 << 23 }; /* at most */
 
 /* A file's bytes, of a format that OpenImageIO has by this name.  The caller
  * frees the samples. */
-typedef bool raster_reader(const char *format, const char *bytes,
-                           size_t length, struct raster *raster,
-                           c205_error *error);
+typedef bool raster_reader(const char *format, const char *bytes, size_t length,
+                           struct raster *raster, c205_error *error);
 
 enum raster_kind {
     RASTER_BMP,
@@ -45,7 +44,6 @@ enum raster_kind {
 enum raster_kind raster_kind_of(const char *bytes, size_t length);
 /* reads: for what is not PGM or PPM; NULL: there is nobody. */
 bool raster_read(enum raster_kind kind, const char *bytes, size_t length,
-                 raster_reader *reads, struct raster *raster,
-                 c205_error *error);
+                 raster_reader *reads, struct raster *raster, c205_error *error);
 
 #endif

@@ -48,15 +48,13 @@ struct light {
     double color[3];
     bool shadowless; /* casts no shadow and, as in POV-Ray, makes no phong or
                         specular highlight */
-    bool
-        parallel; /* all its rays go the way from it to the point: a cone then
+    bool parallel;   /* all its rays go the way from it to the point: a cone then
                         holds all, those of a cylinder always do */
     enum light_beam beam;
     double point_at[3];
-    double radius,
-        falloff;      /* it is full within, and ends: of a cone in degrees
+    double radius, falloff; /* it is full within, and ends: of a cone in degrees
                                off the axis, of a cylinder so far from it */
-    double tightness; /* the power by which it is less off the axis, of the
+    double tightness;       /* the power by which it is less off the axis, of the
                          cosine or of how near the edge is */
     double area_axes[2][3]; /* of a parallelogram about its place, */
     size_t area_size[2];    /* with so many points along each of these, from
@@ -83,7 +81,7 @@ struct finish {
     double phong, phong_size;
     double specular, roughness;
     double metallic; /* how far highlights have the pigment's colour */
-    double ior; /* of the object's interior, in old scenes; 0: not given */
+    double ior;      /* of the object's interior, in old scenes; 0: not given */
 };
 
 enum pigment_kind {
@@ -147,7 +145,7 @@ struct pigment {
     double filter[2];          /* the share of light that passes, coloured */
     double transmit[2];        /* .. and as it is */
     struct transform to_local; /* from world points to the pattern's */
-    double axis[3]; /* gradient: of length one; the value is how far
+    double axis[3];            /* gradient: of length one; the value is how far
                                   the point is along it, less its floor */
     struct pattern pattern;
     struct color_map map; /* of a list: its colours, at 0, 1 .. */
@@ -256,18 +254,17 @@ struct scene {
                      0 for a scene of ordinary size (unit.h) */
     struct camera camera;
     double background[3];
-    struct pigment
-        sky; /* of directions: one with a map or an image, before the
+    struct pigment sky; /* of directions: one with a map or an image, before the
                            background; any other kind: there is none */
     size_t image_count; /* of the tables of images */
     size_t fog_count;
     struct fog fogs[FOGS_MOST];
     double ambient_light[3];
     double assumed_gamma; /* 0: not given */
-    bool gamma_off; /* colours are displayed as they are: version < 3.7 */
-    int max_trace_level; /* rays in a chain of reflections, the first
+    bool gamma_off;       /* colours are displayed as they are: version < 3.7 */
+    int max_trace_level;  /* rays in a chain of reflections, the first
                                counted, what goes straight on not */
-    double adc_bailout;  /* rays that weigh less are not followed */
+    double adc_bailout;   /* rays that weigh less are not followed */
     size_t light_count;
     struct light *lights;
     size_t primitive_count;
@@ -275,14 +272,14 @@ struct scene {
     size_t node_count;
     struct tree_node *nodes;
     size_t region_count;
-    struct region *regions; /* in file order */
-    size_t object_count; /* that statements of the file put into the world */
+    struct region *regions;        /* in file order */
+    size_t object_count;           /* that statements of the file put into the world */
     struct world_object *objects;  /* the scene keeps them */
     size_t float_count;            /* as they are when the file ends */
     struct declared_float *floats; /* the scene keeps them */
-    bool every_crossing; /* all crossings of its rays are asked, not what
+    bool every_crossing;           /* all crossings of its rays are asked, not what
                                they meet first alone: no region is simple */
-    struct arena kept;   /* what primitives point to */
+    struct arena kept;             /* what primitives point to */
 };
 void scene_free(struct scene *scene);
 

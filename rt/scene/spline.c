@@ -37,8 +37,7 @@ static bool put(struct spline *spline, double t)
         points = array_grow(points, count, sizeof *points);
         if (!points)
             return false;
-        memmove(points + place + 1, points + place,
-                (count - place) * sizeof *points);
+        memmove(points + place + 1, points + place, (count - place) * sizeof *points);
         points[place].t = t;
         spline->points = points;
         spline->count++;
@@ -49,8 +48,7 @@ static bool put(struct spline *spline, double t)
 
 /* As in POV-Ray the terms that a value does not have are those of the value
  * before it. */
-bool spline_add(struct spline *spline, double t, const double *value,
-                int terms)
+bool spline_add(struct spline *spline, double t, const double *value, int terms)
 {
     if (spline->terms < terms)
         spline->terms = terms;
@@ -91,8 +89,7 @@ void spline_release(struct spline *spline)
 /* Of one term from a point to the next one. */
 static double slope(const struct spline_point *point, int term)
 {
-    return (point[1].value[term] - point[0].value[term])
-           / (point[1].t - point[0].t);
+    return (point[1].value[term] - point[0].value[term]) / (point[1].t - point[0].t);
 }
 
 /* Solves three diagonals of equations. */
@@ -105,11 +102,8 @@ static void settle_term(struct spline *spline, int term)
     for (size_t i = 1; i < last; i++) {
         double width = point[i].t - point[i - 1].t;
         double carry = i > 1 ? width / point[i - 1].pivot : 0;
-        point[i].pivot = 2 * (point[i + 1].t - point[i - 1].t)
-                         - carry * width;
-        point[i].bend[term] = 6
-                                  * (slope(&point[i], term)
-                                     - slope(&point[i - 1], term))
+        point[i].pivot = 2 * (point[i + 1].t - point[i - 1].t) - carry * width;
+        point[i].bend[term] = 6 * (slope(&point[i], term) - slope(&point[i - 1], term))
                               - carry * point[i - 1].bend[term];
     }
     for (size_t i = last; i-- > 1;)
@@ -127,11 +121,9 @@ void spline_settle(struct spline *spline)
 
 /* One term of the value; the parameter is between points `end` - 1 and `end`,
  * and at neither end of the spline. */
-typedef double term_value(const struct spline *spline, size_t end, int term,
-                          double t);
+typedef double term_value(const struct spline *spline, size_t end, int term, double t);
 
-static double linear(const struct spline *spline, size_t end, int term,
-                     double t)
+static double linear(const struct spline *spline, size_t end, int term, double t)
 {
     const struct spline_point *point = &spline->points[end - 1];
 
@@ -139,8 +131,7 @@ static double linear(const struct spline *spline, size_t end, int term,
 }
 
 /* The parabola through these two points and the one before, if any. */
-static double quadratic(const struct spline *spline, size_t end, int term,
-                        double t)
+static double quadratic(const struct spline *spline, size_t end, int term, double t)
 {
     const struct spline_point *point = &spline->points[end > 1 ? end - 2 : 0];
     double first, change;
@@ -149,12 +140,10 @@ static double quadratic(const struct spline *spline, size_t end, int term,
         return linear(spline, end, term, t);
     first = slope(&point[0], term);
     change = (slope(&point[1], term) - first) / (point[2].t - point[0].t);
-    return point->value[term]
-           + (t - point[0].t) * (first + change * (t - point[1].t));
+    return point->value[term] + (t - point[0].t) * (first + change * (t - point[1].t));
 }
 
-static double cubic(const struct spline *spline, size_t end, int term,
-                    double t)
+static double cubic(const struct spline *spline, size_t end, int term, double t)
 {
     const struct spline_point *point = &spline->points[end - 1];
     double width = point[1].t - point[0].t, u = (t - point[0].t) / width;
@@ -170,8 +159,7 @@ static double cubic(const struct spline *spline, size_t end, int term,
                              + u * (from + to - 2 * middle * width)));
 }
 
-static double natural(const struct spline *spline, size_t end, int term,
-                      double t)
+static double natural(const struct spline *spline, size_t end, int term, double t)
 {
     const struct spline_point *point = &spline->points[end - 1];
     double width = point[1].t - point[0].t, d = t - point[0].t;
@@ -184,8 +172,8 @@ static double natural(const struct spline *spline, size_t end, int term,
 }
 
 /* The point whose value holds at the parameter, NULL between the ends. */
-static const struct spline_point *at_end(const struct spline *spline,
-                                         bool inner, size_t end)
+static const struct spline_point *at_end(const struct spline *spline, bool inner,
+                                         size_t end)
 {
     size_t last = spline->count - 1, inset = inner && last > 0;
 
@@ -196,11 +184,10 @@ static const struct spline_point *at_end(const struct spline *spline,
 
 /* A cubic spline ends at the second point and at the last but one; of two
  * points POV-Ray gives the mean. */
-void spline_value(const struct spline *spline, enum spline_kind kind,
-                  double t, double value[SPLINE_TERMS])
+void spline_value(const struct spline *spline, enum spline_kind kind, double t,
+                  double value[SPLINE_TERMS])
 {
-    static term_value *const rows[SPLINE_KINDS] = { linear, quadratic, cubic,
-                                                    natural };
+    static term_value *const rows[SPLINE_KINDS] = { linear, quadratic, cubic, natural };
     bool inner = kind == SPLINE_CUBIC, mean = inner && spline->count == 2;
     size_t end = spline_find(spline, t);
     const struct spline_point *held = at_end(spline, inner, end);
@@ -210,7 +197,6 @@ void spline_value(const struct spline *spline, enum spline_kind kind,
         if (mean)
             value[term] = (point[0].value[term] + point[1].value[term]) / 2;
         else
-            value[term] = held ? held->value[term]
-                               : rows[kind](spline, end, term, t);
+            value[term] = held ? held->value[term] : rows[kind](spline, end, term, t);
     }
 }

@@ -23,8 +23,8 @@ struct spline_point {
 /* The points are in the order of their parameters, no two of them equal. */
 struct spline {
     enum spline_kind kind;
-    int terms;      /* of the values, as the scene wrote them */
-    size_t holders; /* the spline is freed with the last of them */
+    int terms;                   /* of the values, as the scene wrote them */
+    size_t holders;              /* the spline is freed with the last of them */
     double latest[SPLINE_TERMS]; /* the value that was added last */
     size_t count;
     struct spline_point *points;
@@ -39,12 +39,11 @@ void spline_release(struct spline *spline);
  * point on. */
 size_t spline_find(const struct spline *spline, double t);
 /* Adds a point whose value has that many terms.  False: no memory. */
-bool spline_add(struct spline *spline, double t, const double *value,
-                int terms);
+bool spline_add(struct spline *spline, double t, const double *value, int terms);
 /* After the last point: computes the second derivatives. */
 void spline_settle(struct spline *spline);
 /* The terms of the value, as a spline of that kind; of one point or more. */
-void spline_value(const struct spline *spline, enum spline_kind kind,
-                  double t, double value[SPLINE_TERMS]);
+void spline_value(const struct spline *spline, enum spline_kind kind, double t,
+                  double value[SPLINE_TERMS]);
 
 #endif

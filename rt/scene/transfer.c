@@ -16,24 +16,20 @@ static uint32_t long_at(const char *bytes, size_t i)
 {
     const unsigned char *b = (const unsigned char *)bytes + i;
 
-    return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8
-           | b[3];
+    return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | b[3];
 }
 
 /* What the chunks of a file state; otherwise `transfer`. */
-static struct transfer_function
-png_transfer(const char *bytes, size_t length,
-             struct transfer_function transfer)
+static struct transfer_function png_transfer(const char *bytes, size_t length,
+                                             struct transfer_function transfer)
 {
     double power;
     size_t at = PNG_FIRST, size;
 
-    for (; length - at >= PNG_HEAD + PNG_TAIL;
-         at += PNG_HEAD + size + PNG_TAIL) {
+    for (; length - at >= PNG_HEAD + PNG_TAIL; at += PNG_HEAD + size + PNG_TAIL) {
         const char *name = bytes + at + 4;
         size = long_at(bytes, at);
-        if (size > length - at - PNG_HEAD - PNG_TAIL
-            || !memcmp(name, "IDAT", 4))
+        if (size > length - at - PNG_HEAD - PNG_TAIL || !memcmp(name, "IDAT", 4))
             break;
         if (!memcmp(name, "sRGB", 4))
             return (struct transfer_function){ TRANSFER_SRGB, 1 };
@@ -41,22 +37,19 @@ png_transfer(const char *bytes, size_t length,
             continue;
         power = long_at(bytes, at + PNG_HEAD) / PNG_GAMMA;
         if (power > 0)
-            transfer = (struct transfer_function){ TRANSFER_POWER,
-                                                   1 / power };
+            transfer = (struct transfer_function){ TRANSFER_POWER, 1 / power };
     }
     return transfer;
 }
 
 struct transfer_function transfer_of(enum raster_kind kind, const char *bytes,
-                                     size_t length,
-                                     enum transfer_kind otherwise)
+                                     size_t length, enum transfer_kind otherwise)
 {
     struct transfer_function transfer = { otherwise, 1 };
 
     if (kind == RASTER_TIFF || kind == RASTER_PGM || kind == RASTER_PPM)
         transfer.kind = TRANSFER_NONE;
-    return kind == RASTER_PNG ? png_transfer(bytes, length, transfer)
-                              : transfer;
+    return kind == RASTER_PNG ? png_transfer(bytes, length, transfer) : transfer;
 }
 
 double srgb_light(double share)
@@ -72,9 +65,8 @@ double transfer_light(const struct transfer_function *transfer, double share,
 
     if (transfer->kind == TRANSFER_NONE)
         return share;
-    light = transfer->kind == TRANSFER_SRGB
-                ? srgb_light(share)
-                : elementary_pow(share, transfer->exponent);
+    light = transfer->kind == TRANSFER_SRGB ? srgb_light(share)
+                                            : elementary_pow(share, transfer->exponent);
     return assumed_gamma > 0 && assumed_gamma != 1
                ? elementary_pow(light, 1 / assumed_gamma)
                : light;

@@ -17,8 +17,7 @@ struct transfer_function {
 
 /* Of a file by its kind, and by what a PNG file states; otherwise as given. */
 struct transfer_function transfer_of(enum raster_kind kind, const char *bytes,
-                                     size_t length,
-                                     enum transfer_kind otherwise);
+                                     size_t length, enum transfer_kind otherwise);
 /* A share of the greatest sample as the scene has it, of this assumed_gamma; 0:
  * none is given. */
 double transfer_light(const struct transfer_function *transfer, double share,

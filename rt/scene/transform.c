@@ -34,8 +34,7 @@ void transform_normal(const struct transform *to_local, double normal[3])
     double carried[3];
 
     for (int i = 0; i < 3; i++)
-        carried[i] = to_local->rows[0][i] * normal[0]
-                     + to_local->rows[1][i] * normal[1]
+        carried[i] = to_local->rows[0][i] * normal[0] + to_local->rows[1][i] * normal[1]
                      + to_local->rows[2][i] * normal[2];
     memcpy(normal, carried, sizeof carried);
 }
@@ -163,8 +162,7 @@ bool placement_is_none(const struct placement *placement)
 {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 4; j++)
-            if (placement->to_world.rows[i][j]
-                != placement_none.to_world.rows[i][j])
+            if (placement->to_world.rows[i][j] != placement_none.to_world.rows[i][j])
                 return false;
     return true;
 }

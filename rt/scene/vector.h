@@ -29,8 +29,7 @@ static inline void copy3(const double from[3], double to[3])
     memcpy(to, from, 3 * sizeof *to);
 }
 
-static inline void subtract3(const double a[3], const double b[3],
-                             double difference[3])
+static inline void subtract3(const double a[3], const double b[3], double difference[3])
 {
     for (int i = 0; i < 3; i++)
         difference[i] = a[i] - b[i];
@@ -49,8 +48,7 @@ static inline void scale3(double by, double a[3])
 }
 
 /* The product may not be stored over a factor. */
-static inline void cross3(const double a[3], const double b[3],
-                          double product[3])
+static inline void cross3(const double a[3], const double b[3], double product[3])
 {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;

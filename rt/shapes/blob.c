@@ -30,9 +30,8 @@ static const char *settle(struct primitive *primitive)
         return shape_empty(primitive, "the threshold is not above 0");
     return most >= primitive->shape.blob.threshold
                ? NULL
-               : shape_empty(primitive,
-                             "the components of the blob never reach its "
-                             "threshold");
+               : shape_empty(primitive, "the components of the blob never reach its "
+                                        "threshold");
 }
 
 /* ---- Its bound ----------------------------------------------------------- */
@@ -51,15 +50,15 @@ static void bound_ball(const double center[3], double radius,
     shapes[PRIMITIVE_SPHERE]->bound(&ball, bound);
 }
 
-static void bound_part(const struct blob_part *part,
-                       const struct transform *placed, struct bound *bound)
+static void bound_part(const struct blob_part *part, const struct transform *placed,
+                       struct bound *bound)
 {
     struct transform to_there = transform_then(&part->to_blob, placed);
     struct bound ends[2];
 
     bound_ball(part->base, part->radius, &to_there, &ends[0]);
-    bound_ball(part->cylinder ? part->cap : part->base, part->radius,
-               &to_there, &ends[1]);
+    bound_ball(part->cylinder ? part->cap : part->base, part->radius, &to_there,
+               &ends[1]);
     bound_enclose(ends, 2, bound);
 }
 
@@ -130,8 +129,7 @@ size_t blob_pieces_most(const struct scene *scene)
     for (size_t i = 0; i < scene->primitive_count; i++) {
         const struct primitive *primitive = &scene->primitives[i];
 
-        if (primitive->kind == PRIMITIVE_BLOB
-            && blob_pieces(primitive) > most)
+        if (primitive->kind == PRIMITIVE_BLOB && blob_pieces(primitive) > most)
             most = blob_pieces(primitive);
     }
     return most;
@@ -153,8 +151,7 @@ enum {
 enum part_kind { BALL, ELLIPSOID, CYLINDER };
 
 /* Its own centre, and how far it reaches from there. */
-static void find_center(const struct primitive *primitive,
-                        struct bound *bound)
+static void find_center(const struct primitive *primitive, struct bound *bound)
 {
     bound_parts(primitive, &placement_none.to_world, bound);
 }
@@ -224,8 +221,7 @@ static void put_matrix(const struct blob_part *part, const double center[3],
     }
 }
 
-static void put_row(const struct blob_part *part, const double center[3],
-                    double *row)
+static void put_row(const struct blob_part *part, const double center[3], double *row)
 {
     double axis[3];
 
@@ -243,8 +239,8 @@ static void put_row(const struct blob_part *part, const double center[3],
     put_matrix(part, center, row + ROW_MATRIX);
 }
 
-static size_t put_table(const struct primitive *primitive,
-                        const struct eyes *eyes, double *table)
+static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
+                        double *table)
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
     struct bound bound;

@@ -32,8 +32,7 @@ static bool is_sound(const struct bound *bound)
 
 static double distance_to(const double *from, const struct bound *part)
 {
-    const double way[3] = { part->center[0] - from[0],
-                            part->center[1] - from[1],
+    const double way[3] = { part->center[0] - from[0], part->center[1] - from[1],
                             part->center[2] - from[2] };
 
     return length3(way);
@@ -90,8 +89,7 @@ void bound_box(const struct bound *parts, size_t count, struct bound *whole)
 
 /* To the farthest point, by shorter and shorter steps; the best centre on the
  * way is taken.  Source: Badoiu and Clarkson 2003. */
-void bound_enclose(const struct bound *parts, size_t count,
-                   struct bound *whole)
+void bound_enclose(const struct bound *parts, size_t count, struct bound *whole)
 {
     enum { STEPS = 24 };
     double center[3], reach;
@@ -110,15 +108,13 @@ void bound_enclose(const struct bound *parts, size_t count,
             whole->radius = reach;
         }
         for (int i = 0; i < 3 && distance > 0; i++)
-            center[i] += (far->center[i] - center[i])
-                         * (reach / distance / (step + 1));
+            center[i] += (far->center[i] - center[i]) * (reach / distance / (step + 1));
     }
     whole->radius *= 1 + 1e-12;
     bound_box(parts, count, whole);
 }
 
-void bound_common(const struct bound *parts, size_t count,
-                  struct bound *whole)
+void bound_common(const struct bound *parts, size_t count, struct bound *whole)
 {
     *whole = bound_none;
     for (size_t i = 0; i < count; i++)
@@ -172,8 +168,7 @@ void hull_rings(struct hull *hull, const struct primitive *primitive,
                 const double base[3], double base_radius, const double cap[3],
                 double cap_radius)
 {
-    const double axis[3] = { cap[0] - base[0], cap[1] - base[1],
-                             cap[2] - base[2] };
+    const double axis[3] = { cap[0] - base[0], cap[1] - base[1], cap[2] - base[2] };
 
     hull_ring(hull, primitive, base, axis, base_radius);
     hull_ring(hull, primitive, cap, axis, cap_radius);
@@ -191,8 +186,7 @@ void bound_hull_box(const struct hull *hull, struct bound *bound)
 
 /* --- how far a shape reaches --------------------------------------------- */
 
-double bound_stretch(const struct primitive *primitive, double x, double y,
-                     double z)
+double bound_stretch(const struct primitive *primitive, double x, double y, double z)
 {
     const double weights[3] = { x, y, z };
     struct singular matrix = { .rows = 3, .columns = 3 };
@@ -227,8 +221,7 @@ void bound_without(const struct primitive *primitive, struct bound *bound)
  * on neither side of an event. */
 static void add_margin(struct bound *bound)
 {
-    double margin = .001 * bound->radius + 1e-9 * length3(bound->center)
-                    + 2e-7;
+    double margin = .001 * bound->radius + 1e-9 * length3(bound->center) + 2e-7;
 
     bound->radius += margin;
     for (int i = 0; i < 3; i++) {

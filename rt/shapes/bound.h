@@ -22,12 +22,10 @@ bool bound_is_none(const struct bound *bound);
 /* How far a point is from the farthest of a bound. */
 double bound_reach(const struct bound *bound, const double from[3]);
 /* About others: a sphere little greater than the least, and the least box. */
-void bound_enclose(const struct bound *parts, size_t count,
-                   struct bound *whole);
+void bound_enclose(const struct bound *parts, size_t count, struct bound *whole);
 /* What lies within all of them: the least of the spheres, and what the boxes have
  * in common. */
-void bound_common(const struct bound *parts, size_t count,
-                  struct bound *whole);
+void bound_common(const struct bound *parts, size_t count, struct bound *whole);
 /* A primitive in the world.  Planes, quadrics and quartics have none. */
 void bound_primitive(const struct primitive *primitive, struct bound *bound);
 
@@ -58,8 +56,7 @@ void bound_box(const struct bound *parts, size_t count, struct bound *whole);
 
 /* How much the way to the world stretches a vector at the most, of those with
  * components at most as long as the weights are. */
-double bound_stretch(const struct primitive *primitive, double x, double y,
-                     double z);
+double bound_stretch(const struct primitive *primitive, double x, double y, double z);
 /* About a point of the primitive's own space, so far in the world. */
 void bound_about(const struct primitive *primitive, const double center[3],
                  double reach, struct bound *bound);

@@ -54,9 +54,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
 static void emit_face(const double (*corner)[3], int i, int end,
                       struct emitter *emitter)
 {
-    static const int around[4][2] = {
-        { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }
-    };
+    static const int around[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
     double corners[4][3];
 
     for (int k = 0; k < 4; k++) {
@@ -70,8 +68,7 @@ static void emit_face(const double (*corner)[3], int i, int end,
     emitter_add_triangle(emitter, corners[0], corners[2], corners[3]);
 }
 
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     if (!emitter_begin(emitter, "emit_triangle", 12, TRIANGLE_WORDS))
         return emitter_no_memory;

@@ -38,7 +38,7 @@ struct face {
     size_t region;
     const struct primitive *primitive;
     double plane[4]; /* of a flat one: its normal of length one, distance */
-    int side; /* of a body that no ray enters: 1 if what is below the plane, or
+    int side;        /* of a body that no ray enters: 1 if what is below the plane, or
                         inside of the quadric, is solid, -1 if the rest is; else 0 */
     double low[3], high[3];
 };
@@ -84,8 +84,8 @@ static struct face *add_face(struct face_search *search, enum face_sort sort,
     for (int i = 0; i < 3; i++)
         if (part.low[i] > part.high[i] + COINCIDENT)
             return NULL;
-    more = make_room(search, search->faces, search->face_count,
-                     &search->face_room, sizeof *more);
+    more = make_room(search, search->faces, search->face_count, &search->face_room,
+                     sizeof *more);
     if (!more)
         return NULL;
     search->faces = more;
@@ -110,8 +110,7 @@ static double mix3(const double numbers[3])
 
 /* The normal is the primitive's own, of any length; box bounds the face. */
 static void add_flat(struct face_search *search, const double normal[3],
-                     const double point[3], bool outward,
-                     const struct bound *box)
+                     const double point[3], bool outward, const struct bound *box)
 {
     double way[3], at[3], length;
     struct face *face;
@@ -136,8 +135,7 @@ static void add_flat(struct face_search *search, const double normal[3],
 
 /* A face that is the hull of points, whose first is on it. */
 static void add_hull(struct face_search *search, const double normal[3],
-                     const double point[3], bool outward,
-                     const struct hull *hull)
+                     const double point[3], bool outward, const struct hull *hull)
 {
     struct bound box;
 
@@ -156,8 +154,7 @@ static void add_ring(struct face_search *search, const double center[3],
     add_hull(search, axis, center, outward, &hull);
 }
 
-static void add_triangle(struct face_search *search,
-                         const double (*corners)[3])
+static void add_triangle(struct face_search *search, const double (*corners)[3])
 {
     struct hull hull = { .count = 0 };
     double u[3], v[3], normal[3];
@@ -201,8 +198,7 @@ static void add_box(struct face_search *search)
 }
 
 static void add_disks(struct face_search *search, const double base[3],
-                      double base_radius, const double cap[3],
-                      double cap_radius)
+                      double base_radius, const double cap[3], double cap_radius)
 {
     double up[3], down[3];
 
@@ -212,8 +208,8 @@ static void add_disks(struct face_search *search, const double base[3],
     add_ring(search, cap, up, cap_radius, true);
 }
 
-static void add_caps(struct face_search *search, const struct outline *path,
-                     double low, double high)
+static void add_caps(struct face_search *search, const struct outline *path, double low,
+                     double high)
 {
     const double up[3] = { 0, 1, 0 }, down[3] = { 0, -1, 0 };
     const double top[3] = { 0, high, 0 }, bottom[3] = { 0, low, 0 };
@@ -228,14 +224,11 @@ static void add_caps(struct face_search *search, const struct outline *path,
 static void add_sides(struct face_search *search)
 {
     const struct primitive *primitive = search->primitive;
-    double ends[2] = { primitive->shape.prism.low,
-                       primitive->shape.prism.high };
-    struct path_walk walk = { .path = &primitive->shape.prism.path,
-                              .apart = 1 };
+    double ends[2] = { primitive->shape.prism.low, primitive->shape.prism.high };
+    struct path_walk walk = { .path = &primitive->shape.prism.path, .apart = 1 };
 
     while (path_next(&walk)) {
-        double normal[3] = { walk.from[1] - walk.to[1], 0,
-                             walk.to[0] - walk.from[0] };
+        double normal[3] = { walk.from[1] - walk.to[1], 0, walk.to[0] - walk.from[0] };
         struct hull hull = { .count = 0 };
         double point[3];
 
@@ -263,8 +256,7 @@ static bool is_solid_above(const struct outline *path, size_t edge)
         const double *a = path->points[i], *b = path->points[i + 1];
 
         if (i != edge && (a[0] > radius) != (b[0] > radius)
-            && a[1] + (radius - a[0]) / (b[0] - a[0]) * (b[1] - a[1])
-                   > height)
+            && a[1] + (radius - a[0]) / (b[0] - a[0]) * (b[1] - a[1]) > height)
             solid = !solid;
     }
     return solid;
@@ -303,8 +295,8 @@ static void add_curved(struct face_search *search)
         face->key = mix3(box.center) + .3 * box.radius;
 }
 
-static bool same_plane(const struct face *a, const struct face *b,
-                       const double at[3], double reach)
+static bool same_plane(const struct face *a, const struct face *b, const double at[3],
+                       double reach)
 {
     double beside[3], between;
 
@@ -327,8 +319,7 @@ static int compare_keys(const void *a, const void *b)
     return (one->region > other->region) - (one->region < other->region);
 }
 
-static double middle_of(const double low[3], const double high[3],
-                        double center[3])
+static double middle_of(const double low[3], const double high[3], double center[3])
 {
     double half[3];
 
@@ -347,8 +338,7 @@ static void join_triangles(struct face_search *search, size_t first)
 
     if (search->failed)
         return;
-    qsort(faces + first, search->face_count - first, sizeof *faces,
-          compare_keys);
+    qsort(faces + first, search->face_count - first, sizeof *faces, compare_keys);
     for (size_t i = first; i < search->face_count; i++) {
         struct face *last = &faces[kept > first ? kept - 1 : first];
         double center[3];
@@ -368,8 +358,7 @@ static void join_triangles(struct face_search *search, size_t first)
 
 static void add_mesh(struct face_search *search)
 {
-    const struct triangles *triangles = &search->primitive->shape.mesh
-                                             .triangles;
+    const struct triangles *triangles = &search->primitive->shape.mesh.triangles;
     size_t first = search->face_count;
 
     for (size_t i = 0; i < triangles->count && !search->failed; i++)
@@ -385,22 +374,19 @@ static void add_flats(struct face_search *search)
     case PRIMITIVE_PLANE: add_plane(search); break;
     case PRIMITIVE_BOX: add_box(search); break;
     case PRIMITIVE_DISC:
-        add_ring(search, primitive->shape.disc.center,
-                 primitive->shape.disc.normal, primitive->shape.disc.radius,
-                 false);
+        add_ring(search, primitive->shape.disc.center, primitive->shape.disc.normal,
+                 primitive->shape.disc.radius, false);
         break;
     case PRIMITIVE_CYLINDER:
         if (!primitive->shape.cylinder.open)
             add_disks(search, primitive->shape.cylinder.base,
-                      primitive->shape.cylinder.radius,
-                      primitive->shape.cylinder.cap,
+                      primitive->shape.cylinder.radius, primitive->shape.cylinder.cap,
                       primitive->shape.cylinder.radius);
         break;
     case PRIMITIVE_CONE:
         if (!primitive->shape.cone.open)
             add_disks(search, primitive->shape.cone.base,
-                      primitive->shape.cone.base_radius,
-                      primitive->shape.cone.cap,
+                      primitive->shape.cone.base_radius, primitive->shape.cone.cap,
                       primitive->shape.cone.cap_radius);
         break;
     default: break;
@@ -414,8 +400,8 @@ static void add_swept(struct face_search *search)
     switch (primitive->kind) {
     case PRIMITIVE_PRISM:
         if (!primitive->shape.prism.open)
-            add_caps(search, &primitive->shape.prism.path,
-                     primitive->shape.prism.low, primitive->shape.prism.high);
+            add_caps(search, &primitive->shape.prism.path, primitive->shape.prism.low,
+                     primitive->shape.prism.high);
         add_sides(search);
         break;
     case PRIMITIVE_QUADRATIC_PRISM:
@@ -495,8 +481,7 @@ static bool starts_outside(const struct camera *camera,
         copy3(camera->location, at);
         transform_point(&primitive->to_local, at);
         transform_normal(&primitive->to_local, normal);
-        return dot3(primitive->shape.plane.normal, at)
-                   - primitive->shape.plane.distance
+        return dot3(primitive->shape.plane.normal, at) - primitive->shape.plane.distance
                > (reach + COINCIDENT) * length3(normal);
     }
     bound_primitive(primitive, &box);
@@ -521,11 +506,9 @@ static bool is_closed(const struct primitive *primitive)
 
 /* A solid is within those of its primitives that are not taken away.  No ray enters
  * it if all of it is closed, seen and opaque. */
-static void find_limit(struct face_search *search,
-                       const struct region *region)
+static void find_limit(struct face_search *search, const struct region *region)
 {
-    const struct primitive
-        *first = &search->scene->primitives[region->first_primitive];
+    const struct primitive *first = &search->scene->primitives[region->first_primitive];
     bool some = false;
 
     search->limit = bound_none;
@@ -535,8 +518,7 @@ static void find_limit(struct face_search *search,
     for (size_t i = 0; i < region->primitive_count; i++) {
         struct bound parts[2];
 
-        search->sealed = search->sealed && is_opaque(&first[i])
-                         && is_closed(&first[i]);
+        search->sealed = search->sealed && is_opaque(&first[i]) && is_closed(&first[i]);
         if (first[i].inverted)
             continue;
         bound_primitive(&first[i], &parts[0]);
@@ -555,8 +537,7 @@ static void add_region(struct face_search *search, size_t i)
     search->region = i;
     find_limit(search, region);
     for (size_t k = 0; k < region->primitive_count && !search->failed; k++) {
-        search->primitive = &search->scene
-                                 ->primitives[region->first_primitive + k];
+        search->primitive = &search->scene->primitives[region->first_primitive + k];
         if (is_opaque(search->primitive))
             add_faces(search);
     }
@@ -613,11 +594,9 @@ static bool coincide(const struct face *a, const struct face *b)
         return false;
     reach = middle_of(low, high, center);
     switch (a->sort) {
-    case FACE_FLAT:
-        return a->side * b->side >= 0 && same_plane(a, b, center, reach);
+    case FACE_FLAT: return a->side * b->side >= 0 && same_plane(a, b, center, reach);
     case FACE_QUADRIC:
-        sense = quadric_face_compare(a->primitive, b->primitive, center,
-                                     reach);
+        sense = quadric_face_compare(a->primitive, b->primitive, center, reach);
         return sense != 0 && sense * a->side * b->side >= 0;
     default: return same_shape(a, b);
     }
@@ -626,9 +605,8 @@ static bool coincide(const struct face *a, const struct face *b)
 static void add_pair(struct face_search *search, const struct face *a,
                      const struct face *b)
 {
-    struct face_pair *more = make_room(search, search->pairs,
-                                       search->pair_count, &search->pair_room,
-                                       sizeof *more);
+    struct face_pair *more = make_room(search, search->pairs, search->pair_count,
+                                       &search->pair_room, sizeof *more);
 
     if (!more)
         return;
@@ -651,16 +629,14 @@ static int compare_places(const void *a, const void *b)
 enum { COMPARED_MAX = 64 };
 
 /* Faces of one key, from left to right. */
-static void pair_group(struct face_search *search, struct face *faces,
-                       size_t count)
+static void pair_group(struct face_search *search, struct face *faces, size_t count)
 {
     qsort(faces, count, sizeof *faces, compare_places);
     for (size_t i = 0; i < count; i++) {
         size_t compared = 0;
 
-        for (size_t k = i + 1;
-             k < count && !search->failed && compared < COMPARED_MAX
-             && faces[k].low[0] <= faces[i].high[0] + COINCIDENT;
+        for (size_t k = i + 1; k < count && !search->failed && compared < COMPARED_MAX
+                               && faces[k].low[0] <= faces[i].high[0] + COINCIDENT;
              k++) {
             double low[3], high[3];
 
@@ -674,8 +650,7 @@ static void pair_group(struct face_search *search, struct face *faces,
 static bool is_near(const struct face *a, const struct face *b)
 {
     return a->sort == b->sort
-           && b->key - a->key
-                  <= 4 * COINCIDENT + ROUNDING * (fabs(a->key) + 1);
+           && b->key - a->key <= 4 * COINCIDENT + ROUNDING * (fabs(a->key) + 1);
 }
 
 static void pair_faces(struct face_search *search)
@@ -684,8 +659,8 @@ static void pair_faces(struct face_search *search)
 
     qsort(faces, search->face_count, sizeof *faces, compare_keys);
     for (size_t i = 0, end; i < search->face_count; i = end) {
-        for (end = i + 1; end < search->face_count
-                          && is_near(&faces[end - 1], &faces[end]);)
+        for (end = i + 1;
+             end < search->face_count && is_near(&faces[end - 1], &faces[end]);)
             end++;
         pair_group(search, faces + i, end - i);
     }
@@ -701,15 +676,13 @@ static int compare_pairs(const void *a, const void *b)
 }
 
 /* The last regions first: yields are depths until the greatest is known. */
-static void put_yields(struct face_search *search, struct region *regions,
-                       size_t count)
+static void put_yields(struct face_search *search, struct region *regions, size_t count)
 {
     double most = 0;
 
     for (size_t i = 0; i < count; i++)
         regions[i].yield = 0;
-    qsort(search->pairs, search->pair_count, sizeof *search->pairs,
-          compare_pairs);
+    qsort(search->pairs, search->pair_count, sizeof *search->pairs, compare_pairs);
     for (size_t i = 0; i < search->pair_count; i++) {
         struct region *earlier = &regions[search->pairs[i].earlier];
 

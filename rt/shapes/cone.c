@@ -56,8 +56,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
 {
     double base = primitive->shape.cone.base_radius;
     double cap = primitive->shape.cone.cap_radius;
-    double length = axis_words(primitive->shape.cone.base,
-                               primitive->shape.cone.cap, words);
+    double length = axis_words(primitive->shape.cone.base, primitive->shape.cone.cap,
+                               words);
     double slope = (cap - base) / length;
 
     words[12] = (base + cap) / 2;
@@ -72,13 +72,10 @@ static bool is_open(const struct primitive *primitive)
     return primitive->shape.cone.open;
 }
 
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
-    return emitter_cone(primitive->shape.cone.base,
-                        primitive->shape.cone.base_radius,
-                        primitive->shape.cone.cap,
-                        primitive->shape.cone.cap_radius,
+    return emitter_cone(primitive->shape.cone.base, primitive->shape.cone.base_radius,
+                        primitive->shape.cone.cap, primitive->shape.cone.cap_radius,
                         primitive->shape.cone.open, emitter);
 }
 

@@ -20,8 +20,7 @@ void box_join(struct box *box, const struct box *other)
     }
 }
 
-struct box box_about(const struct boxed *things, const size_t *row,
-                     size_t count)
+struct box box_about(const struct boxed *things, const size_t *row, size_t count)
 {
     struct box box = box_empty;
 
@@ -45,9 +44,8 @@ static void join(struct cut_part *part, const struct cut_part *other)
     box_join(&part->box, &other->box);
 }
 
-static void fill_bins(const struct cutting *cutting, const size_t *row,
-                      size_t count, const struct cut *cut,
-                      struct cut_part *bins)
+static void fill_bins(const struct cutting *cutting, const size_t *row, size_t count,
+                      const struct cut *cut, struct cut_part *bins)
 {
     for (size_t i = 0; i < BINS; i++)
         bins[i] = (struct cut_part){ 0, box_empty };
@@ -60,9 +58,8 @@ static void fill_bins(const struct cutting *cutting, const size_t *row,
 }
 
 /* The best place on one axis, if it is better than any before. */
-static void try_axis(const struct cutting *cutting, const size_t *row,
-                     size_t count, const struct box *whole, struct cut cut,
-                     struct cut *best)
+static void try_axis(const struct cutting *cutting, const size_t *row, size_t count,
+                     const struct box *whole, struct cut cut, struct cut *best)
 {
     struct cut_part bins[BINS], below = { 0, box_empty }, above[BINS + 1];
 
@@ -76,8 +73,7 @@ static void try_axis(const struct cutting *cutting, const size_t *row,
         join(&below, &bins[cut.bin - 1]);
         if (below.count == 0 || above[cut.bin].count == 0)
             continue;
-        cut.cost = cutting->cost(&below, whole)
-                   + cutting->cost(&above[cut.bin], whole);
+        cut.cost = cutting->cost(&below, whole) + cutting->cost(&above[cut.bin], whole);
         if (cut.cost < best->cost)
             *best = cut;
     }
@@ -102,8 +98,8 @@ static struct cut cut_along(const struct cutting *cutting, const size_t *row,
     return cut;
 }
 
-struct cut cut_find(const struct cutting *cutting, const size_t *row,
-                    size_t count, const struct box *whole, double cost)
+struct cut cut_find(const struct cutting *cutting, const size_t *row, size_t count,
+                    const struct box *whole, double cost)
 {
     struct cut best = { .axis = -1, .cost = cost };
 

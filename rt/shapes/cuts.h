@@ -24,8 +24,7 @@ struct boxed {
 };
 
 /* Of the things that a row names. */
-struct box box_about(const struct boxed *things, const size_t *row,
-                     size_t count);
+struct box box_about(const struct boxed *things, const size_t *row, size_t count);
 
 struct cut_part {
     size_t count;
@@ -48,8 +47,8 @@ struct cut {
 };
 
 /* The best one of those that cost less than that. */
-struct cut cut_find(const struct cutting *cutting, const size_t *row,
-                    size_t count, const struct box *whole, double cost);
+struct cut cut_find(const struct cutting *cutting, const size_t *row, size_t count,
+                    const struct box *whole, double cost);
 /* The lower part first, each in its order; how many it has. */
 size_t cut_row(const struct cutting *cutting, size_t *row, size_t count,
                const struct cut *cut);

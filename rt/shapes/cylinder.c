@@ -13,8 +13,7 @@ static const struct shape_field fields[] = {
 
 static const char *settle(struct primitive *primitive)
 {
-    if (axis_is_point(primitive->shape.cylinder.base,
-                      primitive->shape.cylinder.cap))
+    if (axis_is_point(primitive->shape.cylinder.base, primitive->shape.cylinder.cap))
         return shape_empty(primitive, AXIS_IS_POINT);
     return primitive->shape.cylinder.radius > 0
                ? NULL
@@ -54,8 +53,7 @@ static void put_end(double along, const double axis[3], const double point[3],
     plane[3] = -dot3(plane, point);
 }
 
-static size_t put_historical_words(const struct primitive *primitive,
-                                   double *words)
+static size_t put_historical_words(const struct primitive *primitive, double *words)
 {
     const double *base = primitive->shape.cylinder.base;
     const double *cap = primitive->shape.cylinder.cap;
@@ -77,8 +75,7 @@ static bool is_open(const struct primitive *primitive)
     return primitive->shape.cylinder.open;
 }
 
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     double radius = primitive->shape.cylinder.radius;
 

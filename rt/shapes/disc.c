@@ -33,12 +33,10 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 /* Those of its plane first. */
 static size_t put_words(const struct primitive *primitive, double *words)
 {
-    double radius = primitive->shape.disc.radius,
-           hole = primitive->shape.disc.hole;
+    double radius = primitive->shape.disc.radius, hole = primitive->shape.disc.hole;
 
     copy3(primitive->shape.disc.normal, words);
-    words[3] = dot3(primitive->shape.disc.normal,
-                    primitive->shape.disc.center);
+    words[3] = dot3(primitive->shape.disc.normal, primitive->shape.disc.center);
     copy3(primitive->shape.disc.center, words + 4);
     words[7] = radius * radius;
     words[8] = hole * hole;
@@ -46,8 +44,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
 }
 
 /* From its edge inwards, about an axis of any length. */
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     const double *center = primitive->shape.disc.center;
     const double *normal = primitive->shape.disc.normal;

@@ -32,8 +32,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
                        primitive->shape.elliptical_torus.axial, words);
 }
 
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     return emitter_torus(primitive->shape.elliptical_torus.major,
                          primitive->shape.elliptical_torus.radial,

@@ -34,24 +34,23 @@ static double *next_piece(struct emitter *emitter, double area)
     return emitter->pieces + emitter->piece_words * emitter->piece_count++;
 }
 
-void emitter_add_frustum(struct emitter *emitter, double y1, double r1,
-                         double y2, double r2)
+void emitter_add_frustum(struct emitter *emitter, double y1, double r1, double y2,
+                         double r2)
 {
     double rise = y2 - y1, widens = r2 - r1;
     double length = sqrt(rise * rise + widens * widens);
     double area = PI * (r1 + r2) * length;
 
     if (area > 0) {
-        const double words[FRUSTUM_WORDS] = {
-            y1, rise, r1, r2, rise / length, -widens / length
-        };
+        const double words[FRUSTUM_WORDS] = { y1, rise,          r1,
+                                              r2, rise / length, -widens / length };
 
         memcpy(next_piece(emitter, area), words, sizeof words);
     }
 }
 
-void emitter_add_triangle(struct emitter *emitter, const double a[3],
-                          const double b[3], const double c[3])
+void emitter_add_triangle(struct emitter *emitter, const double a[3], const double b[3],
+                          const double c[3])
 {
     double first[3], second[3], normal[3], twice, *words;
 
@@ -90,9 +89,8 @@ bool emitter_about_axis(struct emitter *emitter, const double base[3],
     return emitter_begin(emitter, "emit_frustum", FRUSTA_MOST, FRUSTUM_WORDS);
 }
 
-const char *emitter_cone(const double base[3], double base_radius,
-                         const double cap[3], double cap_radius, bool open,
-                         struct emitter *emitter)
+const char *emitter_cone(const double base[3], double base_radius, const double cap[3],
+                         double cap_radius, bool open, struct emitter *emitter)
 {
     double half;
 

@@ -34,21 +34,20 @@ bool emitter_begin(struct emitter *emitter, const char *kernel, size_t most,
 /* From the height y1 and the radius r1 to y2 and r2; outside is to the right
  * of this way, x being the radius and y the height.  One without area is left
  * out. */
-void emitter_add_frustum(struct emitter *emitter, double y1, double r1,
-                         double y2, double r2);
+void emitter_add_frustum(struct emitter *emitter, double y1, double r1, double y2,
+                         double r2);
 /* The way from corner to corner is anticlockwise, seen from outside, in a
  * right-handed space. */
-void emitter_add_triangle(struct emitter *emitter, const double a[3],
-                          const double b[3], const double c[3]);
+void emitter_add_triangle(struct emitter *emitter, const double a[3], const double b[3],
+                          const double c[3]);
 
 /* A surface of frusta about an axis, whose middle is the origin of the kernel's
  * space; to half its length there.  False: no memory. */
 bool emitter_about_axis(struct emitter *emitter, const double base[3],
                         const double cap[3], double *half_length);
 /* A cylinder or a cone, with its discs or without. */
-const char *emitter_cone(const double base[3], double base_radius,
-                         const double cap[3], double cap_radius, bool open,
-                         struct emitter *emitter);
+const char *emitter_cone(const double base[3], double base_radius, const double cap[3],
+                         double cap_radius, bool open, struct emitter *emitter);
 /* A torus about y, whose tube is an ellipse. */
 const char *emitter_torus(double major, double radial, double axial,
                           struct emitter *emitter);

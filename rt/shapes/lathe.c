@@ -99,17 +99,15 @@ static double closing_radius(const struct outline *path)
     for (size_t i = 0; i < path->count; i++)
         least = fmin(least, path->points[i][0]);
     for (size_t i = 1; i < path->count; i++)
-        stands |= path->points[i - 1][0] == least
-                  && path->points[i][0] == least;
+        stands |= path->points[i - 1][0] == least && path->points[i][0] == least;
     return stands ? least * (1 - ASIDE) : least;
 }
 
 /* Where it is closed level, at an end whose neighbour stands there, too. */
 static double closing_height(const double *end, const double *neighbour)
 {
-    return end[1] == neighbour[1] && neighbour[0] < end[0]
-               ? end[1] + ASIDE * end[0]
-               : end[1];
+    return end[1] == neighbour[1] && neighbour[0] < end[0] ? end[1] + ASIDE * end[0]
+                                                           : end[1];
 }
 
 static struct closed close_path(const struct primitive *primitive)
@@ -120,11 +118,9 @@ static struct closed close_path(const struct primitive *primitive)
     struct closed closed = { .path = path, .count = path->count };
     double radius = closing_radius(path);
 
-    if ((first[0] == 0 && last[0] == 0)
-        || (first[0] == last[0] && first[1] == last[1]))
+    if ((first[0] == 0 && last[0] == 0) || (first[0] == last[0] && first[1] == last[1]))
         return closed;
-    add_closing(&closed, radius,
-                closing_height(last, points[path->count - 2]));
+    add_closing(&closed, radius, closing_height(last, points[path->count - 2]));
     add_closing(&closed, radius, closing_height(first, points[1]));
     add_closing(&closed, first[0], first[1]);
     return closed;
@@ -154,8 +150,8 @@ static struct cylinder_about cylinder_of(const struct primitive *primitive)
     return about;
 }
 
-static void hull_at(struct hull *hull, const struct primitive *primitive,
-                    double radius, double height)
+static void hull_at(struct hull *hull, const struct primitive *primitive, double radius,
+                    double height)
 {
     static const double axis[3] = { 0, 1, 0 };
     const double center[3] = { 0, height, 0 };
@@ -164,8 +160,7 @@ static void hull_at(struct hull *hull, const struct primitive *primitive,
 }
 
 /* Circles about the ends, as wide as the path is. */
-static void bound_cylinder(const struct primitive *primitive,
-                           struct bound *bound)
+static void bound_cylinder(const struct primitive *primitive, struct bound *bound)
 {
     struct cylinder_about about = cylinder_of(primitive);
     struct hull hull = { .count = 0 };
@@ -263,8 +258,7 @@ static bool is_inside(const struct closed *closed, size_t segment,
     for (size_t i = 1; i < closed->count; i++) {
         const double *from = point_of(closed, i - 1);
         const double *to = point_of(closed, i);
-        double share = (point[across] - from[across])
-                       / (to[across] - from[across]);
+        double share = (point[across] - from[across]) / (to[across] - from[across]);
 
         if (i != segment
             && (from[across] > point[across]) != (to[across] > point[across])
@@ -362,8 +356,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 7;
 }
 
-static size_t put_table(const struct primitive *primitive,
-                        const struct eyes *eyes, double *table)
+static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
+                        double *table)
 {
     struct closed closed = close_path(primitive);
     double middle = middle_of(primitive);

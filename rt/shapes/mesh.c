@@ -36,8 +36,7 @@ static bool has_area(const struct triangle *triangle)
 static bool has_normals(const struct triangle *triangle)
 {
     return triangle->smooth && length3(triangle->normals[0]) > 0
-           && length3(triangle->normals[1]) > 0
-           && length3(triangle->normals[2]) > 0;
+           && length3(triangle->normals[1]) > 0 && length3(triangle->normals[2]) > 0;
 }
 
 /* As in POV-Ray triangles without an area go. */
@@ -54,8 +53,7 @@ static const char *settle(struct primitive *primitive)
             triangles->list[kept++] = *triangle;
     }
     triangles->count = kept;
-    return kept > 0 ? NULL
-                    : shape_empty(primitive, "no triangle has an area");
+    return kept > 0 ? NULL : shape_empty(primitive, "no triangle has an area");
 }
 
 static bool has_body(const struct primitive *primitive)
@@ -118,8 +116,7 @@ static struct box box_of(const struct primitive *primitive,
     return box;
 }
 
-static double reach_of(const struct triangle *triangle,
-                       const double center[3])
+static double reach_of(const struct triangle *triangle, const double center[3])
 {
     double reach = 0, away[3];
 
@@ -145,8 +142,7 @@ static void bound_many(const struct primitive *primitive,
     for (size_t i = 0; i < count; i++) {
         struct triangle triangle = carried(primitive, triangles, i);
 
-        bound->radius = fmax(bound->radius,
-                             reach_of(&triangle, bound->center));
+        bound->radius = fmax(bound->radius, reach_of(&triangle, bound->center));
     }
 }
 
@@ -155,8 +151,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct triangles *triangles = has_body(primitive)
                                             ? &primitive->shape.mesh.body
-                                            : &primitive->shape.mesh
-                                                   .triangles;
+                                            : &primitive->shape.mesh.triangles;
     struct hull hull = { .count = 0 };
 
     if (triangles->count > HULL_MOST / 3) {
@@ -220,8 +215,7 @@ static void put_node(const struct mesh_table *table, size_t node)
 
     for (int i = 0; i < 3; i++) {
         row[i] = from->box.low[i] / 2 + from->box.high[i] / 2;
-        row[3 + i] = from->box.high[i] / 2 - from->box.low[i] / 2
-                     + table->margin;
+        row[3 + i] = from->box.high[i] / 2 - from->box.low[i] / 2 + table->margin;
     }
     row[NODE_FIRST] = node_place(table->hierarchy->node_count)
                       + (double)(table->row * from->first);
@@ -243,8 +237,8 @@ static void plane_normal(const struct triangle *triangle, double normal[3])
 }
 
 /* How the share of corner k, the others being a and b, grows with the point. */
-static void share_gradient(const struct triangle *triangle, int k, int a,
-                           int b, double gradient[3])
+static void share_gradient(const struct triangle *triangle, int k, int a, int b,
+                           double gradient[3])
 {
     double base[3], way[3], along;
 
@@ -284,8 +278,7 @@ static void turn_up(const struct primitive *primitive, double normal[3])
 /* One that has lost its area on the way to the world has any normal; above a body
  * they point away from it, upwards. */
 static void put_triangle(const struct primitive *primitive,
-                         const struct triangles *triangles, size_t i,
-                         double *row)
+                         const struct triangles *triangles, size_t i, double *row)
 {
     struct triangle triangle = carried(primitive, triangles, i);
 
@@ -314,9 +307,8 @@ static void put_links(const struct mesh_table *table, size_t direction,
             ways[i] |= MESH_UPPER_FIRST;
     }
     mesh_hierarchy_thread(hierarchy, ways,
-                          &(struct mesh_rows){ table->nodes + NODE_LINKS
-                                                   + 2 * direction,
-                                               NODE_ROW });
+                          &(struct mesh_rows){
+                              table->nodes + NODE_LINKS + 2 * direction, NODE_ROW });
 }
 
 static bool put_nodes(const struct mesh_table *table)
@@ -339,20 +331,17 @@ static bool fill_table(const struct primitive *primitive,
     struct mesh_table filled = {
         .hierarchy = hierarchy,
         .row = row_size(primitive),
-        .margin = 0x1p-36
-                  * fmax(greatest3(whole->low), greatest3(whole->high)),
+        .margin = 0x1p-36 * fmax(greatest3(whole->low), greatest3(whole->high)),
         .nodes = table + NODE_ROW,
     };
     double *row = filled.nodes + NODE_ROW * hierarchy->node_count;
 
     for (size_t i = 0; i < triangles->count; i++)
-        put_triangle(primitive, triangles, hierarchy->order[i],
-                     row + filled.row * i);
+        put_triangle(primitive, triangles, hierarchy->order[i], row + filled.row * i);
     return put_nodes(&filled);
 }
 
-static bool plan(const struct primitive *primitive,
-                 const struct triangles *triangles,
+static bool plan(const struct primitive *primitive, const struct triangles *triangles,
                  struct mesh_hierarchy *hierarchy)
 {
     struct boxed *boxes = malloc((triangles->count + 1) * sizeof *boxes);
@@ -381,8 +370,8 @@ static size_t table_size(const struct primitive *primitive,
 }
 
 static bool put_windows(const struct primitive *primitive,
-                        const struct mesh_hierarchy *hierarchy,
-                        const struct eyes *eyes, size_t place, double *table)
+                        const struct mesh_hierarchy *hierarchy, const struct eyes *eyes,
+                        size_t place, double *table)
 {
     size_t nodes = NODE_ROW * (hierarchy->node_count + 1);
     struct mesh_windows windows = { .hierarchy = hierarchy,
@@ -400,9 +389,8 @@ static bool put_windows(const struct primitive *primitive,
 
 /* The windows of eyes begin at place. */
 static bool put_hierarchy(const struct primitive *primitive,
-                          const struct triangles *triangles,
-                          const struct eyes *eyes, size_t place,
-                          double *table)
+                          const struct triangles *triangles, const struct eyes *eyes,
+                          size_t place, double *table)
 {
     struct mesh_hierarchy hierarchy = { 0 };
     bool good = plan(primitive, triangles, &hierarchy)
@@ -432,14 +420,13 @@ size_t mesh_row(const struct primitive *mesh, size_t words)
 }
 
 /* .. of what the eyes see. */
-static size_t windows_size(const struct primitive *primitive,
-                           const struct eyes *eyes, size_t *seeing)
+static size_t windows_size(const struct primitive *primitive, const struct eyes *eyes,
+                           size_t *seeing)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     struct box box = box_of(primitive, seen);
 
-    return mesh_windows_size(eyes, &box, mesh_hierarchy_nodes(seen->count),
-                             seeing);
+    return mesh_windows_size(eyes, &box, mesh_hierarchy_nodes(seen->count), seeing);
 }
 
 /* Behind what is seen and the body. */
@@ -452,8 +439,8 @@ static size_t eyes_place(const struct primitive *primitive)
 }
 
 /* What is seen, the body, what the eyes see.  Returns 0 without memory. */
-static size_t put_table(const struct primitive *primitive,
-                        const struct eyes *eyes, double *table)
+static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
+                        double *table)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
@@ -493,8 +480,8 @@ static void mark_links(const struct triangles *triangles, bool *marks)
         marks[i] = i % NODE_ROW >= NODE_LINKS;
 }
 
-static void mark_integers(const struct primitive *primitive,
-                          const struct eyes *eyes, bool *marks)
+static void mark_integers(const struct primitive *primitive, const struct eyes *eyes,
+                          bool *marks)
 {
     const struct triangles *seen = &primitive->shape.mesh.triangles;
     const struct triangles *body = &primitive->shape.mesh.body;
@@ -522,9 +509,8 @@ static size_t crossings(const struct primitive *primitive)
 
 static size_t segments(const struct primitive *primitive)
 {
-    return primitive->shape.mesh.solid
-               ? crossings(primitive) / 2
-               : even(primitive->shape.mesh.body.count) / 2;
+    return primitive->shape.mesh.solid ? crossings(primitive) / 2
+                                       : even(primitive->shape.mesh.body.count) / 2;
 }
 
 static size_t put_words(const struct primitive *primitive, double *words)
@@ -535,8 +521,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     words[1] = (double)crossings(primitive);
     if (body->count == 0)
         return 2;
-    words[2] = (double)table_size(primitive,
-                                  &primitive->shape.mesh.triangles);
+    words[2] = (double)table_size(primitive, &primitive->shape.mesh.triangles);
     words[3] = (double)even(body->count);
     return 4;
 }
@@ -549,13 +534,11 @@ static bool carry(const struct primitive *primitive, double *words)
     return true;
 }
 
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     const struct triangles *triangles = &primitive->shape.mesh.triangles;
 
-    if (!emitter_begin(emitter, "emit_triangle", triangles->count,
-                       TRIANGLE_WORDS))
+    if (!emitter_begin(emitter, "emit_triangle", triangles->count, TRIANGLE_WORDS))
         return emitter_no_memory;
     for (size_t i = 0; i < triangles->count; i++)
         emitter_add_triangle(emitter, triangles->list[i].corners[0],

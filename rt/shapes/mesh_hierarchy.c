@@ -31,8 +31,8 @@ static double part_cost(const struct cut_part *part, const struct box *whole)
 /* ---- Parts --------------------------------------------------------------- */
 
 /* The least of the upper part joins the lower one. */
-static void lift(const struct boxed *things, size_t *row, size_t count,
-                 size_t lower, int axis)
+static void lift(const struct boxed *things, size_t *row, size_t count, size_t lower,
+                 int axis)
 {
     size_t least = lower, kept;
 
@@ -45,8 +45,8 @@ static void lift(const struct boxed *things, size_t *row, size_t count,
 }
 
 /* Whole leaves in the lower part. */
-static size_t cut_leaves(const struct cutting *cutting, size_t *row,
-                         size_t count, const struct cut *cut)
+static size_t cut_leaves(const struct cutting *cutting, size_t *row, size_t count,
+                         const struct cut *cut)
 {
     size_t lower = cut_row(cutting, row, count, cut);
 
@@ -68,8 +68,7 @@ static size_t half_of(size_t count)
 static size_t split(const struct mesh_build *build, size_t *row, size_t count,
                     size_t depth, struct mesh_node *node)
 {
-    struct cut cut = cut_find(&build->cutting, row, count, &node->box,
-                              INFINITY);
+    struct cut cut = cut_find(&build->cutting, row, count, &node->box, INFINITY);
     size_t lower = 0;
 
     if (cut.axis >= 0 && depth < HALVED_FROM)
@@ -79,8 +78,8 @@ static size_t split(const struct mesh_build *build, size_t *row, size_t count,
 }
 
 /* The node of triangles first .. first + count of the order, all below it. */
-static void build_node(const struct mesh_build *build, size_t first,
-                       size_t count, size_t depth)
+static void build_node(const struct mesh_build *build, size_t first, size_t count,
+                       size_t depth)
 {
     struct mesh_hierarchy *hierarchy = build->hierarchy;
     size_t *row = hierarchy->order + first, lower;
@@ -146,8 +145,7 @@ static size_t first_asked(const struct threading *threading, size_t node)
 }
 
 /* From a node and all below it: those that do not come near go to `miss`. */
-static void put_links(const struct threading *threading, size_t node,
-                      double miss)
+static void put_links(const struct threading *threading, size_t node, double miss)
 {
     const struct mesh_node *nodes = threading->nodes;
     double *links = threading->rows->links + threading->rows->size * node;
@@ -170,8 +168,7 @@ static void put_links(const struct threading *threading, size_t node,
 }
 
 void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
-                           const unsigned char *ways,
-                           const struct mesh_rows *rows)
+                           const unsigned char *ways, const struct mesh_rows *rows)
 {
     struct threading threading = { hierarchy->nodes, ways, rows };
 

@@ -55,7 +55,6 @@ struct mesh_rows {
  * there is no stack.  Near a leaf they go on as the others do, and the link is greater
  * by MESH_MET. */
 void mesh_hierarchy_thread(const struct mesh_hierarchy *hierarchy,
-                           const unsigned char *ways,
-                           const struct mesh_rows *rows);
+                           const unsigned char *ways, const struct mesh_rows *rows);
 
 #endif

@@ -53,19 +53,16 @@ static double greatest_side(const struct box *box, const double place[3])
     double most = 0;
 
     for (int k = 0; k < 3; k++)
-        most = fmax(most,
-                    fmax(box->high[k] - place[k], place[k] - box->low[k]));
+        most = fmax(most, fmax(box->high[k] - place[k], place[k] - box->low[k]));
     return most;
 }
 
 /* False: it is within the box, or so near that little would be seen. */
-static bool eye_find(const double place[3], const struct box *whole,
-                     struct eye *eye)
+static bool eye_find(const double place[3], const struct box *whole, struct eye *eye)
 {
     *eye = (struct eye){ .place = place };
     for (int k = 0; k < 3; k++) {
-        double below = whole->low[k] - place[k],
-               above = place[k] - whole->high[k];
+        double below = whole->low[k] - place[k], above = place[k] - whole->high[k];
 
         if (fmax(below, above) <= eye->near)
             continue;
@@ -80,8 +77,8 @@ static bool eye_find(const double place[3], const struct box *whole,
            && isfinite(FAR_MOST * eye->size);
 }
 
-size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole,
-                         size_t nodes, size_t *seeing)
+size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole, size_t nodes,
+                         size_t *seeing)
 {
     size_t words = (nodes + 1) * WINDOW_ROW;
     struct eye eye;
@@ -113,8 +110,7 @@ static void join(struct mesh_window *window, const struct mesh_window *other)
     window->near = fmin(window->near, other->near);
 }
 
-static struct mesh_window window_of(const struct eye *eye,
-                                    const double corner[3])
+static struct mesh_window window_of(const struct eye *eye, const double corner[3])
 {
     struct mesh_window window;
     double away[3];
@@ -122,8 +118,7 @@ static struct mesh_window window_of(const struct eye *eye,
     subtract3(corner, eye->place, away);
     window.near = eye->sign * away[eye->axis];
     for (int i = 0; i < 2; i++)
-        window.low[i] = window.high[i] = away[(eye->axis + 1 + i) % 3]
-                                         / window.near;
+        window.low[i] = window.high[i] = away[(eye->axis + 1 + i) % 3] / window.near;
     return window;
 }
 
@@ -136,8 +131,7 @@ static void find_windows(const struct mesh_windows *of, const struct eye *eye,
     for (size_t i = of->hierarchy->node_count; i-- > 0;) {
         windows[i] = no_window;
         for (size_t k = 0; k < 3 * nodes[i].count; k++) {
-            const double *triangle = of->triangles
-                                     + of->row * (nodes[i].first + k / 3);
+            const double *triangle = of->triangles + of->row * (nodes[i].first + k / 3);
             struct mesh_window corner = window_of(eye, triangle + k % 3 * 3);
 
             join(&windows[i], &corner);
@@ -157,12 +151,10 @@ enum { BOX_CLOCKS = 25, WINDOW_CLOCKS = 14, TRIANGLE_CLOCKS = 60 };
 
 /* Of all rays from the eye so many come near something as the area says that it has in
  * the plane where z is 1.  Each asks the two nodes below one, or meets a leaf's triangles. */
-static double cost_below(const struct mesh_node *node, double area,
-                         int clocks)
+static double cost_below(const struct mesh_node *node, double area, int clocks)
 {
     return area
-           * (node->count > 0 ? TRIANGLE_CLOCKS * (double)node->count
-                              : 2. * clocks);
+           * (node->count > 0 ? TRIANGLE_CLOCKS * (double)node->count : 2. * clocks);
 }
 
 /* Of a box that is small, as seen from there; for the others it need not be right. */
@@ -176,15 +168,13 @@ static double silhouette(const struct box *box, const struct eye *eye)
     }
     z = eye->sign * away[eye->axis];
     for (int k = 0; k < 3; k++)
-        area += fabs(away[k]) / z * (size[(k + 1) % 3] / z)
-                * (size[(k + 2) % 3] / z);
+        area += fabs(away[k]) / z * (size[(k + 1) % 3] / z) * (size[(k + 2) % 3] / z);
     return area;
 }
 
 static double area_of(const struct mesh_window *window)
 {
-    return (window->high[0] - window->low[0])
-           * (window->high[1] - window->low[1]);
+    return (window->high[0] - window->low[0]) * (window->high[1] - window->low[1]);
 }
 
 /* Whether rays from the eye are asked less by windows than by boxes. */
@@ -219,8 +209,7 @@ static bool upper_is_first(const struct mesh_node *nodes, size_t node,
  * window is passed over at a greater share, as it costs less to be asked (of
  * .4 to .7 a count of the nodes asked was least at .6, for rays of a camera to a ball of
  * 100,352 triangles). */
-static void plan_ways(const struct mesh_node *nodes, size_t node,
-                      const struct eye *eye,
+static void plan_ways(const struct mesh_node *nodes, size_t node, const struct eye *eye,
                       const struct mesh_window *windows, double above,
                       unsigned char *ways)
 {
@@ -243,8 +232,7 @@ static void plan_ways(const struct mesh_node *nodes, size_t node,
 
 /* Depth counts for as much less. */
 static void put_window(const struct mesh_windows *of, const struct eye *eye,
-                       const struct mesh_window *window, size_t node,
-                       double *row)
+                       const struct mesh_window *window, size_t node, double *row)
 {
     const struct mesh_node *from = &of->hierarchy->nodes[node];
     double margin = MARGIN * eye->size;
@@ -290,8 +278,7 @@ static bool put_view(const struct mesh_windows *of, const struct eye *eye,
     for (size_t i = 0; i < hierarchy->node_count; i++)
         put_window(of, eye, &view->windows[i], i, first + WINDOW_ROW * i);
     mesh_hierarchy_thread(hierarchy, view->ways,
-                          &(struct mesh_rows){ first + WINDOW_LINKS,
-                                               WINDOW_ROW });
+                          &(struct mesh_rows){ first + WINDOW_LINKS, WINDOW_ROW });
     return true;
 }
 
@@ -300,8 +287,7 @@ bool mesh_windows_put(const struct mesh_windows *of, const struct eyes *eyes,
 {
     size_t nodes = of->hierarchy->node_count, seeing, at;
     const struct box *whole = &of->hierarchy->nodes[0].box;
-    struct view view = { malloc(nodes * sizeof *view.windows),
-                         malloc(nodes) };
+    struct view view = { malloc(nodes * sizeof *view.windows), malloc(nodes) };
     bool good = view.windows && view.ways;
 
     mesh_windows_size(eyes, whole, nodes, &seeing);

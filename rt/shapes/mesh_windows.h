@@ -24,20 +24,18 @@
  * that see it, then for each of these a row of zeros and one for each node. */
 struct mesh_windows {
     const struct mesh_hierarchy *hierarchy;
-    const double
-        *triangles;         /* the first one's row: three corners, and more */
-    size_t row;             /* words of a row */
-    double triangles_place; /* words before them in the table */
+    const double *triangles; /* the first one's row: three corners, and more */
+    size_t row;              /* words of a row */
+    double triangles_place;  /* words before them in the table */
 };
 
 /* Room for the eyes that see what is in the box, in words; their number to *seeing. */
-size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole,
-                         size_t nodes, size_t *seeing);
+size_t mesh_windows_size(const struct eyes *eyes, const struct box *whole, size_t nodes,
+                         size_t *seeing);
 /* Those words, and for how many eyes there are windows; so many words stand before them
  * in the table.  False: no memory. */
-bool mesh_windows_put(const struct mesh_windows *windows,
-                      const struct eyes *eyes, double place, double *words,
-                      size_t *planned);
+bool mesh_windows_put(const struct mesh_windows *windows, const struct eyes *eyes,
+                      double place, double *words, size_t *planned);
 /* Which of them are integers. */
 void mesh_windows_mark(size_t seeing, size_t nodes, bool *marks);
 

@@ -35,8 +35,7 @@ static void set_up(const double points[6][4], struct singular *equations)
             size_t row = cubic_monomial(i, factors[m][0], factors[m][1]);
 
             for (int c = 0; c < 4; c++)
-                equations->scaled[row][4 * i + c] += (m < 3 ? 1 : 2)
-                                                     * points[m][c];
+                equations->scaled[row][4 * i + c] += (m < 3 ? 1 : 2) * points[m][c];
         }
 }
 
@@ -58,8 +57,7 @@ static void find_triple(struct moving_planes *planes)
     size_t column;
 
     for (size_t i = 0; i < 6; i++)
-        memcpy(singular.scaled[i], planes->l[i / 3][i % 3],
-               sizeof planes->triple);
+        memcpy(singular.scaled[i], planes->l[i / 3][i % 3], sizeof planes->triple);
     singular_decompose(&singular);
     column = least_column(&singular, singular.columns);
     for (size_t i = 0; i < 4; i++)
@@ -67,8 +65,8 @@ static void find_triple(struct moving_planes *planes)
 }
 
 /* L H(p), a row of coefficients of the parameters. */
-static void plane_at(const double points[6][4], const double l[3][4],
-                     const double p[3], double row[3])
+static void plane_at(const double points[6][4], const double l[3][4], const double p[3],
+                     double row[3])
 {
     memset(row, 0, 3 * sizeof *row);
     for (int m = 0; m < 6; m++) {
@@ -93,8 +91,7 @@ static bool is_flat(const double points[6][4])
 
 /* Is p ~ (L1 H) x (L2 H)?  Not where two parameters share a point: where they
  * all do, the surface is a quadric covered twice. */
-static bool is_simple(const double points[6][4],
-                      const struct moving_planes *planes)
+static bool is_simple(const double points[6][4], const struct moving_planes *planes)
 {
     static const double places[][3] = { { .5, .3, .2 },
                                         { .2, .5, .3 },
@@ -106,15 +103,13 @@ static bool is_simple(const double points[6][4],
         for (int which = 0; which < 2; which++)
             plane_at(points, planes->l[which], places[i], normals[which]);
         cross3(normals[0], normals[1], across);
-        if (length3(across)
-            > NOTHING * length3(normals[0]) * length3(normals[1]))
+        if (length3(across) > NOTHING * length3(normals[0]) * length3(normals[1]))
             return true;
     }
     return false;
 }
 
-void moving_planes_find(const double points[6][4],
-                        struct moving_planes *planes)
+void moving_planes_find(const double points[6][4], struct moving_planes *planes)
 {
     struct singular singular;
     size_t taken;

@@ -26,7 +26,6 @@ struct moving_planes {
 
 /* points: x y z w of the forms' coefficients ss tt uu st tu us, the mixed ones
  * halved; x y z of the order of 1, as w is. */
-void moving_planes_find(const double points[6][4],
-                        struct moving_planes *planes);
+void moving_planes_find(const double points[6][4], struct moving_planes *planes);
 
 #endif

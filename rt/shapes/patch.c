@@ -18,8 +18,7 @@ static struct homogeneous row_at(const struct primitive *patch, int i,
         int k = index[i][j];
         double share = p[j] * patch->shape.steiner_patch.weights[k];
         for (int axis = 0; axis < 3; axis++)
-            sum.xyz[axis] += share
-                             * patch->shape.steiner_patch.points[k][axis];
+            sum.xyz[axis] += share * patch->shape.steiner_patch.points[k][axis];
         sum.w += share;
     }
     return sum;

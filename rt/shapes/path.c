@@ -44,8 +44,7 @@ bool path_next(struct path_walk *walk)
 void path_bound(const struct primitive *primitive, const struct outline *path,
                 double low_end, double high_end, struct bound *bound)
 {
-    double low[2] = { INFINITY, INFINITY },
-           high[2] = { -INFINITY, -INFINITY };
+    double low[2] = { INFINITY, INFINITY }, high[2] = { -INFINITY, -INFINITY };
     double base[3], cap[3], radius = 0;
     struct hull hull = { .count = 0 };
 
@@ -106,8 +105,7 @@ static void add_edge(struct changes *changes, int side)
         changes->first = side;
         changes->before = changes->between;
     } else {
-        changes->count += changes_between(changes->last, side,
-                                          changes->between);
+        changes->count += changes_between(changes->last, side, changes->between);
     }
     changes->last = side;
     changes->between = 0;

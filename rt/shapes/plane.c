@@ -41,8 +41,7 @@ static bool carry(const struct primitive *primitive, double *words)
     return true;
 }
 
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     (void)primitive;
     (void)emitter;

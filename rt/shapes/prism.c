@@ -34,12 +34,10 @@ static size_t close_loop(struct outline *path, size_t first, double closeness,
 
     memcpy(start, points[first], sizeof start);
     do {
-        if (*kept == begin
-            || !path_is_near(points[next], points[*kept - 1], closeness))
+        if (*kept == begin || !path_is_near(points[next], points[*kept - 1], closeness))
             memcpy(points[(*kept)++], points[next], sizeof *points);
         next++;
-    } while (next < path->count
-             && !path_is_near(points[next], start, closeness));
+    } while (next < path->count && !path_is_near(points[next], start, closeness));
     memcpy(points[(*kept)++], start, sizeof start);
     if (*kept - begin < 4)
         *kept = begin;
@@ -62,8 +60,7 @@ static const char *settle(struct primitive *primitive)
 {
     struct outline *path = &primitive->shape.prism.path;
     double a = primitive->shape.prism.low, b = primitive->shape.prism.high;
-    double closeness = path_closeness((const double(*)[2])path->points,
-                                      path->count);
+    double closeness = path_closeness((const double(*)[2])path->points, path->count);
     size_t kept = 0;
 
     if (primitive->shape.prism.quadratic)
@@ -76,8 +73,7 @@ static const char *settle(struct primitive *primitive)
     if (a == b && primitive->shape.prism.open)
         return shape_empty(primitive, "the prism has no height");
     return kept > 0 ? NULL
-                    : shape_empty(primitive,
-                                  "the path of the prism encloses nothing");
+                    : shape_empty(primitive, "the path of the prism encloses nothing");
 }
 
 /* ---- Its bound ----------------------------------------------------------- */
@@ -86,8 +82,8 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 {
     const struct outline *path = &primitive->shape.prism.path;
 
-    path_bound(primitive, path, primitive->shape.prism.low,
-               primitive->shape.prism.high, bound);
+    path_bound(primitive, path, primitive->shape.prism.low, primitive->shape.prism.high,
+               bound);
 }
 
 static size_t segments(const struct primitive *primitive)
@@ -99,8 +95,8 @@ static size_t segments(const struct primitive *primitive)
 
 /* Does what the ray crosses from a point of an edge on, that edge left out,
  * come to an odd number? */
-static bool is_inside(const struct outline *path, size_t edge,
-                      const double point[2], const double direction[2])
+static bool is_inside(const struct outline *path, size_t edge, const double point[2],
+                      const double direction[2])
 {
     struct path_walk walk = { .path = path, .apart = 1 };
     bool inside = false;
@@ -127,8 +123,7 @@ enum { ROW = 8 };
 static void put_edge(const struct path_walk *edge, size_t number, double *row)
 {
     double x = edge->from[0] - edge->to[0], z = edge->from[1] - edge->to[1];
-    double length = elementary_hypot(x, z),
-           normal[2] = { z / length, -x / length };
+    double length = elementary_hypot(x, z), normal[2] = { z / length, -x / length };
     const double middle[2] = { edge->to[0] + x / 2, edge->to[1] + z / 2 };
 
     if (is_inside(edge->path, number, middle, normal)) {
@@ -168,8 +163,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 3;
 }
 
-static size_t put_table(const struct primitive *primitive,
-                        const struct eyes *eyes, double *table)
+static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
+                        double *table)
 {
     const struct outline *path = &primitive->shape.prism.path;
 

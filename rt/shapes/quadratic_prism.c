@@ -73,9 +73,8 @@ static bool add_loop(struct outline *path, struct spline_points *spline)
  * points with the handles. */
 static const char *make_parabolas(struct outline *path)
 {
-    struct spline_points spline = {
-        (const double(*)[2])path->points + path->count, path->count, 0, 0
-    };
+    struct spline_points spline = { (const double(*)[2])path->points + path->count,
+                                    path->count, 0, 0 };
 
     if (path->count < POINTS_LEAST)
         return "a quadratic spline needs five points";
@@ -111,8 +110,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
 
 static size_t segments(const struct primitive *primitive)
 {
-    return (path_crossings(&primitive->shape.quadratic_prism.path, 2) + 1)
-           / 2;
+    return (path_crossings(&primitive->shape.quadratic_prism.path, 2) + 1) / 2;
 }
 
 /* ---- One parabola -------------------------------------------------------- */
@@ -136,8 +134,7 @@ static bool next_parabola(struct path_walk *walk, struct parabola *parabola)
     path_next(walk);
     parabola->to = walk->to;
     for (int k = 0; k < 2; k++) {
-        parabola->bend[k] = parabola->from[k] - 2 * handle[k]
-                            + parabola->to[k];
+        parabola->bend[k] = parabola->from[k] - 2 * handle[k] + parabola->to[k];
         parabola->lead[k] = handle[k] - parabola->from[k];
     }
     return true;
@@ -159,13 +156,11 @@ static double along(const struct parabola *parabola, int k, double w)
 }
 
 /* Is a point of it, which stands at w, ahead in a direction? */
-static bool is_ahead(const struct parabola *parabola, double w,
-                     const double point[2], const double direction[2])
+static bool is_ahead(const struct parabola *parabola, double w, const double point[2],
+                     const double direction[2])
 {
-    const double way[2] = {
-        parabola->from[0] + along(parabola, 0, w) - point[0],
-        parabola->from[1] + along(parabola, 1, w) - point[1]
-    };
+    const double way[2] = { parabola->from[0] + along(parabola, 0, w) - point[0],
+                            parabola->from[1] + along(parabola, 1, w) - point[1] };
 
     return dot(direction, way) > 0;
 }
@@ -174,13 +169,11 @@ static bool is_ahead(const struct parabola *parabola, double w,
  * in quadratic_prism_vector.s; own: the point is its middle, which does not
  * count. */
 static size_t crossings_ahead(const struct parabola *parabola, bool own,
-                              const double point[2],
-                              const double direction[2])
+                              const double point[2], const double direction[2])
 {
     const double from[2] = { parabola->from[0] - point[0],
                              parabola->from[1] - point[1] };
-    const double to[2] = { parabola->to[0] - point[0],
-                           parabola->to[1] - point[1] };
+    const double to[2] = { parabola->to[0] - point[0], parabola->to[1] - point[1] };
     double a = cross(direction, parabola->bend);
     double b = cross(direction, parabola->lead), c = cross(direction, from);
     double square = b * b - a * c, root = sqrt(fmax(0, square));
@@ -199,8 +192,8 @@ static size_t crossings_ahead(const struct parabola *parabola, bool own,
            + (size_t)is_ahead(parabola, c / q, point, direction);
 }
 
-static bool is_inside(const struct outline *path, size_t number,
-                      const double point[2], const double direction[2])
+static bool is_inside(const struct outline *path, size_t number, const double point[2],
+                      const double direction[2])
 {
     struct path_walk walk = { .path = path, .apart = 2 };
     struct parabola parabola;
@@ -333,8 +326,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 3;
 }
 
-static size_t put_table(const struct primitive *primitive,
-                        const struct eyes *eyes, double *table)
+static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
+                        double *table)
 {
     const struct outline *path = &primitive->shape.quadratic_prism.path;
 

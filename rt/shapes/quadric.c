@@ -21,9 +21,7 @@ static const char *settle(struct primitive *primitive)
 static size_t put_words(const struct primitive *primitive, double *words)
 {
     enum { CENTER = 0, MATRIX = 3, LINEAR = 9, CONSTANT = 12 };
-    static const size_t place[3][3] = { { 0, 3, 4 },
-                                        { 3, 1, 5 },
-                                        { 4, 5, 2 } };
+    static const size_t place[3][3] = { { 0, 3, 4 }, { 3, 1, 5 }, { 4, 5, 2 } };
     const double *terms = primitive->shape.quadric.coefficients;
     struct singular matrix = { .rows = 3, .columns = 3 };
     double *center = words + CENTER, against[3];

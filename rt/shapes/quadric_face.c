@@ -21,9 +21,8 @@ static void add_product(double weight, const row a, const row b, row *sum)
 
 /* |X - base|^2 - along ((X - base) . axis)^2 - 2 rise (X - base) . axis - square,
  * in the world; the axis has length one. */
-static void round_matrix(const struct primitive *primitive,
-                         const double base[3], const double axis[3],
-                         double along, double rise, double square,
+static void round_matrix(const struct primitive *primitive, const double base[3],
+                         const double axis[3], double along, double rise, double square,
                          row *matrix)
 {
     static const row one = { 0, 0, 0, 1 };
@@ -43,9 +42,9 @@ static void round_matrix(const struct primitive *primitive,
     add_product(-square, one, one, matrix);
 }
 
-static void cone_matrix(const struct primitive *primitive,
-                        const double base[3], double base_radius,
-                        const double cap[3], double cap_radius, row *matrix)
+static void cone_matrix(const struct primitive *primitive, const double base[3],
+                        double base_radius, const double cap[3], double cap_radius,
+                        row *matrix)
 {
     double axis[3], length, slope;
 
@@ -53,26 +52,25 @@ static void cone_matrix(const struct primitive *primitive,
     length = length3(axis);
     scale3(1 / length, axis);
     slope = (cap_radius - base_radius) / length;
-    round_matrix(primitive, base, axis, 1 + slope * slope,
-                 base_radius * slope, base_radius * base_radius, matrix);
+    round_matrix(primitive, base, axis, 1 + slope * slope, base_radius * slope,
+                 base_radius * base_radius, matrix);
 }
 
 static void quadric_matrix(const struct primitive *primitive, row *matrix)
 {
     enum { ONE = 3 };
     static const row one = { 0, 0, 0, 1 };
-    static const int factors[QUADRIC_TERMS][2] = {
-        { 0, 0 }, { 1, 1 },   { 2, 2 },   { 0, 1 },   { 0, 2 },
-        { 1, 2 }, { 0, ONE }, { 1, ONE }, { 2, ONE }, { ONE, ONE }
-    };
+    static const int factors[QUADRIC_TERMS][2] = { { 0, 0 },    { 1, 1 },   { 2, 2 },
+                                                   { 0, 1 },    { 0, 2 },   { 1, 2 },
+                                                   { 0, ONE },  { 1, ONE }, { 2, ONE },
+                                                   { ONE, ONE } };
     const double(*rows)[4] = (const double(*)[4])primitive->to_local.rows;
 
     for (int i = 0; i < QUADRIC_TERMS; i++) {
         int a = factors[i][0], b = factors[i][1];
 
-        add_product(primitive->shape.quadric.coefficients[i],
-                    a == ONE ? one : rows[a], b == ONE ? one : rows[b],
-                    matrix);
+        add_product(primitive->shape.quadric.coefficients[i], a == ONE ? one : rows[a],
+                    b == ONE ? one : rows[b], matrix);
     }
 }
 
@@ -86,20 +84,17 @@ static bool matrix_of(const struct primitive *primitive, row *matrix)
     switch (primitive->kind) {
     case PRIMITIVE_SPHERE:
         round_matrix(primitive, primitive->shape.sphere.center, up, 0, 0,
-                     primitive->shape.sphere.radius
-                         * primitive->shape.sphere.radius,
+                     primitive->shape.sphere.radius * primitive->shape.sphere.radius,
                      matrix);
         return true;
     case PRIMITIVE_CYLINDER:
         cone_matrix(primitive, primitive->shape.cylinder.base,
-                    primitive->shape.cylinder.radius,
-                    primitive->shape.cylinder.cap,
+                    primitive->shape.cylinder.radius, primitive->shape.cylinder.cap,
                     primitive->shape.cylinder.radius, matrix);
         return true;
     case PRIMITIVE_CONE:
         cone_matrix(primitive, primitive->shape.cone.base,
-                    primitive->shape.cone.base_radius,
-                    primitive->shape.cone.cap,
+                    primitive->shape.cone.base_radius, primitive->shape.cone.cap,
                     primitive->shape.cone.cap_radius, matrix);
         return true;
     case PRIMITIVE_QUADRIC: quadric_matrix(primitive, matrix); return true;

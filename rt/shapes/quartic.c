@@ -6,13 +6,12 @@
 #include "rt/shapes/terms.h"
 
 static const struct shape_field fields[] = {
-    { TAKES_TERMS, SHAPE_AT(quartic, coefficients), NULL, QUARTIC_TERMS,
-      NULL },
+    { TAKES_TERMS, SHAPE_AT(quartic, coefficients), NULL, QUARTIC_TERMS, NULL },
     { TAKES_END, 0, NULL, 0, NULL },
 };
 
-const char *terms_settle(struct primitive *primitive,
-                         const double *coefficients, size_t count)
+const char *terms_settle(struct primitive *primitive, const double *coefficients,
+                         size_t count)
 {
     for (size_t i = 0; i + 1 < count; i++)
         if (coefficients[i] != 0)
@@ -40,8 +39,7 @@ void quartic_enlarge(struct primitive *quartic, int log)
         for (int k = 0; k < 4; k++) {
             if (k < 3)
                 to_world->rows[i][k] = ldexp(to_world->rows[i][k], -log);
-            quartic->to_local.rows[i][k] = ldexp(quartic->to_local.rows[i][k],
-                                                 log);
+            quartic->to_local.rows[i][k] = ldexp(quartic->to_local.rows[i][k], log);
         }
 }
 
@@ -54,8 +52,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return 2;
 }
 
-static size_t put_table(const struct primitive *primitive,
-                        const struct eyes *eyes, double *table)
+static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
+                        double *table)
 {
     (void)eyes;
     if (table)

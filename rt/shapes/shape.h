@@ -50,17 +50,17 @@ struct shape_field {
 struct shape_kernels {
     const char *kernel; /* the crossing of a ray that it meets first */
     const char *normal;
-    size_t segments;        /* of a ray, inside, at the most; 0: a surface,
+    size_t segments;               /* of a ray, inside, at the most; 0: a surface,
                                that has no inside */
-    const char *solid;      /* of one that stands in a tree: all crossings;
+    const char *solid;             /* of one that stands in a tree: all crossings;
                                NULL: the first routine finds them all */
-    const char *state;      /* in a tree, of an open shape: the segments
+    const char *state;             /* in a tree, of an open shape: the segments
                                inside of the closed one; else NULL */
-    const char *inside;     /* in a tree, of one that may be a surface or a
+    const char *inside;            /* in a tree, of one that may be a surface or a
                                solid: the segments of a solid; else NULL */
-    const char *body;       /* .. or may have a body that is not seen: what
+    const char *body;              /* .. or may have a body that is not seen: what
                                is inside of that */
-    const char *historical; /* the kernel of 1984 */
+    const char *historical;        /* the kernel of 1984 */
     const char *historical_normal; /* where that notes what a normal needs:
                                       two parameters of a hit; else NULL */
 };
@@ -90,12 +90,12 @@ struct shape {
      * many, and, if table is not NULL, the words, or 0 if there is no memory
      * to work them out.  What is asked of it may be planned by where many
      * rays go through; eyes may be NULL.  NULL: none. */
-    size_t (*table)(const struct primitive *primitive,
-                    const struct eyes *eyes, double *table);
+    size_t (*table)(const struct primitive *primitive, const struct eyes *eyes,
+                    double *table);
     /* Which of them are integers: marks these where no mark is.  NULL: all are
      * numbers. */
-    void (*mark_integers)(const struct primitive *primitive,
-                          const struct eyes *eyes, bool *marks);
+    void (*mark_integers)(const struct primitive *primitive, const struct eyes *eyes,
+                          bool *marks);
     /* Whether all are finite, if that is told sooner than by working them
      * out; or NULL. */
     bool (*is_finite)(const struct primitive *primitive);
@@ -122,13 +122,11 @@ struct shape {
     /* Whether the kernel of 1984 can trace it; NULL: where there is one. */
     bool (*is_historical)(const struct primitive *primitive);
     /* Its words, as above; NULL: the same. */
-    size_t (*historical_words)(const struct primitive *primitive,
-                               double *words);
+    size_t (*historical_words)(const struct primitive *primitive, double *words);
     /* How points are spread over its surface; what it has is freed by who
      * asks.  Returns why there is nothing of the kind, or NULL.  NULL: its
      * surface is found by lines alone. */
-    const char *(*emit)(const struct primitive *primitive,
-                        struct emitter *emitter);
+    const char *(*emit)(const struct primitive *primitive, struct emitter *emitter);
 };
 
 #define SHAPE(KIND, name, ...) extern const struct shape shape_##name;
@@ -138,8 +136,7 @@ struct shape {
 extern const struct shape *const shapes[PRIMITIVE_KINDS];
 const struct shape *shape_of(const struct primitive *primitive);
 /* Those of its sort. */
-const struct shape_kernels *
-shape_kernels_of(const struct primitive *primitive);
+const struct shape_kernels *shape_kernels_of(const struct primitive *primitive);
 /* Has it no inside? */
 bool shape_is_surface(const struct primitive *primitive);
 /* Marks it as one of which nothing is seen.  Returns the reason. */

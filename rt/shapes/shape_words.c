@@ -10,14 +10,12 @@ void shape_words(const struct primitive *primitive, struct shape_words *words)
 
     words->count = shape->words(primitive, words->words);
     words->transformed = primitive->transformed
-                         && !(shape->carry
-                              && shape->carry(primitive, words->words));
+                         && !(shape->carry && shape->carry(primitive, words->words));
     words->kernel = kernels->kernel;
     words->normal = kernels->normal;
     words->solid = kernels->solid ? kernels->solid : kernels->kernel;
     words->state = kernels->state;
-    words->segments = shape->segments ? shape->segments(primitive)
-                                      : kernels->segments;
+    words->segments = shape->segments ? shape->segments(primitive) : kernels->segments;
     words->on_mesh = shape->crossings != NULL;
     words->on_patch = words->on_mesh || words->segments == 0;
     words->events = words->on_mesh         ? shape->crossings(primitive)
@@ -54,21 +52,19 @@ bool shape_words_historical(const struct primitive *primitive,
     return true;
 }
 
-size_t shape_table_count(const struct primitive *primitive,
-                         const struct eyes *eyes)
+size_t shape_table_count(const struct primitive *primitive, const struct eyes *eyes)
 {
     const struct shape *shape = shape_of(primitive);
 
     return shape->table ? shape->table(primitive, eyes, NULL) : 0;
 }
 
-double *shape_table(const struct primitive *primitive,
-                    const struct eyes *eyes, size_t count)
+double *shape_table(const struct primitive *primitive, const struct eyes *eyes,
+                    size_t count)
 {
     double *table = calloc(count + 1, sizeof *table);
 
-    if (table && count > 0
-        && shape_of(primitive)->table(primitive, eyes, table) == 0) {
+    if (table && count > 0 && shape_of(primitive)->table(primitive, eyes, table) == 0) {
         free(table);
         return NULL;
     }

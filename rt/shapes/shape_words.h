@@ -19,26 +19,24 @@ struct shape_words {
     bool on_patch;               /* a hit has two parameters, too */
     bool on_mesh;                /* .. one of which is a triangle */
     const char *kernel, *normal; /* routines, in both forms of the program */
-    const char *solid; /* for all crossings of a ray: the kernel that
+    const char *solid;           /* for all crossings of a ray: the kernel that
                           is used in trees */
-    const char *state; /* for the segments inside of the closed shape,
+    const char *state;           /* for the segments inside of the closed shape,
                           if it is open; or NULL */
-    size_t segments;   /* of a ray, inside, at the most */
-    size_t events;     /* crossings of a ray that can be seen */
+    size_t segments;             /* of a ray, inside, at the most */
+    size_t events;               /* crossings of a ray that can be seen */
 };
 
-void shape_words(const struct primitive *primitive,
-                 struct shape_words *words);
+void shape_words(const struct primitive *primitive, struct shape_words *words);
 /* Of one that is traced alone, not in a tree, as the program of 1984 has it.
  * False: that has no kernel for it; the words are those of today. */
 bool shape_words_historical(const struct primitive *primitive,
                             struct shape_words *words);
 /* How many words its table has, and the table, of that many; the caller frees
  * it.  Eyes: through which many rays go, or NULL.  NULL: no memory. */
-size_t shape_table_count(const struct primitive *primitive,
-                         const struct eyes *eyes);
-double *shape_table(const struct primitive *primitive,
-                    const struct eyes *eyes, size_t count);
+size_t shape_table_count(const struct primitive *primitive, const struct eyes *eyes);
+double *shape_table(const struct primitive *primitive, const struct eyes *eyes,
+                    size_t count);
 /* Whether all of that is finite: what squares and reciprocals make of a
  * shape's numbers may be beyond a double.  Without memory for the table that
  * is not asked. */

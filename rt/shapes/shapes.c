@@ -21,8 +21,7 @@ const struct shape *shape_of(const struct primitive *primitive)
     return shapes[primitive->kind];
 }
 
-const struct shape_kernels *
-shape_kernels_of(const struct primitive *primitive)
+const struct shape_kernels *shape_kernels_of(const struct primitive *primitive)
 {
     const struct shape *shape = shape_of(primitive);
 
@@ -34,8 +33,7 @@ bool shape_is_surface(const struct primitive *primitive)
 {
     const struct shape *shape = shape_of(primitive);
 
-    return (shape->segments ? shape->segments(primitive)
-                            : shape->kernels.segments)
+    return (shape->segments ? shape->segments(primitive) : shape->kernels.segments)
            == 0;
 }
 

@@ -5,8 +5,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-static double column_product(const struct singular *singular, size_t p,
-                             size_t q)
+static double column_product(const struct singular *singular, size_t p, size_t q)
 {
     double sum = 0;
 
@@ -15,8 +14,8 @@ static double column_product(const struct singular *singular, size_t p,
     return sum;
 }
 
-static void turn(singular_matrix matrix, size_t rows, size_t p, size_t q,
-                 double cosine, double sine)
+static void turn(singular_matrix matrix, size_t rows, size_t p, size_t q, double cosine,
+                 double sine)
 {
     for (size_t i = 0; i < rows; i++) {
         double x = matrix[i][p], y = matrix[i][q];
@@ -81,8 +80,8 @@ size_t singular_nullity(const struct singular *singular, double share)
     return count;
 }
 
-void singular_solve(const struct singular *singular, double share,
-                    const double *b, double *x)
+void singular_solve(const struct singular *singular, double share, const double *b,
+                    double *x)
 {
     double least = least_value(singular, share);
 

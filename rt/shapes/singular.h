@@ -27,7 +27,7 @@ size_t singular_nullity(const struct singular *singular, double share);
 
 /* The shortest x with the least |A x - b|; values at most share times the
  * greatest count as 0. */
-void singular_solve(const struct singular *singular, double share,
-                    const double *b, double *x);
+void singular_solve(const struct singular *singular, double share, const double *b,
+                    double *x);
 
 #endif

@@ -46,8 +46,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
 static bool carry(const struct primitive *primitive, double *words)
 {
     const double(*rows)[4] = primitive->to_world.rows;
-    double scale = length3(
-        (const double[]){ rows[0][0], rows[1][0], rows[2][0] });
+    double scale = length3((const double[]){ rows[0][0], rows[1][0], rows[2][0] });
     const double *center = primitive->shape.sphere.center;
     double r = primitive->shape.sphere.radius * scale;
 
@@ -69,8 +68,7 @@ static bool carry(const struct primitive *primitive, double *words)
 }
 
 /* The unit sphere, so many times as large. */
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     emitter->kernel = "emit_sphere";
     emitter->area = 4 * PI;
@@ -90,7 +88,5 @@ const struct shape shape_sphere = {
     .carry = carry,
     .region = "sphere",
     .emit = emit,
-    .kernels = { .kernel = "sphere",
-                 .normal = "normal_sphere",
-                 .segments = 1 },
+    .kernels = { .kernel = "sphere", .normal = "normal_sphere", .segments = 1 },
 };

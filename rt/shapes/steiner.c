@@ -33,9 +33,8 @@ bool steiner_is_polynomial(const struct primitive *primitive)
  * corner of the parameters.  Then told from the greatest. */
 static void read_weights(const struct primitive *primitive, double *weights)
 {
-    static const int ends[STEINER_POINTS][2] = {
-        { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 2, 0 }
-    };
+    static const int ends[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
+                                                 { 0, 1 }, { 1, 2 }, { 2, 0 } };
     const double *given = primitive->shape.steiner_patch.weights;
     double greatest = 0;
 
@@ -74,8 +73,7 @@ static void read_patch(const struct primitive *primitive, struct patch *patch)
 }
 
 /* The same patch with the corner first as s, the next one as t. */
-static void turn_patch(const struct patch *patch, int first,
-                       struct patch *turned)
+static void turn_patch(const struct patch *patch, int first, struct patch *turned)
 {
     *turned = *patch;
     for (int i = 0; i < 3; i++) {
@@ -143,8 +141,8 @@ static bool square_to_last(const double (*k)[3], double *square)
  * apart: it is square to K5 and K2 or, where K2 is along K5, to K4.  Of a
  * patch without K5 any ray wants it: it is square to K2, in the plane of the
  * patch. */
-static void other_plane(const struct patch_polynomials *polynomials,
-                        double bound, double *other)
+static void other_plane(const struct patch_polynomials *polynomials, double bound,
+                        double *other)
 {
     double k[6][3], normal[3], length;
 
@@ -192,8 +190,7 @@ static size_t put_implicit(const struct patch *patch, double *table)
         return 0;
     for (int row = 0; row < 6; row++)
         for (int c = 0; c < 4; c++)
-            *next++ = planes.l[row / 3][row % 3][c]
-                      / (c < 3 ? patch->bound : 1);
+            *next++ = planes.l[row / 3][row % 3][c] / (c < 3 ? patch->bound : 1);
     for (int c = 0; c < 4; c++)
         *next++ = planes.triple[c] * (c < 3 ? patch->bound : 1);
     for (int c = 0; c < 4; c++)

@@ -6,8 +6,7 @@
 #include "rt/shapes/steiner.h"
 
 static const struct shape_field fields[] = {
-    { TAKES_VECTOR, SHAPE_AT(steiner_patch, points), NULL, STEINER_POINTS,
-      NULL },
+    { TAKES_VECTOR, SHAPE_AT(steiner_patch, points), NULL, STEINER_POINTS, NULL },
     { TAKES_SIZE, SHAPE_AT(steiner_patch, weights), "weight", STEINER_POINTS,
       "weights" },
     { TAKES_END, 0, NULL, 0, NULL },
@@ -20,9 +19,8 @@ static const char *settle(struct primitive *primitive)
 
     for (size_t i = 0; i < STEINER_POINTS && weights[i] == 0; i++)
         weights[i] = 1;
-    return patch_has_area(primitive)
-               ? NULL
-               : shape_empty(primitive, "the patch has no area");
+    return patch_has_area(primitive) ? NULL
+                                     : shape_empty(primitive, "the patch has no area");
 }
 
 /* With weights above 0 a patch lies in the hull of its control points. */
@@ -31,8 +29,7 @@ static void put_bound(const struct primitive *primitive, struct bound *bound)
     struct hull hull = { .count = 0 };
 
     for (int i = 0; i < STEINER_POINTS; i++)
-        hull_point(&hull, primitive,
-                   primitive->shape.steiner_patch.points[i]);
+        hull_point(&hull, primitive, primitive->shape.steiner_patch.points[i]);
     bound_hull(&hull, bound);
 }
 
@@ -42,8 +39,8 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return STEINER_SHAPE;
 }
 
-static size_t put_table(const struct primitive *primitive,
-                        const struct eyes *eyes, double *table)
+static size_t put_table(const struct primitive *primitive, const struct eyes *eyes,
+                        double *table)
 {
     double found[STEINER_TABLE_MOST];
     size_t count = steiner_table(primitive, found);
@@ -61,8 +58,7 @@ static bool is_historical(const struct primitive *primitive)
 }
 
 /* The polynomials K0 .. K5 axis by axis, those of the squares twice. */
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     static const double times[STEINER_POINTS] = { 1, 1, 1, 2, 1, 2 };
     double shape[STEINER_SHAPE], table[STEINER_TABLE_MOST];

@@ -5,8 +5,8 @@
 #include "rt/shapes/bound.h"
 
 /* Of the major radius and the tube's half axes, away from y and along it. */
-void torus_bound(const struct primitive *primitive, double major,
-                 double radial, double axial, struct bound *bound);
+void torus_bound(const struct primitive *primitive, double major, double radial,
+                 double axial, struct bound *bound);
 size_t torus_words(double major, double radial, double axial, double *words);
 
 #endif

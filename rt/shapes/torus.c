@@ -27,8 +27,8 @@ static const char *settle(struct primitive *primitive)
 }
 
 /* A circle about y, and from there the tube; its box is that of two circles. */
-void torus_bound(const struct primitive *primitive, double major,
-                 double radial, double axial, struct bound *bound)
+void torus_bound(const struct primitive *primitive, double major, double radial,
+                 double axial, struct bound *bound)
 {
     static const double origin[3] = { 0, 0, 0 };
     const double base[3] = { 0, -axial, 0 }, cap[3] = { 0, axial, 0 };
@@ -75,8 +75,7 @@ static size_t put_words(const struct primitive *primitive, double *words)
     return torus_words(primitive->shape.torus.major, minor, minor, words);
 }
 
-static const char *emit(const struct primitive *primitive,
-                        struct emitter *emitter)
+static const char *emit(const struct primitive *primitive, struct emitter *emitter)
 {
     double minor = primitive->shape.torus.minor;
 

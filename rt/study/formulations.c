@@ -39,9 +39,8 @@ static void add_times(struct table *table, const char *name,
     }
 }
 
-struct table *
-formulations_table(const c205_model *model,
-                   const struct speedup_measure (*measures)[TRACE_FORMS])
+struct table *formulations_table(const c205_model *model,
+                                 const struct speedup_measure (*measures)[TRACE_FORMS])
 {
     struct table *table = table_new(TABLE_COLUMNS(columns));
     double paper[SPEEDUP_FIGURES];

@@ -9,8 +9,7 @@
 
 /* measures[i] of speedup_formulations[i], on the model.  The caller frees it;
  * NULL: no memory. */
-struct table *
-formulations_table(const c205_model *model,
-                   const struct speedup_measure (*measures)[TRACE_FORMS]);
+struct table *formulations_table(const c205_model *model,
+                                 const struct speedup_measure (*measures)[TRACE_FORMS]);
 
 #endif

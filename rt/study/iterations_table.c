@@ -9,8 +9,8 @@ static double mean(uint64_t sum, uint64_t count)
 }
 
 /* Where one bracket goes after another its share of the loop says nothing. */
-static double active_percent(const struct iterations *iterations,
-                             uint64_t active, uint64_t lanes)
+static double active_percent(const struct iterations *iterations, uint64_t active,
+                             uint64_t lanes)
 {
     return iterations->vector ? 100 * mean(active, lanes) : NAN;
 }
@@ -27,23 +27,19 @@ void iterations_add(struct table *table, const struct iterations *iterations,
     table_number(table, mean(count->steps, count->brackets));
     table_count(table, count->passes);
     table_number(table, mean(count->lanes, count->passes));
-    table_number(table,
-                 active_percent(iterations, count->steps, count->lanes));
+    table_number(table, active_percent(iterations, count->steps, count->lanes));
 }
 
-size_t iterations_passes(const struct iterations *iterations,
-                         enum stage stage)
+size_t iterations_passes(const struct iterations *iterations, enum stage stage)
 {
     size_t passes = 0;
 
-    while (passes < ITERATIONS_MOST
-           && iterations->stage[stage].in_loop[passes] > 0)
+    while (passes < ITERATIONS_MOST && iterations->stage[stage].in_loop[passes] > 0)
         passes++;
     return passes;
 }
 
-void iterations_add_pass(struct table *table,
-                         const struct iterations *iterations,
+void iterations_add_pass(struct table *table, const struct iterations *iterations,
                          enum stage stage, size_t pass)
 {
     const struct stage_count *count = &iterations->stage[stage];

@@ -37,11 +37,9 @@ void iterations_add(struct table *table, const struct iterations *iterations,
                     enum stage stage);
 
 /* How many passes the longest refinement of a stage took. */
-size_t iterations_passes(const struct iterations *iterations,
-                         enum stage stage);
+size_t iterations_passes(const struct iterations *iterations, enum stage stage);
 /* Of one of them, from 0: the cells of ITERATIONS_PASS_COLUMNS. */
-void iterations_add_pass(struct table *table,
-                         const struct iterations *iterations,
+void iterations_add_pass(struct table *table, const struct iterations *iterations,
                          enum stage stage, size_t pass);
 
 #endif

@@ -7,8 +7,7 @@
 #include "rt/shapes/shape.h"
 #include "rt/study/tasks.h"
 
-const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR,
-                                                      TRACE_KERNELS,
+const enum trace_mode profile_stages[TRACE_MODES] = { TRACE_SCALAR, TRACE_KERNELS,
                                                       TRACE_VECTOR };
 enum { SERIAL }; /* the first of them, which the others are compared with */
 
@@ -94,17 +93,14 @@ bool profile_part_of(const char *region, enum profile_part *part)
 
 /* ---- Sums ---------------------------------------------------------------- */
 
-static uint64_t clocks_of_region(const struct trace *trace,
-                                 const char *region)
+static uint64_t clocks_of_region(const struct trace *trace, const char *region)
 {
-    const c205_account *account = accounts_find(trace_accounts(trace),
-                                                region);
+    const c205_account *account = accounts_find(trace_accounts(trace), region);
 
     return account ? accounts_clocks(account) : 0;
 }
 
-static uint64_t clocks_of_part(const struct trace *trace,
-                               enum profile_part part)
+static uint64_t clocks_of_part(const struct trace *trace, enum profile_part part)
 {
     struct profile_region list[REGIONS_MOST];
     size_t count = list_regions(list);
@@ -152,13 +148,10 @@ static void add_clocks(struct table *table, const struct profile *profile,
     table_text(table, kernel);
     for (int i = 0; i < TRACE_MODES; i++) {
         table_count(table, clocks[i]);
+        table_number(table, accounts_seconds(trace_accounts(profile->traces[i])->model,
+                                             clocks[i]));
         table_number(table,
-                     accounts_seconds(trace_accounts(profile->traces[i])
-                                          ->model,
-                                      clocks[i]));
-        table_number(table, 100
-                                * ratio(clocks[i],
-                                        clocks_of_frame(profile->traces[i])));
+                     100 * ratio(clocks[i], clocks_of_frame(profile->traces[i])));
         if (i != SERIAL)
             table_number(table, ratio(clocks[SERIAL], clocks[i]));
     }
@@ -172,8 +165,7 @@ static void add_region(struct table *table, const struct profile *profile,
     for (int i = 0; i < TRACE_MODES; i++)
         sum += clocks[i] = clocks_of_region(profile->traces[i], region);
     if (sum > 0)
-        add_clocks(table, profile, part_names[PART_INTERSECT], region,
-                   clocks);
+        add_clocks(table, profile, part_names[PART_INTERSECT], region, clocks);
 }
 
 static void add_part(struct table *table, const struct profile *profile,
@@ -239,9 +231,8 @@ static void add_millions(struct table *table, const struct profile *profile,
     table_text(table, text);
     for (int i = 0; i < TRACE_MODES; i++) {
         table_number(table, (double)clocks[i] / 1e6);
-        table_number(table, 100
-                                * ratio(clocks[i],
-                                        clocks_of_frame(profile->traces[i])));
+        table_number(table,
+                     100 * ratio(clocks[i], clocks_of_frame(profile->traces[i])));
         if (i != SERIAL)
             table_number(table, ratio(clocks[SERIAL], clocks[i]));
     }
@@ -255,9 +246,8 @@ static bool find_clocks(const struct profile *profile, enum profile_part part,
     uint64_t sum = 0;
 
     for (int i = 0; i < TRACE_MODES; i++)
-        sum += clocks[i] = region
-                               ? clocks_of_region(profile->traces[i], region)
-                               : clocks_of_part(profile->traces[i], part);
+        sum += clocks[i] = region ? clocks_of_region(profile->traces[i], region)
+                                  : clocks_of_part(profile->traces[i], part);
     return sum > 0;
 }
 
@@ -275,13 +265,11 @@ static void add_members(struct table *table, const struct profile *profile,
     }
     count = list_regions(list);
     for (size_t i = 0; i < count; i++)
-        if (list[i].part == part
-            && find_clocks(profile, part, list[i].name, clocks))
+        if (list[i].part == part && find_clocks(profile, part, list[i].name, clocks))
             add_millions(table, profile, "  ", list[i].name, clocks);
 }
 
-static void add_group(struct table *table, const struct profile *profile,
-                      size_t group)
+static void add_group(struct table *table, const struct profile *profile, size_t group)
 {
     uint64_t clocks[TRACE_MODES], sum[TRACE_MODES] = { 0 };
 
@@ -335,8 +323,7 @@ enum { VECTORISED = sizeof vectorised / sizeof *vectorised };
 /* Part after part: those so far as fast as they are in the stage, the others
  * as slow as they are in scalar form; at the limit those so far would take no
  * time at all.  With its last part the stage itself is measured. */
-static void add_amdahl(struct table *table, const struct profile *profile,
-                       size_t row)
+static void add_amdahl(struct table *table, const struct profile *profile, size_t row)
 {
     int stage = vectorised[row].stage;
     uint64_t frame = clocks_of_frame(profile->traces[SERIAL]);
@@ -347,8 +334,7 @@ static void add_amdahl(struct table *table, const struct profile *profile,
         bool last = i + 1 == vectorised[row].count;
         char what[64];
 
-        snprintf(what, sizeof what, "%s%s", i > 0 ? "+ " : "",
-                 part_names[part]);
+        snprintf(what, sizeof what, "%s%s", i > 0 ? "+ " : "", part_names[part]);
         serial += clocks_of_part(profile->traces[SERIAL], part);
         now += clocks_of_part(profile->traces[stage], part);
         table_text(table, trace_mode_name(profile_stages[stage]));
@@ -357,8 +343,7 @@ static void add_amdahl(struct table *table, const struct profile *profile,
         table_number(table, ratio(serial, now));
         table_number(table, ratio(frame, frame - serial + now));
         table_number(table, ratio(frame, frame - serial));
-        table_number(table, last ? ratio(frame, clocks_of_frame(
-                                                    profile->traces[stage]))
+        table_number(table, last ? ratio(frame, clocks_of_frame(profile->traces[stage]))
                                  : NAN);
     }
 }
@@ -403,13 +388,12 @@ static const struct table_column ray_columns[] = {
 static void fill_rays(struct table *table, const struct profile *profile)
 {
     for (int kind = 0; kind < RAY_KINDS; kind++) {
-        uint64_t count = trace_rays(profile->traces[SERIAL],
-                                    (enum ray_kind)kind);
+        uint64_t count = trace_rays(profile->traces[SERIAL], (enum ray_kind)kind);
 
         table_text(table, ray_kind_name((enum ray_kind)kind));
         table_count(table, count);
-        table_number(table, ratio(count, trace_rays(profile->traces[SERIAL],
-                                                    RAY_PRIMARY)));
+        table_number(table,
+                     ratio(count, trace_rays(profile->traces[SERIAL], RAY_PRIMARY)));
     }
 }
 
@@ -435,8 +419,7 @@ static const struct {
                           TABLE_COLUMNS(speedup_columns), fill_speedup },
     [PROFILE_VECTORS] = { "vectors", "Vectors", TABLE_COLUMNS(vector_columns),
                           fill_vectors },
-    [PROFILE_RAYS] = { "rays", "Rays by kind", TABLE_COLUMNS(ray_columns),
-                       fill_rays },
+    [PROFILE_RAYS] = { "rays", "Rays by kind", TABLE_COLUMNS(ray_columns), fill_rays },
 };
 
 const char *profile_table_key(enum profile_table kind)
@@ -457,8 +440,7 @@ struct profiling {
     const struct trace_options *options;
 };
 
-static bool run_stage(void *context, const struct task *task,
-                      c205_error *error)
+static bool run_stage(void *context, const struct task *task, c205_error *error)
 {
     const struct profiling *profiling = context;
     struct profile *profile = profiling->profile;
@@ -490,8 +472,7 @@ static double stage_weight(const void *context, size_t stage)
 
 static bool agree(const struct profile *profile, int stage, c205_error *error)
 {
-    if (trace_checksum(profile->traces[stage])
-        == trace_checksum(profile->traces[0]))
+    if (trace_checksum(profile->traces[stage]) == trace_checksum(profile->traces[0]))
         return true;
     snprintf(error->message, sizeof error->message,
              "the frames of the stages %s and %s do not agree",
@@ -525,8 +506,7 @@ void profile_free(struct profile *profile)
         trace_free(profile->traces[i]);
 }
 
-struct table *profile_table(enum profile_table kind,
-                            const struct profile *profile)
+struct table *profile_table(enum profile_table kind, const struct profile *profile)
 {
     struct table *table = table_new(tables[kind].columns, tables[kind].count);
 

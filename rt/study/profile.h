@@ -51,7 +51,6 @@ enum profile_table {
 };
 const char *profile_table_key(enum profile_table kind);
 const char *profile_table_heading(enum profile_table kind);
-struct table *profile_table(enum profile_table kind,
-                            const struct profile *profile);
+struct table *profile_table(enum profile_table kind, const struct profile *profile);
 
 #endif

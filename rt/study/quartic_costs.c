@@ -33,8 +33,7 @@ static struct table *pass_table(const struct iterations *iterations)
     return table;
 }
 
-static bool print_remarks(const struct table *table, const char *heading,
-                          FILE *file)
+static bool print_remarks(const struct table *table, const char *heading, FILE *file)
 {
     char *text = NULL;
     size_t length = 0;
@@ -54,9 +53,8 @@ static bool print_remarks(const struct table *table, const char *heading,
     return good;
 }
 
-bool quartic_costs_part(const struct results *results,
-                        const struct table *table, const char *key,
-                        const char *heading)
+bool quartic_costs_part(const struct results *results, const struct table *table,
+                        const char *key, const char *heading)
 {
     struct results rest = *results;
 
@@ -68,8 +66,7 @@ bool quartic_costs_part(const struct results *results,
     return results_part(&rest, table, key, heading);
 }
 
-void quartic_costs_model(const struct results *results,
-                         const c205_model *model)
+void quartic_costs_model(const struct results *results, const c205_model *model)
 {
     if (results->format == RESULTS_TEXT)
         provenance_print(model, results->provenance, "# ", results->file);
@@ -91,8 +88,7 @@ static const struct {
     [PASSES] = { "passes", "Brackets still active, by pass" },
 };
 
-static void print_head(const struct quartic_costs *costs,
-                       const struct results *results)
+static void print_head(const struct quartic_costs *costs, const struct results *results)
 {
     const struct roots_options *options = costs->options;
     const char *mark = results->format == RESULTS_TEXT ? "# " : "";
@@ -104,9 +100,8 @@ static void print_head(const struct quartic_costs *costs,
     results_say(results,
                 "%s%zu polynomial%s, %zu root%s; %s%s, %s, falsi %s\n"
                 "%s%llu clock%s, %.8f s on the machine\n",
-                mark, costs->polynomials, plural(costs->polynomials),
-                costs->roots, plural(costs->roots),
-                trace_mode_name(options->mode), queue,
+                mark, costs->polynomials, plural(costs->polynomials), costs->roots,
+                plural(costs->roots), trace_mode_name(options->mode), queue,
                 options->first ? "first roots" : "all roots",
                 falsi_name(roots_falsi(costs->search)), mark,
                 (unsigned long long)clocks, plural(clocks),
@@ -133,8 +128,7 @@ static bool tell_tables(struct table *const tables[TABLES],
                         const struct results *results)
 {
     for (int i = 0; i < TABLES; i++)
-        if (!quartic_costs_part(results, tables[i], names[i].key,
-                                names[i].heading))
+        if (!quartic_costs_part(results, tables[i], names[i].key, names[i].heading))
             return false;
     return true;
 }

@@ -23,12 +23,10 @@ bool quartic_costs_tell(const struct quartic_costs *costs,
                         const struct results *results);
 
 /* Such a table.  False: likewise. */
-bool quartic_costs_part(const struct results *results,
-                        const struct table *table, const char *key,
-                        const char *heading);
+bool quartic_costs_part(const struct results *results, const struct table *table,
+                        const char *key, const char *heading);
 
 /* How far the model can be trusted, likewise. */
-void quartic_costs_model(const struct results *results,
-                         const c205_model *model);
+void quartic_costs_model(const struct results *results, const c205_model *model);
 
 #endif

@@ -22,8 +22,7 @@ const char *speedup_projection_model(const c205_model *model,
         [SPEEDUP_720] = "cyber720-prior", [SPEEDUP_6600] = "cdc6600"
     };
 
-    return provenance_is_fitted(model) ? speedup_projections[machine]
-                                       : priors[machine];
+    return provenance_is_fitted(model) ? speedup_projections[machine] : priors[machine];
 }
 
 /* Bent, so that many rays cross it twice; its surface is of degree four. */
@@ -58,21 +57,18 @@ const struct speedup_subject speedup_subjects[] = {
       .from = { .48, .6, -.64 },
       .regions = { "call", "steiner", speedup_solver } },
     { .name = "torus, ours",
-      .shape =
-          "torus { .8, .35 translate .8*z }", /* the tube in the middle */
+      .shape = "torus { .8, .35 translate .8*z }", /* the tube in the middle */
       .from = { 0, .8, -.6 },
       .regions = { "call", "torus", speedup_solver } },
 };
-const size_t speedup_subject_count = sizeof speedup_subjects
-                                     / sizeof *speedup_subjects;
+const size_t speedup_subject_count = sizeof speedup_subjects / sizeof *speedup_subjects;
 
 bool speedup_is_named(const struct speedup_subject *subject, const char *name)
 {
     size_t stem = strcspn(subject->name, ",");
 
     return strcasecmp(subject->name, name) == 0
-           || (strlen(name) == stem
-               && strncasecmp(subject->name, name, stem) == 0);
+           || (strlen(name) == stem && strncasecmp(subject->name, name, stem) == 0);
 }
 
 const struct speedup_subject speedup_formulations[] = {
@@ -98,8 +94,7 @@ const struct speedup_subject speedup_formulations[] = {
 const size_t speedup_formulation_count = sizeof speedup_formulations
                                          / sizeof *speedup_formulations;
 
-static void print_scene(char *text, size_t size,
-                        const struct speedup_subject *subject,
+static void print_scene(char *text, size_t size, const struct speedup_subject *subject,
                         const struct speedup_view *view,
                         const struct trace_options *options)
 {
@@ -110,8 +105,7 @@ static void print_scene(char *text, size_t size,
              " look_at <%.17g, %.17g, %.17g>\n"
              " right %.17g*x up y angle %.17g }\n"
              "object { %s pigment { color rgb 1 } }\n",
-             view->distance * subject->from[0],
-             view->distance * subject->from[1],
+             view->distance * subject->from[0], view->distance * subject->from[1],
              view->distance * subject->from[2], view->aim[0], view->aim[1],
              view->aim[2], (double)options->width / (double)options->height,
              view->angle, subject->shape);
@@ -119,8 +113,7 @@ static void print_scene(char *text, size_t size,
 
 static struct scene *read_scene(const struct speedup_subject *subject,
                                 const struct speedup_view *view,
-                                const struct trace_options *options,
-                                c205_error *error)
+                                const struct trace_options *options, c205_error *error)
 {
     static const struct scene_options how = { .strict = true };
     struct diagnostics reports = { 0 };
@@ -130,21 +123,20 @@ static struct scene *read_scene(const struct speedup_subject *subject,
     print_scene(text, sizeof text, subject, view, options);
     scene = scene_read_text(subject->name, text, &how, &reports);
     if (!scene)
-        snprintf(error->message, sizeof error->message, "%s: %s",
-                 subject->name,
+        snprintf(error->message, sizeof error->message, "%s: %s", subject->name,
                  reports.count > 0 ? reports.items[0].message : "no memory");
     diagnostics_free(&reports);
     return scene;
 }
 
-const c205_account *speedup_account(const struct accounts *accounts,
-                                    const char *region, c205_error *error)
+const c205_account *speedup_account(const struct accounts *accounts, const char *region,
+                                    c205_error *error)
 {
     const c205_account *account = accounts_find(accounts, region);
 
     if (!account)
-        snprintf(error->message, sizeof error->message,
-                 "the program has no region %s", region);
+        snprintf(error->message, sizeof error->message, "the program has no region %s",
+                 region);
     return account;
 }
 
@@ -209,8 +201,7 @@ static void *begin_projection(void *context, const struct object *program,
     return NULL;
 }
 
-static void hear_projection(void *state, const c205 *machine,
-                            const c205_event *event)
+static void hear_projection(void *state, const c205 *machine, const c205_event *event)
 {
     struct projected_band *band = state;
 
@@ -232,28 +223,26 @@ static void merge_projection(void *context, const void *state)
     struct projecting *projecting = context;
 
     for (size_t i = 0; i < c205_account_count(band->machine); i++)
-        if (is_of(projecting->subject,
-                  c205_account_at(band->machine, i)->name))
+        if (is_of(projecting->subject, c205_account_at(band->machine, i)->name))
             projecting->clocks += c205_projected_clocks(band->projection, i);
 }
 
 static struct observer projection_observer(struct projecting *projecting)
 {
-    return (struct observer){ begin_projection, hear_projection,
-                              merge_projection, end_projection, projecting };
+    return (struct observer){ begin_projection, hear_projection, merge_projection,
+                              end_projection, projecting };
 }
 
-static bool
-find_projections(struct projecting projecting[SPEEDUP_PROJECTIONS],
-                 const struct speedup_subject *subject, const c205_model *on,
-                 c205_error *error)
+static bool find_projections(struct projecting projecting[SPEEDUP_PROJECTIONS],
+                             const struct speedup_subject *subject,
+                             const c205_model *on, c205_error *error)
 {
     for (int i = 0; i < SPEEDUP_PROJECTIONS; i++) {
         enum speedup_projection machine = (enum speedup_projection)i;
 
         projecting[i].subject = subject;
-        projecting[i].model =
-            c205_model_find(speedup_projection_model(on, machine), error);
+        projecting[i].model = c205_model_find(speedup_projection_model(on, machine),
+                                              error);
         if (!projecting[i].model)
             return false;
     }
@@ -262,17 +251,14 @@ find_projections(struct projecting projecting[SPEEDUP_PROJECTIONS],
 
 /* ---- A measure ------------------------------------------------------------ */
 
-static bool run(const struct speedup_subject *subject,
-                const struct speedup_view *view,
-                const struct trace_options *options,
-                struct speedup_measure *measure, c205_error *error)
+static bool run(const struct speedup_subject *subject, const struct speedup_view *view,
+                const struct trace_options *options, struct speedup_measure *measure,
+                c205_error *error)
 {
     struct scene *scene;
-    struct trace *trace = speedup_trace(subject, view, options, &scene,
-                                        error);
+    struct trace *trace = speedup_trace(subject, view, options, &scene, error);
     bool good = trace && trace_run(trace, error)
-                && sum_accounts(trace_accounts(trace), subject, measure,
-                                error);
+                && sum_accounts(trace_accounts(trace), subject, measure, error);
 
     if (good) {
         measure->falsi = falsi_of(trace_program(trace));
@@ -314,8 +300,8 @@ static bool run_observed(const struct speedup_subject *subject,
 
 struct trace *speedup_trace(const struct speedup_subject *subject,
                             const struct speedup_view *view,
-                            const struct trace_options *options,
-                            struct scene **scene, c205_error *error)
+                            const struct trace_options *options, struct scene **scene,
+                            c205_error *error)
 {
     struct trace_options how = *options;
 
@@ -339,8 +325,7 @@ bool speedup_measure(const struct speedup_subject *subject,
     memset(measure, 0, sizeof *measure);
     measure->rays = options->width * options->height;
     good = find_projections(projecting, subject, options->model, error)
-           && run_observed(subject, view, options, projecting, measure,
-                           error);
+           && run_observed(subject, view, options, projecting, measure, error);
     for (int i = 0; i < SPEEDUP_PROJECTIONS; i++)
         c205_model_free(projecting[i].model);
     return good;
@@ -355,8 +340,7 @@ struct measuring {
     struct speedup_measure (*measures)[TRACE_FORMS];
 };
 
-static bool measure_form(void *context, const struct task *task,
-                         c205_error *error)
+static bool measure_form(void *context, const struct task *task, c205_error *error)
 {
     const struct measuring *measuring = context;
     struct trace_options options = *measuring->options;
@@ -367,9 +351,8 @@ static bool measure_form(void *context, const struct task *task,
     options.jobs = 1;
     options.progress = task->progress;
     options.context = task->context;
-    return speedup_measure(&measuring->subjects[subject], measuring->view,
-                           &options, &measuring->measures[subject][mode],
-                           error);
+    return speedup_measure(&measuring->subjects[subject], measuring->view, &options,
+                           &measuring->measures[subject][mode], error);
 }
 
 /* What the host takes, as measured: the scalar form of most, and most of
@@ -377,8 +360,7 @@ static bool measure_form(void *context, const struct task *task,
 static double form_weight(const void *context, size_t number)
 {
     const struct measuring *measuring = context;
-    const struct speedup_subject
-        *subject = &measuring->subjects[number / TRACE_FORMS];
+    const struct speedup_subject *subject = &measuring->subjects[number / TRACE_FORMS];
 
     if (number % TRACE_FORMS == TRACE_VECTOR)
         return 1;
@@ -408,8 +390,7 @@ bool speedup_measure_all(const struct speedup_subject *subjects, size_t count,
         if (forms[TRACE_SCALAR].checksum == forms[TRACE_VECTOR].checksum)
             continue;
         snprintf(error->message, sizeof error->message,
-                 "%s: the scalar and the vector form do not agree",
-                 subjects[i].name);
+                 "%s: the scalar and the vector form do not agree", subjects[i].name);
         return false;
     }
     return true;

@@ -48,8 +48,7 @@ struct speedup_subject {
 extern const struct speedup_subject speedup_subjects[];
 extern const size_t speedup_subject_count;
 /* A row by its whole name, or as far as its comma, in capitals or not. */
-bool speedup_is_named(const struct speedup_subject *subject,
-                      const char *name);
+bool speedup_is_named(const struct speedup_subject *subject, const char *name);
 
 /* Table 1's cylinder in the formulations that were tried, its own the first. */
 extern const struct speedup_subject speedup_formulations[];
@@ -85,13 +84,13 @@ struct speedup_measure {
  * the scene.  NULL: the error says why; the scene may be NULL too. */
 struct trace *speedup_trace(const struct speedup_subject *subject,
                             const struct speedup_view *view,
-                            const struct trace_options *options,
-                            struct scene **scene, c205_error *error);
+                            const struct trace_options *options, struct scene **scene,
+                            c205_error *error);
 
 /* What a region of a subject took in its frame.  NULL: the error says that
  * the program has none of that name. */
-const c205_account *speedup_account(const struct accounts *accounts,
-                                    const char *region, c205_error *error);
+const c205_account *speedup_account(const struct accounts *accounts, const char *region,
+                                    c205_error *error);
 
 /* False: the error says why. */
 bool speedup_measure(const struct speedup_subject *subject,

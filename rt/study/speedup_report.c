@@ -63,24 +63,12 @@ static const struct table_column passes[] = {
 };
 
 static const struct table_column causes[] = {
-    { "primitive", "primitive", TABLE_TEXT, 0 },
-    { "form", "form", TABLE_TEXT, 0 },
-    { "cause", "cause", TABLE_TEXT, 0 },
-    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "primitive", "primitive", TABLE_TEXT, 0 }, { "form", "form", TABLE_TEXT, 0 },
+    { "cause", "cause", TABLE_TEXT, 0 },         { "clocks", "clocks", TABLE_COUNT, 0 },
     { "percent", "%", TABLE_NUMBER, 1 },
 };
 
-enum row_kind {
-    TABLE1,
-    RAYS,
-    TIMES,
-    PROJECTED,
-    SHARES,
-    STEPS,
-    PASSES,
-    CAUSES,
-    KINDS
-};
+enum row_kind { TABLE1, RAYS, TIMES, PROJECTED, SHARES, STEPS, PASSES, CAUSES, KINDS };
 
 static const struct {
     const char *key, *heading;
@@ -92,8 +80,7 @@ static const struct {
                  "much faster the 205's vector form is",
                  TABLE_COLUMNS(table1) },
     [RAYS] = { "rays", "The rays", TABLE_COLUMNS(rays) },
-    [TIMES] = { "times", "The kernels and their calls",
-                TABLE_COLUMNS(times) },
+    [TIMES] = { "times", "The kernels and their calls", TABLE_COLUMNS(times) },
     [PROJECTED] = { "projected",
                     "A machine that Table 1 lacks, projected: "
                     "CPU seconds for 100,000 rays",
@@ -103,8 +90,7 @@ static const struct {
                 "Falsi in the root solver, to roots of the "
                 "derivative (knots) and of the quartic",
                 TABLE_COLUMNS(steps) },
-    [PASSES] = { "passes", "The vector form, pass by pass",
-                 TABLE_COLUMNS(passes) },
+    [PASSES] = { "passes", "The vector form, pass by pass", TABLE_COLUMNS(passes) },
     [CAUSES] = { "causes", "Where the clocks went", TABLE_COLUMNS(causes) },
 };
 
@@ -177,8 +163,7 @@ void speedup_figures(const c205_model *model,
 
     figures[SPEEDUP_SCALAR_SECONDS] = scaled_seconds(model, scalar);
     figures[SPEEDUP_VECTOR_SECONDS] = vector;
-    figures[SPEEDUP_720_SECONDS] = scaled(scalar->projected[SPEEDUP_720],
-                                          scalar);
+    figures[SPEEDUP_720_SECONDS] = scaled(scalar->projected[SPEEDUP_720], scalar);
     figures[SPEEDUP_OVER_SCALAR] = figures[SPEEDUP_SCALAR_SECONDS] / vector;
     figures[SPEEDUP_OVER_720] = figures[SPEEDUP_720_SECONDS] / vector;
 }
@@ -198,8 +183,7 @@ double speedup_error(double figure, double told)
     return 100 * (figure / told - 1);
 }
 
-static void add_figures(struct table *table, const char *primitive,
-                        const char *whose,
+static void add_figures(struct table *table, const char *primitive, const char *whose,
                         const double figures[SPEEDUP_FIGURES])
 {
     table_text(table, primitive);
@@ -227,17 +211,14 @@ static void add_table1(struct speedup_report *report,
         table_signed(table, speedup_error(ours[i], paper[i]), 1);
 }
 
-static void add_rays(struct table *table,
-                     const struct speedup_subject *subject,
+static void add_rays(struct table *table, const struct speedup_subject *subject,
                      const struct speedup_view *view,
                      const struct speedup_measure *measure)
 {
     char eye[64];
 
-    snprintf(eye, sizeof eye, "<%g, %g, %g>",
-             view->distance * subject->from[0],
-             view->distance * subject->from[1],
-             view->distance * subject->from[2]);
+    snprintf(eye, sizeof eye, "<%g, %g, %g>", view->distance * subject->from[0],
+             view->distance * subject->from[1], view->distance * subject->from[2]);
     table_text(table, subject->name);
     table_count(table, measure->rays);
     table_count(table, measure->hits);
@@ -246,16 +227,15 @@ static void add_rays(struct table *table,
     table_text(table, subject->shape);
 }
 
-static void add_name(struct table *table,
-                     const struct speedup_subject *subject, int mode)
+static void add_name(struct table *table, const struct speedup_subject *subject,
+                     int mode)
 {
     table_text(table, subject->name);
     table_text(table, trace_mode_name((enum trace_mode)mode));
 }
 
-static void add_times(struct table *table,
-                      const struct speedup_subject *subject, int mode,
-                      const struct speedup_measure *measure)
+static void add_times(struct table *table, const struct speedup_subject *subject,
+                      int mode, const struct speedup_measure *measure)
 {
     add_name(table, subject, mode);
     table_count(table, measure->total);
@@ -274,14 +254,12 @@ static void add_projected(struct speedup_report *report,
     table_text(table, subject->name);
     table_text(table, speedup_projections[SPEEDUP_6600]);
     table_number(table, seconds);
-    table_number(table, seconds
-                            / scaled_seconds(report->model,
-                                             &measures[TRACE_VECTOR]));
+    table_number(table,
+                 seconds / scaled_seconds(report->model, &measures[TRACE_VECTOR]));
 }
 
-static void add_shares(struct table *table,
-                       const struct speedup_subject *subject, int mode,
-                       const struct speedup_measure *measure)
+static void add_shares(struct table *table, const struct speedup_subject *subject,
+                       int mode, const struct speedup_measure *measure)
 {
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
         const char *region = subject->regions[i];
@@ -298,9 +276,8 @@ static void add_shares(struct table *table,
     }
 }
 
-static void add_steps(struct table *table,
-                      const struct speedup_subject *subject, int mode,
-                      const struct speedup_measure *measure)
+static void add_steps(struct table *table, const struct speedup_subject *subject,
+                      int mode, const struct speedup_measure *measure)
 {
     for (int i = 0; i < STAGES; i++) {
         if (measure->iterations.stage[i].brackets == 0)
@@ -311,8 +288,7 @@ static void add_steps(struct table *table,
     }
 }
 
-static void add_passes(struct table *table,
-                       const struct speedup_subject *subject,
+static void add_passes(struct table *table, const struct speedup_subject *subject,
                        const struct speedup_measure *measure)
 {
     const struct iterations *iterations = &measure->iterations;
@@ -327,9 +303,8 @@ static void add_passes(struct table *table,
     }
 }
 
-static void add_causes(struct table *table,
-                       const struct speedup_subject *subject, int mode,
-                       const struct speedup_measure *measure)
+static void add_causes(struct table *table, const struct speedup_subject *subject,
+                       int mode, const struct speedup_measure *measure)
 {
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         if (measure->clocks[cause] == 0)
@@ -360,9 +335,8 @@ void speedup_report_add(struct speedup_report *report,
     add_passes(tables[PASSES], subject, &measures[TRACE_VECTOR]);
 }
 
-static bool print_table(const struct speedup_report *report,
-                        enum row_kind kind, enum table_format format,
-                        FILE *file)
+static bool print_table(const struct speedup_report *report, enum row_kind kind,
+                        enum table_format format, FILE *file)
 {
     table_heading(kinds[kind].heading, format, file);
     return table_write(report->tables[kind], format, file);
@@ -378,8 +352,7 @@ bool speedup_report_detail(const struct speedup_report *report,
                            enum table_format format, FILE *file)
 {
     for (int i = TABLE1 + 1; i < KINDS; i++)
-        if (i != PASSES
-            && !print_table(report, (enum row_kind)i, format, file))
+        if (i != PASSES && !print_table(report, (enum row_kind)i, format, file))
             return false;
     return true;
 }
@@ -390,8 +363,7 @@ bool speedup_report_passes(const struct speedup_report *report,
     return print_table(report, PASSES, format, file);
 }
 
-bool speedup_report_json(const struct speedup_report *report,
-                         struct json *json)
+bool speedup_report_json(const struct speedup_report *report, struct json *json)
 {
     for (int i = 0; i < KINDS; i++)
         if (!table_json(report->tables[i], json, kinds[i].key))

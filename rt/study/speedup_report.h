@@ -50,7 +50,6 @@ bool speedup_report_detail(const struct speedup_report *report,
 bool speedup_report_passes(const struct speedup_report *report,
                            enum table_format format, FILE *file);
 /* Every one of them.  False: memory ran out, and the JSON is to be dropped. */
-bool speedup_report_json(const struct speedup_report *report,
-                         struct json *json);
+bool speedup_report_json(const struct speedup_report *report, struct json *json);
 
 #endif

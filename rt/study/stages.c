@@ -14,16 +14,15 @@ static const struct table_column columns[] = {
     { "speedup_rest", "kernels/vector", TABLE_NUMBER, 1 },
 };
 
-bool stages_find(struct stages *stages, enum trace_mode there,
-                 stages_function *find, const void *found, c205_error *error)
+bool stages_find(struct stages *stages, enum trace_mode there, stages_function *find,
+                 const void *found, c205_error *error)
 {
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         bool same = true;
 
         if (mode == (int)there)
             continue;
-        if (!find(found, (enum trace_mode)mode, stages->clocks[mode], &same,
-                  error))
+        if (!find(found, (enum trace_mode)mode, stages->clocks[mode], &same, error))
             return false;
         if (!same)
             return error_say(error, "the stages %s and %s do not agree",
@@ -66,8 +65,7 @@ struct table *stages_table(const struct stages *stages)
     for (size_t i = 0; table && i < stages->step_count; i++)
         if (stages->clocks[TRACE_SCALAR][i] > 0)
             add_row(table, stages->steps[i], stages->clocks[TRACE_SCALAR][i],
-                    stages->clocks[TRACE_KERNELS][i],
-                    stages->clocks[TRACE_VECTOR][i]);
+                    stages->clocks[TRACE_KERNELS][i], stages->clocks[TRACE_VECTOR][i]);
     if (table)
         add_row(table, "all", stages_clocks(stages, TRACE_SCALAR),
                 stages_clocks(stages, TRACE_KERNELS),

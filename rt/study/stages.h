@@ -23,8 +23,8 @@ typedef bool stages_function(const void *found, enum trace_mode mode,
 
 /* All stages but that of one mode, whose clocks are there.  False: one fails, or finds
  * something else; the error says which. */
-bool stages_find(struct stages *stages, enum trace_mode there,
-                 stages_function *find, const void *found, c205_error *error);
+bool stages_find(struct stages *stages, enum trace_mode there, stages_function *find,
+                 const void *found, c205_error *error);
 
 uint64_t stages_clocks(const struct stages *stages, enum trace_mode mode);
 /* Step by step, then all of them: clocks, and how many times those of the scalar stage are

@@ -55,8 +55,8 @@ static bool tell(void *context, size_t done, size_t all)
     lock_take(crew->lock);
     state->share = (double)done / (double)all;
     steps = steps_done(crew);
-    if (!tasks->progress(tasks->progress_context,
-                         steps < STEPS ? steps : STEPS - 1, STEPS))
+    if (!tasks->progress(tasks->progress_context, steps < STEPS ? steps : STEPS - 1,
+                         STEPS))
         crew->cancelled = true;
     go_on = wanted(crew, state->number);
     lock_give_back(crew->lock);
@@ -109,8 +109,7 @@ static void work_together(struct crew *crew)
     size_t most = jobs < crew->tasks->count ? jobs : crew->tasks->count;
     struct thread **threads = most > 1 ? calloc(most, sizeof *threads) : NULL;
 
-    while (threads && count + 1 < most
-           && (threads[count] = thread_begin(work, crew)))
+    while (threads && count + 1 < most && (threads[count] = thread_begin(work, crew)))
         count++;
     work(crew);
     while (count > 0)

@@ -21,9 +21,8 @@ const char *ray_kind_name(enum ray_kind kind)
     return kinds[kind].name;
 }
 
-static bool load(const struct band_work *work, c205 *machine,
-                 size_t first_row, size_t rows, struct frame_layout *layout,
-                 c205_error *error)
+static bool load(const struct band_work *work, c205 *machine, size_t first_row,
+                 size_t rows, struct frame_layout *layout, c205_error *error)
 {
     *layout = (struct frame_layout){ .width = work->width,
                                      .height = work->height,
@@ -36,9 +35,8 @@ static bool load(const struct band_work *work, c205 *machine,
            && layout_put(work->layout, machine, layout, error);
 }
 
-c205 *band_machine(const struct band_work *work, size_t first_row,
-                   size_t rows, struct frame_layout *layout,
-                   c205_error *error)
+c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
+                   struct frame_layout *layout, c205_error *error)
 {
     c205 *machine = c205_new(work->model, error);
 
@@ -63,10 +61,8 @@ static size_t calls_begun(const c205 *machine)
 static size_t pixels_begun(const struct band_work *work, const c205 *machine,
                            size_t pixels)
 {
-    size_t samples = work->samples > 0 && work->threshold == 0 ? work->samples
-                                                               : 1;
-    size_t done = calls_begun(machine) * work->rays_a_call
-                  / (samples * samples);
+    size_t samples = work->samples > 0 && work->threshold == 0 ? work->samples : 1;
+    size_t done = calls_begun(machine) * work->rays_a_call / (samples * samples);
 
     return done < pixels ? done : pixels;
 }
@@ -91,8 +87,8 @@ static bool run(const struct band_work *work, c205 *machine, size_t pixels,
 {
     struct telling telling = { work, pixels, context };
 
-    return program_run(machine, work->progress ? tell_pixels : NULL, &telling,
-                       stopped, error);
+    return program_run(machine, work->progress ? tell_pixels : NULL, &telling, stopped,
+                       error);
 }
 
 static void hear(void *context, const c205 *machine, const c205_event *event)
@@ -112,8 +108,8 @@ static bool listen(struct band_tracer *tracer, c205_error *error)
 
         if (tracer->watch_count == BAND_OBSERVERS_MOST
             || !c205_listen(tracer->machine, hear, watch)) {
-            snprintf(error->message, sizeof error->message,
-                     "more than %d observers", BAND_OBSERVERS_MOST);
+            snprintf(error->message, sizeof error->message, "more than %d observers",
+                     BAND_OBSERVERS_MOST);
             return false;
         }
         watch->observer = *observers;
@@ -131,8 +127,7 @@ static bool begin_watches(struct band_tracer *tracer, c205_error *error)
         struct band_watch *watch = &tracer->watches[i];
 
         watch->band = good ? watch->observer->begin(watch->observer->context,
-                                                    tracer->work->program,
-                                                    error)
+                                                    tracer->work->program, error)
                            : NULL;
         good = watch->band;
     }
@@ -177,8 +172,7 @@ static bool read_counters(const struct band_work *work, const c205 *machine,
 
 /* Rows whose pixels are all done: those of a call are when the next one is
  * made, but samples become pixels at the end, and what a queue reflects may wait for others up to the band's end. */
-static size_t rows_done(const struct band_work *work, const c205 *machine,
-                        size_t rows)
+static size_t rows_done(const struct band_work *work, const c205 *machine, size_t rows)
 {
     size_t calls = calls_begun(machine), done;
     uint64_t levels = 0, above = 0;
@@ -188,9 +182,7 @@ static size_t rows_done(const struct band_work *work, const c205 *machine,
         || (levels > 1 && !work->ray_by_ray))
         return 0;
     if (work->tiles)
-        return read_integer(work, machine, "strips_done", &above)
-                   ? (size_t)above
-                   : 0;
+        return read_integer(work, machine, "strips_done", &above) ? (size_t)above : 0;
     done = (calls - 1) * work->rays_a_call / work->width;
     return done < rows ? done : rows;
 }
@@ -201,8 +193,7 @@ static bool read_frame(const struct band_work *work, const c205 *machine,
     size_t count = FRAME_CHANNELS * band->rows * work->width;
 
     band->words = malloc(count * sizeof *band->words);
-    return band->words
-           && c205_read(machine, layout->address, band->words, count);
+    return band->words && c205_read(machine, layout->address, band->words, count);
 }
 
 static bool collect(const struct band_work *work, const c205 *machine,
@@ -212,8 +203,7 @@ static bool collect(const struct band_work *work, const c205 *machine,
     snprintf(error->message, sizeof error->message, "no memory");
     band->accounts.model = work->model;
     band->rows_done = band->rows;
-    return read_frame(work, machine, layout, band)
-           && read_counters(work, machine, band)
+    return read_frame(work, machine, layout, band) && read_counters(work, machine, band)
            && accounts_add(&band->accounts, machine);
 }
 
@@ -235,18 +225,17 @@ static bool ready(struct band_tracer *tracer, c205_error *error)
     return tracer->machine && listen(tracer, error);
 }
 
-bool band_trace(struct band_tracer *tracer, struct band *band,
-                void *progress_context, bool *stopped, c205_error *error)
+bool band_trace(struct band_tracer *tracer, struct band *band, void *progress_context,
+                bool *stopped, c205_error *error)
 {
     const struct band_work *work = tracer->work;
     struct frame_layout *layout = &tracer->layout;
     bool good;
 
     good = ready(tracer, error) && begin_watches(tracer, error)
-           && load(work, tracer->machine, band->first_row, band->rows, layout,
-                   error)
-           && run(work, tracer->machine, band->rows * work->width,
-                  progress_context, stopped, error)
+           && load(work, tracer->machine, band->first_row, band->rows, layout, error)
+           && run(work, tracer->machine, band->rows * work->width, progress_context,
+                  stopped, error)
            && collect(work, tracer->machine, layout, band, error);
     end_watches(tracer, good);
     if (*stopped)
@@ -261,8 +250,7 @@ bool band_look(const struct band_tracer *tracer, struct band *band)
     const struct frame_layout *layout = &tracer->layout;
     c205_error error;
 
-    *band = (struct band){ .first_row = layout->first_row,
-                           .rows = layout->rows };
+    *band = (struct band){ .first_row = layout->first_row, .rows = layout->rows };
     if (collect(tracer->work, tracer->machine, layout, band, &error))
         return true;
     band_free(band);

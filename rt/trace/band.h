@@ -14,13 +14,7 @@
 #include "rt/trace/observer.h"
 
 /* Rays by kind, as the program counts them. */
-enum ray_kind {
-    RAY_PRIMARY,
-    RAY_REFLECTED,
-    RAY_REFRACTED,
-    RAY_SHADOW,
-    RAY_KINDS
-};
+enum ray_kind { RAY_PRIMARY, RAY_REFLECTED, RAY_REFRACTED, RAY_SHADOW, RAY_KINDS };
 const char *ray_kind_name(enum ray_kind kind);
 
 /* What a band is traced from; all of it outlives the work. */
@@ -49,9 +43,8 @@ struct band {
 };
 
 /* The machine before it begins; the caller frees it. */
-c205 *band_machine(const struct band_work *work, size_t first_row,
-                   size_t rows, struct frame_layout *layout,
-                   c205_error *error);
+c205 *band_machine(const struct band_work *work, size_t first_row, size_t rows,
+                   struct frame_layout *layout, c205_error *error);
 
 /* Observers of one machine: so many may listen. */
 enum { BAND_OBSERVERS_MOST = C205_LISTENERS };
@@ -66,14 +59,14 @@ struct band_tracer {
     } watches[BAND_OBSERVERS_MOST];
     size_t watch_count;
     struct frame_layout layout; /* of the band that it is at */
-    struct lock *lock; /* held while observers begin, merge and end */
+    struct lock *lock;          /* held while observers begin, merge and end */
 };
 
 /* Trace the rows that the band names and fill in the rest, which the caller
  * frees.  False: a trap, no memory, or progress said to stop (*stopped): then
  * the band holds the words of the rows that are done, and no accounts. */
-bool band_trace(struct band_tracer *tracer, struct band *band,
-                void *progress_context, bool *stopped, c205_error *error);
+bool band_trace(struct band_tracer *tracer, struct band *band, void *progress_context,
+                bool *stopped, c205_error *error);
 /* The band that the tracer is at, as it stands in the machine's memory: of
  * pixels that are not done their colour so far, and of a frame of samples
  * nothing before its end.  False: no memory.  The caller frees it. */

@@ -10,8 +10,7 @@ void band_put(const struct band *band, size_t width, struct unit_words *words)
     words_put_all(words, band->words, FRAME_CHANNELS * band->rows * width);
 }
 
-static bool take_samples(struct band *band, size_t width,
-                         struct unit_words *words)
+static bool take_samples(struct band *band, size_t width, struct unit_words *words)
 {
     size_t count = FRAME_CHANNELS * band->rows * width;
 

@@ -6,8 +6,7 @@
 #include "rt/trace/band.h"
 
 /* All but its place; width: of the frame, pixels. */
-void band_put(const struct band *band, size_t width,
-              struct unit_words *words);
+void band_put(const struct band *band, size_t width, struct unit_words *words);
 /* What a band of so many rows came to, which the caller frees.  False: the words are no
  * such band, or no memory. */
 bool band_take(struct band *band, size_t width, struct unit_words *words);

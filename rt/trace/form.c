@@ -92,15 +92,13 @@ enum { FEATURES = sizeof features / sizeof *features };
 
 /* The constants that a program is assembled with. */
 struct defines {
-    struct asm_define
-        list[FEATURES + PRIMITIVE_KINDS + 11]; /* the last is NULL */
+    struct asm_define list[FEATURES + PRIMITIVE_KINDS + 11]; /* the last is NULL */
     size_t count;
 };
 
 static void define(struct defines *defines, const char *symbol, size_t value)
 {
-    defines->list[defines->count++] = (struct asm_define){ symbol,
-                                                           (int64_t)value };
+    defines->list[defines->count++] = (struct asm_define){ symbol, (int64_t)value };
 }
 
 /* The kernels of shapes that are in the scene. */
@@ -150,13 +148,11 @@ struct object *form_assemble(const struct trace_options *options,
         define(&defines, options->variant, 1);
     if (options->visible != VISIBLE_DEFAULT)
         define(&defines, "VISIBLE", options->visible);
-    return program_assemble(forms[options->mode].program, defines.list,
-                            error);
+    return program_assemble(forms[options->mode].program, defines.list, error);
 }
 
-struct object *form_assemble_lines(enum trace_mode mode, size_t queue,
-                                   bool normals, bool bodies,
-                                   const struct scene *scene,
+struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool normals,
+                                   bool bodies, const struct scene *scene,
                                    c205_error *error)
 {
     static const char *const programs[TRACE_MODES] = {
@@ -176,8 +172,7 @@ struct object *form_assemble_lines(enum trace_mode mode, size_t queue,
 }
 
 struct object *form_assemble_beside(const char *name, enum trace_mode mode,
-                                    const struct asm_define *defines,
-                                    c205_error *error)
+                                    const struct asm_define *defines, c205_error *error)
 {
     static const struct asm_define none[] = { { NULL, 0 } };
     char path[64];

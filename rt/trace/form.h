@@ -15,9 +15,8 @@ const char *form_program(enum trace_mode mode);
 
 /* .. that finds all that is seen along lines (lines.h), of a scene whose surfaces are
  * plain; with normals, and with counts of bodies, if asked. */
-struct object *form_assemble_lines(enum trace_mode mode, size_t queue,
-                                   bool normals, bool bodies,
-                                   const struct scene *scene,
+struct object *form_assemble_lines(enum trace_mode mode, size_t queue, bool normals,
+                                   bool bodies, const struct scene *scene,
                                    c205_error *error);
 
 /* .. that meets no primitives and is called beside those that do: "heat/faces" is

@@ -29,8 +29,7 @@ static bool lay_bare(const struct scene *scene, struct scene *bare)
     bare->sky = (struct pigment){ .kind = PIGMENT_COLOR };
     bare->fog_count = bare->light_count = bare->image_count = 0;
     bare->every_crossing = true;
-    bare->primitives = calloc(scene->primitive_count + 1,
-                              sizeof *bare->primitives);
+    bare->primitives = calloc(scene->primitive_count + 1, sizeof *bare->primitives);
     for (size_t i = 0; bare->primitives && i < scene->primitive_count; i++) {
         struct primitive *primitive = &bare->primitives[i];
 
@@ -71,17 +70,15 @@ static bool lay_out(struct lines *lines, c205_error *error)
     if (!find_orders(lines) || !lay_bare(lines->scene, &bare))
         return error_say(error, "no memory");
     lines->program = form_assemble_lines(options->mode, options->queue,
-                                         options->normals, options->bodies,
-                                         &bare, error);
-    if (lines->program)
-        lines->layout = lines_layout_new(lines->program, &bare, bounding,
+                                         options->normals, options->bodies, &bare,
                                          error);
+    if (lines->program)
+        lines->layout = lines_layout_new(lines->program, &bare, bounding, error);
     free(bare.primitives);
     return lines->layout;
 }
 
-static bool check_options(const struct lines_options *options,
-                          c205_error *error)
+static bool check_options(const struct lines_options *options, c205_error *error)
 {
     if (options->mode >= TRACE_MODES)
         return error_say(error, "lines have a scalar form, a vector form and "
@@ -90,13 +87,11 @@ static bool check_options(const struct lines_options *options,
         && (options->queue == 0 || options->queue > TRACE_QUEUE_MOST))
         return error_say(error, "a queue has from 1 to 65535 lines");
     if (!(options->behind >= 0) || !isfinite(options->behind))
-        return error_say(error,
-                         "lines begin at their origins or behind them");
+        return error_say(error, "lines begin at their origins or behind them");
     return true;
 }
 
-struct lines *lines_new(const struct scene *scene,
-                        const struct lines_options *options,
+struct lines *lines_new(const struct scene *scene, const struct lines_options *options,
                         c205_error *error)
 {
     struct lines *lines;
@@ -122,8 +117,7 @@ void lines_free(struct lines *lines)
 {
     if (!lines)
         return;
-    for (size_t i = 0; lines->orders && i < lines->scene->primitive_count;
-         i++)
+    for (size_t i = 0; lines->orders && i < lines->scene->primitive_count; i++)
         free(lines->orders[i]);
     free(lines->orders);
     lines_layout_free(lines->layout);
@@ -181,8 +175,7 @@ struct column {
     c205_word *words;
 };
 
-static c205_word word_of(const struct column *column, size_t field,
-                         size_t line)
+static c205_word word_of(const struct column *column, size_t field, size_t line)
 {
     return column->words[field * column->count + line];
 }
@@ -193,21 +186,18 @@ static int integer_of(const struct column *column, size_t field, size_t line)
 }
 
 /* Of a mesh the point is where its row stands in the table. */
-static size_t triangle_of(const struct column *column, size_t line,
-                          size_t primitive)
+static size_t triangle_of(const struct column *column, size_t line, size_t primitive)
 {
     const struct lines *lines = column->lines;
     const size_t *order = lines->orders[primitive];
 
-    return order ? order[mesh_row(&lines->scene->primitives[primitive],
-                                  (size_t)integer_of(column,
-                                                     column->fields.point,
-                                                     line))]
-                 : 0;
+    return order
+               ? order[mesh_row(&lines->scene->primitives[primitive],
+                                (size_t)integer_of(column, column->fields.point, line))]
+               : 0;
 }
 
-static struct seen_crossing crossing_of(const struct column *column,
-                                        size_t line)
+static struct seen_crossing crossing_of(const struct column *column, size_t line)
 {
     const struct lines *lines = column->lines;
     const struct seen_fields *fields = &column->fields;
@@ -244,13 +234,11 @@ static size_t sum_counts(const c205_word *counts, size_t count, size_t *first)
     return most;
 }
 
-static bool read_counts(const c205 *machine,
-                        const struct packet_layout *packet, size_t *first,
-                        size_t *most)
+static bool read_counts(const c205 *machine, const struct packet_layout *packet,
+                        size_t *first, size_t *most)
 {
     c205_word *counts = calloc(packet->count, sizeof *counts);
-    bool good = counts
-                && c205_read(machine, packet->counts, counts, packet->count);
+    bool good = counts && c205_read(machine, packet->counts, counts, packet->count);
 
     if (good)
         *most = sum_counts(counts, packet->count, first);
@@ -258,14 +246,12 @@ static bool read_counts(const c205 *machine,
     return good;
 }
 
-static bool read_column(struct column *column, const c205 *machine,
-                        uint64_t found, size_t k, const size_t *first,
-                        struct seen_crossing *list)
+static bool read_column(struct column *column, const c205 *machine, uint64_t found,
+                        size_t k, const size_t *first, struct seen_crossing *list)
 {
     size_t words = column->fields.size * column->count;
 
-    if (!c205_read(machine, found + UINT64_C(64) * k * words, column->words,
-                   words))
+    if (!c205_read(machine, found + UINT64_C(64) * k * words, column->words, words))
         return false;
     for (size_t i = 0; i < column->count; i++)
         if (first[i] + k < first[i + 1])
@@ -275,13 +261,11 @@ static bool read_column(struct column *column, const c205 *machine,
 
 /* The packet's crossings, behind those of the packets before. */
 static bool read_columns(struct column *column, const c205 *machine,
-                         const struct packet_layout *packet,
-                         const size_t *first, size_t most,
-                         struct seen_crossings *found)
+                         const struct packet_layout *packet, const size_t *first,
+                         size_t most, struct seen_crossings *found)
 {
     size_t total = first[packet->count];
-    struct seen_crossing *list = realloc(found->list,
-                                         (total + 1) * sizeof *list);
+    struct seen_crossing *list = realloc(found->list, (total + 1) * sizeof *list);
 
     if (!list)
         return false;
@@ -295,8 +279,8 @@ static bool read_columns(struct column *column, const c205 *machine,
 }
 
 static bool collect(const struct lines *lines, const c205 *machine,
-                    const struct packet_layout *packet,
-                    struct seen_crossings *found, size_t line)
+                    const struct packet_layout *packet, struct seen_crossings *found,
+                    size_t line)
 {
     struct column column = { .lines = lines,
                              .fields = find_fields(lines),
@@ -304,8 +288,7 @@ static bool collect(const struct lines *lines, const c205 *machine,
     size_t *first = found->first + line, most = 0;
     bool good;
 
-    column.words = calloc(column.fields.size * column.count,
-                          sizeof *column.words);
+    column.words = calloc(column.fields.size * column.count, sizeof *column.words);
     good = read_counts(machine, packet, first, &most)
            && read_columns(&column, machine, packet, first, most, found)
            && accounts_add(&found->accounts, machine);
@@ -327,8 +310,7 @@ static bool is_line(const struct scene_line *line)
     return size > 0;
 }
 
-static bool check_lines(const struct scene_line *list, size_t count,
-                        c205_error *error)
+static bool check_lines(const struct scene_line *list, size_t count, c205_error *error)
 {
     for (size_t i = 0; i < count; i++)
         if (!is_line(&list[i]))
@@ -363,9 +345,8 @@ c205 *lines_machine(const struct lines *lines, const struct scene_line *list,
 }
 
 static bool find_packet(const struct lines *lines, c205 *machine,
-                        struct packet_layout *packet,
-                        struct seen_crossings *found, size_t line,
-                        c205_error *error)
+                        struct packet_layout *packet, struct seen_crossings *found,
+                        size_t line, c205_error *error)
 {
     bool stopped = false;
 
@@ -377,8 +358,8 @@ static bool find_packet(const struct lines *lines, c205 *machine,
 }
 
 static bool find_packets(const struct lines *lines, c205 *machine,
-                         const struct scene_line *list,
-                         struct seen_crossings *found, c205_error *error)
+                         const struct scene_line *list, struct seen_crossings *found,
+                         c205_error *error)
 {
     size_t most = lines->options.packet, count = found->line_count;
 
@@ -394,15 +375,14 @@ static bool find_packets(const struct lines *lines, c205 *machine,
     return true;
 }
 
-bool lines_find(const struct lines *lines, const struct scene_line *list,
-                size_t count, struct seen_crossings *found, c205_error *error)
+bool lines_find(const struct lines *lines, const struct scene_line *list, size_t count,
+                struct seen_crossings *found, c205_error *error)
 {
     c205 *machine;
     bool good;
 
-    *found = (struct seen_crossings){
-        .line_count = count, .accounts = { .model = lines->options.model }
-    };
+    *found = (struct seen_crossings){ .line_count = count,
+                                      .accounts = { .model = lines->options.model } };
     if (!check_lines(list, count, error))
         return false;
     found->first = calloc(count + 1, sizeof *found->first);
@@ -418,9 +398,8 @@ bool lines_find(const struct lines *lines, const struct scene_line *list,
 
 /* ---- Units of work along lines --------------------------------------------- */
 
-bool lines_keep(const struct lines *lines, struct farm *farm,
-                const char *kind, const uint64_t *choices, size_t count,
-                c205_error *error)
+bool lines_keep(const struct lines *lines, struct farm *farm, const char *kind,
+                const uint64_t *choices, size_t count, c205_error *error)
 {
     const struct scene_line line = { { 0 }, { 1, 0, 0 } };
     c205 *machine;
@@ -429,8 +408,7 @@ bool lines_keep(const struct lines *lines, struct farm *farm,
     if (!farm || farm->path_count == 0 || farm->file)
         return true;
     machine = lines_machine(lines, &line, 1, error);
-    good = machine
-           && farm_keep(farm, farm_key(kind, machine, choices, count), error);
+    good = machine && farm_keep(farm, farm_key(kind, machine, choices, count), error);
     c205_free(machine);
     return good;
 }

@@ -64,17 +64,15 @@ struct lines;
 
 /* NULL: options or a scene that cannot be; the error says why.  The scene must
  * outlive the lines. */
-struct lines *lines_new(const struct scene *scene,
-                        const struct lines_options *options,
+struct lines *lines_new(const struct scene *scene, const struct lines_options *options,
                         c205_error *error);
 void lines_free(struct lines *lines);
 
 /* Those of each of the lines, which the caller frees; any number of threads may ask
  * at a time.  False: a direction without length, a number that is not finite, a trap,
  * no memory; the error says which, and nothing is found. */
-bool lines_find(const struct lines *lines, const struct scene_line *list,
-                size_t count, struct seen_crossings *found,
-                c205_error *error);
+bool lines_find(const struct lines *lines, const struct scene_line *list, size_t count,
+                struct seen_crossings *found, c205_error *error);
 
 /* As it was assembled. */
 const struct object *lines_program(const struct lines *lines);
@@ -86,8 +84,7 @@ c205 *lines_machine(const struct lines *lines, const struct scene_line *list,
  * these choices besides, unless they are open or there is none (NULL).  False: one is of
  * another run. */
 struct farm;
-bool lines_keep(const struct lines *lines, struct farm *farm,
-                const char *kind, const uint64_t *choices, size_t count,
-                c205_error *error);
+bool lines_keep(const struct lines *lines, struct farm *farm, const char *kind,
+                const uint64_t *choices, size_t count, c205_error *error);
 
 #endif

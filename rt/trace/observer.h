@@ -13,8 +13,7 @@
 
 struct observer {
     /* NULL: the error says why. */
-    void *(*begin)(void *context, const struct object *program,
-                   c205_error *error);
+    void *(*begin)(void *context, const struct object *program, c205_error *error);
     c205_listener *listen; /* its context is the band's state */
     void (*merge)(void *context, const void *band);
     void (*end)(void *band);

@@ -69,8 +69,8 @@ static bool ask(struct trace *trace)
         || options->progress(options->context, done, all))
         return !trace->stop;
     trace->stop = true;
-    return error_say(&trace->error, "stopped after %zu of %zu pixel%s", done,
-                     all, plural(all));
+    return error_say(&trace->error, "stopped after %zu of %zu pixel%s", done, all,
+                     plural(all));
 }
 
 static bool go_on(void *context)
@@ -137,8 +137,7 @@ static void divide(struct trace *trace)
         trace->band_rows = least;
     if (trace->band_rows > options->height)
         trace->band_rows = options->height;
-    trace->band_count = (options->height + trace->band_rows - 1)
-                        / trace->band_rows;
+    trace->band_count = (options->height + trace->band_rows - 1) / trace->band_rows;
 }
 
 size_t trace_band_row(const struct trace *trace, size_t band)
@@ -157,40 +156,35 @@ c205 *trace_machine(const struct trace *trace, size_t band, c205_error *error)
 {
     struct frame_layout layout;
 
-    return band_machine(&trace->work, trace_band_row(trace, band),
-                        rows_of(trace, band), &layout, error);
+    return band_machine(&trace->work, trace_band_row(trace, band), rows_of(trace, band),
+                        &layout, error);
 }
 
-static bool lay_out(struct trace *trace, const struct scene *scene,
-                    c205_error *error)
+static bool lay_out(struct trace *trace, const struct scene *scene, c205_error *error)
 {
     const struct trace_options *options = &trace->options;
     enum bounding bounding = options->no_bounds ? BOUNDING_NONE
                              : options->flat    ? BOUNDING_FLAT
                                                 : BOUNDING_HIERARCHY;
 
-    trace->work.program = trace->program = form_assemble(options, scene,
-                                                         error);
+    trace->work.program = trace->program = form_assemble(options, scene, error);
     trace->work.layout = trace->layout = trace->program
-                                             ? layout_new(trace->program,
-                                                          scene, bounding,
-                                                          options->progress
-                                                              ? go_on
-                                                              : NULL,
+                                             ? layout_new(trace->program, scene,
+                                                          bounding,
+                                                          options->progress ? go_on
+                                                                            : NULL,
                                                           trace, error)
                                              : NULL;
     return trace->layout;
 }
 
-static bool prepare(struct trace *trace, const struct scene *scene,
-                    c205_error *error)
+static bool prepare(struct trace *trace, const struct scene *scene, c205_error *error)
 {
     size_t pixels = trace->options.width * trace->options.height;
 
     if (!lay_out(trace, scene, error))
         return false;
-    snprintf(error->message, sizeof error->message,
-             "no memory for the frame");
+    snprintf(error->message, sizeof error->message, "no memory for the frame");
     return planes_take(&trace->planes, FRAME_CHANNELS * pixels);
 }
 
@@ -203,8 +197,7 @@ enum trace_order trace_order(const struct trace_options *options)
     return options->order;
 }
 
-struct trace *trace_new(const struct scene *scene,
-                        const struct trace_options *options,
+struct trace *trace_new(const struct scene *scene, const struct trace_options *options,
                         c205_error *error)
 {
     struct trace *trace = calloc(1, sizeof *trace);
@@ -220,8 +213,7 @@ struct trace *trace_new(const struct scene *scene,
     trace->options.samples = samples_across(options, scene);
     trace->accounts.model = options->model;
     trace->gamma = scene->assumed_gamma > 0
-                           && (trace->options.samples == 1
-                               || options->threshold > 0)
+                           && (trace->options.samples == 1 || options->threshold > 0)
                        ? scene->assumed_gamma
                        : 1;
     trace->unit = ldexp(1, scene->unit_log);
@@ -240,8 +232,7 @@ struct trace *trace_new(const struct scene *scene,
     divide(trace);
     if (!trace->lock || !trace->watching)
         snprintf(error->message, sizeof error->message, "no memory");
-    else if (check_threshold(options, scene, error)
-             && prepare(trace, scene, error))
+    else if (check_threshold(options, scene, error) && prepare(trace, scene, error))
         return trace;
     trace_free(trace);
     return NULL;
@@ -314,8 +305,7 @@ static bool take_band(void *context, size_t number, struct unit_words *words,
     bool good;
 
     lock_take(trace->lock);
-    good = (band_take(&band, trace->options.width, words)
-            && add_band(trace, &band))
+    good = (band_take(&band, trace->options.width, words) && add_band(trace, &band))
            || error_say(error, "no memory");
     lock_give_back(trace->lock);
     band_free(&band);
@@ -373,8 +363,7 @@ static void keep_part(struct trace *trace, const struct band *band)
 }
 
 /* Why this band is not done: of all that are stopped the reason is one. */
-static bool end_stopped(struct trace *trace, const struct band *band,
-                        c205_error *error)
+static bool end_stopped(struct trace *trace, const struct band *band, c205_error *error)
 {
     keep_part(trace, band);
     *error = trace->error;
@@ -423,8 +412,7 @@ static bool begin_jobs(struct trace *trace)
     trace->jobs = calloc(trace->job_count, sizeof *trace->jobs);
     for (size_t i = 0; trace->jobs && i < trace->job_count; i++)
         trace->jobs[i] = (struct job){
-            .trace = trace,
-            .tracer = { .work = &trace->work, .lock = trace->watching }
+            .trace = trace, .tracer = { .work = &trace->work, .lock = trace->watching }
         };
     return trace->jobs;
 }
@@ -468,8 +456,7 @@ static size_t pixels_of(const struct trace *trace)
     return trace->options.width * trace->options.height;
 }
 
-const c205_word *trace_channel(const struct trace *trace,
-                               enum frame_channel channel)
+const c205_word *trace_channel(const struct trace *trace, enum frame_channel channel)
 {
     return trace->planes.words + (size_t)channel * pixels_of(trace);
 }
@@ -485,8 +472,8 @@ static void make_linear(double *samples, size_t count, double gamma)
         samples[i] = samples[i] > 0 ? pow(samples[i], gamma) : 0;
 }
 
-static void read_channel(const struct trace *trace, int channel,
-                         const c205_word *words, struct frame *part)
+static void read_channel(const struct trace *trace, int channel, const c205_word *words,
+                         struct frame *part)
 {
     size_t pixels = part->height * trace->options.width;
     double *samples = part->channel[channel];
@@ -499,8 +486,7 @@ static void read_channel(const struct trace *trace, int channel,
         samples[i] *= trace->unit;
 }
 
-void trace_read(const struct trace *trace, size_t first_row,
-                struct frame *part)
+void trace_read(const struct trace *trace, size_t first_row, struct frame *part)
 {
     size_t width = trace->options.width;
 

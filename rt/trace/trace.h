@@ -83,16 +83,14 @@ struct trace_options {
     void (*look)(void *context, const struct trace *trace,
                  const struct band_tracer *tracer, bool done);
     void *context;
-    struct farm
-        *farm; /* that does the bands (rt/farm/farm.h), and outlives the
+    struct farm *farm; /* that does the bands (rt/farm/farm.h), and outlives the
                           trace; NULL: threads, and nothing is kept */
 };
 
 /* The order that a stage takes, told or not. */
 enum trace_order trace_order(const struct trace_options *options);
 
-struct trace *trace_new(const struct scene *scene,
-                        const struct trace_options *options,
+struct trace *trace_new(const struct scene *scene, const struct trace_options *options,
                         c205_error *error);
 void trace_free(struct trace *trace);
 
@@ -121,14 +119,12 @@ size_t trace_rows_done(const struct trace *trace);
 /* Rows of the frame from the first on, as many as the part has; it is as wide
  * as the frame.  Its colours are linear light: what the machine computed, to
  * the power of the scene's assumed_gamma. */
-void trace_read(const struct trace *trace, size_t first_row,
-                struct frame *part);
+void trace_read(const struct trace *trace, size_t first_row, struct frame *part);
 /* The same of a band (band_look). */
 void trace_read_band(const struct trace *trace, const struct band *band,
                      struct frame *part);
 /* A channel's samples as the machine holds them, pixel by pixel. */
-const c205_word *trace_channel(const struct trace *trace,
-                               enum frame_channel channel);
+const c205_word *trace_channel(const struct trace *trace, enum frame_channel channel);
 /* Rays of the camera that hit something. */
 size_t trace_hits(const struct trace *trace);
 /* 64-bit FNV-1a over all words of the frame, channel by channel: two frames
@@ -144,8 +140,7 @@ const struct object *trace_program(const struct trace *trace);
 /* The options, with the samples that are taken. */
 const struct trace_options *trace_how(const struct trace *trace);
 /* The machine of a band before it begins; the caller frees it. */
-c205 *trace_machine(const struct trace *trace, size_t band,
-                    c205_error *error);
+c205 *trace_machine(const struct trace *trace, size_t band, c205_error *error);
 /* The first row of a band, or of what is behind the last one; all have as many but perhaps
  * the last. */
 size_t trace_band_row(const struct trace *trace, size_t band);

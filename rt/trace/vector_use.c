@@ -27,15 +27,13 @@ static c205_word bits_between(c205_word word, uint64_t first, uint64_t last)
 }
 
 /* Ones among count bits from an address on; 0 where nothing is mapped. */
-static uint64_t count_ones(const c205 *machine, uint64_t address,
-                           uint64_t count)
+static uint64_t count_ones(const c205 *machine, uint64_t address, uint64_t count)
 {
     c205_word words[CONTROL_WORDS];
     uint64_t begin = address % 64, end = begin + count, sum = 0;
     size_t length = (size_t)((end + 63) / 64);
 
-    if (length > CONTROL_WORDS
-        || !c205_read(machine, address - begin, words, length))
+    if (length > CONTROL_WORDS || !c205_read(machine, address - begin, words, length))
         return 0;
     for (size_t i = 0; i < length; i++) {
         uint64_t first = i == 0 ? begin : 0;
@@ -50,8 +48,7 @@ static void count_controlled(struct vector_use *use, const c205 *machine,
                              const c205_event *event)
 {
     const c205_fields *fields = &event->fields;
-    uint64_t address = c205_register(machine, fields->z)
-                       & UINT64_C(0xFFFFFFFFFFFF);
+    uint64_t address = c205_register(machine, fields->z) & UINT64_C(0xFFFFFFFFFFFF);
     uint64_t count;
 
     if (fields->g & C205_G_OFFSET)
@@ -66,8 +63,7 @@ static void listen(void *use, const c205 *machine, const c205_event *event)
     struct vector_use *sum = use;
 
     if (event->kind != C205_EVENT_INSTRUCTION
-        || !c205_timing_is_vector(event->insn->timing)
-        || event->elements == 0)
+        || !c205_timing_is_vector(event->insn->timing) || event->elements == 0)
         return;
     sum->instructions++;
     sum->elements += event->elements;
@@ -75,8 +71,7 @@ static void listen(void *use, const c205 *machine, const c205_event *event)
         count_controlled(sum, machine, event);
 }
 
-static void *begin(void *context, const struct object *program,
-                   c205_error *error)
+static void *begin(void *context, const struct object *program, c205_error *error)
 {
     struct vector_use *use = calloc(1, sizeof *use);
 

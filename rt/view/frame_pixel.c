@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 
-bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace,
-                      size_t x, size_t y, c205_error *error)
+bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace, size_t x,
+                      size_t y, c205_error *error)
 {
     const struct trace_options *how = trace_how(trace);
     size_t band = 0;
@@ -15,8 +15,7 @@ bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace,
                          how->samples, how->samples);
     while (trace_band_row(trace, band + 1) <= y)
         band++;
-    *pixel = (struct frame_pixel){
-        trace, x, y, band, (y - trace_band_row(trace, band)) * how->width + x
-    };
+    *pixel = (struct frame_pixel){ trace, x, y, band,
+                                   (y - trace_band_row(trace, band)) * how->width + x };
     return true;
 }

@@ -12,7 +12,7 @@ struct frame_pixel {
 };
 
 /* The frame has such a pixel.  False: its pixels have several rays. */
-bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace,
-                      size_t x, size_t y, c205_error *error);
+bool frame_pixel_find(struct frame_pixel *pixel, const struct trace *trace, size_t x,
+                      size_t y, c205_error *error);
 
 #endif

@@ -2,8 +2,7 @@
 
 #include <stdio.h>
 
-static void *begin(void *context, const struct object *program,
-                   c205_error *error)
+static void *begin(void *context, const struct object *program, c205_error *error)
 {
     struct line_profile **sum = context, *band;
 

@@ -17,8 +17,7 @@ struct hearing {
     struct clock_stretch within; /* in these clocks */
 };
 
-static void hear_queue(void *context, const c205 *machine,
-                       const c205_event *event)
+static void hear_queue(void *context, const c205 *machine, const c205_event *event)
 {
     struct hearing *hearing = context;
 
@@ -35,21 +34,18 @@ static void hear_queue(void *context, const c205 *machine,
     }
 }
 
-static void hear_region(void *context, const c205 *machine,
-                        const c205_event *event)
+static void hear_region(void *context, const c205 *machine, const c205_event *event)
 {
     struct hearing *hearing = context;
     const struct clock_stretch *within = &hearing->within;
     uint64_t arrived;
     bool there;
 
-    if (!event->record || hearing->done
-        || event->record->arrived < within->from)
+    if (!event->record || hearing->done || event->record->arrived < within->from)
         return;
     arrived = event->record->arrived;
     there = arrived < within->to && event->kind != C205_EVENT_STOP
-            && strcmp(c205_account_at(machine, event->region)->name,
-                      hearing->region)
+            && strcmp(c205_account_at(machine, event->region)->name, hearing->region)
                    == 0;
     if (there && !hearing->here)
         hearing->stretch.from = arrived;
@@ -71,8 +67,7 @@ static bool go_on(void *context, const c205 *machine)
 }
 
 /* The band from its beginning, as far as that takes. */
-static bool hear(struct hearing *hearing, c205_listener *listen,
-                 c205_error *error)
+static bool hear(struct hearing *hearing, c205_listener *listen, c205_error *error)
 {
     const struct frame_pixel *pixel = hearing->pixel;
     c205 *machine = trace_machine(pixel->trace, pixel->band, error);
@@ -92,8 +87,8 @@ static uint64_t label(const struct frame_pixel *pixel, const char *name)
     return (uint64_t)object_symbol(trace_program(pixel->trace), name)->value;
 }
 
-bool pixel_queue_clocks(const struct frame_pixel *pixel,
-                        struct clock_stretch *stretch, c205_error *error)
+bool pixel_queue_clocks(const struct frame_pixel *pixel, struct clock_stretch *stretch,
+                        c205_error *error)
 {
     bool serial = trace_how(pixel->trace)->mode == TRACE_SCALAR;
     struct hearing hearing = {
@@ -112,9 +107,7 @@ bool pixel_queue_clocks(const struct frame_pixel *pixel,
 bool pixel_region_clocks(const struct frame_pixel *pixel, const char *region,
                          struct clock_stretch *stretch, c205_error *error)
 {
-    struct hearing hearing = { .pixel = pixel,
-                               .region = region,
-                               .within = *stretch };
+    struct hearing hearing = { .pixel = pixel, .region = region, .within = *stretch };
 
     if (!hear(&hearing, hear_region, error))
         return false;

@@ -16,8 +16,8 @@ struct clock_stretch {
 
 /* From where the rays of the pixel's queue are made to where their colours are stored: the
  * band is traced up to there.  False: a trap, or the trace's progress said to stop. */
-bool pixel_queue_clocks(const struct frame_pixel *pixel,
-                        struct clock_stretch *stretch, c205_error *error);
+bool pixel_queue_clocks(const struct frame_pixel *pixel, struct clock_stretch *stretch,
+                        c205_error *error);
 /* Of a stretch the first in which control is in that region.  False: or there is none. */
 bool pixel_region_clocks(const struct frame_pixel *pixel, const char *region,
                          struct clock_stretch *stretch, c205_error *error);

@@ -11,8 +11,7 @@ struct pixel_look {
     void *context;
 };
 
-static struct pixel_look look_at(const struct frame_pixel *pixel,
-                                 const c205 *machine)
+static struct pixel_look look_at(const struct frame_pixel *pixel, const c205 *machine)
 {
     return (struct pixel_look){ .pixel = pixel,
                                 .program = trace_program(pixel->trace),
@@ -82,8 +81,8 @@ struct queue {
 /* Here the program is between two queues. */
 static bool is_outside(const struct pixel_look *look)
 {
-    static const char *const regions[] = { "frame", "generate", "resolve",
-                                           "camera", "average" };
+    static const char *const regions[] = { "frame", "generate", "resolve", "camera",
+                                           "average" };
     const char *region = object_region(look->program, c205_pc(look->machine));
 
     for (size_t i = 0; i < sizeof regions / sizeof *regions; i++)
@@ -93,13 +92,11 @@ static bool is_outside(const struct pixel_look *look)
 }
 
 /* Vector number vector of a list. */
-static uint64_t list_vector(const struct pixel_look *look, size_t list,
-                            uint64_t vector)
+static uint64_t list_vector(const struct pixel_look *look, size_t list, uint64_t vector)
 {
     return word_of(look, "scene_levels")
            + 64
-                 * (list * value_of(look, "LEVEL_SIZE")
-                    + value_of(look, "LEVEL_LIST")
+                 * (list * value_of(look, "LEVEL_SIZE") + value_of(look, "LEVEL_LIST")
                     + vector * value_of(look, "LIST"));
 }
 
@@ -127,35 +124,32 @@ static bool find_queue(const struct pixel_look *look, struct queue *queue)
 }
 
 /* The place of a ray of the camera in the planes. */
-static size_t place_of_ray(const struct pixel_look *look,
-                           const struct queue *queue, size_t ray)
+static size_t place_of_ray(const struct pixel_look *look, const struct queue *queue,
+                           size_t ray)
 {
-    return queue->order ? (size_t)c205_to_integer(
-               word_at(look, queue->order + 64 * ray))
-                        : queue->first + ray;
+    return queue->order
+               ? (size_t)c205_to_integer(word_at(look, queue->order + 64 * ray))
+               : queue->first + ray;
 }
 
 /* Whether a ray of the queue comes of the pixel. */
-static bool is_of_pixel(const struct pixel_look *look,
-                        const struct queue *queue, size_t ray)
+static bool is_of_pixel(const struct pixel_look *look, const struct queue *queue,
+                        size_t ray)
 {
     size_t list = queue->list;
-    size_t place = list > 0 ? queue->first + ray
-                            : place_of_ray(look, queue, ray);
+    size_t place = list > 0 ? queue->first + ray : place_of_ray(look, queue, ray);
 
     for (; list > 0; list--)
         place = (size_t)c205_to_integer(
-            word_at(look,
-                    list_vector(look, list, value_of(look, "LIST_PARENT"))
-                        + 64 * place));
+            word_at(look, list_vector(look, list, value_of(look, "LIST_PARENT"))
+                              + 64 * place));
     return place == look->pixel->place;
 }
 
 /* ---- What is told ---------------------------------------------------------- */
 
-static void tell(const struct pixel_look *look,
-                 const struct pixel_element *of, const char *vector,
-                 uint64_t address)
+static void tell(const struct pixel_look *look, const struct pixel_element *of,
+                 const char *vector, uint64_t address)
 {
     struct pixel_element element = *of;
 
@@ -165,26 +159,22 @@ static void tell(const struct pixel_look *look,
 }
 
 /* Vectors that stand one behind the other, a stride apart. */
-static void tell_some(const struct pixel_look *look,
-                      const struct pixel_element *of,
-                      const char *const *names, uint64_t address,
-                      uint64_t stride)
+static void tell_some(const struct pixel_look *look, const struct pixel_element *of,
+                      const char *const *names, uint64_t address, uint64_t stride)
 {
     for (; *names; names++, address += 64 * stride)
         tell(look, of, *names, address);
 }
 
-static const char *const rays[] = { "aox", "aoy", "aoz", "adx",
-                                    "ady", "adz", NULL };
+static const char *const rays[] = { "aox", "aoy", "aoz", "adx", "ady", "adz", NULL };
 static const char *const met[] = { "nearest", "met", "hit_s", "hit_t", NULL };
-static const char *const colours[] = { "out_red", "out_green", "out_blue",
-                                       NULL };
+static const char *const colours[] = { "out_red", "out_green", "out_blue", NULL };
 static const char *const planes[] = { "out_red",   "out_green", "out_blue",
                                       "out_depth", "out_nx",    "out_ny",
                                       "out_nz",    "out_id",    NULL };
 
-static void tell_queue(const struct pixel_look *look,
-                       const struct queue *queue, size_t ray)
+static void tell_queue(const struct pixel_look *look, const struct queue *queue,
+                       size_t ray)
 {
     const struct pixel_element of = { .list = queue->list,
                                       .lane = ray,
@@ -197,40 +187,33 @@ static void tell_queue(const struct pixel_look *look,
         tell_some(look, &of, rays, store, length);
     else
         tell_some(look, &of, rays,
-                  in_list
-                      + list_vector(look, queue->list,
-                                    value_of(look, "LIST_RAY")),
+                  in_list + list_vector(look, queue->list, value_of(look, "LIST_RAY")),
                   value_of(look, "LIST"));
     tell_some(look, &of, met, store + 64 * 6 * length, length);
     if (queue->list == 0)
         tell_some(look, &of, planes,
-                  word_of(look, "scene_frame")
-                      + 64 * place_of_ray(look, queue, ray),
+                  word_of(look, "scene_frame") + 64 * place_of_ray(look, queue, ray),
                   word_of(look, "scene_pixels"));
     else
         tell_some(look, &of, colours,
                   in_list
-                      + list_vector(look, queue->list,
-                                    value_of(look, "LIST_COLOR")),
+                      + list_vector(look, queue->list, value_of(look, "LIST_COLOR")),
                   value_of(look, "LIST"));
 }
 
 /* find_nearest has been called, and nothing since that has this link. */
 static bool is_seeking(const struct pixel_look *look)
 {
-    return address_in(register_of(look, "link"))
-           == value_of(look, "levels_found");
+    return address_in(register_of(look, "link")) == value_of(look, "levels_found");
 }
 
 /* A kernel meets the rays at hand: what calls kernels has told it which rays it looks at.  Those of pairs_vector.s have rays of their own, the root solver
  * has the registers for other things. */
 static bool meets_near(const struct pixel_look *look)
 {
-    static const char *const regions[] = { "bound",       "visible",
-                                           "call",        "transform",
-                                           "root_solver", "quartic" };
-    const struct asm_symbol *pairs = object_symbol(look->program,
-                                                   "meet_spheres");
+    static const char *const regions[] = { "bound",     "visible",     "call",
+                                           "transform", "root_solver", "quartic" };
+    const struct asm_symbol *pairs = object_symbol(look->program, "meet_spheres");
     uint64_t pc = c205_pc(look->machine);
     const char *region = object_region(look->program, pc);
 
@@ -238,18 +221,16 @@ static bool meets_near(const struct pixel_look *look)
         if (strcmp(region, regions[i]) == 0)
             return false;
     return is_seeking(look)
-           && !(pairs
-                && is_between(look, pc, "meet_spheres", "spheres_least"));
+           && !(pairs && is_between(look, pc, "meet_spheres", "spheres_least"));
 }
 
-static void tell_near(const struct pixel_look *look,
-                      const struct queue *queue, size_t ray)
+static void tell_near(const struct pixel_look *look, const struct queue *queue,
+                      size_t ray)
 {
     static const char *const names[] = {
-        "place", "near_limit", "wox", "woy", "woz", "wdx", "wdy", "wdz",
-        "ox",    "oy",         "oz",  "dx",  "dy",  "dz",  "tin", "tout",
-        "w0",    "w1",         "w2",  "w3",  "w4",  "w5",  "w6",  "w7",
-        "w8",    "w9",         "w10", "w11", NULL
+        "place", "near_limit", "wox", "woy", "woz", "wdx",  "wdy", "wdz", "ox", "oy",
+        "oz",    "dx",         "dy",  "dz",  "tin", "tout", "w0",  "w1",  "w2", "w3",
+        "w4",    "w5",         "w6",  "w7",  "w8",  "w9",   "w10", "w11", NULL
     };
     size_t near = (size_t)c205_to_integer(register_of(look, "near"));
     c205_word place = register_of(look, "place");
@@ -257,13 +238,11 @@ static void tell_near(const struct pixel_look *look,
     if (!meets_near(look) || length_in(place) != near)
         return;
     for (size_t i = 0; i < near; i++) {
-        const struct pixel_element of = { .group = PIXEL_NEAR,
-                                          .list = queue->list,
-                                          .lane = i,
-                                          .length = near };
+        const struct pixel_element of = {
+            .group = PIXEL_NEAR, .list = queue->list, .lane = i, .length = near
+        };
 
-        if (c205_to_integer(word_at(look, address_in(place) + 64 * i))
-            != (int64_t)ray)
+        if (c205_to_integer(word_at(look, address_in(place) + 64 * i)) != (int64_t)ray)
             continue;
         for (const char *const *name = names; *name; name++) {
             c205_word vector = register_of(look, *name);
@@ -279,34 +258,31 @@ static bool shades_hits(const struct pixel_look *look)
 {
     return mode_of(look) == TRACE_VECTOR && !is_seeking(look)
            && !is_between(look, c205_pc(look->machine), "shade", "sort_done")
-           && !is_between(look, address_in(register_of(look, "link_inner")),
-                          "shade", "sort_done")
-           && !is_between(look, address_in(register_of(look, "link_kernel")),
-                          "shade", "sort_done");
+           && !is_between(look, address_in(register_of(look, "link_inner")), "shade",
+                          "sort_done")
+           && !is_between(look, address_in(register_of(look, "link_kernel")), "shade",
+                          "sort_done");
 }
 
-static void tell_hits(const struct pixel_look *look,
-                      const struct queue *queue, size_t ray)
+static void tell_hits(const struct pixel_look *look, const struct queue *queue,
+                      size_t ray)
 {
-    static const char *const names[] = { "at",   "px",  "py", "pz",  "hdx",
-                                         "hdy",  "hdz", "nx", "ny",  "nz",
-                                         "cr",   "cg",  "cb", "red", "green",
-                                         "blue", "lx",  "ly", "lz",  "facing",
-                                         NULL };
+    static const char *const names[] = { "at",  "px",     "py",    "pz",   "hdx", "hdy",
+                                         "hdz", "nx",     "ny",    "nz",   "cr",  "cg",
+                                         "cb",  "red",    "green", "blue", "lx",  "ly",
+                                         "lz",  "facing", NULL };
     uint64_t store = value_of(look, "shade_store");
     size_t hits = (size_t)c205_to_integer(register_of(look, "h"));
 
     if (!shades_hits(look))
         return;
     for (size_t i = 0; i < hits; i++) {
-        const struct pixel_element of = { .group = PIXEL_HITS,
-                                          .list = queue->list,
-                                          .lane = i,
-                                          .length = hits };
+        const struct pixel_element of = {
+            .group = PIXEL_HITS, .list = queue->list, .lane = i, .length = hits
+        };
 
         if (c205_to_integer(word_at(look, store + 64 * i)) == (int64_t)ray)
-            tell_some(look, &of, names, store + 64 * i,
-                      value_of(look, "QUEUE"));
+            tell_some(look, &of, names, store + 64 * i, value_of(look, "QUEUE"));
     }
 }
 
@@ -317,18 +293,16 @@ static bool is_pixel_at_hand(const struct pixel_look *look)
     uint64_t at = value_of(look, "pixel");
 
     return word_at(look, at) == c205_from_double((double)look->pixel->x)
-           && word_at(look, at + 64)
-                  == c205_from_double((double)look->pixel->y)
-           && !is_between(look, c205_pc(look->machine), "frame_pixel",
-                          "frame_aimed");
+           && word_at(look, at + 64) == c205_from_double((double)look->pixel->y)
+           && !is_between(look, c205_pc(look->machine), "frame_pixel", "frame_aimed");
 }
 
 static size_t tell_pixel(const struct pixel_look *look)
 {
-    static const char *const ray[] = { "ox", "oy", "oz", "dx",
-                                       "dy", "dz", NULL };
-    static const char *const sample[] = { "red", "green", "blue", "nx",
-                                          "ny",  "nz",    NULL };
+    static const char *const ray[] = { "ox", "oy", "oz", "dx", "dy", "dz", NULL };
+    static const char *const sample[] = {
+        "red", "green", "blue", "nx", "ny", "nz", NULL
+    };
     const struct pixel_element of = { .length = 1 };
     uint64_t record = word_of(look, "scene_levels");
 
@@ -367,8 +341,7 @@ size_t pixel_elements(const struct frame_pixel *pixel, const c205 *machine,
 
 const char *pixel_made_label(const struct frame_pixel *pixel)
 {
-    return trace_how(pixel->trace)->mode == TRACE_SCALAR ? "trace"
-                                                         : "find_nearest";
+    return trace_how(pixel->trace)->mode == TRACE_SCALAR ? "trace" : "find_nearest";
 }
 
 static void ignore(void *context, const struct pixel_element *element)

@@ -40,14 +40,13 @@ static void put_heading(const struct lane_report *report,
     const struct sink *out = report->out;
 
     if (trace_how(report->pixel->trace)->mode == TRACE_SCALAR)
-        sink_print(out, "pixel %zu,%zu\n", report->pixel->x,
-                   report->pixel->y);
+        sink_print(out, "pixel %zu,%zu\n", report->pixel->x, report->pixel->y);
     else if (element->list > 0)
         sink_print(out, "lane %zu of %zu %s, list %zu\n", element->lane,
                    element->length, groups[element->group], element->list);
     else
-        sink_print(out, "lane %zu of %zu %s\n", element->lane,
-                   element->length, groups[element->group]);
+        sink_print(out, "lane %zu of %zu %s\n", element->lane, element->length,
+                   groups[element->group]);
 }
 
 static void put_element(void *context, const struct pixel_element *element)
@@ -63,13 +62,12 @@ static void put_element(void *context, const struct pixel_element *element)
         put_heading(report, element);
     c205_to_text(element->word, number);
     c205_to_hex(element->word, hex);
-    sink_print(report->out, "    %-10s X'%s'  %s\n", element->vector, hex,
-               number);
+    sink_print(report->out, "    %-10s X'%s'  %s\n", element->vector, hex, number);
     report->last = *element;
 }
 
-static bool show_lane(void *context, struct debugger *debugger,
-                      const char *rest, c205_error *error)
+static bool show_lane(void *context, struct debugger *debugger, const char *rest,
+                      c205_error *error)
 {
     const struct frame_pixel *pixel = context;
     const char *vector = rest + strspn(rest, " \t");
@@ -77,15 +75,14 @@ static bool show_lane(void *context, struct debugger *debugger,
                                   .out = debugger_out(debugger),
                                   .vector = vector,
                                   .length = strcspn(vector, " \t") };
-    size_t rays = pixel_elements(pixel, debugger_machine(debugger),
-                                 put_element, &report);
+    size_t rays = pixel_elements(pixel, debugger_machine(debugger), put_element,
+                                 &report);
 
     if (rays == 0)
-        sink_print(report.out, "pixel %zu,%zu is in no queue at hand\n",
-                   pixel->x, pixel->y);
+        sink_print(report.out, "pixel %zu,%zu is in no queue at hand\n", pixel->x,
+                   pixel->y);
     return rays == 0 || report.last.length > 0
-           || error_say(error,
-                        "no vector that has the pixel's rays is called %.60s",
+           || error_say(error, "no vector that has the pixel's rays is called %.60s",
                         vector);
 }
 
@@ -106,12 +103,10 @@ static bool seek(void *context, struct debugger *debugger, const char *rest,
 }
 
 const struct debugger_verb pixel_verbs[] = {
-    { "seek", "",
-      "on to where a queue has been made that a ray of the pixel is in",
+    { "seek", "", "on to where a queue has been made that a ray of the pixel is in",
       seek },
     { "lane", "[VECTOR]",
-      "what the vectors of the queue at hand have of the pixel's rays",
-      show_lane },
+      "what the vectors of the queue at hand have of the pixel's rays", show_lane },
     { NULL, NULL, NULL, NULL }
 };
 enum { VERBS = sizeof pixel_verbs / sizeof *pixel_verbs - 1 };

@@ -64,8 +64,7 @@ static void say(struct talk *talk, const uint8_t *data, size_t size)
     static const char header[] = "Content";
     struct sink sink = text_buffer_sink(&talk->said);
 
-    if (size >= sizeof header - 1
-        && memcmp(data, header, sizeof header - 1) == 0)
+    if (size >= sizeof header - 1 && memcmp(data, header, sizeof header - 1) == 0)
         sink.put(sink.context, (const char *)data, size);
     else
         frame_lines(talk, data, size);
@@ -104,8 +103,7 @@ static void hear(void *context, const char *bytes, size_t length)
 
     must(message_find(&whole, &content, &error) == MESSAGE_WHOLE);
     must(content.begin + content.length == length);
-    message = json_read(&arena, bytes + content.begin, content.length,
-                        &error);
+    message = json_read(&arena, bytes + content.begin, content.length, &error);
     must(json_member_whole(message, "seq", &number));
     must(number == ++talk->heard);
     success = json_member(message, "success");

@@ -49,8 +49,7 @@ static c205_word word_of(const uint8_t *bytes)
         fields.g &= (uint8_t)~insn->subop_mask;
         fields.g |= insn->subop;
         word = c205_encode(insn, &fields)
-               | (c205_format_halves(insn->format) == 1 ? word & UINT32_MAX
-                                                        : 0);
+               | (c205_format_halves(insn->format) == 1 ? word & UINT32_MAX : 0);
     }
     return word;
 }
@@ -58,12 +57,10 @@ static c205_word word_of(const uint8_t *bytes)
 static void load(c205 *machine, const c205_word *code)
 {
     static const c205_word some[DATA_WORDS] = { C205_ONE, C205_MACHINE_ZERO,
-                                                C205_INDEFINITE, 1,
-                                                UINT64_MAX };
+                                                C205_INDEFINITE, 1, UINT64_MAX };
     const c205_segment segments[] = { { CODE, CODE_WORDS, code },
                                       { DATA, DATA_WORDS, some } };
-    const c205_region region = { "half", CODE,
-                                 CODE + CODE_WORDS * WORD_BITS / 2 };
+    const c205_region region = { "half", CODE, CODE + CODE_WORDS * WORD_BITS / 2 };
     const c205_program program = { CODE, 2, segments, 1, &region, false };
     c205_error error;
 
@@ -74,11 +71,10 @@ static void load(c205 *machine, const c205_word *code)
 static void fill_registers(c205 *machine)
 {
     for (unsigned i = 1; i < C205_REGISTERS; i++) {
-        const c205_word kinds[] = {
-            (c205_word)(i % 32) << 48 | (DATA + i * WORD_BITS),
-            c205_from_double(i - 100.5), i % 16, CODE + i * WORD_BITS / 2,
-            (c205_word)(i % 8) << 48 | (CODE + i * WORD_BITS)
-        };
+        const c205_word kinds[] = { (c205_word)(i % 32) << 48 | (DATA + i * WORD_BITS),
+                                    c205_from_double(i - 100.5), i % 16,
+                                    CODE + i * WORD_BITS / 2,
+                                    (c205_word)(i % 8) << 48 | (CODE + i * WORD_BITS) };
 
         c205_set_register(machine, i, kinds[i % COUNT(kinds)]);
     }
@@ -161,8 +157,7 @@ static void check_trap(c205 *machine, const c205_word *code, size_t steps,
 }
 
 /* The machine has come to where the run ended. */
-static void check_end(const c205 *machine, const struct state *ran,
-                      uint64_t clock)
+static void check_end(const c205 *machine, const struct state *ran, uint64_t clock)
 {
     static struct state state;
 

@@ -85,8 +85,7 @@ static void check_same(const c205 *a, const c205 *b)
 {
     struct bytes left = save(a), right = save(b);
 
-    must(left.count == right.count
-         && memcmp(left.byte, right.byte, left.count) == 0);
+    must(left.count == right.count && memcmp(left.byte, right.byte, left.count) == 0);
     free(left.byte);
     free(right.byte);
 }

@@ -19,8 +19,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (out && text) {
         memcpy(text, data, size);
         text[size] = '\0';
-        struct scene *scene = scene_read_text("fuzz.pov", text, &options,
-                                              &reports);
+        struct scene *scene = scene_read_text("fuzz.pov", text, &options, &reports);
         fuzz_accepted = fuzz_accepted || scene;
         scene_free(scene);
         diagnostics_print(&reports, out);

@@ -13,8 +13,7 @@ static c205_word insn(const char *mnemonic, c205_fields fields)
 int main(void)
 {
     c205_error error = { "" };
-    const c205_word code[] = { insn("EX", (c205_fields){ .r = 16,
-                                                         .immediate = 205 }),
+    const c205_word code[] = { insn("EX", (c205_fields){ .r = 16, .immediate = 205 }),
                                insn("EXIT", (c205_fields){ .r = 16 }) };
     const c205_segment segment = { 0x400000, 2, code };
     const c205_program program = { 0x400000, 1, &segment, 0, NULL, false };
@@ -26,8 +25,7 @@ int main(void)
         return 1;
     }
     c205_stop stop = c205_run(machine, C205_NO_LIMIT);
-    printf("status %d after %d clocks\n", (int)stop.status,
-           (int)c205_clock(machine));
+    printf("status %d after %d clocks\n", (int)stop.status, (int)c205_clock(machine));
     c205_free(machine);
     c205_model_free(model);
     return stop.trap == C205_TRAP_NONE && stop.status == 205 ? 0 : 1;

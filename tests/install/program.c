@@ -25,8 +25,7 @@ static int run(const c205_model *model, const struct object *object)
     if (!machine || !c205_load(machine, &object->program, &error))
         return fail(error.message);
     stop = c205_run(machine, C205_NO_LIMIT);
-    printf("status %d after %d clocks\n", (int)stop.status,
-           (int)c205_clock(machine));
+    printf("status %d after %d clocks\n", (int)stop.status, (int)c205_clock(machine));
     c205_free(machine);
     return stop.trap != C205_TRAP_NONE;
 }

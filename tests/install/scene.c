@@ -13,11 +13,9 @@ static const char text[] = "camera { location <0, 0, -5> look_at 0 }\n"
 static int trace(const struct scene *scene, const c205_model *model,
                  enum trace_mode mode)
 {
-    const struct trace_options options = { .mode = mode,
-                                           .width = 40,
-                                           .height = 30,
-                                           .queue = TRACE_QUEUE,
-                                           .model = model };
+    const struct trace_options options = {
+        .mode = mode, .width = 40, .height = 30, .queue = TRACE_QUEUE, .model = model
+    };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
     int code = !trace || !trace_run(trace, &error);
@@ -25,8 +23,8 @@ static int trace(const struct scene *scene, const c205_model *model,
     if (code)
         fprintf(stderr, "%s\n", error.message);
     else
-        printf("%s: %zu hits, %016llX\n", trace_mode_name(mode),
-               trace_hits(trace), (unsigned long long)trace_checksum(trace));
+        printf("%s: %zu hits, %016llX\n", trace_mode_name(mode), trace_hits(trace),
+               (unsigned long long)trace_checksum(trace));
     trace_free(trace);
     return code;
 }

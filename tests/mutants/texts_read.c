@@ -7,16 +7,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-bool __real_source_find(struct assembler *assembler, const char *name,
-                        const char *from, struct asm_source *source,
-                        c205_error *error);
-bool __wrap_source_find(struct assembler *assembler, const char *name,
-                        const char *from, struct asm_source *source,
-                        c205_error *error);
+bool __real_source_find(struct assembler *assembler, const char *name, const char *from,
+                        struct asm_source *source, c205_error *error);
+bool __wrap_source_find(struct assembler *assembler, const char *name, const char *from,
+                        struct asm_source *source, c205_error *error);
 
-bool __wrap_source_find(struct assembler *assembler, const char *name,
-                        const char *from, struct asm_source *source,
-                        c205_error *error)
+bool __wrap_source_find(struct assembler *assembler, const char *name, const char *from,
+                        struct asm_source *source, c205_error *error)
 {
     const char *path = getenv("TEXTS_READ");
     FILE *file = path ? fopen(path, "a") : NULL;

@@ -28,8 +28,7 @@ static mpfr_t left_value, right_value, radicand, root;
 
 void oracle_begin(void)
 {
-    mpz_inits(left.coefficient, right.coefficient, wide, aligned, complement,
-              NULL);
+    mpz_inits(left.coefficient, right.coefficient, wide, aligned, complement, NULL);
     mpfr_inits2(48, left_value, right_value, (mpfr_ptr)NULL);
     mpfr_init2(radicand, 96);
     mpfr_init(root);
@@ -37,8 +36,7 @@ void oracle_begin(void)
 
 void oracle_end(void)
 {
-    mpz_clears(left.coefficient, right.coefficient, wide, aligned, complement,
-               NULL);
+    mpz_clears(left.coefficient, right.coefficient, wide, aligned, complement, NULL);
     mpfr_clears(left_value, right_value, radicand, root, (mpfr_ptr)NULL);
     mpfr_free_cache();
 }
@@ -64,8 +62,7 @@ static void take(struct number *number, const struct oracle_format *format,
                first_bits(word << exponent_bits, format->digits + 1));
 }
 
-static void take_both(const struct oracle_format *format, c205_word a,
-                      c205_word b)
+static void take_both(const struct oracle_format *format, c205_word a, c205_word b)
 {
     take(&left, format, a);
     take(&right, format, b);
@@ -118,8 +115,8 @@ static long significant_bits(const mpz_t c)
 }
 
 /* The word of a coefficient that fits, by the range rule. */
-static c205_word make(const struct oracle_format *format,
-                      const mpz_t coefficient, long exponent, uint64_t *flags)
+static c205_word make(const struct oracle_format *format, const mpz_t coefficient,
+                      long exponent, uint64_t *flags)
 {
     long coefficient_bits = format->digits + 1;
     c205_word end = 1ul << (coefficient_bits - 1) << 1;
@@ -143,8 +140,7 @@ static void scale_down(mpz_t c, long k)
 }
 
 /* The one rule of coefficients that are one bit too long. */
-static long shorten(const struct oracle_format *format, mpz_t c,
-                    long exponent)
+static long shorten(const struct oracle_format *format, mpz_t c, long exponent)
 {
     if (significant_bits(c) <= format->digits)
         return exponent;
@@ -153,8 +149,8 @@ static long shorten(const struct oracle_format *format, mpz_t c,
 }
 
 /* wide x 2^exponent with the given number of significant bits. */
-static c205_word make_significant(const struct oracle_format *format,
-                                  long bits, long exponent, uint64_t *flags)
+static c205_word make_significant(const struct oracle_format *format, long bits,
+                                  long exponent, uint64_t *flags)
 {
     long k = significant_bits(wide) - bits;
 
@@ -200,8 +196,7 @@ static long add_aligned(const struct oracle_format *format, bool subtract)
         weaken(&left, right.exponent);
     if (right.kind == MACHINE_ZERO)
         weaken(&right, left.exponent);
-    long exponent = left.exponent > right.exponent ? left.exponent
-                                                   : right.exponent;
+    long exponent = left.exponent > right.exponent ? left.exponent : right.exponent;
     align(wide, format, &left, exponent);
     align(aligned, format, &right, exponent);
     if (subtract)
@@ -214,8 +209,8 @@ static long add_aligned(const struct oracle_format *format, bool subtract)
     return exponent + 1;
 }
 
-static c205_word normalised_sum(const struct oracle_format *format,
-                                long exponent, uint64_t *flags)
+static c205_word normalised_sum(const struct oracle_format *format, long exponent,
+                                uint64_t *flags)
 {
     if (mpz_sgn(wide) == 0)
         return machine_zero(flags);
@@ -225,9 +220,8 @@ static c205_word normalised_sum(const struct oracle_format *format,
     return make(format, wide, exponent - places, flags);
 }
 
-static c205_word add(const struct oracle_format *format, c205_word a,
-                     c205_word b, bool subtract, enum form form,
-                     uint64_t *flags)
+static c205_word add(const struct oracle_format *format, c205_word a, c205_word b,
+                     bool subtract, enum form form, uint64_t *flags)
 {
     take_both(format, a, b);
     if (either(INDEFINITE))
@@ -268,24 +262,23 @@ static c205_word halve(const struct oracle_format *format, c205_word sum,
     return make(format, left.coefficient, left.exponent - 1, flags);
 }
 
-c205_word oracle_average(const struct oracle_format *format, c205_word a,
-                         c205_word b, uint64_t *flags)
+c205_word oracle_average(const struct oracle_format *format, c205_word a, c205_word b,
+                         uint64_t *flags)
 {
     return halve(format, oracle_add_normalised(format, a, b, flags), flags);
 }
 
-c205_word oracle_average_difference(const struct oracle_format *format,
-                                    c205_word a, c205_word b, uint64_t *flags)
+c205_word oracle_average_difference(const struct oracle_format *format, c205_word a,
+                                    c205_word b, uint64_t *flags)
 {
-    return halve(format, oracle_subtract_normalised(format, a, b, flags),
-                 flags);
+    return halve(format, oracle_subtract_normalised(format, a, b, flags), flags);
 }
 
 /* ---- Multiply ----------------------------------------------------------- */
 
 /* False: the result is special, and in *word. */
-static bool multiply(const struct oracle_format *format, c205_word a,
-                     c205_word b, c205_word *word, uint64_t *flags)
+static bool multiply(const struct oracle_format *format, c205_word a, c205_word b,
+                     c205_word *word, uint64_t *flags)
 {
     take_both(format, a, b);
     if (either(INDEFINITE))
@@ -297,8 +290,8 @@ static bool multiply(const struct oracle_format *format, c205_word a,
     return !either(INDEFINITE) && !either(MACHINE_ZERO);
 }
 
-c205_word oracle_multiply_upper(const struct oracle_format *format,
-                                c205_word a, c205_word b, uint64_t *flags)
+c205_word oracle_multiply_upper(const struct oracle_format *format, c205_word a,
+                                c205_word b, uint64_t *flags)
 {
     c205_word special;
 
@@ -309,8 +302,8 @@ c205_word oracle_multiply_upper(const struct oracle_format *format,
     return make(format, wide, shorten(format, wide, exponent), flags);
 }
 
-c205_word oracle_multiply_lower(const struct oracle_format *format,
-                                c205_word a, c205_word b, uint64_t *flags)
+c205_word oracle_multiply_lower(const struct oracle_format *format, c205_word a,
+                                c205_word b, uint64_t *flags)
 {
     c205_word special;
 
@@ -320,9 +313,8 @@ c205_word oracle_multiply_lower(const struct oracle_format *format,
     return make(format, wide, left.exponent + right.exponent, flags);
 }
 
-c205_word oracle_multiply_significant(const struct oracle_format *format,
-                                      c205_word a, c205_word b,
-                                      uint64_t *flags)
+c205_word oracle_multiply_significant(const struct oracle_format *format, c205_word a,
+                                      c205_word b, uint64_t *flags)
 {
     c205_word special;
 
@@ -337,8 +329,8 @@ c205_word oracle_multiply_significant(const struct oracle_format *format,
 /* ---- Divide ------------------------------------------------------------- */
 
 /* False: the result is special, and in *word. */
-static bool divide(const struct oracle_format *format, c205_word a,
-                   c205_word b, c205_word *word, uint64_t *flags)
+static bool divide(const struct oracle_format *format, c205_word a, c205_word b,
+                   c205_word *word, uint64_t *flags)
 {
     take_both(format, a, b);
     if (either(INDEFINITE)) {
@@ -371,8 +363,8 @@ c205_word oracle_divide_upper(const struct oracle_format *format, c205_word a,
     return make(format, wide, exponent, flags);
 }
 
-c205_word oracle_divide_significant(const struct oracle_format *format,
-                                    c205_word a, c205_word b, uint64_t *flags)
+c205_word oracle_divide_significant(const struct oracle_format *format, c205_word a,
+                                    c205_word b, uint64_t *flags)
 {
     c205_word special;
 
@@ -381,8 +373,7 @@ c205_word oracle_divide_significant(const struct oracle_format *format,
     if (mpz_sgn(wide) == 0)
         return machine_zero(flags);
     return make_significant(format, less_significant_operand(),
-                            left.exponent - right.exponent - format->digits,
-                            flags);
+                            left.exponent - right.exponent - format->digits, flags);
 }
 
 /* ---- Square root -------------------------------------------------------- */
@@ -426,22 +417,22 @@ static c205_word integer_part(const struct oracle_format *format, c205_word a,
     return make(format, wide, 0, flags);
 }
 
-c205_word oracle_truncate(const struct oracle_format *format, c205_word a,
-                          c205_word b, uint64_t *flags)
+c205_word oracle_truncate(const struct oracle_format *format, c205_word a, c205_word b,
+                          uint64_t *flags)
 {
     (void)b;
     return integer_part(format, a, mpz_tdiv_q_2exp, flags);
 }
 
-c205_word oracle_floor(const struct oracle_format *format, c205_word a,
-                       c205_word b, uint64_t *flags)
+c205_word oracle_floor(const struct oracle_format *format, c205_word a, c205_word b,
+                       uint64_t *flags)
 {
     (void)b;
     return integer_part(format, a, mpz_fdiv_q_2exp, flags);
 }
 
-c205_word oracle_ceiling(const struct oracle_format *format, c205_word a,
-                         c205_word b, uint64_t *flags)
+c205_word oracle_ceiling(const struct oracle_format *format, c205_word a, c205_word b,
+                         uint64_t *flags)
 {
     (void)b;
     return integer_part(format, a, mpz_cdiv_q_2exp, flags);
@@ -449,8 +440,8 @@ c205_word oracle_ceiling(const struct oracle_format *format, c205_word a,
 
 /* Of a special word too: the range rule makes the plain special of it, but
  * no exponent overflow where there was no number. */
-c205_word oracle_negate(const struct oracle_format *format, c205_word a,
-                        c205_word b, uint64_t *flags)
+c205_word oracle_negate(const struct oracle_format *format, c205_word a, c205_word b,
+                        uint64_t *flags)
 {
     (void)b;
     take(&left, format, a);
@@ -468,8 +459,8 @@ c205_word oracle_negate(const struct oracle_format *format, c205_word a,
     return make(format, wide, left.exponent, flags);
 }
 
-c205_word oracle_absolute(const struct oracle_format *format, c205_word a,
-                          c205_word b, uint64_t *flags)
+c205_word oracle_absolute(const struct oracle_format *format, c205_word a, c205_word b,
+                          uint64_t *flags)
 {
     take(&left, format, a);
     if (mpz_sgn(left.coefficient) >= 0)
@@ -477,8 +468,8 @@ c205_word oracle_absolute(const struct oracle_format *format, c205_word a,
     return oracle_negate(format, a, b, flags);
 }
 
-c205_word oracle_exponent(const struct oracle_format *format, c205_word a,
-                          c205_word b, uint64_t *flags)
+c205_word oracle_exponent(const struct oracle_format *format, c205_word a, c205_word b,
+                          uint64_t *flags)
 {
     (void)b;
     take(&left, format, a);
@@ -490,8 +481,7 @@ c205_word oracle_exponent(const struct oracle_format *format, c205_word a,
 
 /* A number shifted left, one place after the other, as far as it may be and
  * is wanted; limit: how far at the most. */
-static long shift_left(const struct oracle_format *format, long wanted,
-                       long limit)
+static long shift_left(const struct oracle_format *format, long wanted, long limit)
 {
     long places = 0;
 
@@ -509,9 +499,8 @@ static void shift_right(long places)
     scale_down(left.coefficient, places > 100 ? 100 : places);
 }
 
-c205_word oracle_adjust_significance(const struct oracle_format *format,
-                                     c205_word a, c205_word b,
-                                     uint64_t *flags)
+c205_word oracle_adjust_significance(const struct oracle_format *format, c205_word a,
+                                     c205_word b, uint64_t *flags)
 {
     take_both(format, a, b);
     long places = mpz_get_si(right.coefficient);
@@ -524,8 +513,8 @@ c205_word oracle_adjust_significance(const struct oracle_format *format,
     return make(format, left.coefficient, left.exponent - places, flags);
 }
 
-c205_word oracle_adjust_exponent(const struct oracle_format *format,
-                                 c205_word a, c205_word b, uint64_t *flags)
+c205_word oracle_adjust_exponent(const struct oracle_format *format, c205_word a,
+                                 c205_word b, uint64_t *flags)
 {
     take_both(format, a, b);
     long exponent = mpz_get_si(right.coefficient);
@@ -556,22 +545,22 @@ static c205_word contract(c205_word a, unsigned long addend, uint64_t *flags)
     return make(&oracle_half, wide, exponent, flags);
 }
 
-c205_word oracle_contract(const struct oracle_format *format, c205_word a,
-                          c205_word b, uint64_t *flags)
+c205_word oracle_contract(const struct oracle_format *format, c205_word a, c205_word b,
+                          uint64_t *flags)
 {
     (void)format, (void)b;
     return contract(a, 0, flags);
 }
 
-c205_word oracle_contract_rounded(const struct oracle_format *format,
-                                  c205_word a, c205_word b, uint64_t *flags)
+c205_word oracle_contract_rounded(const struct oracle_format *format, c205_word a,
+                                  c205_word b, uint64_t *flags)
 {
     (void)format, (void)b;
     return contract(a, 1ul << 23, flags);
 }
 
-c205_word oracle_extend(const struct oracle_format *format, c205_word a,
-                        c205_word b, uint64_t *flags)
+c205_word oracle_extend(const struct oracle_format *format, c205_word a, c205_word b,
+                        uint64_t *flags)
 {
     long places = oracle_full.digits - oracle_half.digits;
 
@@ -580,14 +569,12 @@ c205_word oracle_extend(const struct oracle_format *format, c205_word a,
     if (left.kind != NUMBER)
         return plain(left.kind, flags);
     scale_down(left.coefficient, -places);
-    return make(&oracle_full, left.coefficient, left.exponent - places,
-                flags);
+    return make(&oracle_full, left.coefficient, left.exponent - places, flags);
 }
 
 /* ---- Compare ------------------------------------------------------------ */
 
-void oracle_value(const struct oracle_format *format, mpfr_t value,
-                  c205_word word)
+void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word word)
 {
     take(&left, format, word);
     if (left.kind == INDEFINITE)

@@ -43,8 +43,7 @@ typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
 
 /* The value of a word, exactly when value has room for it; machine zero is +0,
  * indefinite a NaN. */
-void oracle_value(const struct oracle_format *format, mpfr_t value,
-                  c205_word word);
+void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word word);
 
 /* The normalised word of a value with no more digits, that is, of one which
  * was cut to them; NaN, infinity and range as docs/arithmetic.md has it. */

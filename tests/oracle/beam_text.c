@@ -14,9 +14,8 @@ static void aim(uint64_t *state, const double position[3], double size,
         way[0] = between(state, -.8, .8);
         way[2] = between(state, -.5, .8);
     }
-    solid_words(words, " point_at <%.6g, %.6g, %.6g>",
-                position[0] + size * way[0], position[1] + size * way[1],
-                position[2] + size * way[2]);
+    solid_words(words, " point_at <%.6g, %.6g, %.6g>", position[0] + size * way[0],
+                position[1] + size * way[1], position[2] + size * way[2]);
 }
 
 static void fade(uint64_t *state, double size, char words[SOLID_WORDS])
@@ -48,8 +47,8 @@ static void spread(uint64_t *state, double size, char words[SOLID_WORDS])
     say_axis(state, size, other);
     size_t across = 1 + below(state, 4), down = 1 + below(state, 3);
     bool circular = across > 1 && down > 1 && one_in(state, 3);
-    solid_words(words, " area_light %.60s, %.60s, %zu, %zu%s", one, other,
-                across, down, circular ? " circular" : "");
+    solid_words(words, " area_light %.60s, %.60s, %zu, %zu%s", one, other, across, down,
+                circular ? " circular" : "");
 }
 
 void beam_words(uint64_t state, const double position[3], double size,
@@ -70,23 +69,20 @@ void beam_words(uint64_t state, const double position[3], double size,
     switch (below(&state, 4)) {
     case 0:
         spread(&state, size, at);
-        solid_words(words, "%.99s%.150s", fading,
-                    one_in(&state, 2) ? at : "");
+        solid_words(words, "%.99s%.150s", fading, one_in(&state, 2) ? at : "");
         break;
     case 1: solid_words(words, " parallel%.99s%.99s", at, fading); break;
     case 2:
         solid_words(words,
                     " spotlight%.99s radius %.4g falloff %.4g tightness "
                     "%.3g%.99s",
-                    at, 60 * full, between(&state, 5, 100), tightness,
-                    fading);
+                    at, 60 * full, between(&state, 5, 100), tightness, fading);
         break;
     default:
         solid_words(words,
                     " cylinder%.99s radius %.4g falloff %.4g tightness "
                     "%.3g%.99s",
-                    at, size * full, size * between(&state, .1, 1), tightness,
-                    fading);
+                    at, size * full, size * between(&state, .1, 1), tightness, fading);
         break;
     }
 }

@@ -9,8 +9,7 @@ static c205_word bit(c205_word word, long i)
 }
 
 /* The exponent field of one word, the coefficient field of another. */
-static c205_word join(const struct oracle_format *format, c205_word high,
-                      c205_word low)
+static c205_word join(const struct oracle_format *format, c205_word high, c205_word low)
 {
     long middle = format->width - format->digits - 1;
     c205_word word = 0;
@@ -23,8 +22,7 @@ static c205_word join(const struct oracle_format *format, c205_word high,
 }
 
 /* The low bits of a number as a word of the format. */
-static c205_word justified(const struct oracle_format *format,
-                           c205_word number)
+static c205_word justified(const struct oracle_format *format, c205_word number)
 {
     return number << (64 - format->width);
 }
@@ -34,8 +32,8 @@ static c205_word as_number(const struct oracle_format *format, c205_word word)
     return word >> (64 - format->width);
 }
 
-c205_word oracle_pack(const struct oracle_format *format, c205_word a,
-                      c205_word b, uint64_t *flags)
+c205_word oracle_pack(const struct oracle_format *format, c205_word a, c205_word b,
+                      uint64_t *flags)
 {
     c205_word exponent = as_number(format, a) << (format->digits + 1);
 
@@ -43,22 +41,20 @@ c205_word oracle_pack(const struct oracle_format *format, c205_word a,
     return join(format, justified(format, exponent), b);
 }
 
-c205_word oracle_add_index(const struct oracle_format *format, c205_word a,
-                           c205_word b, uint64_t *flags)
+c205_word oracle_add_index(const struct oracle_format *format, c205_word a, c205_word b,
+                           uint64_t *flags)
 {
     (void)flags;
     return join(format, a,
-                justified(format,
-                          as_number(format, a) + as_number(format, b)));
+                justified(format, as_number(format, a) + as_number(format, b)));
 }
 
-c205_word oracle_subtract_index(const struct oracle_format *format,
-                                c205_word a, c205_word b, uint64_t *flags)
+c205_word oracle_subtract_index(const struct oracle_format *format, c205_word a,
+                                c205_word b, uint64_t *flags)
 {
     (void)flags;
     return join(format, a,
-                justified(format,
-                          as_number(format, a) - as_number(format, b)));
+                justified(format, as_number(format, a) - as_number(format, b)));
 }
 
 /* The coefficient field as an integer: its first bit counts negative. */
@@ -72,8 +68,8 @@ static long as_integer(const struct oracle_format *format, c205_word word)
     return integer;
 }
 
-c205_word oracle_shift(const struct oracle_format *format, c205_word a,
-                       c205_word b, uint64_t *flags)
+c205_word oracle_shift(const struct oracle_format *format, c205_word a, c205_word b,
+                       uint64_t *flags)
 {
     long width = format->width;
     long count = as_integer(format, b);
@@ -90,8 +86,8 @@ c205_word oracle_shift(const struct oracle_format *format, c205_word a,
 }
 
 /* One bit of the result from one bit of a and one of b: truth[a][b]. */
-static c205_word bitwise(const struct oracle_format *format, c205_word a,
-                         c205_word b, const unsigned truth[2][2])
+static c205_word bitwise(const struct oracle_format *format, c205_word a, c205_word b,
+                         const unsigned truth[2][2])
 {
     c205_word result = 0;
 
@@ -104,8 +100,7 @@ static c205_word bitwise(const struct oracle_format *format, c205_word a,
     c205_word oracle_##name(const struct oracle_format *format, c205_word a, \
                             c205_word b, uint64_t *flags) \
     { \
-        static const unsigned truth[2][2] = { { of00, of01 }, \
-                                              { of10, of11 } }; \
+        static const unsigned truth[2][2] = { { of00, of01 }, { of10, of11 } }; \
 \
         (void)flags; \
         return bitwise(format, a, b, truth); \

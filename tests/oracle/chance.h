@@ -32,8 +32,7 @@ static inline double of_any_size(uint64_t *state, double low, double high)
 
 /* Another stream: what the first one goes on to draw does not depend on it.  Several from one
  * state have other numbers, the first odd. */
-static inline uint64_t stream_beside(uint64_t state, uint64_t times,
-                                     uint64_t more)
+static inline uint64_t stream_beside(uint64_t state, uint64_t times, uint64_t more)
 {
     uint64_t other = state * times + more;
     for (int i = 0; i < 8; i++)

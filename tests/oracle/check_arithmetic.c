@@ -33,9 +33,8 @@ static bool same(struct outcome a, struct outcome b)
     return a.word == b.word && a.flags == b.flags;
 }
 
-static struct outcome expect(oracle_rule *rule,
-                             const struct oracle_format *format, c205_word a,
-                             c205_word b)
+static struct outcome expect(oracle_rule *rule, const struct oracle_format *format,
+                             c205_word a, c205_word b)
 {
     struct outcome outcome = { .flags = EARLIER_FLAG };
 
@@ -51,15 +50,13 @@ static struct outcome apply(scalar_rule *rule, c205_word a, c205_word b)
     return outcome;
 }
 
-static void show_mismatch(const char *room, const char *name, c205_word a,
-                          c205_word b, struct outcome expected,
-                          struct outcome got)
+static void show_mismatch(const char *room, const char *name, c205_word a, c205_word b,
+                          struct outcome expected, struct outcome got)
 {
     printf("%s %s %016" PRIX64 " %016" PRIX64 "\n", room, name, a, b);
     printf("    expected %016" PRIX64 " flags %06" PRIX64 "\n", expected.word,
            expected.flags);
-    printf("    got      %016" PRIX64 " flags %06" PRIX64 "\n", got.word,
-           got.flags);
+    printf("    got      %016" PRIX64 " flags %06" PRIX64 "\n", got.word, got.flags);
 }
 
 /* Operands and results of one span; c has one word more, which stays. */
@@ -69,13 +66,11 @@ struct span {
     struct outcome expected[SPAN];
 };
 
-static bool check_scalars(const struct operation *operation,
-                          struct span *span)
+static bool check_scalars(const struct operation *operation, struct span *span)
 {
     for (size_t i = 0; i < span->n; i++) {
         c205_word a = span->a[i], b = span->b[i];
-        struct outcome expected = expect(operation->expected,
-                                         operation->format, a, b);
+        struct outcome expected = expect(operation->expected, operation->format, a, b);
         span->expected[i] = expected;
         if (!operation->scalar)
             continue;
@@ -110,8 +105,8 @@ static bool check_span(const struct operation *operation, struct span *span)
     printf("span %s, %zu elements from %016" PRIX64 " %016" PRIX64
            " on: %s\n    expected flags %06" PRIX64 ", got %06" PRIX64 "\n",
            operation->name, span->n, span->a[0], span->b[0],
-           span->c[span->n] == guard ? "flags" : "a word past the end",
-           expected_flags, flags);
+           span->c[span->n] == guard ? "flags" : "a word past the end", expected_flags,
+           flags);
     return false;
 }
 
@@ -157,13 +152,12 @@ static bool check_reduction(const struct reduction *reduction, uint64_t seed,
         struct outcome expected = { span.b[0], EARLIER_FLAG };
         struct outcome got = expected;
         for (size_t i = 0; i < span.n; i++)
-            expected.word = reduction->step(reduction->format, expected.word,
-                                            span.a[i], &expected.flags);
+            expected.word = reduction->step(reduction->format, expected.word, span.a[i],
+                                            &expected.flags);
         reduction->span(&got.word, span.a, span.n, &got.flags);
         if (!same(expected, got)) {
             printf("%zu elements: ", span.n);
-            show_mismatch("span", reduction->name, span.b[0], span.a[0],
-                          expected, got);
+            show_mismatch("span", reduction->name, span.b[0], span.a[0], expected, got);
             return false;
         }
     }
@@ -240,8 +234,7 @@ static void check_everything(struct run *run)
     for (size_t i = 0; i < conversion_count; i++)
         if (wanted(run, conversions[i].name))
             count(run, conversions[i].name, conversion_cases,
-                  check_conversion(conversions + i, run->seed,
-                                   conversion_cases));
+                  check_conversion(conversions + i, run->seed, conversion_cases));
 }
 
 static bool read_arguments(struct run *run, int argc, char **argv)

@@ -10,8 +10,7 @@
 enum { DIGITS = 400, TEXT = DIGITS + 64 };
 
 static const struct converters words = {
-    &oracle_full,   c205_from_double, c205_to_double,
-    c205_from_text, c205_to_text,
+    &oracle_full, c205_from_double, c205_to_double, c205_from_text, c205_to_text,
 };
 static const struct converters halves = {
     &oracle_half,        c205_half_from_double, c205_half_to_double,
@@ -21,8 +20,8 @@ static const struct converters halves = {
 static bool same_word(const char *what, c205_word expected, c205_word got)
 {
     if (expected != got)
-        printf("%s: expected %016" PRIX64 ", got %016" PRIX64 "\n", what,
-               expected, got);
+        printf("%s: expected %016" PRIX64 ", got %016" PRIX64 "\n", what, expected,
+               got);
     return expected == got;
 }
 
@@ -30,8 +29,7 @@ static bool same_text(c205_word word, const char *expected, const char *got)
 {
     if (strcmp(expected, got) == 0)
         return true;
-    printf("%016" PRIX64 ": expected \"%s\", got \"%s\"\n", word, expected,
-           got);
+    printf("%016" PRIX64 ": expected \"%s\", got \"%s\"\n", word, expected, got);
     return false;
 }
 
@@ -86,8 +84,7 @@ static bool from_double_agrees(const struct converters *as, uint64_t *random)
 }
 
 /* Words around the range of a double and far from it. */
-static c205_word word_near_doubles(const struct oracle_format *format,
-                                   uint64_t *random)
+static c205_word word_near_doubles(const struct oracle_format *format, uint64_t *random)
 {
     long bits = format->width - format->digits - 1;
     c205_word digits = random_word(format, random) << bits >> bits;
@@ -95,9 +92,8 @@ static c205_word word_near_doubles(const struct oracle_format *format,
     int64_t exponent = random_between(random, low < -1200 ? -1200 : low,
                                       high > 1100 ? 1100 : high);
 
-    return random_bits(random) % 4 == 0
-               ? random_word(format, random)
-               : (c205_word)exponent << (64 - bits) | digits;
+    return random_bits(random) % 4 == 0 ? random_word(format, random)
+                                        : (c205_word)exponent << (64 - bits) | digits;
 }
 
 static bool to_double_agrees(const struct converters *as, uint64_t *random)
@@ -110,8 +106,7 @@ static bool to_double_agrees(const struct converters *as, uint64_t *random)
     double expected = mpfr_get_d(value, MPFR_RNDN);
     mpfr_clear(value);
     double got = as->to_double(word);
-    if (expected != expected ? got != got
-                             : !memcmp(&expected, &got, sizeof got))
+    if (expected != expected ? got != got : !memcmp(&expected, &got, sizeof got))
         return true;
     printf("%016" PRIX64 ": expected %a, got %a\n", word, expected, got);
     return false;
@@ -140,26 +135,23 @@ static bool to_integer_agrees(const struct converters *as, uint64_t *random)
 {
     c205_word word = random_word(as->format, random);
     int64_t low = (int64_t)(word % (UINT64_C(1) << 48));
-    int64_t expected = low >= INT64_C(1) << 47 ? low - (INT64_C(1) << 48)
-                                               : low;
+    int64_t expected = low >= INT64_C(1) << 47 ? low - (INT64_C(1) << 48) : low;
     int64_t got = c205_to_integer(word);
 
     if (got != expected)
-        printf("%016" PRIX64 ": expected %" PRId64 ", got %" PRId64 "\n",
-               word, expected, got);
+        printf("%016" PRIX64 ": expected %" PRId64 ", got %" PRId64 "\n", word,
+               expected, got);
     return got == expected;
 }
 
 /* ---- Text to words ------------------------------------------------------ */
 
-static const char *chosen(uint64_t *random, const char *const *texts,
-                          size_t count)
+static const char *chosen(uint64_t *random, const char *const *texts, size_t count)
 {
     return texts[random_bits(random) % count];
 }
 
-#define CHOSEN(random, texts) \
-    chosen(random, texts, sizeof texts / sizeof texts[0])
+#define CHOSEN(random, texts) chosen(random, texts, sizeof texts / sizeof texts[0])
 
 /* Decimal digits of 0.DDD x 10^*exponent: those of some word, cut or exact
  * or one unit up, or any. */
@@ -167,8 +159,7 @@ static void random_digits(const struct converters *as, uint64_t *random,
                           char digits[DIGITS + 2], long *exponent)
 {
     size_t wanted = (size_t)random_between(random, 1,
-                                           random_bits(random) % 2 ? 20
-                                                                   : DIGITS);
+                                           random_bits(random) % 2 ? 20 : DIGITS);
     mpfr_rnd_t way = random_bits(random) % 2 ? MPFR_RNDU : MPFR_RNDD;
     mpfr_t value;
 
@@ -186,8 +177,7 @@ static void random_digits(const struct converters *as, uint64_t *random,
 
 /* Sign, digits with a point somewhere, the exponent if there need be one,
  * and what is no part of the number. */
-static void random_text(const struct converters *as, uint64_t *random,
-                        char text[TEXT])
+static void random_text(const struct converters *as, uint64_t *random, char text[TEXT])
 {
     static const char *const signs[] = { "", "", "+", "-", "-" };
     static const char *const heads[] = { "", "", "", "0", "000" };
@@ -207,12 +197,11 @@ static void random_text(const struct converters *as, uint64_t *random,
                  exponent - point);
     snprintf(text, TEXT, "%s%s%.*s%s%s%s%s", CHOSEN(random, signs),
              CHOSEN(random, heads), (int)point, digits,
-             point < n || random_bits(random) % 2 ? "." : "", digits + point,
-             power, CHOSEN(random, tails));
+             point < n || random_bits(random) % 2 ? "." : "", digits + point, power,
+             CHOSEN(random, tails));
 }
 
-static void odd_text(const struct converters *as, uint64_t *random,
-                     char text[TEXT])
+static void odd_text(const struct converters *as, uint64_t *random, char text[TEXT])
 {
     static const char *const texts[] = {
         "",
@@ -280,18 +269,15 @@ static bool from_text_agrees(const struct converters *as, uint64_t *random)
     const char *end;
     mpfr_t cut;
 
-    (random_bits(random) % 16 == 0 ? odd_text : random_text)(as, random,
-                                                             text);
+    (random_bits(random) % 16 == 0 ? odd_text : random_text)(as, random, text);
     mpfr_init2(cut, as->format->digits);
     mpfr_strtofr(cut, text, &expected_end, 10, MPFR_RNDD);
     c205_word expected = oracle_word(as->format, cut);
     mpfr_clear(cut);
     c205_word got = as->from_text(text, &end);
     if (end != expected_end)
-        printf("\"%s\": ends at \"%s\", not at \"%s\"\n", text, expected_end,
-               end);
-    return end == expected_end
-           && (end == text || same_word(text, expected, got));
+        printf("\"%s\": ends at \"%s\", not at \"%s\"\n", text, expected_end, end);
+    return end == expected_end && (end == text || same_word(text, expected, got));
 }
 
 /* ---- Words to text ------------------------------------------------------ */
@@ -326,8 +312,8 @@ static bool fewer_digits_do(const struct converters *as, const mpfr_t value,
     if (digits < 2)
         return false;
     mpfr_get_str(shorter, &point, 10, digits - 1, value, MPFR_RNDU);
-    snprintf(text, sizeof text, "%s0.%se%ld", negative ? "-" : "",
-             shorter + negative, (long)point);
+    snprintf(text, sizeof text, "%s0.%se%ld", negative ? "-" : "", shorter + negative,
+             (long)point);
     mpfr_init2(back, as->format->digits);
     mpfr_strtofr(back, text, NULL, 10, MPFR_RNDD);
     bool same = mpfr_equal_p(back, value) != 0;
@@ -386,9 +372,9 @@ static bool to_hex_agrees(const struct converters *as, uint64_t *random)
     c205_word word = random_word(as->format, random);
     char text[C205_TEXT_SIZE], expected[C205_TEXT_SIZE];
 
-    snprintf(expected, sizeof expected, "%04X %04X %04X %04X",
-             (unsigned)(word >> 48), (unsigned)(word >> 32 & 0xFFFF),
-             (unsigned)(word >> 16 & 0xFFFF), (unsigned)(word & 0xFFFF));
+    snprintf(expected, sizeof expected, "%04X %04X %04X %04X", (unsigned)(word >> 48),
+             (unsigned)(word >> 32 & 0xFFFF), (unsigned)(word >> 16 & 0xFFFF),
+             (unsigned)(word & 0xFFFF));
     c205_to_hex(word, text);
     return same_text(word, expected, text);
 }
@@ -411,8 +397,7 @@ const struct conversion conversions[] = {
 
 const size_t conversion_count = sizeof conversions / sizeof conversions[0];
 
-bool check_conversion(const struct conversion *conversion, uint64_t seed,
-                      size_t cases)
+bool check_conversion(const struct conversion *conversion, uint64_t seed, size_t cases)
 {
     uint64_t random = seed;
 

@@ -24,7 +24,6 @@ struct conversion {
 extern const struct conversion conversions[];
 extern const size_t conversion_count;
 
-bool check_conversion(const struct conversion *conversion, uint64_t seed,
-                      size_t cases);
+bool check_conversion(const struct conversion *conversion, uint64_t seed, size_t cases);
 
 #endif

@@ -71,17 +71,12 @@ static const struct feature {
     { scene_has_beams, "light_source { y, 1 parallel }" },
     { scene_has_areas, "light_source { y, 1 area_light x, z, 2, 2 }" },
     { has_lathes, "lathe { 2, x, x + y }" },
-    { has_quadratic_prisms,
-      "prism { quadratic_spline 0, 1, 5, 0, x, y, 0, x }" },
+    { has_quadratic_prisms, "prism { quadratic_spline 0, 1, 5, 0, x, y, 0, x }" },
     { scene_has_bumps, "sphere { 0, 1 normal { onion } }" },
     { scene_has_interiors, "sphere { 0, 1 pigment { rgbt 1 } }" },
-    { scene_has_crossed_meshes,
-      "merge { triangle { 0, x, y } sphere { 0, 1 } }" },
+    { scene_has_crossed_meshes, "merge { triangle { 0, x, y } sphere { 0, 1 } }" },
 };
-enum {
-    FEATURES = sizeof features / sizeof *features,
-    FEATURE_SETS = 1 << FEATURES
-};
+enum { FEATURES = sizeof features / sizeof *features, FEATURE_SETS = 1 << FEATURES };
 
 /* Each is compared with the first. */
 static struct form {
@@ -146,8 +141,7 @@ static struct trace *assemble(const struct form *form, size_t set)
     return trace;
 }
 
-static const struct object *program_for(struct form *form,
-                                        const struct scene *scene)
+static const struct object *program_for(struct form *form, const struct scene *scene)
 {
     struct trace **trace = &form->trace[features_of(scene)];
     if (!*trace)
@@ -170,8 +164,8 @@ static void trace_form(struct form *form, const struct scene *scene,
 {
     c205_error error;
     const struct object *program = program_for(form, scene);
-    struct scene_layout *layout = layout_new(program, scene, form->bounding,
-                                             NULL, NULL, &error);
+    struct scene_layout *layout = layout_new(program, scene, form->bounding, NULL, NULL,
+                                             &error);
     const struct band_work work = { .program = program,
                                     .layout = layout,
                                     .model = model,
@@ -209,8 +203,8 @@ static const char *const options[] = {
     [BOUNDING_HIERARCHY] = "",
 };
 
-static bool same_in_all_forms(const struct scene *scene,
-                              const c205_word *expected, char *reason)
+static bool same_in_all_forms(const struct scene *scene, const c205_word *expected,
+                              char *reason)
 {
     static c205_word words[WORDS];
     for (size_t i = 1; i < FORMS; i++) {
@@ -222,8 +216,7 @@ static bool same_in_all_forms(const struct scene *scene,
                      "--mode %s --queue %zu%s%s%s: another frame than "
                      "--mode scalar, channel %zu, pixel %zu",
                      trace_mode_name(form->mode), form->queue,
-                     form->tiles ? " --order tiles" : "",
-                     options[form->bounding],
+                     form->tiles ? " --order tiles" : "", options[form->bounding],
                      form->visible == VISIBLE_EVERY ? " --visible every" : "",
                      other / PIXELS, other % PIXELS);
             return false;
@@ -237,8 +230,7 @@ static size_t first_apart(const c205_word *depth, const c205_word *expected)
 {
     size_t i = 0;
     while (i < PIXELS
-           && fabs(c205_to_double(depth[i]) - c205_to_double(expected[i]))
-                  <= 2e-7)
+           && fabs(c205_to_double(depth[i]) - c205_to_double(expected[i])) <= 2e-7)
         i++;
     return i;
 }
@@ -251,9 +243,8 @@ static bool has_offsets(const struct scene *scene)
     return scene_has_interiors(scene);
 }
 
-static bool same_in_any_order(const struct grid_scene *grid,
-                              const c205_word *expected, uint64_t state,
-                              char *reason)
+static bool same_in_any_order(const struct grid_scene *grid, const c205_word *expected,
+                              uint64_t state, char *reason)
 {
     static c205_word words[WORDS];
     struct grid_scene *shuffled = grid_scene_shuffled(grid, &state);
@@ -265,8 +256,8 @@ static bool same_in_any_order(const struct grid_scene *grid,
                        ? first_apart(words + depth, expected + depth)
                        : first_other(words + depth, expected + depth, PIXELS);
     if (other < PIXELS)
-        snprintf(reason, REASON,
-                 "parts in another order: another depth at pixel %zu", other);
+        snprintf(reason, REASON, "parts in another order: another depth at pixel %zu",
+                 other);
     scene_free(scene);
     grid_scene_free(shuffled);
     free(text);
@@ -295,8 +286,7 @@ static bool same_sight(const struct scene *scene, const struct frame *plain,
                        const c205_word *words, size_t k)
 {
     double depth = c205_to_double(words[CHANNEL_DEPTH * PIXELS + k]);
-    double expected = ldexp(plain->channel[CHANNEL_DEPTH][k],
-                            -scene->unit_log);
+    double expected = ldexp(plain->channel[CHANNEL_DEPTH][k], -scene->unit_log);
     size_t id = (size_t)c205_to_integer(words[CHANNEL_ID * PIXELS + k]);
     size_t other = (size_t)plain->channel[CHANNEL_ID][k];
     return fabs(depth - expected) <= 1e-6 * (1 + depth)
@@ -306,8 +296,8 @@ static bool same_sight(const struct scene *scene, const struct frame *plain,
 }
 
 /* Edges and outlines are left to the roundings. */
-static bool same_as_plain(const struct scene *scene,
-                          const c205_word *expected, char *reason)
+static bool same_as_plain(const struct scene *scene, const c205_word *expected,
+                          char *reason)
 {
     struct frame plain;
     size_t others = 0, worst = 0;
@@ -370,8 +360,7 @@ static void show(const struct grid_scene *grid, uint64_t seed, size_t number)
 
 static bool check_scene(size_t number, bool first)
 {
-    uint64_t state = RANDOM_SEED
-                     ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
+    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
     struct grid_scene *grid = grid_scene_random(&state);
     char reason[REASON];
     bool good = passes(grid, state, reason);

@@ -42,9 +42,9 @@ static struct heat_request usual(void)
 /* What has no inside is seen from both sides by lines, and radiates from one by rays. */
 static bool is_closed(const char *text)
 {
-    static const char *const words[] = { "open",       "height_field",
-                                         "disc",       "steiner_patch",
-                                         "clipped_by", "lathe { 3," };
+    static const char *const words[] = {
+        "open", "height_field", "disc", "steiner_patch", "clipped_by", "lathe { 3,"
+    };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strstr(text, words[i]))
             return false;
@@ -55,8 +55,7 @@ static bool is_closed(const char *text)
 static char *closed_solid(uint64_t *state, const struct place *place)
 {
     for (;;) {
-        struct solid *solid = solid_at(state, place, DULL,
-                                       (int)below(state, 3));
+        struct solid *solid = solid_at(state, place, DULL, (int)below(state, 3));
         char *text;
         FILE *file = test_text(&text);
         solid_print(solid, 1, file);
@@ -78,8 +77,7 @@ static char *random_scene(uint64_t *state)
         for (int k = 0; k < 3; k++)
             place.at[k] = between(state, -1.5, 1.5);
         char *solid = closed_solid(state, &place);
-        fprintf(file,
-                "#declare Part%zu = object {\n%s}\nobject { Part%zu }\n", i,
+        fprintf(file, "#declare Part%zu = object {\n%s}\nobject { Part%zu }\n", i,
                 solid, i);
         free(solid);
     }
@@ -89,8 +87,7 @@ static char *random_scene(uint64_t *state)
 
 /* --- what must agree ---------------------------------------------------------- */
 
-static bool differs(double a, double a_error, double b, double b_error,
-                    double least)
+static bool differs(double a, double a_error, double b, double b_error, double least)
 {
     return !(fabs(a - b) <= SIGMAS * hypot(a_error, b_error) + least);
 }
@@ -102,8 +99,8 @@ static double error_of(const struct surface *surface, size_t to)
     return hypot(surface->factor[to].error, 1 / (double)surface->sent);
 }
 
-static bool same_factors(const struct heat *rays, const struct heat *lines,
-                         size_t from, char *reason)
+static bool same_factors(const struct heat *rays, const struct heat *lines, size_t from,
+                         char *reason)
 {
     const struct surface *one = &rays->surfaces.list[from];
     const struct surface *other = &lines->surfaces.list[from];
@@ -111,14 +108,13 @@ static bool same_factors(const struct heat *rays, const struct heat *lines,
         if (one->sent == 0 || other->sent == 0)
             continue;
         pair_count++;
-        if (differs(one->factor[to].value, error_of(one, to),
-                    other->factor[to].value, error_of(other, to), 0)) {
+        if (differs(one->factor[to].value, error_of(one, to), other->factor[to].value,
+                    error_of(other, to), 0)) {
             snprintf(reason, REASON,
                      "from %s to %s: %.6g +- %.2g by rays, %.6g +- %.2g by "
                      "lines",
-                     one->name, heat_receiver(rays, to),
-                     one->factor[to].value, error_of(one, to),
-                     other->factor[to].value, error_of(other, to));
+                     one->name, heat_receiver(rays, to), one->factor[to].value,
+                     error_of(one, to), other->factor[to].value, error_of(other, to));
             return false;
         }
     }
@@ -132,9 +128,8 @@ static bool same_areas(const struct surface *one, const struct surface *other,
     if (!differs(one->area.value, one->area.error, other->area.value,
                  hypot(other->area.error, single), 1e-4 * largest))
         return true;
-    snprintf(reason, REASON, "%s: the area is %.6g +- %.2g or %.6g +- %.2g",
-             one->name, one->area.value, one->area.error, other->area.value,
-             other->area.error);
+    snprintf(reason, REASON, "%s: the area is %.6g +- %.2g or %.6g +- %.2g", one->name,
+             one->area.value, one->area.error, other->area.value, other->area.error);
     return false;
 }
 
@@ -160,8 +155,8 @@ static bool keeps_rules(const struct heat *heat, char *reason)
             double there = surface->area.value * surface_factor(surface, j);
             double back = other->area.value * surface_factor(other, i);
             if (fabs(there - back) > 1e-10 * surface->area.value) {
-                snprintf(reason, REASON, "smoothed, %s and %s differ",
-                         surface->name, other->name);
+                snprintf(reason, REASON, "smoothed, %s and %s differ", surface->name,
+                         other->name);
                 return false;
             }
         }
@@ -169,17 +164,15 @@ static bool keeps_rules(const struct heat *heat, char *reason)
     return true;
 }
 
-static bool find(const struct scene *scene,
-                 const struct heat_request *request, struct heat *heat,
-                 c205_error *error)
+static bool find(const struct scene *scene, const struct heat_request *request,
+                 struct heat *heat, c205_error *error)
 {
     return heat_begin(scene, request, heat, error) && heat_find(heat, error);
 }
 
 /* Another stage, queue and number of jobs, of fewer points. */
-static bool same_stages(const struct scene *scene,
-                        struct heat_request request, uint64_t *state,
-                        char *reason)
+static bool same_stages(const struct scene *scene, struct heat_request request,
+                        uint64_t *state, char *reason)
 {
     struct heat vector, other;
     c205_error error = { "" };
@@ -192,15 +185,13 @@ static bool same_stages(const struct scene *scene,
                 && (!there || heat_is_same(&vector, &other));
     if (!good)
         snprintf(reason, REASON, "%s finds others than vector, by %s",
-                 trace_mode_name(request.mode),
-                 request.by_lines ? "lines" : "rays");
+                 trace_mode_name(request.mode), request.by_lines ? "lines" : "rays");
     heat_free(&vector);
     heat_free(&other);
     return good;
 }
 
-static bool same_ways(const struct heat *rays, const struct heat *lines,
-                      char *reason)
+static bool same_ways(const struct heat *rays, const struct heat *lines, char *reason)
 {
     double largest = 0;
     for (size_t i = 0; i < rays->surfaces.count; i++)
@@ -245,9 +236,8 @@ static bool passes(const struct scene *scene, uint64_t *state, char *reason)
         good = find(scene, &by_rays, &rays, &error);
     }
     snprintf(reason, REASON, "%.250s", error.message);
-    good = good && same_ways(&rays, &lines, reason)
-           && keeps_rules(&rays, reason) && keeps_rules(&lines, reason)
-           && same_stages(scene, by_rays, state, reason)
+    good = good && same_ways(&rays, &lines, reason) && keeps_rules(&rays, reason)
+           && keeps_rules(&lines, reason) && same_stages(scene, by_rays, state, reason)
            && same_stages(scene, by_lines, state, reason);
     if (found)
         heat_free(&rays);
@@ -257,8 +247,7 @@ static bool passes(const struct scene *scene, uint64_t *state, char *reason)
 
 static bool check_scene(size_t number, bool first)
 {
-    uint64_t state = RANDOM_SEED
-                     ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
+    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
     char *text = random_scene(&state), reason[REASON] = "";
     struct scene *scene = scene_of(text);
     bool good = passes(scene, &state, reason);

@@ -68,8 +68,7 @@ struct judgement {
     size_t pixel; /* that is another one */
 };
 
-static bool blame(struct judgement *judgement, enum fault fault,
-                  const char *message)
+static bool blame(struct judgement *judgement, enum fault fault, const char *message)
 {
     judgement->fault = fault;
     snprintf(judgement->message, REASON, "%.300s", message);
@@ -91,8 +90,8 @@ static struct scene *read_text(const char *text, struct judgement *judgement)
         blame(judgement, NOT_READ,
               reports.count > 0 ? first->message : "it cannot be read");
         if (reports.count > 0)
-            snprintf(judgement->reason, REASON, "line %zu: %.300s",
-                     first->line, first->message);
+            snprintf(judgement->reason, REASON, "line %zu: %.300s", first->line,
+                     first->message);
     }
     diagnostics_free(&reports);
     return scene;
@@ -112,8 +111,7 @@ enum { FORMS = sizeof forms / sizeof *forms };
 
 static size_t random_queue(uint64_t *state)
 {
-    return one_in(state, 4) ? TRACE_QUEUE
-                            : (size_t)of_any_size(state, 4, 2 * PIXELS);
+    return one_in(state, 4) ? TRACE_QUEUE : (size_t)of_any_size(state, 4, 2 * PIXELS);
 }
 
 static struct trace_options random_form(size_t i, uint64_t *state)
@@ -139,10 +137,8 @@ static struct trace *trace_form(const struct scene *scene,
     return trace;
 }
 
-static bool same_frame(const struct trace *expected,
-                       const struct trace *found,
-                       const struct trace_options *form,
-                       struct judgement *judgement)
+static bool same_frame(const struct trace *expected, const struct trace *found,
+                       const struct trace_options *form, struct judgement *judgement)
 {
     for (int i = 0; i < FRAME_CHANNELS; i++) {
         const c205_word *a = trace_channel(expected, (enum frame_channel)i);
@@ -157,17 +153,15 @@ static bool same_frame(const struct trace *expected,
                  "--mode %s --queue %zu --order %s --jobs %zu (bands of %zu "
                  "pixels): another frame than --mode scalar, channel %d at "
                  "%zu, %zu",
-                 trace_mode_name(form->mode), form->queue,
-                 order_name(form->order), form->jobs, form->band, i,
-                 k % WIDTH, k / WIDTH);
+                 trace_mode_name(form->mode), form->queue, order_name(form->order),
+                 form->jobs, form->band, i, k % WIDTH, k / WIDTH);
         return false;
     }
     return true;
 }
 
-static bool same_in_all_forms(const struct scene *scene,
-                              const struct trace *expected, uint64_t state,
-                              struct judgement *judgement)
+static bool same_in_all_forms(const struct scene *scene, const struct trace *expected,
+                              uint64_t state, struct judgement *judgement)
 {
     bool good = true;
     for (size_t i = 1; good && i < FORMS; i++) {
@@ -187,8 +181,8 @@ struct sitting {
     struct povray *run;
 };
 
-static void begin_sitting(struct sitting *sitting, const char *text,
-                          size_t number, const char *what)
+static void begin_sitting(struct sitting *sitting, const char *text, size_t number,
+                          const char *what)
 {
     struct picture_error error;
     snprintf(sitting->path, PATH, "language_%zu%s.pov", number, what);
@@ -207,21 +201,20 @@ static bool end_sitting(struct sitting *sitting, struct frame *picture,
 }
 
 /* With the camera, as it was read, moved by so much of a pixel. */
-static char *text_seen_from(const char *text, const struct camera *camera,
-                            double right, double up)
+static char *text_seen_from(const char *text, const struct camera *camera, double right,
+                            double up)
 {
     struct camera moved = *camera;
     double *place = camera->orthographic ? moved.location : moved.direction;
     char *words;
     FILE *file = test_text(&words);
     for (int i = 0; i < 3; i++)
-        place[i] += right / WIDTH * camera->right[i]
-                    + up / HEIGHT * camera->up[i];
+        place[i] += right / WIDTH * camera->right[i] + up / HEIGHT * camera->up[i];
     fprintf(file, "%s\ncamera { %s\n", text,
             camera->orthographic ? "orthographic" : "");
 #define VECTOR(name) \
-    fprintf(file, #name " <%.17g, %.17g, %.17g>\n", moved.name[0], \
-            moved.name[1], moved.name[2])
+    fprintf(file, #name " <%.17g, %.17g, %.17g>\n", moved.name[0], moved.name[1], \
+            moved.name[2])
     VECTOR(location);
     VECTOR(direction);
     VECTOR(right);
@@ -240,16 +233,15 @@ static double shown(double sample)
 }
 
 /* A flag for each pixel that is another one; how many. */
-static size_t others(const struct frame *a, const struct frame *b,
-                     bool other[PIXELS], double *greatest)
+static size_t others(const struct frame *a, const struct frame *b, bool other[PIXELS],
+                     double *greatest)
 {
     size_t count = 0;
     *greatest = 0;
     for (size_t k = 0; k < PIXELS; k++) {
         double most = 0;
         for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
-            most = fmax(most, fabs(shown(a->channel[i][k])
-                                   - shown(b->channel[i][k])));
+            most = fmax(most, fabs(shown(a->channel[i][k]) - shown(b->channel[i][k])));
         other[k] = !(most <= TOLERANCE);
         count += other[k];
         *greatest = fmax(*greatest, most);
@@ -263,16 +255,15 @@ static const double sides[SIDES][2] = {
 };
 
 /* Flags pixels that POV-Ray shows otherwise from one of the sides. */
-static bool find_edges(const char *text, const struct camera *camera,
-                       size_t number, bool edge[PIXELS])
+static bool find_edges(const char *text, const struct camera *camera, size_t number,
+                       bool edge[PIXELS])
 {
     struct sitting sitting[SIDES];
     struct frame picture[SIDES];
     struct picture_error error;
     bool other[PIXELS], good[SIDES], all = true;
     for (int i = 0; i < SIDES; i++) {
-        char what[16],
-            *moved = text_seen_from(text, camera, sides[i][0], sides[i][1]);
+        char what[16], *moved = text_seen_from(text, camera, sides[i][0], sides[i][1]);
         snprintf(what, sizeof what, "_side_%d", i);
         begin_sitting(&sitting[i], moved, number, what);
         free(moved);
@@ -293,9 +284,8 @@ static bool find_edges(const char *text, const struct camera *camera,
     return all;
 }
 
-static bool same_picture(const char *text, const struct camera *camera,
-                         size_t number, const struct frame *ours,
-                         const struct frame *theirs,
+static bool same_picture(const char *text, const struct camera *camera, size_t number,
+                         const struct frame *ours, const struct frame *theirs,
                          struct judgement *judgement)
 {
     bool other[PIXELS], edge[PIXELS];
@@ -326,17 +316,15 @@ static bool same_picture(const char *text, const struct camera *camera,
     return false;
 }
 
-static bool same_as_povray(const char *text, const struct scene *scene,
-                           size_t number, const struct trace *trace,
-                           const struct frame *theirs,
+static bool same_as_povray(const char *text, const struct scene *scene, size_t number,
+                           const struct trace *trace, const struct frame *theirs,
                            struct judgement *judgement)
 {
     struct frame ours;
     if (!frame_allocate(&ours, WIDTH, HEIGHT))
         give_up("no memory left");
     trace_read(trace, 0, &ours);
-    bool good = same_picture(text, &scene->camera, number, &ours, theirs,
-                             judgement);
+    bool good = same_picture(text, &scene->camera, number, &ours, theirs, judgement);
     frame_free(&ours);
     return good;
 }
@@ -348,16 +336,14 @@ static uint64_t seed_of(size_t number)
     return RANDOM_SEED ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
 }
 
-static void judge_scene(const char *text, const struct scene *scene,
-                        size_t number, struct sitting *sitting,
-                        struct judgement *judgement)
+static void judge_scene(const char *text, const struct scene *scene, size_t number,
+                        struct sitting *sitting, struct judgement *judgement)
 {
     struct trace_options serial = random_form(0, NULL);
     struct trace *expected = trace_form(scene, &serial);
     struct picture_error error;
     struct frame theirs;
-    bool good = same_in_all_forms(scene, expected, seed_of(number),
-                                  judgement);
+    bool good = same_in_all_forms(scene, expected, seed_of(number), judgement);
     bool read = end_sitting(sitting, &theirs, &error);
     if (good && !read)
         blame(judgement, NOT_BY_POVRAY, error.message);
@@ -369,8 +355,7 @@ static void judge_scene(const char *text, const struct scene *scene,
 }
 
 /* POV-Ray's run is begun. */
-static struct judgement judge(const char *text, size_t number,
-                              struct sitting *sitting)
+static struct judgement judge(const char *text, size_t number, struct sitting *sitting)
 {
     struct judgement judgement = { .fault = NO_FAULT };
     struct picture_error error;
@@ -399,8 +384,7 @@ static struct judgement judge_anew(const char *text, size_t number)
 static bool fails_alike(const struct judgement *judgement,
                         const struct judgement *other)
 {
-    return judgement->fault == other->fault
-           && judgement->pixel == other->pixel
+    return judgement->fault == other->fault && judgement->pixel == other->pixel
            && (judgement->fault != NOT_READ
                || strcmp(judgement->message, other->message) == 0);
 }
@@ -419,17 +403,16 @@ static bool take_smaller(char **text, char *smaller, size_t number,
     return alike;
 }
 
-static char *shrink(char *text, size_t number,
-                    const struct judgement *judgement)
+static char *shrink(char *text, size_t number, const struct judgement *judgement)
 {
     size_t trials = 0;
     for (bool smaller = true; smaller && trials < TRIALS_MOST;) {
         smaller = false;
         for (size_t i = 1; i < text_lines(text) && trials < TRIALS_MOST;) {
-            bool less = take_smaller(&text, text_without(text, i, false),
-                                     number, judgement)
-                        || take_smaller(&text, text_without(text, i, true),
-                                        number, judgement);
+            bool less = take_smaller(&text, text_without(text, i, false), number,
+                                     judgement)
+                        || take_smaller(&text, text_without(text, i, true), number,
+                                        judgement);
             smaller |= less;
             i += !less;
             trials++;
@@ -444,8 +427,7 @@ static void show(const char *text, size_t number)
     char path[PATH];
     snprintf(path, sizeof path, "language_%zu.pov", number);
     printf("FAIL %s (seed %016llX, -W %d -H %d): %s\n%s", path,
-           (unsigned long long)seed_of(number), WIDTH, HEIGHT,
-           judgement.reason, text);
+           (unsigned long long)seed_of(number), WIDTH, HEIGHT, judgement.reason, text);
     fflush(stdout);
     keep_scene(path, text);
 }
@@ -462,8 +444,7 @@ static struct waiting {
 static struct waiting *waiting_for(const size_t *number)
 {
     for (size_t i = 0; i <= AHEAD; i++)
-        if (number ? waiting[i].text && waiting[i].number == *number
-                   : !waiting[i].text)
+        if (number ? waiting[i].text && waiting[i].number == *number : !waiting[i].text)
             return &waiting[i];
     give_up("a scene was not begun");
     return NULL;
@@ -510,8 +491,7 @@ int main(int count, char **words)
         give_up("povray is not installed");
     model = usual_model();
     keep_image();
-    int code = check_many_ahead(count, words, check_scene, begin_scene,
-                                AHEAD);
+    int code = check_many_ahead(count, words, check_scene, begin_scene, AHEAD);
     c205_model_free(model);
     return code;
 }

@@ -96,8 +96,8 @@ static void draw_lines(const struct sight *sight, const struct scene *scene,
         draw_grid_lines(&state, list, LINES / 2);
 }
 
-static bool same_in_ways(const struct scene *scene, uint64_t state,
-                         double behind, const struct scene_line *list,
+static bool same_in_ways(const struct scene *scene, uint64_t state, double behind,
+                         const struct scene_line *list,
                          const struct seen_crossings *expected, char *reason)
 {
     bool same = true;
@@ -107,9 +107,8 @@ static bool same_in_ways(const struct scene *scene, uint64_t state,
         same = same_crossings(expected, &found, reason);
         if (!same)
             snprintf(reason + strlen(reason), LINE_REASON - strlen(reason),
-                     " with %s, a queue of %zu%s%s",
-                     trace_mode_name(way.mode), way.queue,
-                     way.no_bounds ? ", without bounds" : "",
+                     " with %s, a queue of %zu%s%s", trace_mode_name(way.mode),
+                     way.queue, way.no_bounds ? ", without bounds" : "",
                      way.flat ? ", flat" : "");
         seen_crossings_free(&found);
     }
@@ -118,8 +117,7 @@ static bool same_in_ways(const struct scene *scene, uint64_t state,
 
 static bool same_in_any_order(const struct sight *sight, double behind,
                               const struct scene_line *list,
-                              const struct seen_crossings *expected,
-                              char *reason)
+                              const struct seen_crossings *expected, char *reason)
 {
     const struct lines_options way = { .mode = TRACE_VECTOR, .queue = 77 };
     if (!sight->shuffled)
@@ -142,13 +140,12 @@ static bool passes(const struct sight *sight, char *reason)
     double behind = sight->state % 3 == 0 ? 100 : 0;
     draw_lines(sight, scene, list);
     struct seen_crossings found = find_in(scene, serial, behind, list);
-    bool good = same_in_ways(scene, sight->state, behind, list, &found,
-                             reason)
+    bool good = same_in_ways(scene, sight->state, behind, list, &found, reason)
                 && keep_line_rules(scene, list, &found, behind, reason)
                 && same_in_any_order(sight, behind, list, &found, reason)
                 && (!sight->plain
-                    || same_as_plain_lines(scene, list, &found, behind,
-                                           sight->certain, reason));
+                    || same_as_plain_lines(scene, list, &found, behind, sight->certain,
+                                           reason));
     seen_crossings_free(&found);
     scene_free(scene);
     return good;
@@ -174,8 +171,7 @@ static void shrink(struct sight *sight)
     for (size_t i = 0; i < text_lines(sight->text);) {
         struct sight smaller = *sight;
         smaller.text = text_without(sight->text, i, false);
-        bool less = smaller.text && is_scene(smaller.text)
-                    && !passes(&smaller, reason);
+        bool less = smaller.text && is_scene(smaller.text) && !passes(&smaller, reason);
         free(less ? sight->text : smaller.text);
         sight->text = less ? smaller.text : sight->text;
         i += !less;
@@ -193,10 +189,8 @@ static void show(struct sight *sight, size_t number, char *reason)
 
 static bool check_scene(size_t number, bool first)
 {
-    uint64_t state = RANDOM_SEED
-                     ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
-    struct sight sight = number % 2 ? regions_sight(&state)
-                                    : grid_sight(&state);
+    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
+    struct sight sight = number % 2 ? regions_sight(&state) : grid_sight(&state);
     char reason[LINE_REASON];
     bool good = passes(&sight, reason);
     if (!good && first)

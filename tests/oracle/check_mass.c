@@ -80,9 +80,9 @@ static char *text_of(const struct solid *solid, const struct motion *motion)
         fprintf(file,
                 "scale <%.17g, %.17g, %.17g>\nrotate <%.17g, %.17g, %.17g>\n"
                 "translate <%.17g, %.17g, %.17g>\n",
-                motion->scale[0], motion->scale[1], motion->scale[2],
-                motion->turn[0], motion->turn[1], motion->turn[2],
-                motion->move[0], motion->move[1], motion->move[2]);
+                motion->scale[0], motion->scale[1], motion->scale[2], motion->turn[0],
+                motion->turn[1], motion->turn[2], motion->move[0], motion->move[1],
+                motion->move[2]);
     fprintf(file, "}\n");
     fclose(file);
     return text;
@@ -96,14 +96,13 @@ struct comparing {
 };
 
 /* Two figures with their standard errors; scale: what roundings are beside. */
-static void compare(struct comparing *comparing, double a, double a_error,
-                    double b, double b_error, double scale, const char *what)
+static void compare(struct comparing *comparing, double a, double a_error, double b,
+                    double b_error, double scale, const char *what)
 {
     double most = SIGMAS * hypot(a_error, b_error) + 1e-4 * fabs(scale);
     if (comparing->good && !(fabs(a - b) <= most)) {
         snprintf(comparing->reason, REASON,
-                 "%s: %.9g and %.9g, which may be %.2g apart", what, a, b,
-                 most);
+                 "%s: %.9g and %.9g, which may be %.2g apart", what, a, b, most);
         comparing->good = false;
     }
 }
@@ -118,8 +117,7 @@ static double second_moments(const double inertia[6], double second[3][3])
     return half;
 }
 
-static void compare_seconds(struct comparing *comparing,
-                            const struct mass_figures *one,
+static void compare_seconds(struct comparing *comparing, const struct mass_figures *one,
                             const struct mass_figures *other,
                             const struct motion *motion)
 {
@@ -136,18 +134,16 @@ static void compare_seconds(struct comparing *comparing,
                                    * motion->determinant;
                     moved += share * from[a][b];
                     for (size_t j = 0; j < 6; j++)
-                        error[i][k] += fabs(share)
-                                       * one->error[FIGURE_CENTRAL + j] / 6;
+                        error[i][k] += fabs(share) * one->error[FIGURE_CENTRAL + j] / 6;
                 }
             for (size_t j = 0; j < 6; j++)
                 error[i][k] += other->error[FIGURE_CENTRAL + j];
-            compare(comparing, moved, error[i][k] / STUDENT, to[i][k], 0,
-                    size, "second moments");
+            compare(comparing, moved, error[i][k] / STUDENT, to[i][k], 0, size,
+                    "second moments");
         }
 }
 
-static bool same_moved(const struct measured *one,
-                       const struct measured *other,
+static bool same_moved(const struct measured *one, const struct measured *other,
                        const struct motion *motion, char *reason)
 {
     struct comparing comparing = { reason, true };
@@ -155,23 +151,19 @@ static bool same_moved(const struct measured *one,
     double det = motion->determinant, size = motion->scale[0];
     compare(&comparing, a->value[FIGURE_VOLUME] * det,
             a->error[FIGURE_VOLUME] * det / STUDENT, b->value[FIGURE_VOLUME],
-            b->error[FIGURE_VOLUME] / STUDENT, b->value[FIGURE_VOLUME],
-            "volumes");
+            b->error[FIGURE_VOLUME] / STUDENT, b->value[FIGURE_VOLUME], "volumes");
     if (motion->alike)
         compare(&comparing, a->value[FIGURE_AREA] * size * size,
-                a->error[FIGURE_AREA] * size * size / STUDENT,
-                b->value[FIGURE_AREA], b->error[FIGURE_AREA] / STUDENT,
-                b->value[FIGURE_AREA], "areas");
+                a->error[FIGURE_AREA] * size * size / STUDENT, b->value[FIGURE_AREA],
+                b->error[FIGURE_AREA] / STUDENT, b->value[FIGURE_AREA], "areas");
     for (size_t i = 0; i < 3; i++) {
         double moved = motion->move[i], error = 0;
         for (size_t k = 0; k < 3; k++) {
             moved += motion->rows[i][k] * a->value[FIGURE_CENTROID + k];
             error += fabs(motion->rows[i][k]) * a->error[FIGURE_CENTROID + k];
         }
-        compare(&comparing, moved, error / STUDENT,
-                b->value[FIGURE_CENTROID + i],
-                b->error[FIGURE_CENTROID + i] / STUDENT, other->width[i],
-                "centroids");
+        compare(&comparing, moved, error / STUDENT, b->value[FIGURE_CENTROID + i],
+                b->error[FIGURE_CENTROID + i] / STUDENT, other->width[i], "centroids");
     }
     compare_seconds(&comparing, a, b, motion);
     return comparing.good;
@@ -190,13 +182,11 @@ static bool same_plain(const char *text, const struct measured *measured,
         width[i] = 1.25 * measured->width[i];
     plain_mass(scene, measured->middle, width, state, value, error);
     /* the sum is no integral where one object's bodies overlap: of that here is none */
-    compare(&comparing, volume, figures->error[FIGURE_VOLUME] / STUDENT,
-            value[0], error[0], volume, "volume, and points inside");
+    compare(&comparing, volume, figures->error[FIGURE_VOLUME] / STUDENT, value[0],
+            error[0], volume, "volume, and points inside");
     for (size_t i = 0; i < 3; i++)
         compare(&comparing,
-                volume
-                    * (figures->value[FIGURE_CENTROID + i]
-                       - measured->middle[i]),
+                volume * (figures->value[FIGURE_CENTROID + i] - measured->middle[i]),
                 (volume * figures->error[FIGURE_CENTROID + i]
                  + width[i] * figures->error[FIGURE_VOLUME])
                     / STUDENT,
@@ -237,8 +227,8 @@ static bool is_empty(const struct measured *measured, char *reason)
     return empty;
 }
 
-static bool passes(const char *still, const char *moved,
-                   const struct motion *motion, uint64_t *state, char *reason)
+static bool passes(const char *still, const char *moved, const struct motion *motion,
+                   uint64_t *state, char *reason)
 {
     struct measured one, other;
     bool there = measure_scene(still, usual(), &one);
@@ -259,12 +249,10 @@ static bool passes(const char *still, const char *moved,
 
 static bool check_solid(size_t number, bool first)
 {
-    uint64_t state = RANDOM_SEED
-                     ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
+    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
     const struct place place = { .at = { 0 }, .size = 1 };
     struct motion motion;
-    struct solid *solid = solid_at(&state, &place, DULL,
-                                   (int)below(&state, 3));
+    struct solid *solid = solid_at(&state, &place, DULL, (int)below(&state, 3));
     motion = random_motion(&state);
     char *still = text_of(solid, NULL), *moved = text_of(solid, &motion);
     char reason[REASON] = "";

@@ -30,21 +30,18 @@ struct operation {
 
 /* How the functions of the machine are called, by kind. */
 #define BINARY(name, ...) \
-    static c205_word machine_##name(c205_word a, c205_word b, \
-                                    uint64_t *flags) \
+    static c205_word machine_##name(c205_word a, c205_word b, uint64_t *flags) \
     { \
         return narrow_##name(a, b, flags); \
     }
 #define UNARY(name, ...) \
-    static c205_word machine_##name(c205_word a, c205_word b, \
-                                    uint64_t *flags) \
+    static c205_word machine_##name(c205_word a, c205_word b, uint64_t *flags) \
     { \
         (void)b; \
         return narrow_##name(a, flags); \
     }
 #define RELATION(name) \
-    static c205_word machine_##name(c205_word a, c205_word b, \
-                                    uint64_t *flags) \
+    static c205_word machine_##name(c205_word a, c205_word b, uint64_t *flags) \
     { \
         (void)flags; \
         return narrow_##name(a, b); \
@@ -52,8 +49,7 @@ struct operation {
 #include "vm/arith.def"
 
 static const struct operation operations[] = {
-#define ROW(name, unary) \
-    { #name, unary, oracle_##name, small_##name, machine_##name },
+#define ROW(name, unary) { #name, unary, oracle_##name, small_##name, machine_##name },
 #define BINARY(name, ...) ROW(name, false)
 #define UNARY(name, ...) ROW(name, true)
 #define RELATION(name) ROW(name, false)
@@ -115,14 +111,11 @@ static void some_words(struct words *words)
 
 static void show(const char *which, c205_word word, uint64_t flags)
 {
-    printf("    %s %016" PRIX64 " (%" PRId64 " x 2^%" PRId64
-           ") flags %06" PRIX64 "\n",
-           which, word, narrow_coefficient_of(word), narrow_exponent_of(word),
-           flags);
+    printf("    %s %016" PRIX64 " (%" PRId64 " x 2^%" PRId64 ") flags %06" PRIX64 "\n",
+           which, word, narrow_coefficient_of(word), narrow_exponent_of(word), flags);
 }
 
-static bool pair_agrees(const struct operation *operation, c205_word a,
-                        c205_word b)
+static bool pair_agrees(const struct operation *operation, c205_word a, c205_word b)
 {
     uint64_t expected_flags = EARLIER_FLAG, flags = EARLIER_FLAG;
     c205_word expected = operation->expected(a, b, &expected_flags);
@@ -151,8 +144,7 @@ static bool check_operation(const struct operation *operation,
 }
 
 /* The two oracles, over every word of the first operand. */
-static bool oracles_agree(const struct operation *operation,
-                          const struct words *words)
+static bool oracles_agree(const struct operation *operation, const struct words *words)
 {
     enum { PARTNERS = 16 };
     uint64_t random = 205;
@@ -192,16 +184,13 @@ static void check_everything(struct run *run)
         const struct operation *operation = operations + i;
         if (run->only && strcmp(run->only, operation->name) != 0)
             continue;
-        size_t cases = operation->unary ? every.n
-                                        : run->words.n * run->words.n;
+        size_t cases = operation->unary ? every.n : run->words.n * run->words.n;
         bool pass = oracles_agree(operation, &every)
-                    && check_operation(operation, operation->unary
-                                                      ? &every
-                                                      : &run->words);
+                    && check_operation(operation,
+                                       operation->unary ? &every : &run->words);
         run->passed += pass;
         run->failed += !pass;
-        printf("%-24s %9zu %s\n", operation->name, cases,
-               pass ? "ok" : "FAILED");
+        printf("%-24s %9zu %s\n", operation->name, cases, pass ? "ok" : "FAILED");
         fflush(stdout);
     }
 }
@@ -231,8 +220,7 @@ int main(int argc, char **argv)
     static struct run run;
 
     if (!read_arguments(&run, argc, argv)) {
-        fprintf(stderr,
-                "usage: check_narrow [--operation NAME] [some | all]\n");
+        fprintf(stderr, "usage: check_narrow [--operation NAME] [some | all]\n");
         return 2;
     }
     small_begin();

@@ -56,16 +56,13 @@ static void *allocate(size_t count, size_t size)
     return room;
 }
 
-static void solve(struct polynomial_roots *roots,
-                  const struct polynomial *polynomials, size_t count,
-                  const struct roots_options *options)
+static void solve(struct polynomial_roots *roots, const struct polynomial *polynomials,
+                  size_t count, const struct roots_options *options)
 {
     c205_error error = { "" };
-    struct root_search *search = roots_new(polynomials, count, options,
-                                           &error);
+    struct root_search *search = roots_new(polynomials, count, options, &error);
 
-    if (!search || !roots_run(search, &error)
-        || !roots_read(search, roots, &error)) {
+    if (!search || !roots_run(search, &error) || !roots_read(search, roots, &error)) {
         fprintf(stderr, "check_quartic: %s\n", error.message);
         exit(2);
     }
@@ -86,8 +83,7 @@ static bool same_roots(const struct polynomial_roots *a,
 }
 
 /* Another way to the same roots: how many polynomials differ. */
-static unsigned long compare(const struct polynomial *polynomials,
-                             size_t count,
+static unsigned long compare(const struct polynomial *polynomials, size_t count,
                              const struct polynomial_roots *expected,
                              const struct roots_options *options)
 {
@@ -96,8 +92,7 @@ static unsigned long compare(const struct polynomial *polynomials,
 
     solve(roots, polynomials, count, options);
     for (size_t i = 0; i < count; i++)
-        if (!same_roots(&expected[i], &roots[i],
-                        options->first ? 1 : ROOTS_MOST)) {
+        if (!same_roots(&expected[i], &roots[i], options->first ? 1 : ROOTS_MOST)) {
             show(&polynomials[i], &roots[i], "scalar, all");
             show(&polynomials[i], &roots[i], trace_mode_name(options->mode));
             differ++;
@@ -106,8 +101,7 @@ static unsigned long compare(const struct polynomial *polynomials,
     return differ;
 }
 
-static unsigned long compare_ways(const struct polynomial *polynomials,
-                                  size_t count,
+static unsigned long compare_ways(const struct polynomial *polynomials, size_t count,
                                   const struct polynomial_roots *expected,
                                   const struct roots_options *options)
 {
@@ -123,9 +117,8 @@ static unsigned long compare_ways(const struct polynomial *polynomials,
         other.mode = TRACE_VECTOR;
         for (size_t i = 0; i < sizeof queues / sizeof *queues; i++) {
             other.queue = queues[i];
-            differ += compare(polynomials,
-                              queues[i] == 1 ? count / 10 : count, expected,
-                              &other);
+            differ += compare(polynomials, queues[i] == 1 ? count / 10 : count,
+                              expected, &other);
         }
     }
     return differ;
@@ -137,9 +130,8 @@ static unsigned long report(const struct tally *tallies)
 {
     unsigned long wrong = 0, all = 0, roots = 0;
 
-    printf("%-14s %8s %8s %8s %8s %8s %8s %8s %10s\n", "kind", "polynom.",
-           "roots", "sharp", "joined", "touched", "at bound", "wrong",
-           "error");
+    printf("%-14s %8s %8s %8s %8s %8s %8s %8s %10s\n", "kind", "polynom.", "roots",
+           "sharp", "joined", "touched", "at bound", "wrong", "error");
     for (int kind = 0; kind < QUARTIC_KINDS; kind++) {
         const struct tally *tally = &tallies[kind];
 
@@ -193,8 +185,7 @@ static int print_kind(const struct arguments *arguments)
            && strcmp(quartic_kind_name(kind), arguments->print) != 0)
         kind++;
     if (kind == QUARTIC_KINDS) {
-        fprintf(stderr, "check_quartic: no such kind: %s\n",
-                arguments->print);
+        fprintf(stderr, "check_quartic: no such kind: %s\n", arguments->print);
         return 2;
     }
     for (size_t i = 0; i < arguments->each; i++) {
@@ -212,8 +203,7 @@ static int print_kind(const struct arguments *arguments)
     return 0;
 }
 
-static unsigned long check_all(const struct polynomial *polynomials,
-                               size_t count,
+static unsigned long check_all(const struct polynomial *polynomials, size_t count,
                                const struct roots_options *options)
 {
     struct polynomial_roots *roots = allocate(count, sizeof *roots);
@@ -234,8 +224,8 @@ static unsigned long check_all(const struct polynomial *polynomials,
     wrong = report(tallies);
     differ = compare_ways(polynomials, count, roots, options);
     printf("%lu polynomials differ between the forms\n", differ);
-    printf("%lu passed, %lu failed\n",
-           2 * (unsigned long)count - wrong - differ, wrong + differ);
+    printf("%lu passed, %lu failed\n", 2 * (unsigned long)count - wrong - differ,
+           wrong + differ);
     free(roots);
     return wrong + differ;
 }
@@ -258,8 +248,7 @@ static int check(const struct arguments *arguments)
     }
     options.model = model;
     for (size_t i = 0; i < count; i++)
-        quartic_case(&polynomials[i], (enum quartic_kind)(i % QUARTIC_KINDS),
-                     &state);
+        quartic_case(&polynomials[i], (enum quartic_kind)(i % QUARTIC_KINDS), &state);
     failed = check_all(polynomials, count, &options);
     free(polynomials);
     c205_model_free(model);
@@ -268,8 +257,7 @@ static int check(const struct arguments *arguments)
 
 int main(int argc, char **argv)
 {
-    struct arguments arguments = { RANDOM_SEED, POLYNOMIALS, FALSI_DEFAULT,
-                                   NULL };
+    struct arguments arguments = { RANDOM_SEED, POLYNOMIALS, FALSI_DEFAULT, NULL };
     int code;
 
     if (!parse(argc, argv, &arguments)) {

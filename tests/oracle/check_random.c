@@ -58,8 +58,7 @@ static void check_rules(struct run *run)
 {
     for (size_t i = 0; i < c205_insn_count; i++)
         if (!reference_knows(c205_insns + i)) {
-            printf("%s: the reference has no rule for it\n",
-                   c205_insns[i].mnemonic);
+            printf("%s: the reference has no rule for it\n", c205_insns[i].mnemonic);
             run->failed++;
         }
 }

@@ -35,12 +35,10 @@ static c205_model *model;
 /* --- ways to trace -------------------------------------------------------- */
 
 /* Every ray against every region, one after the other. */
-static const struct trace_options plainest = { .mode = TRACE_VECTOR,
-                                               .queue = TRACE_QUEUE,
-                                               .no_bounds = true,
-                                               .order = ORDER_ROWS };
-static const struct trace_options serial = { .mode = TRACE_SCALAR,
-                                             .queue = 1 };
+static const struct trace_options plainest = {
+    .mode = TRACE_VECTOR, .queue = TRACE_QUEUE, .no_bounds = true, .order = ORDER_ROWS
+};
+static const struct trace_options serial = { .mode = TRACE_SCALAR, .queue = 1 };
 
 static struct trace_options random_way(uint64_t *state, size_t pixels)
 {
@@ -61,8 +59,7 @@ static struct trace_options random_way(uint64_t *state, size_t pixels)
 }
 
 /* The options of rt205 render. */
-static void tell_way(const struct trace_options *way, char *words,
-                     size_t size)
+static void tell_way(const struct trace_options *way, char *words, size_t size)
 {
     int used = snprintf(words, size, "--mode %s", trace_mode_name(way->mode));
 #define TELL(condition, ...) \
@@ -103,8 +100,7 @@ static double seconds_of(const struct trace_options *way, double work)
     return work * (2e-7 + 1e-5 / (double)way->queue);
 }
 
-static struct trace_options some_way(uint64_t *state,
-                                     const struct many_regions *scene)
+static struct trace_options some_way(uint64_t *state, const struct many_regions *scene)
 {
     size_t pixels = many_regions_width(scene) * many_regions_height(scene);
     for (int i = 0; i < 100; i++) {
@@ -137,8 +133,7 @@ static struct trace *trace_in(const struct sight *sight,
     return trace;
 }
 
-static bool same_words(const struct sight *sight,
-                       const struct trace *expected,
+static bool same_words(const struct sight *sight, const struct trace *expected,
                        const struct trace *found, char *reason)
 {
     size_t pixels = sight->width * sight->height;
@@ -149,8 +144,8 @@ static bool same_words(const struct sight *sight,
             if (a[k] != b[k]) {
                 snprintf(reason, REASON,
                          "channel %d at %zu, %zu is %016llX, not %016llX", i,
-                         k % sight->width, k / sight->width,
-                         (unsigned long long)b[k], (unsigned long long)a[k]);
+                         k % sight->width, k / sight->width, (unsigned long long)b[k],
+                         (unsigned long long)a[k]);
                 return false;
             }
     }
@@ -164,10 +159,8 @@ static bool same_rays(const struct trace *expected, const struct trace *found,
         uint64_t a = trace_rays(expected, (enum ray_kind)kind);
         uint64_t b = trace_rays(found, (enum ray_kind)kind);
         if (a != b) {
-            snprintf(reason, REASON, "%llu %s rays, not %llu",
-                     (unsigned long long)b,
-                     ray_kind_name((enum ray_kind)kind),
-                     (unsigned long long)a);
+            snprintf(reason, REASON, "%llu %s rays, not %llu", (unsigned long long)b,
+                     ray_kind_name((enum ray_kind)kind), (unsigned long long)a);
             return false;
         }
     }
@@ -186,9 +179,8 @@ static bool same_in(const struct sight *sight, const struct trace *expected,
 
 /* --- against the plain tracer --------------------------------------------- */
 
-static bool same_as_plain(const struct sight *sight,
-                          const struct trace *trace, enum certainty certainty,
-                          char *reason)
+static bool same_as_plain(const struct sight *sight, const struct trace *trace,
+                          enum certainty certainty, char *reason)
 {
     struct frame expected, found;
     bool good = true;
@@ -202,17 +194,14 @@ static bool same_as_plain(const struct sight *sight,
         comparison.share = ROUNDED;
         if (certainty < ALL_CERTAIN && comparison.first != CHANNEL_DEPTH)
             continue;
-        struct picture_difference is = compare_pictures(&comparison,
-                                                        &expected, &found,
+        struct picture_difference is = compare_pictures(&comparison, &expected, &found,
                                                         inner);
-        good = (double)is.beyond
-               <= 1 + comparison.share * (double)is.compared;
-        snprintf(
-            reason, REASON,
-            "the plain tracer has another %s at %zu of %zu pixels, by %g "
-            "at %zu, %zu",
-            comparison.name, is.beyond, is.compared, is.greatest, is.worst_x,
-            is.worst_y);
+        good = (double)is.beyond <= 1 + comparison.share * (double)is.compared;
+        snprintf(reason, REASON,
+                 "the plain tracer has another %s at %zu of %zu pixels, by %g "
+                 "at %zu, %zu",
+                 comparison.name, is.beyond, is.compared, is.greatest, is.worst_x,
+                 is.worst_y);
     }
     free(inner);
     frame_free(&found);
@@ -230,9 +219,8 @@ struct ways {
 };
 
 /* False: the reason, and failing is what does not give that frame. */
-static bool passes(const struct many_regions *regions,
-                   const struct ways *ways, struct ways *failing,
-                   char *reason)
+static bool passes(const struct many_regions *regions, const struct ways *ways,
+                   struct ways *failing, char *reason)
 {
     char *text = many_regions_text(regions);
     struct scene *scene = scene_of(text);
@@ -247,8 +235,7 @@ static bool passes(const struct many_regions *regions,
             good = false;
         }
     if (good && ways->plain && many_regions_certainty(regions)
-        && !same_as_plain(&sight, expected, many_regions_certainty(regions),
-                          reason)) {
+        && !same_as_plain(&sight, expected, many_regions_certainty(regions), reason)) {
         failing->plain = true;
         good = false;
     }
@@ -259,8 +246,7 @@ static bool passes(const struct many_regions *regions,
 }
 
 /* What can be left out of the scene while it fails; false: nothing. */
-static bool shrink_once(struct many_regions **regions,
-                        const struct ways *ways)
+static bool shrink_once(struct many_regions **regions, const struct ways *ways)
 {
     struct many_regions *smaller;
     struct ways failing;
@@ -280,8 +266,7 @@ static void shrink_way(const struct many_regions *regions, struct ways *ways)
 {
     struct ways less = *ways, failing;
     char reason[REASON];
-    for (size_t i = 0; ways->count && without(&ways->way[0], i, &less.way[0]);
-         i++)
+    for (size_t i = 0; ways->count && without(&ways->way[0], i, &less.way[0]); i++)
         if (!passes(regions, &less, &failing, reason))
             *ways = less;
 }
@@ -295,16 +280,15 @@ static void show(const struct many_regions *regions, const struct ways *ways,
     passes(regions, ways, &failing, reason);
     if (ways->count)
         tell_way(&ways->way[0], way, sizeof way);
-    snprintf(how, sizeof how, " -W %zu -H %zu %s",
-             many_regions_width(regions), many_regions_height(regions), way);
+    snprintf(how, sizeof how, " -W %zu -H %zu %s", many_regions_width(regions),
+             many_regions_height(regions), way);
     show_failure("regions", number, how, reason, text);
     free(text);
 }
 
 static bool check_scene(size_t number, bool first)
 {
-    uint64_t state = RANDOM_SEED
-                     ^ (number + 1) * UINT64_C(0xD1B54A32D192ED03);
+    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xD1B54A32D192ED03);
     struct many_regions *regions = many_regions_random(&state);
     struct ways ways = { .count = WAYS, .way = { serial }, .plain = true };
     struct ways failing;

@@ -70,8 +70,7 @@ static bool compare(const char *path, const struct trace_options *options,
 
     if (!all
         || !run_povray(path, frame->width, frame->height,
-                       options->threshold > 0 ? &how : NULL, &theirs,
-                       &error)) {
+                       options->threshold > 0 ? &how : NULL, &theirs, &error)) {
         printf("\t-\t-\n");
         fprintf(stderr, "%s: %s\n", path, all ? error.message : "no memory");
         free(all);
@@ -130,11 +129,9 @@ static bool tell_scene(const char *path, const struct scene *scene,
 
 static bool tell(const char *path, const struct trace_options *options)
 {
-    const struct scene_options reading = {
-        .width = (int)options->width,
-        .height = (int)options->height,
-        .read_raster = picture_read_raster
-    };
+    const struct scene_options reading = { .width = (int)options->width,
+                                           .height = (int)options->height,
+                                           .read_raster = picture_read_raster };
     struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(path, &reading, &reports);
     bool good = true;

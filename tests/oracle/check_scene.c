@@ -34,8 +34,9 @@ static const struct comparison with_povray = {
     "colour", CHANNEL_RED, 3, 1, false, POVRAY_TOLERANCE, DECIDED_BY_ROUNDING
 };
 /* POV-Ray sends hundreds of random rays through a lens, this tracer a few. */
-static const struct comparison roughly = { "colour", CHANNEL_RED, 3,   1,
-                                           false,    .05,         .002 };
+static const struct comparison roughly = {
+    "colour", CHANNEL_RED, 3, 1, false, .05, .002
+};
 
 /* --- what is left out ----------------------------------------------------- */
 
@@ -43,8 +44,7 @@ enum {
     NO_POVRAY = 1,
     ROUGH_POVRAY = 2,
     NO_HISTORICAL = 4, /* its frame is not compared with the plain tracer's */
-    FEWER_PIXELS =
-        8, /* thousands of triangles, components, or rays a pixel */
+    FEWER_PIXELS = 8,  /* thousands of triangles, components, or rays a pixel */
 };
 static const struct exception {
     const char *scene;
@@ -127,14 +127,11 @@ static bool contains(const char *path, const char *word)
 }
 
 /* A camera's default depends on the size of the picture. */
-static const struct scene *scene_at(struct file *file, size_t width,
-                                    size_t height)
+static const struct scene *scene_at(struct file *file, size_t width, size_t height)
 {
-    const struct scene_options options = {
-        .width = (int)width,
-        .height = (int)height,
-        .read_raster = picture_read_raster
-    };
+    const struct scene_options options = { .width = (int)width,
+                                           .height = (int)height,
+                                           .read_raster = picture_read_raster };
     struct diagnostics reports = { 0 };
 
     if (file->scene && file->width == width && file->height == height)
@@ -168,8 +165,7 @@ static struct trace *traced(struct file *file, struct trace_options options)
 }
 
 /* False: it failed. */
-static bool checksum(struct file *file, struct trace_options options,
-                     uint64_t *sum)
+static bool checksum(struct file *file, struct trace_options options, uint64_t *sum)
 {
     struct trace *trace = traced(file, options);
 
@@ -257,8 +253,8 @@ static void check_stages(struct file *file, struct trace_options scalar,
 
     vector.mode = TRACE_VECTOR;
     kernels.mode = TRACE_KERNELS;
-    verdict(same(file, scalar, vector) && same(file, scalar, kernels),
-            file->path, what);
+    verdict(same(file, scalar, vector) && same(file, scalar, kernels), file->path,
+            what);
 }
 
 /* A queue of one ray takes long, and samples are many rays: fewer pixels. */
@@ -268,8 +264,7 @@ static void check_samples(struct file *file)
         verdict(same(file,
                      (struct trace_options){
                          .mode = TRACE_SCALAR, .width = 18, .height = 14 },
-                     (struct trace_options){ .mode = TRACE_VECTOR,
-                                             .queue = 1 }),
+                     (struct trace_options){ .mode = TRACE_VECTOR, .queue = 1 }),
                 file->path, "a queue of 1");
     if (has_turn(file, 1))
         check_stages(file,
@@ -290,15 +285,13 @@ static void check_samples(struct file *file)
 
 static void check_historical(struct file *file, size_t width, size_t height)
 {
-    const struct trace_options scalar = { .mode = TRACE_SCALAR,
-                                          .historical = true,
-                                          .width = width,
-                                          .height = height };
+    const struct trace_options scalar = {
+        .mode = TRACE_SCALAR, .historical = true, .width = width, .height = height
+    };
     struct trace_options vector = scalar;
 
     vector.mode = TRACE_VECTOR;
-    verdict(same(file, scalar, vector), file->path,
-            "the forms of the way of 1984");
+    verdict(same(file, scalar, vector), file->path, "the forms of the way of 1984");
 }
 
 /* --- other tracers -------------------------------------------------------- */
@@ -307,15 +300,13 @@ static bool report(const char *who, const struct comparison *comparison,
                    const struct frame *expected, const struct frame *found,
                    const bool *inner)
 {
-    struct picture_difference is = compare_pictures(comparison, expected,
-                                                    found, inner);
+    struct picture_difference is = compare_pictures(comparison, expected, found, inner);
     bool good = within(comparison, &is);
 
     printf("%-6s %-6s mean %8.2e  greatest %8.2e at %zu, %zu  "
            "beyond %.2e: %zu of %zu  %s\n",
-           who, comparison->name, is.mean, is.greatest, is.worst_x,
-           is.worst_y, comparison->tolerance, is.beyond, is.compared,
-           good ? "ok" : "FAILED");
+           who, comparison->name, is.mean, is.greatest, is.worst_x, is.worst_y,
+           comparison->tolerance, is.beyond, is.compared, good ? "ok" : "FAILED");
     return good;
 }
 
@@ -333,8 +324,7 @@ static bool trace_frame(struct file *file, struct trace_options options,
 }
 
 static bool same_as_plain(struct file *file, const struct frame *plain,
-                          const bool *inner, bool historical,
-                          struct frame *frame)
+                          const bool *inner, bool historical, struct frame *frame)
 {
     const struct trace_options options = { .mode = TRACE_VECTOR,
                                            .historical = historical,
@@ -343,8 +333,8 @@ static bool same_as_plain(struct file *file, const struct frame *plain,
     bool good = trace_frame(file, options, frame);
 
     for (size_t i = 0, traced = good; traced && i < WITH_FRAME; i++)
-        good &= report(historical ? "1984" : "rt205", &with_frame[i], plain,
-                       frame, inner);
+        good &= report(historical ? "1984" : "rt205", &with_frame[i], plain, frame,
+                       inner);
     return good;
 }
 
@@ -359,8 +349,7 @@ static bool same_as_povray(const struct file *file, const struct frame *plain,
     struct frame povray;
     bool good;
 
-    if (!run_povray(file->path, plain->width, plain->height, NULL, &povray,
-                    &error)) {
+    if (!run_povray(file->path, plain->width, plain->height, NULL, &povray, &error)) {
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
@@ -375,8 +364,7 @@ static bool has_historical(const struct file *file)
     return file->patches && !(file->exceptions & NO_HISTORICAL);
 }
 
-static bool compare(struct file *file, const struct frame *plain,
-                    const bool *inner)
+static bool compare(struct file *file, const struct frame *plain, const bool *inner)
 {
     struct frame frame = { 0 }, historical = { 0 };
     bool good = same_as_plain(file, plain, inner, false, &frame);

@@ -78,40 +78,36 @@ static bool same_frame(const struct trace *a, const struct trace *b)
 {
     for (int i = 0; i < FRAME_CHANNELS; i++)
         if (memcmp(trace_channel(a, (enum frame_channel)i),
-                   trace_channel(b, (enum frame_channel)i),
-                   PIXELS * sizeof(c205_word))
+                   trace_channel(b, (enum frame_channel)i), PIXELS * sizeof(c205_word))
             != 0)
             return false;
     return true;
 }
 
-static bool same_in_all_forms(const struct scene *scene,
-                              const struct trace *expected, char *reason)
+static bool same_in_all_forms(const struct scene *scene, const struct trace *expected,
+                              char *reason)
 {
     bool good = true;
     for (size_t i = 1; good && i < FORMS; i++) {
         struct trace *found = trace_in(scene, i);
         good = same_frame(expected, found);
         trace_free(found);
-        snprintf(reason, REASON, "form %zu gives another frame than form 0",
-                 i);
+        snprintf(reason, REASON, "form %zu gives another frame than form 0", i);
     }
     return good;
 }
 
 /* --- other tracers -------------------------------------------------------- */
 
-static bool same_pictures(const struct comparison *comparison,
-                          const char *who, const struct frame *expected,
-                          const struct frame *ours, const bool *inner,
-                          char *reason)
+static bool same_pictures(const struct comparison *comparison, const char *who,
+                          const struct frame *expected, const struct frame *ours,
+                          const bool *inner, char *reason)
 {
-    struct picture_difference is = compare_pictures(comparison, expected,
-                                                    ours, inner);
+    struct picture_difference is = compare_pictures(comparison, expected, ours, inner);
     snprintf(reason, REASON,
              "%s has another %s at %zu of %zu pixels, by %g at %zu, %zu", who,
-             comparison->name, is.beyond, is.compared, is.greatest,
-             is.worst_x, is.worst_y);
+             comparison->name, is.beyond, is.compared, is.greatest, is.worst_x,
+             is.worst_y);
     return (double)is.beyond <= comparison->share * (double)is.compared;
 }
 
@@ -123,8 +119,8 @@ static bool same_as_plain(const struct frame *plain, const struct frame *ours,
     for (size_t i = 0; good && i < WITH_FRAME; i++) {
         struct comparison comparison = with_frame[i];
         comparison.share = 0;
-        good = same_pictures(&comparison, "the plain tracer", plain, ours,
-                             inner, reason);
+        good = same_pictures(&comparison, "the plain tracer", plain, ours, inner,
+                             reason);
     }
     return good;
 }
@@ -154,8 +150,8 @@ static void begin(size_t number)
     free(text);
 }
 
-static bool same_as_povray(size_t number, const struct frame *ours,
-                           const bool *inner, char *reason)
+static bool same_as_povray(size_t number, const struct frame *ours, const bool *inner,
+                           char *reason)
 {
     struct picture_error error;
     struct frame theirs;
@@ -166,17 +162,15 @@ static bool same_as_povray(size_t number, const struct frame *ours,
         give_up(error.message);
     path_of(number, path);
     remove(path);
-    bool good = same_pictures(&with_povray, "POV-Ray", &theirs, ours, inner,
-                              reason);
+    bool good = same_pictures(&with_povray, "POV-Ray", &theirs, ours, inner, reason);
     frame_free(&theirs);
     return good;
 }
 
 /* --- scenes --------------------------------------------------------------- */
 
-static bool same_as_others(const struct scene *scene,
-                           const struct trace *trace, size_t number,
-                           char *reason)
+static bool same_as_others(const struct scene *scene, const struct trace *trace,
+                           size_t number, char *reason)
 {
     struct frame plain, ours;
     char also[REASON];

@@ -10,8 +10,7 @@
 #define GEOMETRY_TOLERANCE 1e-6
 
 const struct comparison with_frame[WITH_FRAME] = {
-    { "colour", CHANNEL_RED, 3, INFINITY, true, COLOR_TOLERANCE,
-      DECIDED_BY_ROUNDING },
+    { "colour", CHANNEL_RED, 3, INFINITY, true, COLOR_TOLERANCE, DECIDED_BY_ROUNDING },
     { "depth", CHANNEL_DEPTH, 1, INFINITY, true, GEOMETRY_TOLERANCE,
       DECIDED_BY_ROUNDING },
     { "normal", CHANNEL_NORMAL_X, 3, INFINITY, false, GEOMETRY_TOLERANCE,
@@ -40,8 +39,8 @@ bool *inner_pixels(const struct frame *frame)
 }
 
 /* What is no number differs without bound. */
-static double difference_of(const struct comparison *comparison,
-                            double expected, double found)
+static double difference_of(const struct comparison *comparison, double expected,
+                            double found)
 {
     double a = fmin(expected, comparison->ceiling);
     double b = isnan(found) ? NAN : fmin(found, comparison->ceiling);
@@ -52,14 +51,13 @@ static double difference_of(const struct comparison *comparison,
 
 /* One pixel's samples into the sums; its greatest difference. */
 static double add_pixel(const struct comparison *comparison,
-                        const struct frame *expected,
-                        const struct frame *found, size_t pixel, double *sum)
+                        const struct frame *expected, const struct frame *found,
+                        size_t pixel, double *sum)
 {
     double greatest = 0;
     for (size_t i = 0; i < comparison->channels; i++) {
         size_t channel = comparison->first + i;
-        double difference = difference_of(comparison,
-                                          expected->channel[channel][pixel],
+        double difference = difference_of(comparison, expected->channel[channel][pixel],
                                           found->channel[channel][pixel]);
         *sum += difference;
         greatest = fmax(greatest, difference);
@@ -67,10 +65,9 @@ static double add_pixel(const struct comparison *comparison,
     return greatest;
 }
 
-struct picture_difference
-compare_pictures(const struct comparison *comparison,
-                 const struct frame *expected, const struct frame *found,
-                 const bool *inner)
+struct picture_difference compare_pictures(const struct comparison *comparison,
+                                           const struct frame *expected,
+                                           const struct frame *found, const bool *inner)
 {
     struct picture_difference result = { 0 };
     double sum = 0;

@@ -13,9 +13,9 @@ struct comparison {
     const char *name;
     enum frame_channel first;
     size_t channels;
-    double ceiling; /* greater samples count as this; POV-Ray's PNG ends
+    double ceiling;   /* greater samples count as this; POV-Ray's PNG ends
                          at 1 */
-    bool relative;  /* differences of samples beyond 1 are divided by them */
+    bool relative;    /* differences of samples beyond 1 are divided by them */
     double tolerance; /* a pixel that differs more is beyond ... */
     double share;     /* ... as this share of the pixels may be */
 };
@@ -40,10 +40,10 @@ struct picture_difference {
 bool *inner_pixels(const struct frame *frame);
 
 /* Frames of one size. */
-struct picture_difference
-compare_pictures(const struct comparison *comparison,
-                 const struct frame *expected, const struct frame *found,
-                 const bool *inner);
+struct picture_difference compare_pictures(const struct comparison *comparison,
+                                           const struct frame *expected,
+                                           const struct frame *found,
+                                           const bool *inner);
 
 bool within(const struct comparison *comparison,
             const struct picture_difference *difference);

@@ -68,15 +68,14 @@ static void differ(struct trial *trial, const char *format, ...)
 
     va_start(arguments, format);
     if (difference->count < DIFFERENCES)
-        vsnprintf(difference->texts[difference->count], DIFFERENCE_TEXT,
-                  format, arguments);
+        vsnprintf(difference->texts[difference->count], DIFFERENCE_TEXT, format,
+                  arguments);
     va_end(arguments);
     difference->count++;
 }
 
-static void compare_words(struct trial *trial, const char *what,
-                          uint64_t number, c205_word machine,
-                          c205_word reference)
+static void compare_words(struct trial *trial, const char *what, uint64_t number,
+                          c205_word machine, c205_word reference)
 {
     if (machine != reference)
         differ(trial, "%s %llX: machine %016llX, reference %016llX", what,
@@ -93,8 +92,7 @@ static void compare_registers(struct trial *trial)
                       state->registers[i]);
     compare_words(trial, "data flags", 0, c205_data_flags(trial->machine),
                   reference_flags(&trial->reference, trial->clock.now));
-    compare_words(trial, "program counter", 0, c205_pc(trial->machine),
-                  state->pc);
+    compare_words(trial, "program counter", 0, c205_pc(trial->machine), state->pc);
 }
 
 static void compare_memory(struct trial *trial, uint64_t address,
@@ -104,8 +102,7 @@ static void compare_memory(struct trial *trial, uint64_t address,
     if (memcmp(scratch, image, count * sizeof *scratch) == 0)
         return;
     for (size_t i = 0; i < count; i++)
-        compare_words(trial, "address", address + WORD * i, scratch[i],
-                      image[i]);
+        compare_words(trial, "address", address + WORD * i, scratch[i], image[i]);
 }
 
 static size_t at_most(size_t count, size_t limit)
@@ -117,9 +114,8 @@ static size_t at_most(size_t count, size_t limit)
 static void compare_area(struct trial *trial, const struct random_area *area)
 {
     uint64_t margin = WORD * MARGIN;
-    uint64_t address = random_image(area->address - margin)
-                           ? area->address - margin
-                           : area->address;
+    uint64_t address = random_image(area->address - margin) ? area->address - margin
+                                                            : area->address;
     uint64_t end = area->address + WORD * area->words + margin;
 
     while (address < end && random_image(address)) {
@@ -163,8 +159,7 @@ static void compare_all_memory(struct trial *trial)
 {
     for (size_t i = 0; i < RANDOM_PAGES; i++) {
         uint64_t address = random_pages[i].address;
-        compare_memory(trial, address, random_image(address),
-                       C205_PAGE_WORDS);
+        compare_memory(trial, address, random_image(address), C205_PAGE_WORDS);
     }
 }
 
@@ -172,8 +167,7 @@ static void compare_all_memory(struct trial *trial)
 
 static size_t region_of(const struct trial *trial, uint64_t pc)
 {
-    return pc >= trial->program->code
-           && pc < random_region_end(trial->program);
+    return pc >= trial->program->code && pc < random_region_end(trial->program);
 }
 
 static void compare_account(struct trial *trial, size_t region,
@@ -189,8 +183,8 @@ static void compare_account(struct trial *trial, size_t region,
                    c205_cause_name((c205_cause)i), region,
                    (unsigned long long)account->clocks[i],
                    (unsigned long long)trial->clock.charged[region][i]);
-    compare_words(trial, "instructions in region", region,
-                  account->instructions, counts->instructions);
+    compare_words(trial, "instructions in region", region, account->instructions,
+                  counts->instructions);
     compare_words(trial, "vector instructions in region", region,
                   account->vector_instructions, counts->vector_instructions);
     compare_words(trial, "elements in region", region, account->elements,
@@ -207,8 +201,7 @@ static void compare_clocks(struct trial *trial)
         const c205_account *account = c205_account_at(trial->machine, i);
         compare_account(trial, account->name[0] != '\0', account);
     }
-    compare_words(trial, "clock", 0, c205_clock(trial->machine),
-                  trial->clock.now);
+    compare_words(trial, "clock", 0, c205_clock(trial->machine), trial->clock.now);
 }
 
 /* ---- Traps ------------------------------------------------------------- */
@@ -217,12 +210,10 @@ static void compare_clocks(struct trial *trial)
  * beginning. */
 static bool names_address(c205_trap trap)
 {
-    return trap == C205_TRAP_UNMAPPED_ADDRESS
-           || trap == C205_TRAP_PROTECTED_ADDRESS;
+    return trap == C205_TRAP_UNMAPPED_ADDRESS || trap == C205_TRAP_PROTECTED_ADDRESS;
 }
 
-static bool has_fault(const struct reference *reference,
-                      const c205_stop *stop)
+static bool has_fault(const struct reference *reference, const c205_stop *stop)
 {
     if (names_address(stop->trap))
         return reference_has_fault(reference, stop->trap, stop->address);
@@ -231,15 +222,14 @@ static bool has_fault(const struct reference *reference,
 
 static void differ_in_faults(struct trial *trial, const c205_stop *stop)
 {
-    differ(trial, "machine: trap %s, address %llX",
-           c205_trap_name(stop->trap), (unsigned long long)stop->address);
+    differ(trial, "machine: trap %s, address %llX", c205_trap_name(stop->trap),
+           (unsigned long long)stop->address);
     for (int i = 0; i < C205_TRAPS; i++) {
         const struct fault *fault = trial->reference.faults + i;
         if (fault->possible)
             differ(trial, "reference: %s %s, address %llX to %llX",
                    fault->certain ? "trap" : "possible trap",
-                   c205_trap_name((c205_trap)i),
-                   (unsigned long long)fault->low,
+                   c205_trap_name((c205_trap)i), (unsigned long long)fault->low,
                    (unsigned long long)fault->high);
     }
 }
@@ -307,8 +297,7 @@ static bool step_both(struct trial *trial)
 
 static c205_word word_at(const struct trial *trial, uint64_t address)
 {
-    c205_word first = plain_read(&trial->reference.memory,
-                                 address / WORD * WORD);
+    c205_word first = plain_read(&trial->reference.memory, address / WORD * WORD);
     c205_word second = plain_read(&trial->reference.memory,
                                   address / WORD * WORD + WORD);
 
@@ -342,8 +331,7 @@ static void compare_other_ways(struct trial *trial)
         differ(trial, "%s ends in another state", way);
 }
 
-bool compare_run(const struct random_program *program,
-                 struct difference *difference)
+bool compare_run(const struct random_program *program, struct difference *difference)
 {
     struct trial trial = { .program = program, .difference = difference };
 
@@ -364,8 +352,8 @@ static void print_insn(uint64_t address, c205_word word)
     char text[DISASSEMBLE_TEXT_SIZE];
 
     disassemble_one(word, address, text);
-    printf("        %-40s ; %llX: %016llX\n", text,
-           (unsigned long long)address, (unsigned long long)word);
+    printf("        %-40s ; %llX: %016llX\n", text, (unsigned long long)address,
+           (unsigned long long)word);
 }
 
 static void print_registers(const struct random_program *program)

@@ -21,8 +21,7 @@ void compare_begin(void);
 void compare_end(void);
 
 /* True: they agree. */
-bool compare_run(const struct random_program *program,
-                 struct difference *difference);
+bool compare_run(const struct random_program *program, struct difference *difference);
 
 void print_program(const struct random_program *program);
 void print_difference(const struct difference *difference);

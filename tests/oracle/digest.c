@@ -59,8 +59,7 @@ static void take(struct digest *digest, const c205 *machine, const char *name)
 
 /* ---- Program texts ------------------------------------------------------ */
 
-static void run_text(struct digest *digest, const c205_model *model,
-                     const char *path)
+static void run_text(struct digest *digest, const c205_model *model, const char *path)
 {
     struct diagnostics errors = { 0 };
     struct sink sink = stream_sink(stderr);
@@ -97,16 +96,14 @@ static void run_on(c205 *machine)
 {
     for (int i = 0; i < TRAPS_MOST; i++) {
         c205_stop stop = c205_run(machine, CLOCKS);
-        unsigned halves = stop.insn ? c205_format_halves(stop.insn->format)
-                                    : 1;
+        unsigned halves = stop.insn ? c205_format_halves(stop.insn->format) : 1;
         if (stop.trap == C205_TRAP_NONE || stop.trap == C205_TRAP_CLOCK_LIMIT)
             break;
         c205_set_pc(machine, stop.pc + HALF_WORD * halves);
     }
 }
 
-static void run_random(struct digest *digest, c205 *const *machines,
-                       uint64_t seed)
+static void run_random(struct digest *digest, c205 *const *machines, uint64_t seed)
 {
     struct random_program program = random_program(seed);
     c205 *machine = machines[program.model];
@@ -157,7 +154,6 @@ int main(int argc, char **argv)
         }
     run_texts(&digest, argv + optind);
     run_randoms(&digest, randoms);
-    printf("%016llX of %lu programs\n", (unsigned long long)digest.hash,
-           digest.count);
+    printf("%016llX of %lu programs\n", (unsigned long long)digest.hash, digest.count);
     return 0;
 }

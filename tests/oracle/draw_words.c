@@ -45,9 +45,8 @@ static void draw_by_machine(uint64_t seed)
         if (!point_maker_run(maker, &choice, planes, &error))
             fail(error.message);
         for (size_t k = 0; k < WORDS; k++)
-            drawn[k] =
-                (uint32_t)(planes[k % STREAM_DRAWS * RAYS + k / STREAM_DRAWS]
-                           >> 15);
+            drawn[k] = (uint32_t)(planes[k % STREAM_DRAWS * RAYS + k / STREAM_DRAWS]
+                                  >> 15);
         choice.first += RAYS;
     } while (write_drawn());
     point_maker_free(maker);

@@ -35,8 +35,7 @@ void exact_size(mpfr_t size, mpfr_t *c, int degree, const mpfr_t x)
     mpfr_clear(magnitude);
 }
 
-static bool is_zero_at(mpfr_t *c, int degree, const mpfr_t x,
-                       const mpfr_t value)
+static bool is_zero_at(mpfr_t *c, int degree, const mpfr_t x, const mpfr_t value)
 {
     mpfr_t size;
     bool zero;
@@ -130,8 +129,7 @@ static void close_in(struct search *s)
         step_from(s, steps);
         mpfr_sub(s->f, s->step, s->x, MPFR_RNDN);
         mpfr_set(s->x, s->step, MPFR_RNDN);
-        if (mpfr_zero_p(s->f)
-            || mpfr_get_exp(s->f) < mpfr_get_exp(s->x) - CLOSE_BITS)
+        if (mpfr_zero_p(s->f) || mpfr_get_exp(s->f) < mpfr_get_exp(s->x) - CLOSE_BITS)
             return;
     }
 }
@@ -140,13 +138,11 @@ static void search_init(struct search *s, mpfr_t *c, int degree)
 {
     s->c = c;
     s->degree = degree;
-    mpfr_inits2(EXACT_BITS, s->a, s->b, s->x, s->f, s->slope, s->step,
-                (mpfr_ptr)NULL);
+    mpfr_inits2(EXACT_BITS, s->a, s->b, s->x, s->f, s->slope, s->step, (mpfr_ptr)NULL);
     for (int i = 0; i < EXACT_DEGREE; i++) {
         mpfr_init2(s->derivative[i], EXACT_BITS);
         if (i < degree)
-            mpfr_mul_ui(s->derivative[i], c[i + 1], (unsigned long)i + 1,
-                        MPFR_RNDN);
+            mpfr_mul_ui(s->derivative[i], c[i + 1], (unsigned long)i + 1, MPFR_RNDN);
     }
 }
 

@@ -57,15 +57,14 @@ static void random_box(uint64_t *state, char *shape)
         low[i] = on_grid(state);
         high[i] = off(state, low[i]);
     }
-    solid_words(shape, "box { <%g, %g, %g>, <%g, %g, %g> ", low[0], low[1],
-                low[2], high[0], high[1], high[2]);
+    solid_words(shape, "box { <%g, %g, %g>, <%g, %g, %g> ", low[0], low[1], low[2],
+                high[0], high[1], high[2]);
 }
 
 static void random_sphere(uint64_t *state, char *shape)
 {
     double x = on_grid(state), y = on_grid(state), z = on_grid(state);
-    solid_words(shape, "sphere { <%g, %g, %g>, %g ", x, y, z,
-                size_on_grid(state));
+    solid_words(shape, "sphere { <%g, %g, %g>, %g ", x, y, z, size_on_grid(state));
 }
 
 /* From one end of an axis to the other. */
@@ -81,8 +80,8 @@ static void random_cylinder(uint64_t *state, char *shape)
 {
     double base[3], cap[3], radius = size_on_grid(state);
     random_axis(state, base, cap);
-    solid_words(shape, "cylinder { <%g, %g, %g>, <%g, %g, %g>, %g %s",
-                base[0], base[1], base[2], cap[0], cap[1], cap[2], radius,
+    solid_words(shape, "cylinder { <%g, %g, %g>, <%g, %g, %g>, %g %s", base[0], base[1],
+                base[2], cap[0], cap[1], cap[2], radius,
                 below(state, 4) ? "" : "open ");
 }
 
@@ -91,9 +90,9 @@ static void random_cone(uint64_t *state, char *shape)
     double base[3], cap[3], radius = .5 * (double)below(state, 3);
     double other = radius == .5 ? 1 : 1 - radius;
     random_axis(state, base, cap);
-    solid_words(shape, "cone { <%g, %g, %g>, %g, <%g, %g, %g>, %g %s",
-                base[0], base[1], base[2], radius, cap[0], cap[1], cap[2],
-                other, below(state, 4) ? "" : "open ");
+    solid_words(shape, "cone { <%g, %g, %g>, %g, <%g, %g, %g>, %g %s", base[0], base[1],
+                base[2], radius, cap[0], cap[1], cap[2], other,
+                below(state, 4) ? "" : "open ");
 }
 
 static void random_plane(uint64_t *state, char *shape)
@@ -111,8 +110,7 @@ static void random_disc(uint64_t *state, char *shape)
     for (int i = 0; i < 3; i++)
         center[i] = on_grid(state);
     solid_words(shape, "disc { <%g, %g, %g>, %s%c, %g ", center[0], center[1],
-                center[2], below(state, 2) ? "-" : "", axis,
-                size_on_grid(state));
+                center[2], below(state, 2) ? "-" : "", axis, size_on_grid(state));
 }
 
 static void random_torus(uint64_t *state, char *shape)
@@ -130,9 +128,8 @@ static void random_torus(uint64_t *state, char *shape)
 static void random_quadric(uint64_t *state, char *shape)
 {
     static const char *const quadrics[] = {
-        "<1, 0, 1>, 0, 0, -1",   "<0, 1, 0>, 0, 0, -.25",
-        "<1, -1, 1>, 0, 0, 0",   "<1, 1, 1>, 0, 0, -1",
-        "0, 0, <0, 0, 1>, -.5",  "<-1, 1, -1>, 0, 0, .25",
+        "<1, 0, 1>, 0, 0, -1",   "<0, 1, 0>, 0, 0, -.25", "<1, -1, 1>, 0, 0, 0",
+        "<1, 1, 1>, 0, 0, -1",   "0, 0, <0, 0, 1>, -.5",  "<-1, 1, -1>, 0, 0, .25",
         "<1, 1, 1>, 0, 0, -.25",
     };
     size_t which = below(state, sizeof quadrics / sizeof *quadrics);
@@ -143,9 +140,8 @@ static void random_quadric(uint64_t *state, char *shape)
 static void random_quartic(uint64_t *state, char *shape)
 {
     (void)state;
-    solid_words(shape,
-                "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,"
-                "0,0,0,0,0,0,1,0,0,0,-1> ");
+    solid_words(shape, "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,"
+                       "0,0,0,0,0,0,1,0,0,0,-1> ");
 }
 
 /* A flat one, in a plane of the grid, or a bent one. */
@@ -162,12 +158,11 @@ static void random_patch(uint64_t *state, char *shape)
 static void random_shape(uint64_t *state, char *shape)
 {
     static void (*const shapes[])(uint64_t *, char *) = {
-        random_box,      random_box,     random_box,      random_box,
-        random_box,      random_box,     random_cylinder, random_cylinder,
-        random_cylinder, random_sphere,  random_sphere,   random_cone,
-        random_cone,     random_plane,   random_plane,    random_torus,
-        random_quadric,  random_quadric, random_quartic,  random_patch,
-        random_patch,    random_disc,
+        random_box,    random_box,      random_box,      random_box,      random_box,
+        random_box,    random_cylinder, random_cylinder, random_cylinder, random_sphere,
+        random_sphere, random_cone,     random_cone,     random_plane,    random_plane,
+        random_torus,  random_quadric,  random_quadric,  random_quartic,  random_patch,
+        random_patch,  random_disc,
     };
     shapes[below(state, sizeof shapes / sizeof *shapes)](state, shape);
 }
@@ -186,8 +181,7 @@ static void random_look(uint64_t *state, char *look)
                     red, green, blue);
         break;
     case 1:
-        solid_words(look, "pigment { rgbf <%.2f, %.2f, %.2f, .8> } ", red,
-                    green, blue);
+        solid_words(look, "pigment { rgbf <%.2f, %.2f, %.2f, .8> } ", red, green, blue);
         break;
     case 2:
         solid_words(look,
@@ -202,8 +196,7 @@ static void random_look(uint64_t *state, char *look)
                     red, green, blue);
         break;
     default:
-        solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } ", red, green,
-                    blue);
+        solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } ", red, green, blue);
         break;
     }
 }
@@ -239,8 +232,7 @@ static struct solid *random_clip(uint64_t state)
     if (below(&state, 8))
         return NULL;
     struct solid *clip = solid_new(SHAPE, 0);
-    shapes[below(&state, sizeof shapes / sizeof *shapes)](&state,
-                                                          clip->shape);
+    shapes[below(&state, sizeof shapes / sizeof *shapes)](&state, clip->shape);
     random_motion(&state, clip->motion);
     clip->inverse = below(&state, 4) == 0;
     return clip;
@@ -265,8 +257,7 @@ static struct solid *random_solid(uint64_t *state, size_t depth)
 {
     char unused[WORDS];
     bool joined = depth > 0 && below(state, 4);
-    struct solid *solid = joined ? random_joining(state)
-                                 : solid_new(SHAPE, 0);
+    struct solid *solid = joined ? random_joining(state) : solid_new(SHAPE, 0);
     if (!joined) {
         random_box_mesh(*state, solid->shape);
         random_shape(state, solid->shape[0] ? unused : solid->shape);
@@ -289,13 +280,12 @@ static struct solid *random_mesh(uint64_t *state)
 {
     struct solid *solid = solid_new(SHAPE, 0);
     double z = on_grid(state), s = size_on_grid(state), up = on_grid(state);
-    solid_words(
-        solid->shape,
-        "mesh { triangle { <-%g, -%g, %g>, <%g, -%g, %g>, <%g, %g, %g> } "
-        "triangle { <-%g, -%g, %g>, <%g, %g, %g>, <-%g, %g, %g> } "
-        "triangle { <-%g, %g, %g>, <%g, -%g, %g>, <%g, %g, %g> } ",
-        s, s, z, s, s, z, s, s, up, s, s, z, s, s, up, s, s, z, s, s, z, s, s,
-        z, s, s, up);
+    solid_words(solid->shape,
+                "mesh { triangle { <-%g, -%g, %g>, <%g, -%g, %g>, <%g, %g, %g> } "
+                "triangle { <-%g, -%g, %g>, <%g, %g, %g>, <-%g, %g, %g> } "
+                "triangle { <-%g, %g, %g>, <%g, -%g, %g>, <%g, %g, %g> } ",
+                s, s, z, s, s, z, s, s, up, s, s, z, s, s, up, s, s, z, s, s, z, s, s,
+                z, s, s, up);
     random_look(state, solid->look);
     random_motion(state, solid->motion);
     return solid;
@@ -313,23 +303,22 @@ static void random_view(uint64_t *state, struct grid_scene *scene)
     case 0: /* rays run in faces */
     case 1:
         solid_words(scene->view,
-                    "location <%g, %g, %g> direction 28*z right %d*x up %d*y",
-                    x, y, -5 * s, GRID_WIDTH, GRID_HEIGHT);
+                    "location <%g, %g, %g> direction 28*z right %d*x up %d*y", x, y,
+                    -5 * s, GRID_WIDTH, GRID_HEIGHT);
         break;
     case 2: /* rays begin in faces */
         solid_words(scene->view,
-                    "location <%g, %g, %g> direction 14*z right %d*x up %d*y",
-                    x, y, z, GRID_WIDTH, GRID_HEIGHT);
+                    "location <%g, %g, %g> direction 14*z right %d*x up %d*y", x, y, z,
+                    GRID_WIDTH, GRID_HEIGHT);
         break;
     default:
         scene->aslant = true;
-        solid_words(
-            scene->view,
-            "%slocation %g*<%.5f, %.5f, -%.5f> look_at %g*<.013, .0171, 0> "
-            "right x*%d/%d angle %.2f",
-            parallel ? "orthographic " : "", s, between(state, -6, 6),
-            between(state, -4, 6), between(state, 5, 9), s, GRID_WIDTH,
-            GRID_HEIGHT, between(state, 20, 40));
+        solid_words(scene->view,
+                    "%slocation %g*<%.5f, %.5f, -%.5f> look_at %g*<.013, .0171, 0> "
+                    "right x*%d/%d angle %.2f",
+                    parallel ? "orthographic " : "", s, between(state, -6, 6),
+                    between(state, -4, 6), between(state, 5, 9), s, GRID_WIDTH,
+                    GRID_HEIGHT, between(state, 20, 40));
         break;
     }
 }
@@ -342,12 +331,11 @@ static void random_lamp(uint64_t *state, char *lamp)
         for (int i = 2; i >= 0; i--)
             at[i] = 3 * on_grid(state);
         beam_words(*state, at, 2, beam);
-        solid_words(lamp, "light_source { <%g, %g, %g>, .7%.250s }", at[0],
-                    at[1], at[2], beam);
+        solid_words(lamp, "light_source { <%g, %g, %g>, .7%.250s }", at[0], at[1],
+                    at[2], beam);
     } else
         solid_words(lamp, "light_source { <%.3f, %.3f, -%.3f>, rgb .8 %s}",
-                    between(state, -9, 9), between(state, 2, 12),
-                    between(state, 4, 9),
+                    between(state, -9, 9), between(state, 2, 12), between(state, 4, 9),
                     below(state, 3) ? "" : "shadowless ");
 }
 
@@ -367,8 +355,7 @@ static void put_on_ground(uint64_t state, struct grid_scene *scene)
     if (below(&state, 2))
         solid_words(ground->shape, "plane { y, %g ", on_grid(&state));
     else
-        solid_words(ground->shape, "box { <-2, -2, -2>, <2, %g, 2> ",
-                    on_grid(&state));
+        solid_words(ground->shape, "box { <-2, -2, -2>, <2, %g, 2> ", on_grid(&state));
     random_look(&state, ground->look);
     scene->solids[scene->solid_count++] = ground;
 }
@@ -459,8 +446,7 @@ static void shuffle_parts(struct solid *solid, uint64_t *state)
     shuffle(solid->parts + kept, solid->count - kept, state);
 }
 
-struct grid_scene *grid_scene_shuffled(const struct grid_scene *scene,
-                                       uint64_t *state)
+struct grid_scene *grid_scene_shuffled(const struct grid_scene *scene, uint64_t *state)
 {
     struct grid_scene *copy = copy_scene(scene);
     for (size_t i = 0; i < copy->solid_count; i++)
@@ -487,8 +473,7 @@ static bool leave_out_of(struct grid_scene *scene, size_t *way)
     return true;
 }
 
-struct grid_scene *grid_scene_without(const struct grid_scene *scene,
-                                      size_t way)
+struct grid_scene *grid_scene_without(const struct grid_scene *scene, size_t way)
 {
     struct grid_scene *copy = copy_scene(scene);
     if (leave_out_of(copy, &way))

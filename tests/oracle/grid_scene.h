@@ -30,12 +30,10 @@ char *grid_scene_text(const struct grid_scene *scene);
 bool grid_scene_is_aslant(const struct grid_scene *scene);
 
 /* The same things in another order, as far as that makes no other solids. */
-struct grid_scene *grid_scene_shuffled(const struct grid_scene *scene,
-                                       uint64_t *state);
+struct grid_scene *grid_scene_shuffled(const struct grid_scene *scene, uint64_t *state);
 
 /* The scene with something left out, in one way after another from 0 on.
  * NULL: there is no such way. */
-struct grid_scene *grid_scene_without(const struct grid_scene *scene,
-                                      size_t way);
+struct grid_scene *grid_scene_without(const struct grid_scene *scene, size_t way);
 
 #endif

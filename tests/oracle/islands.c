@@ -6,21 +6,19 @@ void islands_init(struct islands *islands)
 {
     islands->count = 0;
     for (int i = 0; i < ISLANDS_MOST; i++)
-        mpfr_inits2(EXACT_BITS, islands->island[i].low,
-                    islands->island[i].high, (mpfr_ptr)NULL);
+        mpfr_inits2(EXACT_BITS, islands->island[i].low, islands->island[i].high,
+                    (mpfr_ptr)NULL);
 }
 
 void islands_clear(struct islands *islands)
 {
     for (int i = 0; i < ISLANDS_MOST; i++)
-        mpfr_clears(islands->island[i].low, islands->island[i].high,
-                    (mpfr_ptr)NULL);
+        mpfr_clears(islands->island[i].low, islands->island[i].high, (mpfr_ptr)NULL);
 }
 
 /* Where f = +-2^-ISLAND_BITS sum |c_i| x^i: roots of a polynomial whose
  * coefficients differ by that much. */
-static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree,
-                        int sign)
+static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree, int sign)
 {
     mpfr_t moved[EXACT_DEGREE + 1];
 
@@ -54,14 +52,12 @@ static bool is_land(mpfr_t *c, int degree, const mpfr_t a, const mpfr_t b)
 }
 
 /* Both lists in one, ascending. */
-static size_t merge(mpfr_ptr *shores, struct exact_roots *a,
-                    struct exact_roots *b)
+static size_t merge(mpfr_ptr *shores, struct exact_roots *a, struct exact_roots *b)
 {
     size_t count = 0, i = 0, j = 0;
 
     while (i < a->count || j < b->count)
-        if (j == b->count
-            || (i < a->count && mpfr_lessequal_p(a->x[i], b->x[j])))
+        if (j == b->count || (i < a->count && mpfr_lessequal_p(a->x[i], b->x[j])))
             shores[count++] = a->x[i++];
         else
             shores[count++] = b->x[j++];

@@ -16,15 +16,13 @@ const char language_image[] =
 /* What is planar or about a cylinder is clear around an image that is shown once. */
 static void say_words(struct language *draw, uint64_t *state, bool clear)
 {
-    static const char *const types[] = { "", "map_type 0", "map_type 2",
-                                         "map_type 1", "map_type 5" };
+    static const char *const types[] = { "", "map_type 0", "map_type 2", "map_type 1",
+                                         "map_type 5" };
     static const char *const gammas[] = { "", "", "gamma 2.2", "gamma srgb" };
-    static const char *const between_them[] = { "", "interpolate 2",
-                                                "interpolate 4" };
+    static const char *const between_them[] = { "", "interpolate 2", "interpolate 4" };
     size_t type = below(state, clear ? 3 : 5);
-    say(draw, "%s \"%s\" %s %s %s", one_in(state, 2) ? "ppm" : "",
-        LANGUAGE_IMAGE, gammas[below(state, 4)], types[type],
-        between_them[below(state, 3)]);
+    say(draw, "%s \"%s\" %s %s %s", one_in(state, 2) ? "ppm" : "", LANGUAGE_IMAGE,
+        gammas[below(state, 4)], types[type], between_them[below(state, 3)]);
     if (clear || (type >= 3 && one_in(state, 3)))
         say(draw, " once");
 }

@@ -73,9 +73,8 @@ static void say_pattern_place(struct language *draw)
     say_line(draw, "scale %.4f", between(&draw->state, .3, .9));
     if (one_in(&draw->state, 2))
         say_turn(draw);
-    say_line(draw, "translate <%.4f, %.4f, %.4f>",
-             between(&draw->state, .1, .2), between(&draw->state, .1, .2),
-             between(&draw->state, .1, .2));
+    say_line(draw, "translate <%.4f, %.4f, %.4f>", between(&draw->state, .1, .2),
+             between(&draw->state, .1, .2), between(&draw->state, .1, .2));
 }
 
 static void say_checker(struct language *draw)
@@ -125,8 +124,8 @@ static void say_waves(struct language *draw)
 {
     if (one_in(&draw->state, 2)) {
         begin_line(draw);
-        SAY_ONE_OF(draw, "ramp_wave", "triangle_wave", "sine_wave",
-                   "scallop_wave", "cubic_wave", "poly_wave");
+        SAY_ONE_OF(draw, "ramp_wave", "triangle_wave", "sine_wave", "scallop_wave",
+                   "cubic_wave", "poly_wave");
         end_line(draw);
     }
     if (one_in(&draw->state, 6))
@@ -164,16 +163,14 @@ static void say_pattern(struct language *draw)
     case 0: say_list(draw, "hexagon", 3); break;
     case 1:
         say_list(draw, "brick", 2);
-        say_line(draw, "brick_size <%.3f, %.3f, %.3f>",
-                 between(&draw->state, .5, 1.5), between(&draw->state, .3, 1),
-                 between(&draw->state, .4, 1.2));
+        say_line(draw, "brick_size <%.3f, %.3f, %.3f>", between(&draw->state, .5, 1.5),
+                 between(&draw->state, .3, 1), between(&draw->state, .4, 1.2));
         say_line(draw, "mortar %.3f", between(&draw->state, .05, .2));
         break;
     default:
         begin_line(draw);
-        SAY_ONE_OF(draw, "planar", "spherical", "cylindrical", "boxed",
-                   "onion", "leopard", "radial", "gradient x",
-                   "gradient <1, 1, .5>");
+        SAY_ONE_OF(draw, "planar", "spherical", "cylindrical", "boxed", "onion",
+                   "leopard", "radial", "gradient x", "gradient <1, 1, .5>");
         if (one_in(&draw->state, 6))
             end_line(draw);
         else
@@ -217,16 +214,14 @@ static void say_clear_color(struct language *draw)
         say_number(draw, .3, .9);
         break;
     case 2:
-        say(draw, "rgbft <%.2f, %.2f, %.2f, .5, ",
-            between(&draw->state, .4, 1), between(&draw->state, .4, 1),
-            between(&draw->state, .4, 1));
+        say(draw, "rgbft <%.2f, %.2f, %.2f, .5, ", between(&draw->state, .4, 1),
+            between(&draw->state, .4, 1), between(&draw->state, .4, 1));
         say_number(draw, .1, .4);
         say(draw, ">");
         break;
     default:
         say_color(draw);
-        SAY_ONE_OF(draw, " transmit .6", " filter .7",
-                   " filter .4 transmit .3");
+        SAY_ONE_OF(draw, " transmit .6", " filter .7", " filter .4 transmit .3");
         break;
     }
     end_line(draw);
@@ -372,13 +367,11 @@ static void say_bump(struct language *draw, double most)
 {
     uint64_t *state = &draw->state;
     say(draw, "%s",
-        (const char *const[]){ "gradient x", "gradient <1, -1, .5>", "onion",
-                               "leopard", "radial frequency 3", "boxed",
-                               "spherical", "cylindrical", "planar",
-                               "quilted" }[below(state, 10)]);
+        (const char *const[]){ "gradient x", "gradient <1, -1, .5>", "onion", "leopard",
+                               "radial frequency 3", "boxed", "spherical",
+                               "cylindrical", "planar", "quilted" }[below(state, 10)]);
     say(draw, "%s",
-        (const char *const[]){ "", " sine_wave", " triangle_wave",
-                               " scallop_wave",
+        (const char *const[]){ "", " sine_wave", " triangle_wave", " scallop_wave",
                                " cubic_wave" }[below(state, 5)]);
     say(draw, " bump_size %.3f", between(state, -most, most));
     if (one_in(state, 4))

@@ -60,8 +60,7 @@ void close_block(struct language *draw, const char *end);
 /* --- values --------------------------------------------------------------- */
 
 /* What comes next of these; the words are drawn with the same chance. */
-#define SAY_ONE_OF(draw, ...) \
-    say_one_of(draw, (const char *[]){ __VA_ARGS__, NULL })
+#define SAY_ONE_OF(draw, ...) say_one_of(draw, (const char *[]){ __VA_ARGS__, NULL })
 void say_one_of(struct language *draw, const char *const *words);
 /* A name of that kind; there is one. */
 void say_name(struct language *draw, enum language_name kind);
@@ -74,8 +73,7 @@ void say_vector(struct language *draw, int depth);
 /* Of a value between these, written down or computed. */
 void say_number(struct language *draw, double low, double high);
 /* A line of a word and such a value. */
-void say_amount(struct language *draw, const char *word, double low,
-                double high);
+void say_amount(struct language *draw, const char *word, double low, double high);
 /* A vector of three such. */
 void say_point(struct language *draw, double low, double high);
 /* Its length is between these. */

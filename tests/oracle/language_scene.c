@@ -81,8 +81,7 @@ static void declare_value(struct language *draw)
     begin_line(draw);
     say(draw, "#macro ");
     say_new_name(draw, NAME_VALUE);
-    SAY_ONE_OF(draw, "(A, B) (A*.3 + sin(B)) #end\n",
-               "(A, B) max(A, 2*B, .5) #end\n",
+    SAY_ONE_OF(draw, "(A, B) (A*.3 + sin(B)) #end\n", "(A, B) max(A, 2*B, .5) #end\n",
                "(A, B) #local C = A - B; (C*C > 1 ? C : B) #end\n");
     draw->names[NAME_VALUE]++;
 }
@@ -145,8 +144,7 @@ static void say_sky(struct language *draw)
     if (!one_in(&draw->state, 4))
         return;
     bool named = one_in(&draw->state, 3);
-    open_block(draw,
-               named ? "#declare Heaven = sky_sphere {" : "sky_sphere {");
+    open_block(draw, named ? "#declare Heaven = sky_sphere {" : "sky_sphere {");
     open_block(draw, "pigment {");
     begin_image(draw, 3, false);
     begin_line(draw);
@@ -201,8 +199,8 @@ static void say_eye(struct language *draw)
 static void say_width(struct language *draw)
 {
     begin_line(draw);
-    SAY_ONE_OF(draw, "right x*image_width/image_height", "right 4/3*x",
-               "right -x*4/3", "right x*4/3 up y", "up 1.2*y right 1.6*x");
+    SAY_ONE_OF(draw, "right x*image_width/image_height", "right 4/3*x", "right -x*4/3",
+               "right x*4/3 up y", "up 1.2*y right 1.6*x");
     end_line(draw);
 }
 
@@ -244,8 +242,7 @@ static void say_turned_camera(struct language *draw)
     if (parallel)
         say_line(draw, "orthographic");
     say_line(draw, "location <.021, .033, -8>");
-    say_line(draw, "direction <.02, .01, %.3f>",
-             between(&draw->state, 1.2, 2));
+    say_line(draw, "direction <.02, .01, %.3f>", between(&draw->state, 1.2, 2));
     if (parallel)
         say_line(draw, "right %.3f*x up %.3f*y", between(&draw->state, 5, 8),
                  between(&draw->state, 4, 6));
@@ -315,8 +312,8 @@ static void say_area(struct language *draw)
         return;
     size_t across = 1 + below(&state, 6), down = 1 + below(&state, 4);
     say_line(draw, "area_light <%.3f, 0, %.3f>, <0, %.3f, 1>, %zu, %zu",
-             between(&state, .3, 2), between(&state, -1, 1),
-             between(&state, -1, 1), across, down);
+             between(&state, .3, 2), between(&state, -1, 1), between(&state, -1, 1),
+             across, down);
     if (across > 1 && down > 1 && one_in(&state, 2))
         say_line(draw, "circular");
 }
@@ -344,8 +341,7 @@ static void say_lamp(struct language *draw)
     if (fades && one_in(&draw->state, 5))
         say_fading(draw);
     if (one_in(&draw->state, 5))
-        say_line(draw, "translate <%.3f, 1, .5>",
-                 between(&draw->state, -2, 2));
+        say_line(draw, "translate <%.3f, 1, .5>", between(&draw->state, -2, 2));
     close_block(draw, "}");
 }
 

@@ -113,8 +113,7 @@ static void open_prism(struct language *draw)
     SAY_ONE_OF(draw, "", "linear_sweep ",
                curved ? "linear_sweep " : "linear_sweep linear_spline ");
     say(draw, "%.4f, %.4f, %zu", between(&draw->state, -.7, -.2),
-        between(&draw->state, .2, .7),
-        corners + 1 + curved + (hole ? 4 + curved : 0));
+        between(&draw->state, .2, .7), corners + 1 + curved + (hole ? 4 + curved : 0));
     end_line(draw);
     double points[7][2];
     begin_line(draw);
@@ -126,11 +125,9 @@ static void open_prism(struct language *draw)
     }
     memcpy(points[corners], points[0], sizeof *points);
     if (curved)
-        say(draw, "<%.4f, %.4f>, ", points[corners - 1][0],
-            points[corners - 1][1]);
+        say(draw, "<%.4f, %.4f>, ", points[corners - 1][0], points[corners - 1][1]);
     for (size_t i = 0; i <= corners; i++)
-        say(draw, "%s<%.4f, %.4f>", i ? ", " : "", points[i][0],
-            points[i][1]);
+        say(draw, "%s<%.4f, %.4f>", i ? ", " : "", points[i][0], points[i][1]);
     if (hole)
         say(draw, "%s, <.2, .01>, <-.1, .17>, <-.12, -.16>, <.2, .01>",
             curved ? ", <-.12, -.16>" : "");
@@ -157,9 +154,8 @@ static void say_component(struct language *draw)
         between(&draw->state, .5, 1.2));
     if (one_in(&draw->state, 3))
         say_line(draw, "scale <%.3f, %.3f, 1> rotate <0, %.1f, %.1f>",
-                 between(&draw->state, .7, 1.2),
-                 between(&draw->state, .7, 1.2), between(&draw->state, 0, 90),
-                 between(&draw->state, 0, 90));
+                 between(&draw->state, .7, 1.2), between(&draw->state, .7, 1.2),
+                 between(&draw->state, 0, 90), between(&draw->state, 0, 90));
     close_block(draw, "}");
 }
 
@@ -224,8 +220,7 @@ static void open_lathe(struct language *draw, uint64_t *state, bool closed)
 }
 
 /* A body of triangles, in the place of what is drawn. */
-static void open_star(struct language *draw,
-                      void (*open_shape)(struct language *))
+static void open_star(struct language *draw, void (*open_shape)(struct language *))
 {
     struct language unseen = *draw;
     char *passed, words[SOLID_WORDS];
@@ -326,20 +321,16 @@ static void open_disc(struct language *draw)
  * of the places through which its motions bring it. */
 static void open_triangle(struct language *draw, double bent)
 {
-    static const double corner[3][2] = { { -.9, -.6 },
-                                         { .8, -.7 },
-                                         { 0, 1 } };
+    static const double corner[3][2] = { { -.9, -.6 }, { .8, -.7 }, { 0, 1 } };
     bool smooth = one_in(&draw->state, 2);
     open_block(draw, smooth ? "smooth_triangle {" : "triangle {");
     begin_line(draw);
     for (int i = 0; i < 3; i++) {
-        say(draw, "<%.4f, %.4f, %.4f>",
-            corner[i][0] + between(&draw->state, -.2, .2),
+        say(draw, "<%.4f, %.4f, %.4f>", corner[i][0] + between(&draw->state, -.2, .2),
             corner[i][1] + between(&draw->state, -.2, .2),
             between(&draw->state, -bent, bent));
         if (smooth)
-            say(draw, ", <%.3f, %.3f, -1>",
-                between(&draw->state, -bent, bent),
+            say(draw, ", <%.3f, %.3f, -1>", between(&draw->state, -bent, bent),
                 between(&draw->state, -bent, bent));
         say(draw, i < 2 ? ", " : "\n");
     }
@@ -366,9 +357,8 @@ static void say_net_points(struct language *draw)
 {
     open_block(draw, "vertex_vectors { %d,", NET * NET);
     for (int i = 0; i < NET * NET; i++)
-        say_line(draw, "<%.4f, %.4f, %.4f>%s", .7 * (i % NET - 1),
-                 .7 * (i / NET - 1), between(&draw->state, -.4, .4),
-                 i + 1 < NET * NET ? "," : "");
+        say_line(draw, "<%.4f, %.4f, %.4f>%s", .7 * (i % NET - 1), .7 * (i / NET - 1),
+                 between(&draw->state, -.4, .4), i + 1 < NET * NET ? "," : "");
     close_block(draw, "}");
 }
 
@@ -377,8 +367,8 @@ static void say_net_normals(struct language *draw)
     open_block(draw, "normal_vectors { %d,", NET * NET);
     for (int i = 0; i < NET * NET; i++)
         say_line(draw, "<%.3f, %.3f, %.3f>%s", between(&draw->state, -.7, .7),
-                 between(&draw->state, -.7, .7),
-                 -between(&draw->state, .5, 1), i + 1 < NET * NET ? "," : "");
+                 between(&draw->state, -.7, .7), -between(&draw->state, .5, 1),
+                 i + 1 < NET * NET ? "," : "");
     close_block(draw, "}");
 }
 
@@ -388,9 +378,8 @@ static void say_net_faces(struct language *draw)
     for (int i = 0; i < NET - 1; i++)
         for (int j = 0; j < NET - 1; j++) {
             int at = i * NET + j;
-            say_line(draw, "<%d, %d, %d>, <%d, %d, %d>%s", at, at + 1,
-                     at + NET + 1, at + NET + 1, at + NET, at,
-                     i + j < 2 * NET - 4 ? "," : "");
+            say_line(draw, "<%d, %d, %d>, <%d, %d, %d>%s", at, at + 1, at + NET + 1,
+                     at + NET + 1, at + NET, at, i + j < 2 * NET - 4 ? "," : "");
         }
     close_block(draw, "}");
 }
@@ -409,14 +398,13 @@ static void open_bicubic(struct language *draw)
     size_t steps = 1 + below(&draw->state, 3);
     open_block(draw, "bicubic_patch {");
     say_line(draw, "type %zu flatness %s u_steps %zu v_steps %zu",
-             below(&draw->state, 2), one_in(&draw->state, 2) ? "0" : ".05",
-             steps, 1 + below(&draw->state, 3));
+             below(&draw->state, 2), one_in(&draw->state, 2) ? "0" : ".05", steps,
+             1 + below(&draw->state, 3));
     for (int i = 0; i < 4; i++) {
         begin_line(draw);
         for (int j = 0; j < 4; j++)
-            say(draw, "<%.4f, %.4f, %.4f>%s", .55 * (j - 1.5),
-                .55 * (i - 1.5), between(&draw->state, -.6, .6),
-                i + j < 6 ? ", " : "");
+            say(draw, "<%.4f, %.4f, %.4f>%s", .55 * (j - 1.5), .55 * (i - 1.5),
+                between(&draw->state, -.6, .6), i + j < 6 ? ", " : "");
         end_line(draw);
     }
 }

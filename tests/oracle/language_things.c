@@ -5,8 +5,7 @@
  * difference takes away or an intersection meets. */
 enum standing { LISTED, JOINED, CUTTING };
 
-static void say_solid(struct language *draw, int depth,
-                      enum standing standing);
+static void say_solid(struct language *draw, int depth, enum standing standing);
 
 /* --- modifiers ------------------------------------------------------------ */
 
@@ -25,9 +24,8 @@ static void say_place(struct language *draw)
 /* As a part of a solid, so that no faces coincide. */
 static void say_shift(struct language *draw)
 {
-    say_line(draw, "translate <%.4f, %.4f, %.4f>",
-             between(&draw->state, -.4, .4), between(&draw->state, -.4, .4),
-             between(&draw->state, -.4, .4));
+    say_line(draw, "translate <%.4f, %.4f, %.4f>", between(&draw->state, -.4, .4),
+             between(&draw->state, -.4, .4), between(&draw->state, -.4, .4));
 }
 
 /* By what has an end not turned inside out: POV-Ray looks at quadrics and quartics
@@ -120,11 +118,10 @@ static void say_cutter(struct language *draw, int depth)
  * beside the box about the disc.  A union is a list: as a part of a solid it
  * keeps its inner faces in POV-Ray, which are seen where something is clipped or
  * open. */
-static void say_joined(struct language *draw, int depth,
-                       enum standing standing)
+static void say_joined(struct language *draw, int depth, enum standing standing)
 {
-    static const char *const words[] = { "union", "merge", "intersection",
-                                         "difference", "difference" };
+    static const char *const words[] = { "union", "merge", "intersection", "difference",
+                                         "difference" };
     size_t which = below(&draw->state, 5);
     which += which == 0 && standing != LISTED;
     enum standing part = which == 0 ? LISTED : JOINED;
@@ -157,8 +154,7 @@ static void say_reference(struct language *draw)
     close_block(draw, "}");
 }
 
-static void say_solid(struct language *draw, int depth,
-                      enum standing standing)
+static void say_solid(struct language *draw, int depth, enum standing standing)
 {
     if (draw->names[NAME_SOLID] && one_in(&draw->state, 6))
         say_reference(draw);
@@ -264,8 +260,7 @@ static void say_bounded_thing(struct language *draw)
         close_block(draw, "}");
     }
     open_block(draw, "bounded_by {");
-    say_line(draw, one_in(&draw->state, 2) ? "box { -1.7, 1.7 }"
-                                           : "sphere { 0, 1.9 }");
+    say_line(draw, one_in(&draw->state, 2) ? "box { -1.7, 1.7 }" : "sphere { 0, 1.9 }");
     close_block(draw, "}");
     say_dress(draw);
     say_place(draw);
@@ -298,9 +293,8 @@ static void say_small(struct language *draw)
 static void say_loop_place(struct language *draw, const char *name)
 {
     say_line(draw, "translate <%.3f*%s - %.3f, %.3f, %.3f*mod(%s, 2)>",
-             between(&draw->state, .7, 1.2), name,
-             between(&draw->state, 1, 2.2), between(&draw->state, -1, 1.5),
-             between(&draw->state, -2, 2), name);
+             between(&draw->state, .7, 1.2), name, between(&draw->state, 1, 2.2),
+             between(&draw->state, -1, 1.5), between(&draw->state, -2, 2), name);
 }
 
 static void say_for(struct language *draw)
@@ -376,8 +370,7 @@ static void say_switch(struct language *draw)
 
 static void say_defined(struct language *draw)
 {
-    open_block(draw,
-               one_in(&draw->state, 2) ? "#ifdef (N0)" : "#ifndef (Nobody)");
+    open_block(draw, one_in(&draw->state, 2) ? "#ifdef (N0)" : "#ifndef (Nobody)");
     say_shape_thing(draw);
     draw->depth--;
     say_line(draw, "#else");
@@ -403,10 +396,9 @@ void say_macro(struct language *draw)
     close_block(draw, "}");
     close_block(draw, "#end");
     for (int i = 0; i < 2; i++)
-        say_line(draw, calls[below(&draw->state, 2)],
-                 between(&draw->state, .3, .7), i ? "N0*.1" : ".3",
-                 between(&draw->state, -2, 2), between(&draw->state, -1, 1),
-                 between(&draw->state, -2, 2));
+        say_line(draw, calls[below(&draw->state, 2)], between(&draw->state, .3, .7),
+                 i ? "N0*.1" : ".3", between(&draw->state, -2, 2),
+                 between(&draw->state, -1, 1), between(&draw->state, -2, 2));
 }
 
 void say_thing(struct language *draw)

@@ -23,8 +23,7 @@ void end_line(struct language *draw)
     say(draw, "\n");
 }
 
-static void say_words(struct language *draw, const char *format,
-                      va_list values)
+static void say_words(struct language *draw, const char *format, va_list values)
 {
     begin_line(draw);
     vfprintf(draw->text, format, values);
@@ -65,12 +64,10 @@ void say_one_of(struct language *draw, const char *const *words)
 }
 
 static const char *const name_of[LANGUAGE_NAMES] = {
-    [NAME_FLOAT] = "N",         [NAME_VECTOR] = "V",
-    [NAME_COLOR] = "Color",     [NAME_ARRAY] = "List",
-    [NAME_PALETTE] = "Palette", [NAME_FUNCTION] = "Wave",
-    [NAME_VALUE] = "Bent",      [NAME_PIGMENT] = "Paint",
-    [NAME_FINISH] = "Shine",    [NAME_TEXTURE] = "Look",
-    [NAME_MOTION] = "Motion",   [NAME_SOLID] = "Solid",
+    [NAME_FLOAT] = "N",      [NAME_VECTOR] = "V",        [NAME_COLOR] = "Color",
+    [NAME_ARRAY] = "List",   [NAME_PALETTE] = "Palette", [NAME_FUNCTION] = "Wave",
+    [NAME_VALUE] = "Bent",   [NAME_PIGMENT] = "Paint",   [NAME_FINISH] = "Shine",
+    [NAME_TEXTURE] = "Look", [NAME_MOTION] = "Motion",   [NAME_SOLID] = "Solid",
 };
 
 void say_name(struct language *draw, enum language_name kind)
@@ -107,8 +104,7 @@ static void say_element(struct language *draw)
         say(draw, "[%zu]", below(&draw->state, LANGUAGE_ELEMENTS));
 }
 
-static void say_call(struct language *draw, enum language_name kind,
-                     int depth)
+static void say_call(struct language *draw, enum language_name kind, int depth)
 {
     say_name(draw, kind);
     say_pattern(draw, "(#, #)", depth);
@@ -132,8 +128,8 @@ static void say_float_leaf(struct language *draw)
         say_name(draw, NAME_COLOR);
         SAY_ONE_OF(draw, ".red", ".green", ".blue", ".gray", ".transmit");
     } else if (kind == 7)
-        SAY_ONE_OF(draw, "pi", "true", "no", "on", "clock", "version",
-                   "image_width/20", "1.5e-1", "2.5E+0", ".5");
+        SAY_ONE_OF(draw, "pi", "true", "no", "on", "clock", "version", "image_width/20",
+                   "1.5e-1", "2.5E+0", ".5");
     else if (kind == 8 && draw->streams)
         say(draw, "rand(Stream)");
     else
@@ -264,8 +260,7 @@ void say_vector(struct language *draw, int depth)
     if (depth <= 0 || one_in(&draw->state, 4))
         say_vector_leaf(draw);
     else
-        say_pattern(draw,
-                    vector_patterns[below(&draw->state, VECTOR_PATTERNS)],
+        say_pattern(draw, vector_patterns[below(&draw->state, VECTOR_PATTERNS)],
                     depth - 1);
 }
 
@@ -298,8 +293,7 @@ void say_point(struct language *draw, double low, double high)
     }
 }
 
-void say_amount(struct language *draw, const char *word, double low,
-                double high)
+void say_amount(struct language *draw, const char *word, double low, double high)
 {
     begin_line(draw);
     say(draw, "%s ", word);
@@ -334,8 +328,7 @@ static void say_made_color(struct language *draw)
         say_number(draw, 0, 1);
         break;
     default:
-        SAY_ONE_OF(draw, "rgb ", "rgb ", "color rgb ", "srgb ",
-                   "color srgb ");
+        SAY_ONE_OF(draw, "rgb ", "rgb ", "color rgb ", "srgb ", "color srgb ");
         say_point(draw, .05, 1);
         break;
     }

@@ -10,8 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LEAST \
-    1e-6 /* k_tmin: what is nearer to the line's begin is not seen */
+#define LEAST 1e-6 /* k_tmin: what is nearer to the line's begin is not seen */
 enum { ROUNDED_EACH = 50 };
 
 /* --- lines ---------------------------------------------------------------- */
@@ -22,8 +21,7 @@ void draw_camera_lines(uint64_t *state, const struct scene *scene,
     const struct camera *camera = &scene->camera;
     for (size_t i = 0; i < count; i++) {
         double u = between(state, -.5, .5), v = between(state, -.5, .5);
-        double *point = camera->orthographic ? list[i].origin
-                                             : list[i].direction;
+        double *point = camera->orthographic ? list[i].origin : list[i].direction;
         copy(list[i].origin, camera->location);
         copy(list[i].direction, camera->direction);
         add_scaled(point, point, u, camera->right);
@@ -39,9 +37,7 @@ void draw_grid_lines(uint64_t *state, struct scene_line *list, size_t count)
         double far = 0;
         for (int k = 0; k < 3; k++) {
             line->origin[k] = (double)below(state, 5) / 2 - 1;
-            line->direction[k] = one_in(state, 3)
-                                     ? (double)below(state, 3) - 1
-                                     : 0;
+            line->direction[k] = one_in(state, 3) ? (double)below(state, 3) - 1 : 0;
             far = fmax(far, fabs(line->direction[k]));
         }
         if (far == 0)
@@ -65,40 +61,35 @@ struct seen_crossings find_lines(const struct scene *scene,
 
 /* --- one form and another ------------------------------------------------- */
 
-static bool is_same(const struct seen_crossing *a,
-                    const struct seen_crossing *b)
+static bool is_same(const struct seen_crossing *a, const struct seen_crossing *b)
 {
     return a->distance == b->distance && a->primitive == b->primitive
            && a->object == b->object && a->triangle == b->triangle
-           && a->sense == b->sense && a->inside == b->inside
-           && a->within == b->within
+           && a->sense == b->sense && a->inside == b->inside && a->within == b->within
            && memcmp(a->normal, b->normal, sizeof a->normal) == 0;
 }
 
-static bool is_as_far(const struct seen_crossing *a,
-                      const struct seen_crossing *b)
+static bool is_as_far(const struct seen_crossing *a, const struct seen_crossing *b)
 {
     return a->distance == b->distance;
 }
 
-static bool same_by(const struct seen_crossings *expected,
-                    const struct seen_crossings *found,
-                    bool (*same)(const struct seen_crossing *a,
-                                 const struct seen_crossing *b),
-                    char *reason)
+static bool
+same_by(const struct seen_crossings *expected, const struct seen_crossings *found,
+        bool (*same)(const struct seen_crossing *a, const struct seen_crossing *b),
+        char *reason)
 {
     for (size_t i = 0; i < expected->line_count; i++) {
         size_t first = expected->first[i], next = expected->first[i + 1];
         if (found->first[i + 1] != next) {
-            snprintf(reason, LINE_REASON,
-                     "line %zu has %zu crossings, not %zu", i,
+            snprintf(reason, LINE_REASON, "line %zu has %zu crossings, not %zu", i,
                      found->first[i + 1] - first, next - first);
             return false;
         }
         for (size_t k = first; k < next; k++)
             if (!same(&expected->list[k], &found->list[k])) {
-                snprintf(reason, LINE_REASON,
-                         "crossing %zu of line %zu is another", k - first, i);
+                snprintf(reason, LINE_REASON, "crossing %zu of line %zu is another",
+                         k - first, i);
                 return false;
             }
     }
@@ -150,8 +141,7 @@ static bool are_counted(const struct along *along)
         for (size_t i = 0; i <= k; i++)
             if (along->list[i].object == along->list[k].object)
                 inside += along->list[i].sense;
-        if (along->list[k].inside != inside
-            || along->list[k].within != within)
+        if (along->list[k].inside != inside || along->list[k].within != within)
             return false;
     }
     return true;
@@ -180,24 +170,21 @@ static struct ray ray_of(const struct scene_line *line)
     return ray;
 }
 
-static bool begins_inside(const struct along *along,
-                          const struct region *region)
+static bool begins_inside(const struct along *along, const struct region *region)
 {
     struct ray ray = ray_of(along->line);
     return plain_is_inside(along->scene, region, &ray, LEAST - along->behind);
 }
 
 /* What is bounded, and inside of which is what is far away, is what it is not. */
-static bool is_complement(const struct along *along,
-                          const struct region *region)
+static bool is_complement(const struct along *along, const struct region *region)
 {
     struct ray ray = ray_of(along->line);
     return plain_is_inside(along->scene, region, &ray, 1e9);
 }
 
 /* Those of one region. */
-static bool region_keeps_rules(const struct along *along,
-                               const struct region *region)
+static bool region_keeps_rules(const struct along *along, const struct region *region)
 {
     bool closed = plain_is_closed(along->scene, region);
     bool inside = closed && begins_inside(along, region);
@@ -205,8 +192,7 @@ static bool region_keeps_rules(const struct along *along,
     for (size_t k = 0; k < along->count; k++) {
         const struct seen_crossing *here = &along->list[k];
         double distance = c205_to_double(here->distance);
-        if (here->primitive - region->first_primitive
-            >= region->primitive_count)
+        if (here->primitive - region->first_primitive >= region->primitive_count)
             continue;
         if (distance - last < .999 * PLAIN_DELTA - 1e-12 * fabs(distance)
             || here->sense
@@ -222,8 +208,7 @@ static bool region_keeps_rules(const struct along *along,
 }
 
 /* On the plane of its triangle. */
-static bool is_on_triangle(const struct along *along,
-                           const struct seen_crossing *seen)
+static bool is_on_triangle(const struct along *along, const struct seen_crossing *seen)
 {
     const struct primitive *mesh = &along->scene->primitives[seen->primitive];
     const struct triangle *triangle;
@@ -236,21 +221,17 @@ static bool is_on_triangle(const struct along *along,
     to_other_space(&mesh->to_local, point, away);
     add_scaled(away, away, -1, triangle->corners[0]);
     for (int i = 0; i < 2; i++)
-        add_scaled(edges[i], triangle->corners[1 + i], -1,
-                   triangle->corners[0]);
-    double volume =
-        away[0] * (edges[0][1] * edges[1][2] - edges[0][2] * edges[1][1])
-        + away[1] * (edges[0][2] * edges[1][0] - edges[0][0] * edges[1][2])
-        + away[2] * (edges[0][0] * edges[1][1] - edges[0][1] * edges[1][0]);
-    return fabs(volume) <= 1e-5 * greatest(edges[0]) * greatest(edges[1])
-                               * (1 + greatest(point));
+        add_scaled(edges[i], triangle->corners[1 + i], -1, triangle->corners[0]);
+    double volume = away[0] * (edges[0][1] * edges[1][2] - edges[0][2] * edges[1][1])
+                    + away[1] * (edges[0][2] * edges[1][0] - edges[0][0] * edges[1][2])
+                    + away[2] * (edges[0][0] * edges[1][1] - edges[0][1] * edges[1][0]);
+    return fabs(volume)
+           <= 1e-5 * greatest(edges[0]) * greatest(edges[1]) * (1 + greatest(point));
 }
 
-static bool has_normal(const struct along *along,
-                       const struct seen_crossing *seen)
+static bool has_normal(const struct along *along, const struct seen_crossing *seen)
 {
-    double normal[3],
-        size = sqrt(dot(along->line->direction, along->line->direction));
+    double normal[3], size = sqrt(dot(along->line->direction, along->line->direction));
     for (int i = 0; i < 3; i++)
         normal[i] = c205_to_double(seen->normal[i]);
     return fabs(dot(normal, normal) - 1) < 1e-7
@@ -276,14 +257,11 @@ static const char *broken_rule(const struct along *along)
 }
 
 bool keep_line_rules(const struct scene *scene, const struct scene_line *list,
-                     const struct seen_crossings *found, double behind,
-                     char *reason)
+                     const struct seen_crossings *found, double behind, char *reason)
 {
     for (size_t i = 0; i < found->line_count; i++) {
-        const struct along along = { scene, &list[i],
-                                     found->list + found->first[i],
-                                     found->first[i + 1] - found->first[i],
-                                     behind };
+        const struct along along = { scene, &list[i], found->list + found->first[i],
+                                     found->first[i + 1] - found->first[i], behind };
         const char *broken = broken_rule(&along);
         if (broken) {
             snprintf(reason, LINE_REASON, "line %zu %s", i, broken);
@@ -302,11 +280,10 @@ static bool is_plain(const struct seen_crossing *seen,
     if (fabs(distance - plain->distance) > 1e-6 * (1 + fabs(distance)))
         return false;
     for (int i = 0; i < 3; i++)
-        off = fmax(off,
-                   fabs(c205_to_double(seen->normal[i]) - plain->normal[i]));
+        off = fmax(off, fabs(c205_to_double(seen->normal[i]) - plain->normal[i]));
     return !certain
-           || (seen->primitive == plain->primitive
-               && seen->sense == plain->sense && off < 1e-5);
+           || (seen->primitive == plain->primitive && seen->sense == plain->sense
+               && off < 1e-5);
 }
 
 static bool is_plain_line(const struct along *along, bool certain)
@@ -316,8 +293,7 @@ static bool is_plain_line(const struct along *along, bool certain)
     struct ray ray = ray_of(along->line);
     if (!plain)
         give_up("no memory left");
-    bool same = plain_line(along->scene, &ray, LEAST - along->behind, plain,
-                           room)
+    bool same = plain_line(along->scene, &ray, LEAST - along->behind, plain, room)
                 == along->count;
     for (size_t k = 0; same && k < along->count; k++)
         same = is_plain(&along->list[k], &plain[k], certain);
@@ -325,17 +301,14 @@ static bool is_plain_line(const struct along *along, bool certain)
     return same;
 }
 
-bool same_as_plain_lines(const struct scene *scene,
-                         const struct scene_line *list,
+bool same_as_plain_lines(const struct scene *scene, const struct scene_line *list,
                          const struct seen_crossings *found, double behind,
                          bool certain, char *reason)
 {
     size_t others = 0;
     for (size_t i = 0; i < found->line_count; i++) {
-        const struct along along = { scene, &list[i],
-                                     found->list + found->first[i],
-                                     found->first[i + 1] - found->first[i],
-                                     behind };
+        const struct along along = { scene, &list[i], found->list + found->first[i],
+                                     found->first[i + 1] - found->first[i], behind };
         if (is_plain_line(&along, certain))
             continue;
         others++;

@@ -36,14 +36,12 @@ bool same_distances(const struct seen_crossings *expected,
  * are counted; normals have length one and are against the line; points of meshes
  * lie on their triangles. */
 bool keep_line_rules(const struct scene *scene, const struct scene_line *list,
-                     const struct seen_crossings *found, double behind,
-                     char *reason);
+                     const struct seen_crossings *found, double behind, char *reason);
 
 /* What the plain tracer sees, which begins so far behind the origins; only where, and
  * not of what, unless certain; but for one line and a share of them where a rounding
  * decides. */
-bool same_as_plain_lines(const struct scene *scene,
-                         const struct scene_line *list,
+bool same_as_plain_lines(const struct scene *scene, const struct scene_line *list,
                          const struct seen_crossings *found, double behind,
                          bool certain, char *reason);
 

@@ -8,12 +8,7 @@
 
 #include <stdlib.h>
 
-enum {
-    LAMPS_MOST = 3,
-    GROUPS_MOST = 3,
-    JOINED_MOST = 24,
-    WORDS = SOLID_WORDS
-};
+enum { LAMPS_MOST = 3, GROUPS_MOST = 3, JOINED_MOST = 24, WORDS = SOLID_WORDS };
 
 struct many_regions {
     size_t width, height;
@@ -45,8 +40,7 @@ struct group {
                   struct place *place);
 };
 
-static void about(uint64_t *state, const double centre[3], double spread,
-                  double at[3])
+static void about(uint64_t *state, const double centre[3], double spread, double at[3])
 {
     for (int i = 0; i < 3; i++)
         at[i] = centre[i] + between(state, -spread, spread);
@@ -67,8 +61,7 @@ static void in_clusters(uint64_t *state, const struct group *group, size_t i,
 {
     double centre[3];
     for (int axis = 0; axis < 3; axis++)
-        centre[axis] = group->centre[axis]
-                       + (i >> axis & 1 ? 1 : -1) * group->spread;
+        centre[axis] = group->centre[axis] + (i >> axis & 1 ? 1 : -1) * group->spread;
     about(state, centre, .1 * group->spread, place->at);
     place->size = of_any_size(state, .02, .2) * group->spread
                   / cbrt((double)group->count);
@@ -110,8 +103,8 @@ static void nested(uint64_t *state, const struct group *group, size_t i,
     place->size = group->spread * (double)(i + 1) / (double)group->count;
 }
 
-static void tiny_and_huge(uint64_t *state, const struct group *group,
-                          size_t i, struct place *place)
+static void tiny_and_huge(uint64_t *state, const struct group *group, size_t i,
+                          struct place *place)
 {
     double far = of_any_size(state, 1e-2, 1e4);
     (void)i;
@@ -123,13 +116,11 @@ static void random_group(uint64_t *state, bool whole, struct group *group)
 {
     static void (*const places[])(uint64_t *, const struct group *, size_t,
                                   struct place *) = {
-        in_cloud,      in_cloud,   in_clusters, in_clusters,
-        in_row,        in_row,     nested,      in_one_point,
-        tiny_and_huge, in_lattice, in_lattice,
+        in_cloud, in_cloud,     in_clusters,   in_clusters, in_row,     in_row,
+        nested,   in_one_point, tiny_and_huge, in_lattice,  in_lattice,
     };
     for (int i = 0; i < 3; i++)
-        group->centre[i] = whole ? (double)below(state, 5) - 2
-                                 : between(state, -2, 2);
+        group->centre[i] = whole ? (double)below(state, 5) - 2 : between(state, -2, 2);
     group->place = places[below(state, sizeof places / sizeof *places)];
     group->spread = whole ? 2 : of_any_size(state, .5, 8);
     group->size = one_in(state, 2) ? .5 : between(state, .2, .7);
@@ -148,8 +139,7 @@ static struct solid *copy_of_one(struct drawing *drawing, size_t count)
 }
 
 /* Copies of things that are there are in the same place, bit for bit. */
-static void add_solid(struct drawing *drawing, const struct group *group,
-                      size_t i)
+static void add_solid(struct drawing *drawing, const struct group *group, size_t i)
 {
     uint64_t *state = drawing->state;
     struct many_regions *scene = drawing->scene;
@@ -193,12 +183,10 @@ static void add_ground(struct drawing *drawing)
 {
     uint64_t state = stream_beside(*drawing->state, 7, 1);
     struct many_regions *scene = drawing->scene;
-    if (!drawing->whole || below(&state, 3)
-        || scene->solid_count == MANY_REGIONS_MOST)
+    if (!drawing->whole || below(&state, 3) || scene->solid_count == MANY_REGIONS_MOST)
         return;
     struct solid *ground = solid_new(SHAPE, 0);
-    solid_words(ground->shape, "plane { y, %g ",
-                (double)below(&state, 5) - 2.5);
+    solid_words(ground->shape, "plane { y, %g ", (double)below(&state, 5) - 2.5);
     random_look(&state, scene->mood, ground->look);
     drawing->places[scene->solid_count] = (struct place){ .size = 1 };
     scene->solids[scene->solid_count++] = ground;
@@ -246,8 +234,7 @@ static struct place whole_place(const struct drawing *drawing)
 static void look_from_afar(const struct drawing *drawing)
 {
     uint64_t *state = drawing->state;
-    struct place place = one_in(state, 4) ? some_place(drawing)
-                                          : whole_place(drawing);
+    struct place place = one_in(state, 4) ? some_place(drawing) : whole_place(drawing);
     /* what is too near for look_at is no camera */
     double far = fmax(place.size * between(state, 1.2, 4), 1e-3);
     bool parallel = *state % 6 == 0; /* nothing else depends on it */
@@ -258,10 +245,9 @@ static void look_from_afar(const struct drawing *drawing)
                 parallel ? "orthographic " : "",
                 place.at[0] + far * between(state, -1, 1),
                 place.at[1] + far * between(state, -.6, 1),
-                place.at[2] - far * between(state, .7, 1.2),
-                place.at[0] + .0131 * far, place.at[1] + .0171 * far,
-                place.at[2], drawing->scene->width, drawing->scene->height,
-                between(state, 15, 70));
+                place.at[2] - far * between(state, .7, 1.2), place.at[0] + .0131 * far,
+                place.at[1] + .0171 * far, place.at[2], drawing->scene->width,
+                drawing->scene->height, between(state, 15, 70));
 }
 
 /* Rays run in faces. */
@@ -269,25 +255,23 @@ static void look_along_an_axis(const struct drawing *drawing)
 {
     uint64_t *state = drawing->state;
     drawing->scene->certainty = NOTHING_CERTAIN;
-    solid_words(
-        drawing->scene->view,
-        "location <%.12g, %.12g, %.12g> direction %d*z right %zu*x up %zu*y",
-        .5 * (double)below(state, 9) - 2, .5 * (double)below(state, 9) - 2,
-        -.5 * (double)below(state, 20), 4 << below(state, 5),
-        drawing->scene->width, drawing->scene->height);
+    solid_words(drawing->scene->view,
+                "location <%.12g, %.12g, %.12g> direction %d*z right %zu*x up %zu*y",
+                .5 * (double)below(state, 9) - 2, .5 * (double)below(state, 9) - 2,
+                -.5 * (double)below(state, 20), 4 << below(state, 5),
+                drawing->scene->width, drawing->scene->height);
 }
 
 static void look_from_within(const struct drawing *drawing)
 {
     struct place from = some_place(drawing), to = some_place(drawing);
     drawing->scene->certainty = NOTHING_CERTAIN;
-    solid_words(
-        drawing->scene->view,
-        "location <%.12g, %.12g, %.12g> look_at <%.12g, %.12g, %.12g> "
-        "right x*%zu/%zu angle %.2f",
-        from.at[0], from.at[1], from.at[2], to.at[0] + .1, to.at[1] + .01,
-        to.at[2] + 1, drawing->scene->width, drawing->scene->height,
-        between(drawing->state, 20, 120));
+    solid_words(drawing->scene->view,
+                "location <%.12g, %.12g, %.12g> look_at <%.12g, %.12g, %.12g> "
+                "right x*%zu/%zu angle %.2f",
+                from.at[0], from.at[1], from.at[2], to.at[0] + .1, to.at[1] + .01,
+                to.at[2] + 1, drawing->scene->width, drawing->scene->height,
+                between(drawing->state, 20, 120));
 }
 
 static void random_view(const struct drawing *drawing)
@@ -313,8 +297,8 @@ static void random_lamp(const struct drawing *drawing, char *lamp)
     at[1] = place.at[1] + far * between(state, 0, 1);
     at[0] = place.at[0] + far * between(state, -1, 1);
     beam_words(*state, at, place.size + 1, beam);
-    solid_words(lamp, "light_source { <%.6g, %.6g, %.6g>, rgb %.2f %s%.250s}",
-                at[0], at[1], at[2], bright, shadowless, beam);
+    solid_words(lamp, "light_source { <%.6g, %.6g, %.6g>, rgb %.2f %s%.250s}", at[0],
+                at[1], at[2], bright, shadowless, beam);
 }
 
 /* One scene in six has fog, about as thick as the scene is deep; what else is
@@ -330,8 +314,7 @@ static void random_fog(uint64_t state, char *fog)
     solid_words(fog,
                 "fog { distance %.3f color rgbft <%.2f, %.2f, .7, %.2f, "
                 "%.2f> }",
-                pow(10, between(&state, -1, 3)), red, green, filter,
-                transmit);
+                pow(10, between(&state, -1, 3)), red, green, filter, transmit);
 }
 
 static void random_settings(const struct drawing *drawing)
@@ -489,8 +472,7 @@ static bool leave_out_of(struct many_regions *scene, size_t *way)
     return false;
 }
 
-struct many_regions *many_regions_without(const struct many_regions *scene,
-                                          size_t way)
+struct many_regions *many_regions_without(const struct many_regions *scene, size_t way)
 {
     struct many_regions *copy = copy_scene(scene);
     if (leave_out_of(copy, &way))

@@ -36,7 +36,6 @@ enum certainty many_regions_certainty(const struct many_regions *scene);
 
 /* The scene with something left out, in one way after another from 0 on: many
  * things, single ones, what they are made of.  NULL: there is no such way. */
-struct many_regions *many_regions_without(const struct many_regions *scene,
-                                          size_t way);
+struct many_regions *many_regions_without(const struct many_regions *scene, size_t way);
 
 #endif

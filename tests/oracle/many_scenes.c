@@ -45,8 +45,8 @@ void keep_scene(const char *path, const char *text)
     }
 }
 
-void show_failure(const char *kind, size_t number, const char *how,
-                  const char *reason, const char *text)
+void show_failure(const char *kind, size_t number, const char *how, const char *reason,
+                  const char *text)
 {
     char path[40];
     snprintf(path, sizeof path, "%s_%zu.pov", kind, number);
@@ -55,8 +55,7 @@ void show_failure(const char *kind, size_t number, const char *how,
     keep_scene(path, text);
 }
 
-int check_many_ahead(int count, char **words,
-                     bool (*check)(size_t number, bool first),
+int check_many_ahead(int count, char **words, bool (*check)(size_t number, bool first),
                      void (*begin)(size_t number), size_t ahead)
 {
     bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
@@ -66,8 +65,7 @@ int check_many_ahead(int count, char **words,
     size_t share = count > 3 ? strtoul(words[3], NULL, 10) : 0;
     size_t passed = 0, failed = 0, next = share;
     if (of == 0) {
-        fprintf(stderr, "usage: %s [SCENES [OF SHARE]] [--first]\n",
-                words[0]);
+        fprintf(stderr, "usage: %s [SCENES [OF SHARE]] [--first]\n", words[0]);
         return 2;
     }
     for (size_t i = share; i < scenes && !(first && failed); i += of) {
@@ -79,8 +77,7 @@ int check_many_ahead(int count, char **words,
     return failed > 0;
 }
 
-int check_many(int count, char **words,
-               bool (*check)(size_t number, bool first))
+int check_many(int count, char **words, bool (*check)(size_t number, bool first))
 {
     return check_many_ahead(count, words, check, NULL, 0);
 }

@@ -5,8 +5,7 @@
 
 #include <string.h>
 
-static bool find_all(const struct columns_sums *sums,
-                     struct measured *measured)
+static bool find_all(const struct columns_sums *sums, struct measured *measured)
 {
     static const double origin[3] = { 0 };
     bool good = true;

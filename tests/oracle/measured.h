@@ -10,8 +10,7 @@ enum { MEASURED_PARTS = 4 };
 
 struct measured {
     size_t parts;
-    struct mass_figures
-        part[MEASURED_PARTS + 1]; /* the last one: all of them */
+    struct mass_figures part[MEASURED_PARTS + 1]; /* the last one: all of them */
     double overlap, overlap_error;
     double middle[3], width[3]; /* of the box about all of it */
     uint64_t checksum;

@@ -8,8 +8,7 @@
 #include <stdint.h>
 
 /* A box; each side is cut by either diagonal. */
-void mesh_box_words(uint64_t state, double corner[2][3],
-                    char words[SOLID_WORDS]);
+void mesh_box_words(uint64_t state, double corner[2][3], char words[SOLID_WORDS]);
 /* About the origin, within the distance 1: points all round, near and far, an apex
  * above and one below, so that a line may cross it many times. */
 void mesh_star_words(uint64_t state, char words[SOLID_WORDS]);

@@ -2,8 +2,7 @@
 #include "narrow_oracle.h"
 #include "vm/number/word.h"
 
-static const word_format narrow_words = { NARROW_EXPONENT_BITS,
-                                          NARROW_DIGITS };
+static const word_format narrow_words = { NARROW_EXPONENT_BITS, NARROW_DIGITS };
 
 #define RULE_FORMAT narrow_words
 #define RULE(name) narrow_##name

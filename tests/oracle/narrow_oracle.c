@@ -69,8 +69,7 @@ static c205_word unchanged(c205_word word, uint64_t *flags)
 {
     struct number a = take(word);
 
-    *flags |= (a.zero ? FLAG_MACHINE_ZERO : 0)
-              | (a.indefinite ? FLAG_INDEFINITE : 0);
+    *flags |= (a.zero ? FLAG_MACHINE_ZERO : 0) | (a.indefinite ? FLAG_INDEFINITE : 0);
     return word;
 }
 
@@ -138,8 +137,7 @@ static c205_word make_significant(int64_t exponent, int64_t c, int64_t bits,
 
 enum form { UPPER, LOWER, NORMALISED };
 
-static c205_word cut_sum(int64_t exponent, int64_t sum, enum form form,
-                         uint64_t *flags)
+static c205_word cut_sum(int64_t exponent, int64_t sum, enum form form, uint64_t *flags)
 {
     if (significant_bits(sum) > SUM_DIGITS) {
         sum = right(sum, 1);
@@ -158,8 +156,8 @@ static c205_word cut_sum(int64_t exponent, int64_t sum, enum form form,
 }
 
 /* sign: of b. */
-static c205_word add(c205_word word_a, c205_word word_b, int64_t sign,
-                     enum form form, uint64_t *flags)
+static c205_word add(c205_word word_a, c205_word word_b, int64_t sign, enum form form,
+                     uint64_t *flags)
 {
     struct number a = take(word_a), b = take(word_b);
 
@@ -194,8 +192,7 @@ static c205_word halved(c205_word word, uint64_t *flags)
 {
     struct number sum = take(word);
 
-    return is_special(sum) ? word
-                           : make(sum.exponent - 1, sum.coefficient, flags);
+    return is_special(sum) ? word : make(sum.exponent - 1, sum.coefficient, flags);
 }
 
 c205_word small_average(c205_word a, c205_word b, uint64_t *flags)
@@ -221,8 +218,7 @@ static int64_t product(struct number a, struct number b, c205_word *special,
     return a.coefficient * b.coefficient;
 }
 
-c205_word small_multiply_upper(c205_word word_a, c205_word word_b,
-                               uint64_t *flags)
+c205_word small_multiply_upper(c205_word word_a, c205_word word_b, uint64_t *flags)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -234,8 +230,7 @@ c205_word small_multiply_upper(c205_word word_a, c205_word word_b,
     return p > LARGEST ? make(e + 1, p / 2, flags) : make(e, p, flags);
 }
 
-c205_word small_multiply_lower(c205_word word_a, c205_word word_b,
-                               uint64_t *flags)
+c205_word small_multiply_lower(c205_word word_a, c205_word word_b, uint64_t *flags)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -270,8 +265,7 @@ static int64_t quotient(struct number a, struct number b, c205_word *special,
     return *special ? 0 : a.coefficient * (1 << DIGITS) / b.coefficient;
 }
 
-c205_word small_divide_upper(c205_word word_a, c205_word word_b,
-                             uint64_t *flags)
+c205_word small_divide_upper(c205_word word_a, c205_word word_b, uint64_t *flags)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -283,8 +277,7 @@ c205_word small_divide_upper(c205_word word_a, c205_word word_b,
     return special ? special : make(e, q, flags);
 }
 
-c205_word small_divide_significant(c205_word word_a, c205_word word_b,
-                                   uint64_t *flags)
+c205_word small_divide_significant(c205_word word_a, c205_word word_b, uint64_t *flags)
 {
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
@@ -388,8 +381,7 @@ c205_word small_exponent(c205_word word, c205_word b, uint64_t *flags)
 
 /* ---- Adjust, pack, shift ------------------------------------------------ */
 
-c205_word small_adjust_significance(c205_word word, c205_word b,
-                                    uint64_t *flags)
+c205_word small_adjust_significance(c205_word word, c205_word b, uint64_t *flags)
 {
     struct number a = take(word);
     int64_t wanted = narrow_coefficient_of(b);
@@ -399,8 +391,7 @@ c205_word small_adjust_significance(c205_word word, c205_word b,
     if (is_special(a))
         return special_word(a, flags);
     if (wanted <= 0)
-        return make(a.exponent - wanted, right(a.coefficient, -wanted),
-                    flags);
+        return make(a.exponent - wanted, right(a.coefficient, -wanted), flags);
     return make(a.exponent - places, a.coefficient * (1 << places), flags);
 }
 
@@ -413,8 +404,7 @@ c205_word small_adjust_exponent(c205_word word, c205_word b, uint64_t *flags)
     if (is_special(a))
         return special_word(a, flags);
     if (places <= 0 || a.coefficient == 0)
-        return make(exponent, right(a.coefficient, places <= 0 ? -places : 0),
-                    flags);
+        return make(exponent, right(a.coefficient, places <= 0 ? -places : 0), flags);
     if (places > DIGITS - significant_bits(a.coefficient)) {
         *flags |= FLAG_EXPONENT_OVERFLOW;
         return indefinite(flags);
@@ -436,8 +426,7 @@ c205_word small_shift(c205_word a, c205_word b, uint64_t *flags)
     uint64_t circle = (a >> PADDING) * ((1u << NARROW_WIDTH) + 1);
 
     (void)flags;
-    return (count < 0 ? (uint64_t)right(bits, -count)
-                      : circle >> (NARROW_WIDTH - left))
+    return (count < 0 ? (uint64_t)right(bits, -count) : circle >> (NARROW_WIDTH - left))
            << PADDING;
 }
 
@@ -448,13 +437,11 @@ static int64_t value(struct number a)
 {
     return a.zero || a.indefinite
                ? 0
-               : a.coefficient
-                     * (INT64_C(1) << (a.exponent - NARROW_EXPONENT_MIN));
+               : a.coefficient * (INT64_C(1) << (a.exponent - NARROW_EXPONENT_MIN));
 }
 
 #define COMPARISON(name, relation, unordered) \
-    c205_word small_##name(c205_word word_a, c205_word word_b, \
-                           uint64_t *flags) \
+    c205_word small_##name(c205_word word_a, c205_word word_b, uint64_t *flags) \
     { \
         struct number a = take(word_a), b = take(word_b); \
 \

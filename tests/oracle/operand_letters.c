@@ -28,8 +28,7 @@ static bool has_short_fields(const c205_insn *row)
     return !strpbrk(c205_format_syntax(row->format), "ABCab");
 }
 
-uint8_t *field_of_role(c205_fields *fields, const c205_insn *row,
-                       enum role role)
+uint8_t *field_of_role(c205_fields *fields, const c205_insn *row, enum role role)
 {
     bool is_short = has_short_fields(row);
 

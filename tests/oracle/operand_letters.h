@@ -9,8 +9,7 @@
 /* R, S, T of the short formats are A, B, C. */
 enum role { ROLE_A, ROLE_B, ROLE_C, ROLE_X, ROLE_Y, ROLE_Z, ROLES };
 
-uint8_t *field_of_role(c205_fields *fields, const c205_insn *row,
-                       enum role role);
+uint8_t *field_of_role(c205_fields *fields, const c205_insn *row, enum role role);
 
 /* What the row's operands say of a role; 0: it has none. */
 char letter_of(const c205_insn *row, enum role role);

@@ -86,8 +86,7 @@ static const struct {
 
 enum {
     EDGE_EXPONENTS = sizeof edge_exponents / sizeof edge_exponents[0],
-    EDGE_COEFFICIENTS = sizeof edge_coefficients
-                        / sizeof edge_coefficients[0],
+    EDGE_COEFFICIENTS = sizeof edge_coefficients / sizeof edge_coefficients[0],
     EDGES = EDGE_EXPONENTS * EDGE_COEFFICIENTS
 };
 
@@ -100,8 +99,7 @@ static int64_t edge_exponent(const struct oracle_format *format, size_t i)
                                [LARGEST] = format->exponent_max,
                                [LAST] = past - 1 };
 
-    return places[edge_exponents[i].beside]
-           + edge_exponents[i].digits * format->digits
+    return places[edge_exponents[i].beside] + edge_exponents[i].digits * format->digits
            + edge_exponents[i].more;
 }
 
@@ -110,8 +108,7 @@ static int64_t edge_coefficient(const struct oracle_format *format, size_t i)
     int64_t power = edge_coefficients[i].halves * format->digits / 2
                     + edge_coefficients[i].places;
 
-    return edge_coefficients[i].times * two(power)
-           + edge_coefficients[i].more;
+    return edge_coefficients[i].times * two(power) + edge_coefficients[i].more;
 }
 
 static c205_word edge(const struct oracle_format *format, size_t i)
@@ -152,8 +149,7 @@ static c205_word any_digits(struct draw draw, int64_t exponent)
 
 static c205_word normalised(struct draw draw, int64_t exponent)
 {
-    return pack(draw.format, exponent,
-                coefficient(draw, draw.format->digits));
+    return pack(draw.format, exponent, coefficient(draw, draw.format->digits));
 }
 
 /* Of values around one, the ends of the range far off. */
@@ -225,8 +221,7 @@ static void cancelling(struct draw draw, c205_word *a, c205_word *b)
     int64_t doubled = between(draw, 0, 1);
 
     *a = pack(draw.format, exponent, c);
-    *b = pack(draw.format, exponent + doubled,
-              sign * (c / (1 + doubled)) + near);
+    *b = pack(draw.format, exponent + doubled, sign * (c / (1 + doubled)) + near);
 }
 
 /* The same value, or nearly, differently shifted. */
@@ -244,8 +239,7 @@ static void equal_values(struct draw draw, c205_word *a, c205_word *b)
 
 static int64_t end_of_range(struct draw draw)
 {
-    return one_in(draw, 2) ? draw.format->exponent_max
-                           : draw.format->exponent_min;
+    return one_in(draw, 2) ? draw.format->exponent_max : draw.format->exponent_min;
 }
 
 /* Results near the ends of the range: the exponents or their opposites add
@@ -377,21 +371,9 @@ static void anything(struct draw draw, c205_word *a, c205_word *b)
 }
 
 static family *const families[] = {
-    fast_path,
-    aligned_normalised,
-    aligned_unnormalised,
-    cancelling,
-    equal_values,
-    extreme,
-    extreme_sums,
-    extreme_normalised,
-    squares,
-    multiples,
-    counts,
-    sprinkled,
-    with_zeros,
-    other_exponents,
-    nearly_halves,
+    fast_path, aligned_normalised, aligned_unnormalised, cancelling,      equal_values,
+    extreme,   extreme_sums,       extreme_normalised,   squares,         multiples,
+    counts,    sprinkled,          with_zeros,           other_exponents, nearly_halves,
     anything,
 };
 
@@ -399,16 +381,15 @@ static family *const families[] = {
 
 enum { FAMILIES = sizeof families / sizeof families[0], BLOCK = EDGES };
 
-struct operands operands_begin(const struct oracle_format *format,
-                               uint64_t seed)
+struct operands operands_begin(const struct oracle_format *format, uint64_t seed)
 {
     return (struct operands){ .format = format, .random = seed };
 }
 
 /* One edge word with all of them; neighbouring blocks far apart, so that a
  * short run has seen a bit of everything. */
-static void edge_pair(const struct oracle_format *format, size_t block,
-                      size_t i, c205_word *a, c205_word *b)
+static void edge_pair(const struct oracle_format *format, size_t block, size_t i,
+                      c205_word *a, c205_word *b)
 {
     enum { STRIDE = 199 }; /* prime to EDGES */
 
@@ -416,8 +397,7 @@ static void edge_pair(const struct oracle_format *format, size_t block,
     *b = edge(format, i);
 }
 
-void operands_next(struct operands *operands, c205_word *a, c205_word *b,
-                   size_t n)
+void operands_next(struct operands *operands, c205_word *a, c205_word *b, size_t n)
 {
     const struct draw draw = { operands->format, &operands->random };
 

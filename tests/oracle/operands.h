@@ -18,11 +18,9 @@ struct operands {
     size_t position; /* pairs given so far */
 };
 
-struct operands operands_begin(const struct oracle_format *format,
-                               uint64_t seed);
+struct operands operands_begin(const struct oracle_format *format, uint64_t seed);
 /* The next n pairs. */
-void operands_next(struct operands *operands, c205_word *a, c205_word *b,
-                   size_t n);
+void operands_next(struct operands *operands, c205_word *a, c205_word *b, size_t n);
 
 /* Numbers by chance: 64 bits; low..high, both included. */
 uint64_t random_bits(uint64_t *random);

@@ -21,29 +21,25 @@ static bool rest_is_zero(const uint64_t *bits, size_t n)
 /* By kind, all brought to the signatures of scalar_rule and span_rule.
  * function: a name of arith.h or lanes.h. */
 #define CALL_BINARY(function) \
-    static c205_word call_##function(c205_word a, c205_word b, \
-                                     uint64_t *flags) \
+    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
     { \
         return function(a, b, flags); \
     }
 #define CALL_UNARY(function) \
-    static c205_word call_##function(c205_word a, c205_word b, \
-                                     uint64_t *flags) \
+    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
     { \
         (void)b; \
         return function(a, flags); \
     }
 #define CALL_RELATION(function) \
-    static c205_word call_##function(c205_word a, c205_word b, \
-                                     uint64_t *flags) \
+    static c205_word call_##function(c205_word a, c205_word b, uint64_t *flags) \
     { \
         (void)flags; \
         return function(a, b); \
     }
 #define SPAN_OF(function) \
-    static void call_##function(c205_word *c, const c205_word *a, \
-                                const c205_word *b, size_t n, \
-                                uint64_t *flags)
+    static void call_##function(c205_word *c, const c205_word *a, const c205_word *b, \
+                                size_t n, uint64_t *flags)
 #define CALL_BINARY_SPAN(function) \
     SPAN_OF(function) \
     { \
@@ -126,8 +122,7 @@ const struct operation operations[] = {
 #define ELEMENTWISE(name, specials) ROW_OF_WORDS(name) ROW_OF_HALVES(name)
 #define BITWISE(name) SPAN_ROW_OF_WORDS(name) SPAN_ROW_OF_HALVES(name)
 #define CONVERSION(name, of, specials) \
-    { #name, FORMAT_##of, oracle_##name, call_arith_##name, \
-      call_lanes_##name },
+    { #name, FORMAT_##of, oracle_##name, call_arith_##name, call_lanes_##name },
 #define COPY(name, specials) SPAN_ROW_OF_WORDS(name)
 #include "vm/arith.def"
 #define BINARY(name, spans, registers, specials) ROW_##registers(name)

@@ -6,13 +6,13 @@
 #include "arithmetic_oracle.h"
 
 typedef c205_word scalar_rule(c205_word a, c205_word b, uint64_t *flags);
-typedef void span_rule(c205_word *c, const c205_word *a, const c205_word *b,
-                       size_t n, uint64_t *flags);
+typedef void span_rule(c205_word *c, const c205_word *a, const c205_word *b, size_t n,
+                       uint64_t *flags);
 
 /* scalar: as arith.h; NULL where only lanes.h has the operation.  span: of
  * SPAN elements at the most; NULL where only quick.h has it. */
 struct operation {
-    const char *name; /* half_NAME for half words, quick_NAME */
+    const char *name;                   /* half_NAME for half words, quick_NAME */
     const struct oracle_format *format; /* of the operands */
     oracle_rule *expected;
     scalar_rule *scalar;
@@ -29,8 +29,7 @@ struct reduction {
     const char *name;
     const struct oracle_format *format;
     oracle_rule *step;
-    void (*span)(c205_word *accumulator, const c205_word *a, size_t n,
-                 uint64_t *flags);
+    void (*span)(c205_word *accumulator, const c205_word *a, size_t n, uint64_t *flags);
 };
 
 extern const struct reduction reductions[];

@@ -73,8 +73,7 @@ static c205 *copy_machine(const c205 *machine)
     c205 *copy;
 
     save(machine, keep_bytes, &kept);
-    copy = c205_restore(kept.bytes, kept.count, c205_machine_model(machine),
-                        &error);
+    copy = c205_restore(kept.bytes, kept.count, c205_machine_model(machine), &error);
     if (!copy)
         random_machine_fail(error.message);
     free(kept.bytes);
@@ -106,8 +105,7 @@ static void change_machine(struct run *run)
     run->restored = true;
 }
 
-static void hear_nothing(void *context, const c205 *machine,
-                         const c205_event *event)
+static void hear_nothing(void *context, const c205 *machine, const c205_event *event)
 {
     (void)context, (void)machine, (void)event;
 }
@@ -149,14 +147,13 @@ static bool run_on(struct run *run)
         change_machine(run);
     if (run->way->heard && random_between(&run->random, 1, ONE_HEARD_IN) == 1)
         listen(run);
-    else if (run->way->heard
-             && random_between(&run->random, 1, ONE_HEARD_IN) == 1)
+    else if (run->way->heard && random_between(&run->random, 1, ONE_HEARD_IN) == 1)
         change_machine(run);
     return c205_clock(run->machine) < run->limit;
 }
 
-static uint64_t hash_at_end(const struct random_program *program,
-                            const struct way *way, uint64_t limit)
+static uint64_t hash_at_end(const struct random_program *program, const struct way *way,
+                            uint64_t limit)
 {
     struct run run = { .way = way,
                        .machine = random_machine_load(program),
@@ -178,8 +175,8 @@ static uint64_t hash_at_end(const struct random_program *program,
 static const char *disagreeing_share(const struct random_program *program,
                                      uint64_t limit, uint64_t expected)
 {
-    const struct way way = { "a run of shared pages",
-                             program->insn_count % 3 == 0, false, false };
+    const struct way way = { "a run of shared pages", program->insn_count % 3 == 0,
+                             false, false };
     struct random_shared shared;
     uint64_t before, hash;
     struct run run = { .way = &way, .random = program->seed, .limit = limit };

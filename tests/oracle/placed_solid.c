@@ -24,38 +24,33 @@ static void random_sphere(uint64_t *state, const struct place *place,
     double x = place->at[0], y = place->at[1], z = place->at[2];
     if (one_in(state, 8)) {
         solid_words(solid->shape, "sphere { 0, 1 ");
-        solid_words(
-            solid->motion,
-            "scale <%.12g, %.12g, %.12g> translate <%.12g, %.12g, %.12g> ",
-            place->size / (double)(1 + below(state, 4)), place->size,
-            place->size, x, y, z);
+        solid_words(solid->motion,
+                    "scale <%.12g, %.12g, %.12g> translate <%.12g, %.12g, %.12g> ",
+                    place->size / (double)(1 + below(state, 4)), place->size,
+                    place->size, x, y, z);
     } else {
-        solid_words(solid->shape, "sphere { <%.12g, %.12g, %.12g>, %.12g ", x,
-                    y, z, place->size);
+        solid_words(solid->shape, "sphere { <%.12g, %.12g, %.12g>, %.12g ", x, y, z,
+                    place->size);
     }
 }
 
-static void random_box(uint64_t *state, const struct place *place,
-                       struct solid *solid)
+static void random_box(uint64_t *state, const struct place *place, struct solid *solid)
 {
     double x = place->at[0], y = place->at[1], z = place->at[2];
     double s = place->size;
     if (one_in(state, 4)) {
         solid_words(solid->shape, "box { -%.12g, %.12g ", s, s);
-        solid_words(solid->motion,
-                    "rotate %d*%c translate <%.12g, %.12g, %.12g> ",
-                    15 * (int)below(state, 24), "xyz"[below(state, 3)], x, y,
-                    z);
+        solid_words(solid->motion, "rotate %d*%c translate <%.12g, %.12g, %.12g> ",
+                    15 * (int)below(state, 24), "xyz"[below(state, 3)], x, y, z);
     } else {
-        solid_words(solid->shape,
-                    "box { <%.12g, %.12g, %.12g>, <%.12g, %.12g, %.12g> ",
+        solid_words(solid->shape, "box { <%.12g, %.12g, %.12g>, <%.12g, %.12g, %.12g> ",
                     x - s, y - s, z - s, x + s, y + s, z + s);
     }
 }
 
 /* From one disk to the other along an axis: the ends, and the words behind. */
-static void print_axis(uint64_t *state, const struct place *place,
-                       struct solid *solid, bool cone)
+static void print_axis(uint64_t *state, const struct place *place, struct solid *solid,
+                       bool cone)
 {
     double base[3], cap[3], s = place->size;
     size_t along = below(state, 3);
@@ -71,10 +66,9 @@ static void print_axis(uint64_t *state, const struct place *place,
             base[0], base[1], base[2], s, cap[0], cap[1], cap[2],
             one_in(state, 2) ? 0 : s / 2, open);
     else
-        solid_words(
-            solid->shape,
-            "cylinder { <%.12g, %.12g, %.12g>, <%.12g, %.12g, %.12g>, %.12g %s",
-            base[0], base[1], base[2], cap[0], cap[1], cap[2], s, open);
+        solid_words(solid->shape,
+                    "cylinder { <%.12g, %.12g, %.12g>, <%.12g, %.12g, %.12g>, %.12g %s",
+                    base[0], base[1], base[2], cap[0], cap[1], cap[2], s, open);
 }
 
 static void random_cylinder(uint64_t *state, const struct place *place,
@@ -83,21 +77,18 @@ static void random_cylinder(uint64_t *state, const struct place *place,
     print_axis(state, place, solid, false);
 }
 
-static void random_cone(uint64_t *state, const struct place *place,
-                        struct solid *solid)
+static void random_cone(uint64_t *state, const struct place *place, struct solid *solid)
 {
     print_axis(state, place, solid, true);
 }
 
 /* What is drawn about the origin, and moved. */
-static void move_to(uint64_t *state, const struct place *place,
-                    struct solid *solid)
+static void move_to(uint64_t *state, const struct place *place, struct solid *solid)
 {
-    solid_words(
-        solid->motion,
-        "scale %.12g rotate <%d, %d, 0> translate <%.12g, %.12g, %.12g> ",
-        place->size, 30 * (int)below(state, 12), 90 * (int)below(state, 4),
-        place->at[0], place->at[1], place->at[2]);
+    solid_words(solid->motion,
+                "scale %.12g rotate <%d, %d, 0> translate <%.12g, %.12g, %.12g> ",
+                place->size, 30 * (int)below(state, 12), 90 * (int)below(state, 4),
+                place->at[0], place->at[1], place->at[2]);
 }
 
 /* A spool, or what is open. */
@@ -106,9 +97,8 @@ static void random_lathe(uint64_t *state, struct solid *solid)
     double radius = .1 * (double)(1 + below(state, 6));
     double height = .1 * (double)below(state, 8) - .3;
     if (one_in(state, 3))
-        solid_words(solid->shape,
-                    "lathe { 3, <.9, -.8>, <%.12g, %.12g>, <.7, .9> ", radius,
-                    height);
+        solid_words(solid->shape, "lathe { 3, <.9, -.8>, <%.12g, %.12g>, <.7, .9> ",
+                    radius, height);
     else
         solid_words(solid->shape,
                     "lathe { 6, <0, -1>, <1, -1>, <%.12g, %.12g>, <1, 1>, "
@@ -170,16 +160,14 @@ static void random_plane(uint64_t *state, const struct place *place,
 {
     size_t axis = below(state, 3);
     bool below_it = one_in(state, 2);
-    solid_words(solid->shape, "plane { %s%c, %.12g ", below_it ? "" : "-",
-                "xyz"[axis],
+    solid_words(solid->shape, "plane { %s%c, %.12g ", below_it ? "" : "-", "xyz"[axis],
                 below_it ? place->at[axis] - place->size
                          : -place->at[axis] - place->size);
 }
 
 /* Now and then instead of another shape, which is drawn all the same: so what
  * else is drawn does not depend on it. */
-static void random_blob(uint64_t *state, const struct place *place,
-                        struct solid *solid)
+static void random_blob(uint64_t *state, const struct place *place, struct solid *solid)
 {
     uint64_t own = stream_beside(*state, 7, 3);
     if (!one_in(&own, 15))
@@ -206,8 +194,7 @@ static struct solid *shape_at(uint64_t *state, const struct place *place)
     if (one_in(state, 60)) /* the host takes long to lay one out */
         random_patch(state, place, solid);
     else
-        shapes[below(state, sizeof shapes / sizeof *shapes)](state, place,
-                                                             solid);
+        shapes[below(state, sizeof shapes / sizeof *shapes)](state, place, solid);
     if (own % 12 == 0) {
         (own % 48 ? mesh_star_words : mesh_field_words)(own, solid->shape);
         solid->motion[0] = '\0';
@@ -257,19 +244,16 @@ void random_look(uint64_t *state, enum mood mood, char *look)
 {
     static const char *const inside[] = { "", "", "interior { ior 1.3 } ",
                                           "interior { ior .8 } " };
-    static const char *const finishes[] = {
-        "",
-        "",
-        "finish { phong .6 } ",
-        "finish { specular .5 } ",
-        "finish { reflection .4 } ",
-        "finish { reflection <.9, .2, .5> } "
-    };
+    static const char *const finishes[] = { "",
+                                            "",
+                                            "finish { phong .6 } ",
+                                            "finish { specular .5 } ",
+                                            "finish { reflection .4 } ",
+                                            "finish { reflection <.9, .2, .5> } " };
     double red = between(state, 0, 1), green = between(state, 0, 1);
     double blue = between(state, 0, 1);
-    static const char *const hidden[] = { "no_shadow ", "no_shadow ",
-                                          "no_image ", "no_reflection ",
-                                          "no_image no_reflection " };
+    static const char *const hidden[] = { "no_shadow ", "no_shadow ", "no_image ",
+                                          "no_reflection ", "no_image no_reflection " };
     const char *shadow = one_in(state, 5) ? hidden[below(state, 5)] : "";
     const char *finish = finishes[below(state, mood == DULL ? 4 : 6)];
     if (mood == CLEAR || (mood == MIXED && one_in(state, 4)))
@@ -277,24 +261,23 @@ void random_look(uint64_t *state, enum mood mood, char *look)
                     "pigment { rgbft <%.2f, %.2f, %.2f, %.2f, %.2f> } "
                     "%s%s%s",
                     red, green, blue, .3 * (double)below(state, 3),
-                    .2 * (double)below(state, 3), inside[below(state, 4)],
-                    finish, shadow);
+                    .2 * (double)below(state, 3), inside[below(state, 4)], finish,
+                    shadow);
     else if (one_in(state, 8))
         solid_words(look,
                     "pigment { checker rgb <%.2f, %.2f, %.2f>, rgb .9 "
                     "scale .37 } %s",
                     red, green, blue, shadow);
     else
-        solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } %s%s", red,
-                    green, blue, finish, shadow);
+        solid_words(look, "pigment { rgb <%.2f, %.2f, %.2f> } %s%s", red, green, blue,
+                    finish, shadow);
 }
 
 /* --- solids --------------------------------------------------------------- */
 
 enum solid_joining random_joining(uint64_t *state)
 {
-    return one_in(state, 8) ? UNION
-                            : MERGE + (enum solid_joining)below(state, 3);
+    return one_in(state, 8) ? UNION : MERGE + (enum solid_joining)below(state, 3);
 }
 
 static struct place near_to(uint64_t *state, const struct place *place)
@@ -309,13 +292,12 @@ static struct place near_to(uint64_t *state, const struct place *place)
     return other;
 }
 
-struct solid *solid_at(uint64_t *state, const struct place *place,
-                       enum mood mood, int depth)
+struct solid *solid_at(uint64_t *state, const struct place *place, enum mood mood,
+                       int depth)
 {
     if (depth == 0 || !one_in(state, 4))
         return shape_at(state, place);
-    struct solid *solid = solid_new(random_joining(state),
-                                    2 + below(state, 2));
+    struct solid *solid = solid_new(random_joining(state), 2 + below(state, 2));
     for (size_t i = 0; i < solid->count; i++) {
         struct place part = i ? near_to(state, place) : *place;
         solid->parts[i] = solid_at(state, &part, mood, depth - 1);

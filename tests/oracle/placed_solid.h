@@ -21,8 +21,8 @@ void place_make_short(struct place *place);
 enum mood { DULL, MIXED, CLEAR, MOODS };
 
 /* A shape or, if depth is not 0, perhaps a tree so deep; the caller frees it. */
-struct solid *solid_at(uint64_t *state, const struct place *place,
-                       enum mood mood, int depth);
+struct solid *solid_at(uint64_t *state, const struct place *place, enum mood mood,
+                       int depth);
 /* Open, or a body. */
 struct solid *mesh_at(uint64_t *state, const struct place *place);
 /* A shape that no bound can hold. */

@@ -21,8 +21,8 @@ static double power(const struct visit *visit, double colour)
     return colour > 0 ? pow(colour, visit->power) : 0;
 }
 
-static bool differs(struct visit *visit, const struct frame *there,
-                    size_t neighbour, size_t pixel)
+static bool differs(struct visit *visit, const struct frame *there, size_t neighbour,
+                    size_t pixel)
 {
     double distance = 0;
 
@@ -34,8 +34,7 @@ static bool differs(struct visit *visit, const struct frame *there,
     return distance >= visit->threshold;
 }
 
-static double sum_of_samples(const struct visit *visit, int channel,
-                             size_t pixel)
+static double sum_of_samples(const struct visit *visit, int channel, size_t pixel)
 {
     size_t n = visit->samples, across = n * visit->width;
     size_t row = pixel / visit->width, column = pixel % visit->width;
@@ -43,8 +42,8 @@ static double sum_of_samples(const struct visit *visit, int channel,
 
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++)
-            sum += visit->sampled->channel[channel][(row * n + i) * across
-                                                    + column * n + j];
+            sum += visit->sampled
+                       ->channel[channel][(row * n + i) * across + column * n + j];
     return sum;
 }
 
@@ -62,11 +61,9 @@ static void refine(struct visit *visit, size_t pixel)
                                          / rays;
 }
 
-static bool held_against(struct visit *visit, size_t pixel, size_t back,
-                         bool in_block)
+static bool held_against(struct visit *visit, size_t pixel, size_t back, bool in_block)
 {
-    if (!differs(visit, in_block ? &visit->shown : visit->first, pixel - back,
-                 pixel))
+    if (!differs(visit, in_block ? &visit->shown : visit->first, pixel - back, pixel))
         return false;
     if (in_block)
         refine(visit, pixel - back);
@@ -77,8 +74,7 @@ static void visit_pixel(struct visit *visit, size_t row, size_t column)
 {
     size_t pixel = row * visit->width + column;
     bool left = held_against(visit, pixel, 1, (column - 1) % BLOCK != 0);
-    bool above = held_against(visit, pixel, visit->width,
-                              (row - 1) % BLOCK != 0);
+    bool above = held_against(visit, pixel, visit->width, (row - 1) % BLOCK != 0);
 
     if (left || above)
         refine(visit, pixel);
@@ -92,13 +88,12 @@ static void visit_all(struct visit *visit)
     for (size_t top = 1; top < height; top += BLOCK)
         for (size_t left = 1; left < width; left += BLOCK)
             for (size_t row = top; row < height && row < top + BLOCK; row++)
-                for (size_t column = left;
-                     column < width && column < left + BLOCK; column++)
+                for (size_t column = left; column < width && column < left + BLOCK;
+                     column++)
                     visit_pixel(visit, row, column);
 }
 
-static void copy_colours(const struct frame *from, struct frame *to,
-                         size_t border)
+static void copy_colours(const struct frame *from, struct frame *to, size_t border)
 {
     for (int i = 0; i < COLOURS; i++)
         for (size_t row = border; row < from->height; row++)
@@ -108,9 +103,9 @@ static void copy_colours(const struct frame *from, struct frame *to,
 }
 
 struct plain_refined plain_adaptive(const struct frame *first,
-                                    const struct frame *sampled,
-                                    size_t samples, double threshold,
-                                    double gamma, struct frame *picture)
+                                    const struct frame *sampled, size_t samples,
+                                    double threshold, double gamma,
+                                    struct frame *picture)
 {
     struct visit visit = { .first = first,
                            .sampled = sampled,
@@ -121,8 +116,7 @@ struct plain_refined plain_adaptive(const struct frame *first,
                            .result = { 0, INFINITY } };
 
     visit.refined = calloc(first->width * first->height, sizeof(bool));
-    if (!visit.refined
-        || !frame_allocate(&visit.shown, first->width, first->height))
+    if (!visit.refined || !frame_allocate(&visit.shown, first->width, first->height))
         abort();
     copy_colours(first, &visit.shown, 0);
     visit_all(&visit);

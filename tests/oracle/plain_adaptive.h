@@ -16,8 +16,8 @@ struct plain_refined {
  * as many of both.  The picture's colours become those of first, or means.  All are
  * of a scene with that assumed_gamma. */
 struct plain_refined plain_adaptive(const struct frame *first,
-                                    const struct frame *sampled,
-                                    size_t samples, double threshold,
-                                    double gamma, struct frame *picture);
+                                    const struct frame *sampled, size_t samples,
+                                    double threshold, double gamma,
+                                    struct frame *picture);
 
 #endif

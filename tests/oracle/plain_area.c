@@ -9,32 +9,30 @@
 
 /* A point of the primitive's own space: piece number piece, at u and v, each
  * 0 .. 1. */
-typedef void place_point(const struct primitive *primitive, size_t piece,
-                         double u, double v, double point[3]);
+typedef void place_point(const struct primitive *primitive, size_t piece, double u,
+                         double v, double point[3]);
 
 static void cross(const double a[3], const double b[3], double product[3])
 {
     for (int i = 0; i < 3; i++)
-        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3]
-                     - a[(i + 2) % 3] * b[(i + 1) % 3];
+        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
 /* ---- The kinds ------------------------------------------------------------ */
 
-static void place_sphere(const struct primitive *primitive, size_t piece,
-                         double u, double v, double point[3])
+static void place_sphere(const struct primitive *primitive, size_t piece, double u,
+                         double v, double point[3])
 {
     double r = primitive->shape.sphere.radius;
-    const double on[3] = { sin(TURN / 2 * u) * cos(TURN * v),
-                           cos(TURN / 2 * u),
+    const double on[3] = { sin(TURN / 2 * u) * cos(TURN * v), cos(TURN / 2 * u),
                            sin(TURN / 2 * u) * sin(TURN * v) };
 
     (void)piece;
     add_scaled(point, primitive->shape.sphere.center, r, on);
 }
 
-static void place_on_torus(double major, double radial, double axial,
-                           double u, double v, double point[3])
+static void place_on_torus(double major, double radial, double axial, double u,
+                           double v, double point[3])
 {
     double from_axis = major + radial * cos(TURN * u);
 
@@ -43,8 +41,8 @@ static void place_on_torus(double major, double radial, double axial,
     point[2] = from_axis * sin(TURN * v);
 }
 
-static void place_torus(const struct primitive *primitive, size_t piece,
-                        double u, double v, double point[3])
+static void place_torus(const struct primitive *primitive, size_t piece, double u,
+                        double v, double point[3])
 {
     double minor = primitive->shape.torus.minor;
 
@@ -52,9 +50,8 @@ static void place_torus(const struct primitive *primitive, size_t piece,
     place_on_torus(primitive->shape.torus.major, minor, minor, u, v, point);
 }
 
-static void place_elliptical_torus(const struct primitive *primitive,
-                                   size_t piece, double u, double v,
-                                   double point[3])
+static void place_elliptical_torus(const struct primitive *primitive, size_t piece,
+                                   double u, double v, double point[3])
 {
     (void)piece;
     place_on_torus(primitive->shape.elliptical_torus.major,
@@ -63,8 +60,8 @@ static void place_elliptical_torus(const struct primitive *primitive,
 }
 
 /* On a circle about a point, square to an axis. */
-static void place_on_circle(const double center[3], const double axis[3],
-                            double radius, double v, double point[3])
+static void place_on_circle(const double center[3], const double axis[3], double radius,
+                            double v, double point[3])
 {
     double across[3] = { 0, 0, 0 }, first[3], second[3];
     int least = 0;
@@ -82,9 +79,9 @@ static void place_on_circle(const double center[3], const double axis[3],
 }
 
 /* The side, and the discs of base and cap. */
-static void place_on_cone(const double base[3], double base_radius,
-                          const double cap[3], double cap_radius,
-                          size_t piece, double u, double v, double point[3])
+static void place_on_cone(const double base[3], double base_radius, const double cap[3],
+                          double cap_radius, size_t piece, double u, double v,
+                          double point[3])
 {
     double axis[3], center[3];
     double along = piece == 0 ? u : piece == 1 ? 0 : 1;
@@ -95,38 +92,35 @@ static void place_on_cone(const double base[3], double base_radius,
     place_on_circle(center, axis, piece == 0 ? radius : radius * u, v, point);
 }
 
-static void place_cone(const struct primitive *primitive, size_t piece,
-                       double u, double v, double point[3])
+static void place_cone(const struct primitive *primitive, size_t piece, double u,
+                       double v, double point[3])
 {
-    place_on_cone(primitive->shape.cone.base,
-                  primitive->shape.cone.base_radius,
-                  primitive->shape.cone.cap, primitive->shape.cone.cap_radius,
-                  piece, u, v, point);
+    place_on_cone(primitive->shape.cone.base, primitive->shape.cone.base_radius,
+                  primitive->shape.cone.cap, primitive->shape.cone.cap_radius, piece, u,
+                  v, point);
 }
 
-static void place_cylinder(const struct primitive *primitive, size_t piece,
-                           double u, double v, double point[3])
+static void place_cylinder(const struct primitive *primitive, size_t piece, double u,
+                           double v, double point[3])
 {
     double radius = primitive->shape.cylinder.radius;
 
-    place_on_cone(primitive->shape.cylinder.base, radius,
-                  primitive->shape.cylinder.cap, radius, piece, u, v, point);
+    place_on_cone(primitive->shape.cylinder.base, radius, primitive->shape.cylinder.cap,
+                  radius, piece, u, v, point);
 }
 
-static void place_disc(const struct primitive *primitive, size_t piece,
-                       double u, double v, double point[3])
+static void place_disc(const struct primitive *primitive, size_t piece, double u,
+                       double v, double point[3])
 {
     double hole = primitive->shape.disc.hole;
 
     (void)piece;
-    place_on_circle(primitive->shape.disc.center,
-                    primitive->shape.disc.normal,
-                    hole + u * (primitive->shape.disc.radius - hole), v,
-                    point);
+    place_on_circle(primitive->shape.disc.center, primitive->shape.disc.normal,
+                    hole + u * (primitive->shape.disc.radius - hole), v, point);
 }
 
-static void place_box(const struct primitive *primitive, size_t piece,
-                      double u, double v, double point[3])
+static void place_box(const struct primitive *primitive, size_t piece, double u,
+                      double v, double point[3])
 {
     const double(*corner)[3] = primitive->shape.box.corner;
     size_t axis = piece / 2, j = (axis + 1) % 3, k = (axis + 2) % 3;
@@ -136,27 +130,23 @@ static void place_box(const struct primitive *primitive, size_t piece,
     point[k] = corner[0][k] + v * (corner[1][k] - corner[0][k]);
 }
 
-static void place_mesh(const struct primitive *primitive, size_t piece,
-                       double u, double v, double point[3])
+static void place_mesh(const struct primitive *primitive, size_t piece, double u,
+                       double v, double point[3])
 {
-    const double(
-        *corners)[3] = (const double(*)[3])primitive->shape.mesh.triangles
-                           .list[piece]
-                           .corners;
+    const double(*corners)[3] =
+        (const double(*)[3])primitive->shape.mesh.triangles.list[piece].corners;
 
     for (int i = 0; i < 3; i++)
         point[i] = (1 - u) * corners[0][i]
                    + u * ((1 - v) * corners[1][i] + v * corners[2][i]);
 }
 
-static void place_steiner_patch(const struct primitive *primitive,
-                                size_t piece, double u, double v,
-                                double point[3])
+static void place_steiner_patch(const struct primitive *primitive, size_t piece,
+                                double u, double v, double point[3])
 {
     double s = u * (1 - v), t = u * v, rest = 1 - u, sum = 0;
-    const double basis[STEINER_POINTS] = { s * s,        t * t,
-                                           rest * rest,  2 * s * t,
-                                           2 * t * rest, 2 * rest * s };
+    const double basis[STEINER_POINTS] = { s * s,     t * t,        rest * rest,
+                                           2 * s * t, 2 * t * rest, 2 * rest * s };
 
     (void)piece;
     point[0] = point[1] = point[2] = 0;
@@ -164,8 +154,7 @@ static void place_steiner_patch(const struct primitive *primitive,
         double share = basis[k] * primitive->shape.steiner_patch.weights[k];
 
         sum += share;
-        add_scaled(point, point, share,
-                   primitive->shape.steiner_patch.points[k]);
+        add_scaled(point, point, share, primitive->shape.steiner_patch.points[k]);
     }
     scale_by(point, 1 / sum);
 }
@@ -204,8 +193,8 @@ static struct surface_grid grid_over(const struct primitive *primitive)
     return grid;
 }
 
-static void place_in_world(const struct surface_grid *grid, size_t piece,
-                           size_t i, size_t j, double point[3])
+static void place_in_world(const struct surface_grid *grid, size_t piece, size_t i,
+                           size_t j, double point[3])
 {
     grid->place(grid->primitive, piece, (double)i / (double)grid->cells,
                 (double)j / (double)grid->cells, point);
@@ -213,8 +202,8 @@ static void place_in_world(const struct surface_grid *grid, size_t piece,
 }
 
 /* A cell as the quadrangle of its corners. */
-static void add_cell(const struct surface_grid *grid, size_t piece, size_t i,
-                     size_t j, struct plain_area *sum)
+static void add_cell(const struct surface_grid *grid, size_t piece, size_t i, size_t j,
+                     struct plain_area *sum)
 {
     double corner[4][3], diagonals[2][3], product[3], area;
 
@@ -250,7 +239,6 @@ struct plain_area plain_area(const struct primitive *primitive)
     fine = sum_cells(&grid);
     fine.area = (4 * fine.area - coarse.area) / 3;
     for (int i = 0; i < 3; i++)
-        fine.middle[i] = (4 * fine.middle[i] - coarse.middle[i])
-                         / (3 * fine.area);
+        fine.middle[i] = (4 * fine.middle[i] - coarse.middle[i]) / (3 * fine.area);
     return fine;
 }

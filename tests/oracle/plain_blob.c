@@ -11,16 +11,15 @@ enum { NODES = HIGHEST_DEGREE + 1 };
 
 /* --- the field ---------------------------------------------------------- */
 
-static void own_point(const struct transform *transform,
-                      const double point[3], double own[3])
+static void own_point(const struct transform *transform, const double point[3],
+                      double own[3])
 {
     for (int i = 0; i < 3; i++)
         own[i] = dot(transform->rows[i], point) + transform->rows[i][3];
 }
 
 /* From the nearest point of the axis, or from the centre. */
-static void way_from(const struct blob_part *part, const double own[3],
-                     double way[3])
+static void way_from(const struct blob_part *part, const double own[3], double way[3])
 {
     double axis[3];
     add_scaled(way, own, -1, part->base);
@@ -39,8 +38,7 @@ static double nearness(const struct blob_part *part, const double own[3])
     return fmax(0, 1 - dot(way, way) / (part->radius * part->radius));
 }
 
-static double field_at(const struct primitive *primitive,
-                       const double point[3])
+static double field_at(const struct primitive *primitive, const double point[3])
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
     double sum = -primitive->shape.blob.threshold;
@@ -59,8 +57,8 @@ bool in_blob(const struct primitive *primitive, const double point[3])
 }
 
 /* Against the gradient. */
-static void blob_normal(const struct primitive *primitive,
-                        const double point[3], double normal[3])
+static void blob_normal(const struct primitive *primitive, const double point[3],
+                        double normal[3])
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
     normal[0] = normal[1] = normal[2] = 0;
@@ -69,8 +67,8 @@ static void blob_normal(const struct primitive *primitive,
         double own[3], way[3];
         own_point(&part->to_local, point, own);
         way_from(part, own, way);
-        scale_by(way, part->strength * nearness(part, own)
-                          / (part->radius * part->radius));
+        scale_by(way,
+                 part->strength * nearness(part, own) / (part->radius * part->radius));
         for (int k = 0; k < 3; k++)
             add_scaled(normal, normal, way[k], part->to_local.rows[k]);
     }
@@ -89,8 +87,8 @@ static void add_place(struct places *places, double at)
 }
 
 /* |from + t along| = radius */
-static void add_ball(struct places *places, const double from[3],
-                     const double along[3], double radius)
+static void add_ball(struct places *places, const double from[3], const double along[3],
+                     double radius)
 {
     double a = dot(along, along), b = dot(from, along) / a;
     double nearest[3];
@@ -133,8 +131,8 @@ static int by_place(const void *a, const void *b)
 }
 
 /* Eight for each component at the most. */
-static void find_places(const struct primitive *primitive,
-                        const struct ray *ray, struct places *places)
+static void find_places(const struct primitive *primitive, const struct ray *ray,
+                        struct places *places)
 {
     const struct blob_parts *parts = &primitive->shape.blob.parts;
     for (size_t i = 0; i < parts->count; i++) {
@@ -155,8 +153,8 @@ static void find_places(const struct primitive *primitive,
 
 /* The polynomial of x, -1 .. 1 along the way, that has the values at the
  * nodes. */
-static void interpolate(const long double nodes[NODES],
-                        const long double values[NODES], long double c[NODES])
+static void interpolate(const long double nodes[NODES], const long double values[NODES],
+                        long double c[NODES])
 {
     for (int i = 0; i < NODES; i++)
         c[i] = 0;
@@ -178,17 +176,16 @@ static void interpolate(const long double nodes[NODES],
     }
 }
 
-static size_t cross_between(const struct primitive *primitive,
-                            const struct ray *ray, double from, double to,
-                            struct crossing *crossings, size_t room)
+static size_t cross_between(const struct primitive *primitive, const struct ray *ray,
+                            double from, double to, struct crossing *crossings,
+                            size_t room)
 {
     static const long double nodes[NODES] = { -.95L, -.59L, 0, .59L, .95L };
     long double values[NODES], c[NODES], roots[HIGHEST_DEGREE];
     size_t count = 0;
     for (int i = 0; i < NODES; i++) {
         double point[3];
-        point_on(ray, (from + to) / 2 + (double)nodes[i] * (to - from) / 2,
-                 point);
+        point_on(ray, (from + to) / 2 + (double)nodes[i] * (to - from) / 2, point);
         values[i] = field_at(primitive, point);
     }
     interpolate(nodes, values, c);
@@ -197,8 +194,7 @@ static size_t cross_between(const struct primitive *primitive,
         if (roots[i] >= -1 && roots[i] < 1) {
             double point[3];
             crossings[count].distance = (double)((from + to) / 2
-                                                 + roots[i] * (to - from)
-                                                       / 2);
+                                                 + roots[i] * (to - from) / 2);
             point_on(ray, crossings[count].distance, point);
             blob_normal(primitive, point, crossings[count++].normal);
         }
@@ -208,8 +204,7 @@ static size_t cross_between(const struct primitive *primitive,
 size_t cross_blob(const struct primitive *primitive, const struct ray *ray,
                   struct crossing crossings[MOST_CROSSINGS])
 {
-    struct places places = { 0, malloc((8 * primitive->shape.blob.parts.count
-                                        + 1)
+    struct places places = { 0, malloc((8 * primitive->shape.blob.parts.count + 1)
                                        * sizeof *places.at) };
     size_t count = 0;
     if (!places.at)
@@ -217,9 +212,8 @@ size_t cross_blob(const struct primitive *primitive, const struct ray *ray,
     find_places(primitive, ray, &places);
     for (size_t i = 0; i + 1 < places.count; i++)
         if (places.at[i] < places.at[i + 1])
-            count += cross_between(primitive, ray, places.at[i],
-                                   places.at[i + 1], &crossings[count],
-                                   MOST_CROSSINGS - count);
+            count += cross_between(primitive, ray, places.at[i], places.at[i + 1],
+                                   &crossings[count], MOST_CROSSINGS - count);
     free(places.at);
     return count;
 }

@@ -8,8 +8,8 @@
 /* --- heights -------------------------------------------------------------- */
 
 /* From one end with its slope to the other: Hermite's cubics. */
-static double between_ends(const struct slope_stop *a,
-                           const struct slope_stop *b, double u)
+static double between_ends(const struct slope_stop *a, const struct slope_stop *b,
+                           double u)
 {
     double v = 1 - u;
     return a->height * v * v * (1 + 2 * u) + b->height * u * u * (1 + 2 * v)
@@ -30,8 +30,7 @@ static double height(const struct bump *bump, const double point[3])
     if (k + 1 == last)
         return stops[k].height;
     return between_ends(&stops[k], &stops[k + 1],
-                        (value - stops[k].at)
-                            / (stops[k + 1].at - stops[k].at));
+                        (value - stops[k].at) / (stops[k + 1].at - stops[k].at));
 }
 
 /* --- spaces --------------------------------------------------------------- */
@@ -44,8 +43,7 @@ static void map_point(const struct transform *map, const double point[3],
 }
 
 /* Normals go back by the transposed map: n_i = the sum of map_ji n'_j. */
-static void back(const struct transform *map, const double there[3],
-                 double normal[3])
+static void back(const struct transform *map, const double there[3], double normal[3])
 {
     for (int i = 0; i < 3; i++)
         normal[i] = map->rows[0][i] * there[0] + map->rows[1][i] * there[1]
@@ -54,8 +52,7 @@ static void back(const struct transform *map, const double there[3],
 
 static double triple(const double a[3], const double b[3], const double c[3])
 {
-    return a[0] * (b[1] * c[2] - b[2] * c[1])
-           + a[1] * (b[2] * c[0] - b[0] * c[2])
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2])
            + a[2] * (b[0] * c[1] - b[1] * c[0]);
 }
 
@@ -75,26 +72,22 @@ static void there_from(const struct transform *map, const double normal[3],
 /* --- bumps ---------------------------------------------------------------- */
 
 /* Away from where it rises, by differences to the corners of a tetrahedron. */
-static void push(const struct bump *bump, const double point[3],
-                 double normal[3])
+static void push(const struct bump *bump, const double point[3], double normal[3])
 {
     double r = sqrt(8) / 3, h = sqrt(2. / 3), amount = -.1 * bump->amount;
-    const double corners[4][3] = { { r, -1. / 3, 0 },
-                                   { -r / 2, -1. / 3, h },
-                                   { -r / 2, -1. / 3, -h },
-                                   { 0, 1, 0 } };
+    const double corners[4][3] = {
+        { r, -1. / 3, 0 }, { -r / 2, -1. / 3, h }, { -r / 2, -1. / 3, -h }, { 0, 1, 0 }
+    };
     for (int i = 0; i < 4; i++) {
         double corner[3];
         add_scaled(corner, point, bump->accuracy, corners[i]);
-        add_scaled(normal, normal,
-                   amount * height(bump, corner) / bump->accuracy,
+        add_scaled(normal, normal, amount * height(bump, corner) / bump->accuracy,
                    corners[i]);
     }
 }
 
 /* By where a point is in its cube. */
-static void quilt(const struct bump *bump, const double point[3],
-                  double normal[3])
+static void quilt(const struct bump *bump, const double point[3], double normal[3])
 {
     double from[3];
     for (int i = 0; i < 3; i++)
@@ -124,9 +117,8 @@ static void change(const struct bump *bump, const struct transform *space,
         normalise(normal);
 }
 
-static void change_by(const struct bump_entry *entry, bool unscaled,
-                      const double at[3], const double before[3],
-                      double share, double sum[3])
+static void change_by(const struct bump_entry *entry, bool unscaled, const double at[3],
+                      const double before[3], double share, double sum[3])
 {
     double normal[3];
     copy(normal, before);
@@ -134,8 +126,8 @@ static void change_by(const struct bump_entry *entry, bool unscaled,
     add_scaled(sum, sum, share, normal);
 }
 
-static void blend(const struct bump_list *list, bool unscaled,
-                  const double at[3], const double before[3], double sum[3])
+static void blend(const struct bump_list *list, bool unscaled, const double at[3],
+                  const double before[3], double sum[3])
 {
     const struct bump_entry *entries = list->entries;
     double value = plain_pattern(&list->bump.pattern, at);
@@ -146,14 +138,13 @@ static void blend(const struct bump_list *list, bool unscaled,
         change_by(&entries[k ? k - 1 : 0], unscaled, at, before, 1, sum);
         return;
     }
-    double u = (value - entries[k - 1].at)
-               / (entries[k].at - entries[k - 1].at);
+    double u = (value - entries[k - 1].at) / (entries[k].at - entries[k - 1].at);
     change_by(&entries[k - 1], unscaled, at, before, 1 - u, sum);
     change_by(&entries[k], unscaled, at, before, u, sum);
 }
 
-void plain_bumps(const struct bumps *bumps, double unit,
-                 const double point[3], double normal[3])
+void plain_bumps(const struct bumps *bumps, double unit, const double point[3],
+                 double normal[3])
 {
     const struct bump_list *list = bumps->list;
     double at[3], there[3], sum[3] = { 0, 0, 0 };
@@ -173,8 +164,8 @@ void plain_bumps(const struct bumps *bumps, double unit,
     if (!list->average)
         blend(list, bumps->unscaled, at, there, sum);
     for (size_t i = 0; list->average && i < list->count; i++)
-        change_by(&list->entries[i], bumps->unscaled, at, there,
-                  list->entries[i].at, sum);
+        change_by(&list->entries[i], bumps->unscaled, at, there, list->entries[i].at,
+                  sum);
     back(&bumps->to_local, sum, normal);
     normalise(normal);
 }

@@ -6,7 +6,7 @@
 
 /* A normal of length one at a point, as the bumps change it; the scene's unit of
  * length. */
-void plain_bumps(const struct bumps *bumps, double unit,
-                 const double point[3], double normal[3]);
+void plain_bumps(const struct bumps *bumps, double unit, const double point[3],
+                 double normal[3]);
 
 #endif

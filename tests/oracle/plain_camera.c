@@ -34,13 +34,11 @@ static void leave_lens(const struct camera *camera, size_t row, size_t column,
                        struct ray *ray)
 {
     size_t cells = plain_samples(camera);
-    double focus = camera->focal_distance,
-           length = length3(camera->direction);
+    double focus = camera->focal_distance, length = length3(camera->direction);
     double across[3], upward[3], x, y;
     cross3(camera->direction, camera->right, upward);
     cross3(upward, camera->direction, across);
-    to_disk(in_cell(row + column, cells), in_cell(row + 2 * column, cells),
-            &x, &y);
+    to_disk(in_cell(row + column, cells), in_cell(row + 2 * column, cells), &x, &y);
     x *= camera->lens_radius / length3(across);
     y *= camera->lens_radius / length3(upward);
     for (int i = 0; i < 3; i++) {
@@ -50,18 +48,16 @@ static void leave_lens(const struct camera *camera, size_t row, size_t column,
     }
 }
 
-struct ray plain_camera_ray(const struct camera *camera, size_t width,
-                            size_t height, size_t x, size_t y)
+struct ray plain_camera_ray(const struct camera *camera, size_t width, size_t height,
+                            size_t x, size_t y)
 {
     double u = ((double)x + .5) / (double)width - .5;
     double v = .5 - ((double)y + .5) / (double)height;
     struct ray ray;
     for (int i = 0; i < 3; i++) {
         double across = u * camera->right[i] + v * camera->up[i];
-        ray.origin[i] = camera->location[i]
-                        + (camera->orthographic ? across : 0);
-        ray.direction[i] = camera->direction[i]
-                           + (camera->orthographic ? 0 : across);
+        ray.origin[i] = camera->location[i] + (camera->orthographic ? across : 0);
+        ray.direction[i] = camera->direction[i] + (camera->orthographic ? 0 : across);
     }
     if (plain_samples(camera) > 1)
         leave_lens(camera, y, x, &ray);

@@ -8,7 +8,7 @@
 size_t plain_samples(const struct camera *camera);
 
 /* Of a picture of width x height samples. */
-struct ray plain_camera_ray(const struct camera *camera, size_t width,
-                            size_t height, size_t x, size_t y);
+struct ray plain_camera_ray(const struct camera *camera, size_t width, size_t height,
+                            size_t x, size_t y);
 
 #endif

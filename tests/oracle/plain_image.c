@@ -13,8 +13,8 @@ static double turn(double a, double b)
 }
 
 /* Along the image, from 0 to 1 of it, and up. */
-static void place_of(const struct image_map *map, const double point[3],
-                     double *u, double *v)
+static void place_of(const struct image_map *map, const double point[3], double *u,
+                     double *v)
 {
     double x = point[0], y = point[1], z = point[2];
     *u = map->mapping == IMAGE_PLANAR ? x : turn(x, z);
@@ -48,8 +48,7 @@ static size_t within(double place, size_t count, bool once)
     double last = (double)count - 1;
     if (once)
         return (size_t)fmin(fmax(place, 0), last);
-    return (size_t)fmin(place - floor(place / (double)count) * (double)count,
-                        last);
+    return (size_t)fmin(place - floor(place / (double)count) * (double)count, last);
 }
 
 /* A pixel of any column and row, these told from the left and from the top. */
@@ -60,13 +59,11 @@ static void pixel_at(const struct image_map *map, double column, double row,
     size_t x = within(column, table->width, map->once);
     size_t y = within(row, table->height, map->once);
     for (size_t i = 0; i < 3; i++)
-        color[i] =
-            table->light[table->samples[3 * (y * table->width + x) + i]];
+        color[i] = table->light[table->samples[3 * (y * table->width + x) + i]];
 }
 
 /* How much of a pixel shows whose middle is that far away, in pixels. */
-static double weight_of(enum image_sampling sampling, double along,
-                        double across)
+static double weight_of(enum image_sampling sampling, double along, double across)
 {
     if (sampling == IMAGE_BY_DISTANCE)
         return 1 / fmax(along * along + across * across, 1e-12);
@@ -74,16 +71,15 @@ static double weight_of(enum image_sampling sampling, double along,
 }
 
 /* Of the pixels whose middles are about the place. */
-static void between_pixels(const struct image_map *map, double column,
-                           double row, double color[3])
+static void between_pixels(const struct image_map *map, double column, double row,
+                           double color[3])
 {
     double left = floor(column - .5), top = floor(row - .5), sum = 0;
     for (int i = 0; i < 3; i++)
         color[i] = 0;
     for (double x = left; x <= left + 1; x++)
         for (double y = top; y <= top + 1; y++) {
-            double weight = weight_of(map->sampling, column - .5 - x,
-                                      row - .5 - y);
+            double weight = weight_of(map->sampling, column - .5 - x, row - .5 - y);
             double pixel[3];
             pixel_at(map, x, y, pixel);
             for (int i = 0; i < 3; i++)
@@ -94,8 +90,7 @@ static void between_pixels(const struct image_map *map, double column,
         color[i] /= sum;
 }
 
-void plain_image(const struct image_map *map, const double point[3],
-                 double color[3])
+void plain_image(const struct image_map *map, const double point[3], double color[3])
 {
     double u, v;
     place_of(map, point, &u, &v);

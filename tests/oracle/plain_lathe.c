@@ -18,8 +18,7 @@ static double least_radius(const struct outline *path)
 }
 
 /* The angle that a way is seen under, turned about it; on to its end. */
-static double turn_to(const double point[2], double from[2],
-                      const double to[2])
+static double turn_to(const double point[2], double from[2], const double to[2])
 {
     double r0 = from[0] - point[0], y0 = from[1] - point[1];
     double r1 = to[0] - point[0], y1 = to[1] - point[1];
@@ -29,8 +28,7 @@ static double turn_to(const double point[2], double from[2],
 }
 
 /* Level and upright at the least radius; 1e-4 aside of a segment there. */
-static double turn_back(const struct outline *path, const double point[2],
-                        double at[2])
+static double turn_back(const struct outline *path, const double point[2], double at[2])
 {
     const double(*points)[2] = (const double(*)[2])path->points;
     const double *first = points[0], *next = points[1];
@@ -62,8 +60,7 @@ bool in_lathe(const struct primitive *primitive, const double point[3])
     double at[2] = { first[0], first[1] }, turn = 0;
     for (size_t i = 1; i < path->count; i++)
         turn += turn_to(here, at, path->points[i]);
-    if ((first[0] == 0 && last[0] == 0)
-        || (first[0] == last[0] && first[1] == last[1]))
+    if ((first[0] == 0 && last[0] == 0) || (first[0] == last[0] && first[1] == last[1]))
         turn += turn_to(here, at, first);
     else
         turn += turn_back(path, here, at);
@@ -85,16 +82,14 @@ static size_t cross_ring(const double from[2], const double to[2],
 
 /* At a distance, if that is at a height of the segment and on this half of the
  * double cone: its normal stands across the segment. */
-static size_t cross_at(const double from[2], const double to[2],
-                       double distance, const struct ray *ray,
-                       struct crossing *crossing)
+static size_t cross_at(const double from[2], const double to[2], double distance,
+                       const struct ray *ray, struct crossing *crossing)
 {
     double rise = to[1] - from[1], out = to[0] - from[0], point[3];
     point_on(ray, distance, point);
     double away = hypot(point[0], point[2]);
-    *crossing = (struct crossing){
-        distance, { rise * point[0], -out * away, rise * point[2] }
-    };
+    *crossing = (struct crossing){ distance,
+                                   { rise * point[0], -out * away, rise * point[2] } };
     return has_height(from, to, point[1]);
 }
 
@@ -105,10 +100,8 @@ static size_t cross_segment(const double from[2], const double to[2],
     const double *o = ray->origin, *d = ray->direction;
     double rise = to[1] - from[1], out = to[0] - from[0];
     double radius = rise * from[0] + out * (o[1] - from[1]);
-    double a = rise * rise * (d[0] * d[0] + d[2] * d[2])
-               - out * out * d[1] * d[1];
-    double b = rise * rise * (o[0] * d[0] + o[2] * d[2])
-               - radius * out * d[1];
+    double a = rise * rise * (d[0] * d[0] + d[2] * d[2]) - out * out * d[1] * d[1];
+    double b = rise * rise * (o[0] * d[0] + o[2] * d[2]) - radius * out * d[1];
     double c = rise * rise * (o[0] * o[0] + o[2] * o[2]) - radius * radius;
     double root = sqrt(b * b - a * c);
     size_t count;
@@ -119,8 +112,7 @@ static size_t cross_segment(const double from[2], const double to[2],
     if (a == 0)
         return b == 0 ? 0 : cross_at(from, to, -c / (2 * b), ray, crossings);
     count = cross_at(from, to, (-b - root) / a, ray, crossings);
-    return count
-           + cross_at(from, to, (-b + root) / a, ray, &crossings[count]);
+    return count + cross_at(from, to, (-b + root) / a, ray, &crossings[count]);
 }
 
 size_t cross_lathe(const struct primitive *primitive, const struct ray *ray,

@@ -39,9 +39,8 @@ void plain_map_color(const struct pigment *pigment, const double point[3],
         return;
     }
     double along = dot(local, pigment->axis);
-    double value = pigment->kind == PIGMENT_GRADIENT
-                       ? along - floor(along)
-                       : plain_pattern(pigment, local);
+    double value = pigment->kind == PIGMENT_GRADIENT ? along - floor(along)
+                                                     : plain_pattern(pigment, local);
     while (above <= last && stops[above].at <= value)
         above++;
     if (above == 0 || above > last) {
@@ -55,8 +54,7 @@ void plain_map_color(const struct pigment *pigment, const double point[3],
                    + share * stops[above].color[i];
 }
 
-static void passing_color(const struct pigment *pigment, int cell,
-                          double passing[3])
+static void passing_color(const struct pigment *pigment, int cell, double passing[3])
 {
     for (int i = 0; i < 3; i++)
         passing[i] = pigment->color[cell][i] * pigment->filter[cell]
@@ -64,8 +62,7 @@ static void passing_color(const struct pigment *pigment, int cell,
 }
 
 void plain_describe(const struct scene *scene, const struct ray *ray,
-                    const struct plain_hit *hit,
-                    struct plain_surface *surface)
+                    const struct plain_hit *hit, struct plain_surface *surface)
 {
     const struct pigment *pigment = &hit->primitive->pigment;
     surface->ray = ray;
@@ -74,14 +71,13 @@ void plain_describe(const struct scene *scene, const struct ray *ray,
     point_on(ray, hit->distance, surface->point);
     copy(surface->before, hit->normal);
     copy(surface->normal, hit->normal);
-    plain_bumps(&hit->primitive->bumps, ldexp(1, scene->unit_log),
-                surface->point, surface->normal);
+    plain_bumps(&hit->primitive->bumps, ldexp(1, scene->unit_log), surface->point,
+                surface->normal);
     int cell = pigment_cell(pigment, surface->point);
     passing_color(pigment, cell, surface->passing);
     copy(surface->pigment, pigment->color[cell]);
     copy(surface->color, pigment->color[cell]);
-    scale_by(surface->color,
-             1 - pigment->filter[cell] - pigment->transmit[cell]);
+    scale_by(surface->color, 1 - pigment->filter[cell] - pigment->transmit[cell]);
     if (pigment_makes_sky(pigment) && cell == 0) {
         plain_map_color(pigment, surface->point, surface->color);
         copy(surface->pigment, surface->color);
@@ -113,8 +109,7 @@ static void add_metal(double metallic, double cosine, const double pigment[3],
                       double color[3])
 {
     double angle = acos(fmin(cosine, 1)) / acos(0);
-    double fresnel = .014567225 / ((angle - 1.12) * (angle - 1.12))
-                     - .011612903;
+    double fresnel = .014567225 / ((angle - 1.12) * (angle - 1.12)) - .011612903;
     double own = metallic * (1 - fmin(fmax(fresnel, 0), 1));
     for (int i = 0; i < 3; i++)
         color[i] *= 1 - own + own * pigment[i];
@@ -123,15 +118,13 @@ static void add_metal(double metallic, double cosine, const double pigment[3],
 /* What of unpolarised light a surface between media gives back. */
 static double fresnel_share(double index, double cosine)
 {
-    double inside = sqrt(
-        fmax(1 - (1 - cosine * cosine) / (index * index), 0));
+    double inside = sqrt(fmax(1 - (1 - cosine * cosine) / (index * index), 0));
     double across = (cosine - index * inside) / (cosine + index * inside);
     double along = (index * cosine - inside) / (index * cosine + inside);
     return fmin((across * across + along * along) / 2, 1);
 }
 
-double plain_mirror(const struct plain_surface *surface, double index,
-                    double color[3])
+double plain_mirror(const struct plain_surface *surface, double index, double color[3])
 {
     const struct finish *finish = surface->finish;
     double cosine = -dot(surface->ray->direction, surface->normal);
@@ -150,8 +143,7 @@ double plain_mirror(const struct plain_surface *surface, double index,
 
 /* --- shadows ------------------------------------------------------------ */
 
-static bool casts_shadow(const struct scene *scene,
-                         const struct region *region)
+static bool casts_shadow(const struct scene *scene, const struct region *region)
 {
     for (size_t i = 0; i < region->primitive_count; i++)
         if (!scene->primitives[region->first_primitive + i].no_shadow)
@@ -161,15 +153,13 @@ static bool casts_shadow(const struct scene *scene,
 
 /* Each surface on the way takes its part, straight on, going in and coming
  * out. */
-static void pass_region(const struct plain_tracer *tracer,
-                        const struct region *region, const struct ray *ray,
-                        double distance, double color[3])
+static void pass_region(const struct plain_tracer *tracer, const struct region *region,
+                        const struct ray *ray, double distance, double color[3])
 {
     double last = SHADOW_DISTANCE;
     struct plain_hit hit;
     plain_cross_region(tracer->crossings, tracer->scene, region, ray);
-    while (plain_next_hit(tracer->crossings, last, distance - SHADOW_DISTANCE,
-                          &hit)) {
+    while (plain_next_hit(tracer->crossings, last, distance - SHADOW_DISTANCE, &hit)) {
         const struct pigment *pigment = &hit.primitive->pigment;
         double point[3], passing[3];
         point_on(ray, hit.distance, point);
@@ -180,9 +170,8 @@ static void pass_region(const struct plain_tracer *tracer,
     }
 }
 
-static void pass_scene(const struct plain_tracer *tracer,
-                       const struct ray *ray, double distance,
-                       double color[3])
+static void pass_scene(const struct plain_tracer *tracer, const struct ray *ray,
+                       double distance, double color[3])
 {
     const struct scene *scene = tracer->scene;
     for (size_t i = 0; i < scene->region_count; i++)
@@ -240,9 +229,8 @@ static double share_in_cone(const struct light *light, const double way[3])
            * (full > 0 ? spline(cosine_of(light->falloff), full, cosine) : 1);
 }
 
-static double share_in_cylinder(const struct light *light,
-                                const double point[3], const double axis[3],
-                                double distance)
+static double share_in_cylinder(const struct light *light, const double point[3],
+                                const double axis[3], double distance)
 {
     double foot[3], across[3];
     if (distance <= 0)
@@ -253,9 +241,8 @@ static double share_in_cylinder(const struct light *light,
     if (inner <= 0)
         return 0;
     return pow(inner, light->tightness)
-           * (light->radius > 0
-                  ? spline(0, 1 - light->radius / light->falloff, inner)
-                  : 1);
+           * (light->radius > 0 ? spline(0, 1 - light->radius / light->falloff, inner)
+                                : 1);
 }
 
 /* What share of a light comes so far, as POV-Ray's pictures have it. */
@@ -269,9 +256,7 @@ static double share_of_light(const struct light *light, const double point[3],
         share = share_in_cylinder(light, point, way, distance);
     if (light->fade_power > 0 && light->fade_distance != 0)
         share *= 2
-                 / (1
-                    + pow(fabs(distance / light->fade_distance),
-                          light->fade_power));
+                 / (1 + pow(fabs(distance / light->fade_distance), light->fade_power));
     return share;
 }
 
@@ -290,8 +275,7 @@ static double side_share(int from, int to, int place)
            + .5 * side_share((int)ceil(middle), to, place);
 }
 
-static void area_place(const struct light *light, int u, int v,
-                       double place[3])
+static void area_place(const struct light *light, int u, int v, double place[3])
 {
     int across = (int)light->area_size[0], down = (int)light->area_size[1];
     double a = across > 1 ? u / (across - 1.0) - .5 : 0;
@@ -308,8 +292,7 @@ static void area_place(const struct light *light, int u, int v,
 }
 
 /* Of an area each place sends its share, through all that is before it. */
-static void pass_from_area(const struct plain_tracer *tracer,
-                           const struct light *light,
+static void pass_from_area(const struct plain_tracer *tracer, const struct light *light,
                            const struct ray *to_light, double color[3])
 {
     int across = (int)light->area_size[0], down = (int)light->area_size[1];
@@ -330,8 +313,7 @@ static void pass_from_area(const struct plain_tracer *tracer,
 
 /* A light behind the surface gives nothing, and one without shadows has no
  * highlights. */
-static void add_light(const struct plain_tracer *tracer,
-                      const struct light *light,
+static void add_light(const struct plain_tracer *tracer, const struct light *light,
                       const struct plain_surface *surface, double color[3])
 {
     struct ray to_light;
@@ -342,8 +324,7 @@ static void add_light(const struct plain_tracer *tracer,
     if (cosine < SMALL_ANGLE)
         return;
     copy(left, light->color);
-    scale_by(left, share_of_light(light, surface->point, to_light.direction,
-                                  distance));
+    scale_by(left, share_of_light(light, surface->point, to_light.direction, distance));
     if (!light->shadowless && light->area_size[0] > 0)
         pass_from_area(tracer, light, &to_light, left);
     else if (!light->shadowless)
@@ -352,16 +333,15 @@ static void add_light(const struct plain_tracer *tracer,
                         ? 0
                         : highlight(surface->finish, surface->ray->direction,
                                     surface->normal, to_light.direction);
-    double lit = surface->finish->diffuse
-                 * pow(cosine, surface->finish->brilliance);
+    double lit = surface->finish->diffuse * pow(cosine, surface->finish->brilliance);
     double gleam[3] = { bright, bright, bright };
     add_metal(surface->finish->metallic, cosine, surface->pigment, gleam);
     for (int i = 0; i < 3; i++)
         color[i] += left[i] * (lit * surface->color[i] + gleam[i]);
 }
 
-void plain_shade(const struct plain_tracer *tracer,
-                 const struct plain_surface *surface, double color[3])
+void plain_shade(const struct plain_tracer *tracer, const struct plain_surface *surface,
+                 double color[3])
 {
     const struct scene *scene = tracer->scene;
     for (int i = 0; i < 3; i++)

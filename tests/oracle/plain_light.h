@@ -30,19 +30,17 @@ void plain_map_color(const struct pigment *pigment, const double point[3],
                      double color[3]);
 
 void plain_describe(const struct scene *scene, const struct ray *ray,
-                    const struct plain_hit *hit,
-                    struct plain_surface *surface);
+                    const struct plain_hit *hit, struct plain_surface *surface);
 
 /* What of a mirrored ray's colour the surface gives back; the index of what is
  * behind it to what is before it counts in Fresnel's formulas.  Returns what
  * the ray weighs, POV-Ray's: the greatest part of that colour before it is made
  * metallic, but by a power of the angle the greatest of all angles. */
-double plain_mirror(const struct plain_surface *surface, double index,
-                    double color[3]);
+double plain_mirror(const struct plain_surface *surface, double index, double color[3]);
 
 /* The surface's colour without what comes through it or is mirrored: ambient,
  * and what each light adds through what stands before it. */
-void plain_shade(const struct plain_tracer *tracer,
-                 const struct plain_surface *surface, double color[3]);
+void plain_shade(const struct plain_tracer *tracer, const struct plain_surface *surface,
+                 double color[3]);
 
 #endif

@@ -22,8 +22,7 @@ static bool is_closed(const struct primitive *primitive)
     case PRIMITIVE_CYLINDER: return !primitive->shape.cylinder.open;
     case PRIMITIVE_CONE: return !primitive->shape.cone.open;
     case PRIMITIVE_PRISM: return !primitive->shape.prism.open;
-    case PRIMITIVE_QUADRATIC_PRISM:
-        return !primitive->shape.quadratic_prism.open;
+    case PRIMITIVE_QUADRATIC_PRISM: return !primitive->shape.quadratic_prism.open;
     case PRIMITIVE_LATHE: return path_is_closed(&primitive->shape.lathe.path);
     case PRIMITIVE_MESH: return primitive->shape.mesh.solid;
     case PRIMITIVE_DISC:
@@ -63,8 +62,7 @@ struct seen_list {
 };
 
 /* Behind those that are no farther: of one region they come in order. */
-static void insert(struct seen_list *seen,
-                   const struct plain_crossing *crossing)
+static void insert(struct seen_list *seen, const struct plain_crossing *crossing)
 {
     size_t at = seen->count++;
     if (seen->count > seen->room)
@@ -74,9 +72,8 @@ static void insert(struct seen_list *seen,
     seen->list[at] = *crossing;
 }
 
-static void see_region(struct seen_list *seen, const struct scene *scene,
-                       size_t region, const struct crossing_list *crossings,
-                       double least)
+static void see_region(struct seen_list *seen, const struct scene *scene, size_t region,
+                       const struct crossing_list *crossings, double least)
 {
     bool closed = plain_is_closed(scene, &scene->regions[region]);
     struct plain_hit hit;
@@ -95,8 +92,8 @@ static void see_region(struct seen_list *seen, const struct scene *scene,
     }
 }
 
-size_t plain_line(const struct scene *scene, const struct ray *line,
-                  double least, struct plain_crossing *list, size_t room)
+size_t plain_line(const struct scene *scene, const struct ray *line, double least,
+                  struct plain_crossing *list, size_t room)
 {
     struct seen_list seen = { list, 0, room };
     struct crossing_list *crossings = crossing_list_new(scene);

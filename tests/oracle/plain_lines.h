@@ -13,7 +13,7 @@ struct plain_crossing {
     double distance;
     size_t primitive; /* of the scene's, from 0 on */
     size_t region;
-    int sense; /* 1 into the region's body, -1 out of it, 0: it has none */
+    int sense;        /* 1 into the region's body, -1 out of it, 0: it has none */
     double normal[3]; /* against the line */
 };
 
@@ -26,7 +26,7 @@ bool plain_is_inside(const struct scene *scene, const struct region *region,
 
 /* Those of a line whose direction has length one, farther than `least`; as many as
  * there is room for.  Returns how many there are. */
-size_t plain_line(const struct scene *scene, const struct ray *line,
-                  double least, struct plain_crossing *list, size_t room);
+size_t plain_line(const struct scene *scene, const struct ray *line, double least,
+                  struct plain_crossing *list, size_t room);
 
 #endif

@@ -21,19 +21,17 @@ static double place_in(uint64_t *state, double width, size_t cell)
 }
 
 /* The points of one line along z that are inside of some region. */
-static void add_line(const struct box *box, uint64_t *state, double x,
-                     double y, double sum[PLAIN_MASS_FIGURES])
+static void add_line(const struct box *box, uint64_t *state, double x, double y,
+                     double sum[PLAIN_MASS_FIGURES])
 {
-    const struct ray ray = { { box->middle[0] + x, box->middle[1] + y,
-                               box->middle[2] },
+    const struct ray ray = { { box->middle[0] + x, box->middle[1] + y, box->middle[2] },
                              { 0, 0, 1 } };
     double z[CELLS];
     bool inside[CELLS] = { false };
     for (size_t k = 0; k < CELLS; k++)
         z[k] = place_in(state, box->width[2], k);
     for (size_t i = 0; i < box->scene->region_count; i++) {
-        plain_cross_region(box->crossings, box->scene,
-                           &box->scene->regions[i], &ray);
+        plain_cross_region(box->crossings, box->scene, &box->scene->regions[i], &ray);
         for (size_t k = 0; k < CELLS; k++)
             inside[k] = inside[k] || plain_holds(box->crossings, z[k]);
     }
@@ -63,8 +61,7 @@ static void one_turn(const struct box *box, uint64_t *state,
 
 void plain_mass(const struct scene *scene, const double middle[3],
                 const double width[3], uint64_t *state,
-                double value[PLAIN_MASS_FIGURES],
-                double error[PLAIN_MASS_FIGURES])
+                double value[PLAIN_MASS_FIGURES], double error[PLAIN_MASS_FIGURES])
 {
     struct box box = { scene, middle, width, crossing_list_new(scene) };
     double sum[TURNS][PLAIN_MASS_FIGURES] = { { 0 } };

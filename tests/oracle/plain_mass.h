@@ -11,7 +11,6 @@ enum { PLAIN_MASS_FIGURES = 4 };
 /* By points of a box, each by chance in its cell; errors are standard ones. */
 void plain_mass(const struct scene *scene, const double middle[3],
                 const double width[3], uint64_t *state,
-                double value[PLAIN_MASS_FIGURES],
-                double error[PLAIN_MASS_FIGURES]);
+                double value[PLAIN_MASS_FIGURES], double error[PLAIN_MASS_FIGURES]);
 
 #endif

@@ -46,8 +46,7 @@ static void free_slots(struct plain_memory *memory, size_t count)
 }
 
 /* The slot of an address, or the free one where it belongs. */
-static struct plain_slot *find(const struct plain_memory *memory,
-                               uint64_t address)
+static struct plain_slot *find(const struct plain_memory *memory, uint64_t address)
 {
     uint64_t mixed = address * UINT64_C(0x9E3779B97F4A7C15);
     size_t i = (size_t)(mixed >> 32) & (memory->slot_count - 1);
@@ -95,8 +94,7 @@ static void remember(struct plain_memory *memory, uint64_t address)
     };
 }
 
-void plain_store(struct plain_memory *memory, uint64_t address,
-                 c205_word word)
+void plain_store(struct plain_memory *memory, uint64_t address, c205_word word)
 {
     remember(memory, plain_address(address));
     if (2 * memory->word_count >= memory->slot_count)
@@ -112,16 +110,14 @@ void plain_settle(struct plain_memory *memory)
 void plain_undo(struct plain_memory *memory)
 {
     while (memory->change_count > 0) {
-        const struct plain_change *last = memory->changes
-                                          + --memory->change_count;
+        const struct plain_change *last = memory->changes + --memory->change_count;
         put(memory, last->address, last->before);
     }
 }
 
 /* ---- Pages ------------------------------------------------------------- */
 
-static struct plain_page *page_of(const struct plain_memory *memory,
-                                  uint64_t address)
+static struct plain_page *page_of(const struct plain_memory *memory, uint64_t address)
 {
     for (size_t i = 0; i < memory->page_count; i++)
         if (memory->pages[i].number == plain_page_number(address))
@@ -129,14 +125,12 @@ static struct plain_page *page_of(const struct plain_memory *memory,
     return NULL;
 }
 
-static void map_page(struct plain_memory *memory, uint64_t address,
-                     c205_access access)
+static void map_page(struct plain_memory *memory, uint64_t address, c205_access access)
 {
     if (!page_of(memory, address)) {
         memory->pages = plain_room(memory->pages, memory->page_count + 1,
                                    sizeof *memory->pages);
-        memory->pages[memory->page_count++].number = plain_page_number(
-            address);
+        memory->pages[memory->page_count++].number = plain_page_number(address);
     }
     page_of(memory, address)->access = access;
 }
@@ -146,8 +140,8 @@ void plain_map(struct plain_memory *memory, uint64_t address, size_t words,
 {
     uint64_t last = address + WORD_BITS * (uint64_t)(words - 1);
 
-    for (uint64_t page = plain_page_number(address);
-         page <= plain_page_number(last); page++)
+    for (uint64_t page = plain_page_number(address); page <= plain_page_number(last);
+         page++)
         map_page(memory, page * C205_PAGE_WORDS * WORD_BITS, access);
 }
 

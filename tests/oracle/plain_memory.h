@@ -42,8 +42,7 @@ bool plain_is_writable(const struct plain_memory *memory, uint64_t address);
 
 /* Words never stored are zero, mapped or not. */
 c205_word plain_read(const struct plain_memory *memory, uint64_t address);
-void plain_store(struct plain_memory *memory, uint64_t address,
-                 c205_word word);
+void plain_store(struct plain_memory *memory, uint64_t address, c205_word word);
 
 /* The stores since the last of these two calls are kept or taken back. */
 void plain_settle(struct plain_memory *memory);

@@ -40,8 +40,7 @@ struct meeting {
 static bool is_parallel(long double across, const accurate normal,
                         const accurate direction)
 {
-    long double lengths = sqrtl(sum_of(normal, normal)
-                                * sum_of(direction, direction));
+    long double lengths = sqrtl(sum_of(normal, normal) * sum_of(direction, direction));
     return !(fabsl(across) > PARALLEL * lengths);
 }
 
@@ -90,8 +89,8 @@ static void flat_normal(const struct triangle *triangle, double normal[3])
         normal[i] = (double)across[i];
 }
 
-static bool cross_triangle(const struct triangle *triangle,
-                           const struct ray *ray, struct crossing *crossing)
+static bool cross_triangle(const struct triangle *triangle, const struct ray *ray,
+                           struct crossing *crossing)
 {
     struct meeting meeting;
     if (!meet_plane(triangle, ray, &meeting))
@@ -119,8 +118,7 @@ static bool goes_before(double a, double b)
 }
 
 /* Of triangles that meet the line in one point, as on an edge, the first. */
-static bool is_known(const struct crossing *crossings, size_t count,
-                     double distance)
+static bool is_known(const struct crossing *crossings, size_t count, double distance)
 {
     long double within = SAME * (1 + fabsl(distance));
     for (size_t i = 0; i < count; i++)
@@ -163,8 +161,7 @@ size_t cross_mesh(const struct primitive *primitive, const struct ray *ray,
 
 /* How often a ray from a point meets triangles; -1: it comes so near to an edge
  * that it is not sure. */
-static long count_ahead(const struct triangles *triangles,
-                        const struct ray *ray)
+static long count_ahead(const struct triangles *triangles, const struct ray *ray)
 {
     long count = 0;
     for (size_t i = 0; i < triangles->count; i++) {
@@ -172,8 +169,7 @@ static long count_ahead(const struct triangles *triangles,
         if (!meet_plane(&triangles->list[i], ray, &meeting))
             continue;
         long double least = fminl(meeting.shares[0],
-                                  fminl(meeting.shares[1],
-                                        meeting.shares[2]));
+                                  fminl(meeting.shares[1], meeting.shares[2]));
         if (fabsl(least) < UNSURE)
             return -1;
         count += least > 0 && meeting.distance > 0;

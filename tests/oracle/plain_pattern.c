@@ -42,10 +42,8 @@ static double brick(const struct pattern *pattern, const double point[3])
     double course = (point[1] + more) / (2 * size[1]);
     bool first = course - floor(course) <= .5;
     return !in_joint(point[1] + more, size[1], m)
-           && !in_joint(point[0] + more + (first ? 0 : size[0] / 2), size[0],
-                        m)
-           && !in_joint(point[2] + more + (first ? size[2] / 2 : 0), size[2],
-                        m);
+           && !in_joint(point[0] + more + (first ? 0 : size[0] / 2), size[0], m)
+           && !in_joint(point[2] + more + (first ? size[2] / 2 : 0), size[2], m);
 }
 
 /* The nearest centre of all that are near. */
@@ -55,8 +53,7 @@ static double hexagon(const double point[3])
     for (double k = column - 1; k <= column + 2; k++) {
         double row = floor(point[2] / sqrt(3) - k / 2);
         for (double a = row - 1; a <= row + 2; a++) {
-            double away = hypot(point[0] - 1.5 * k,
-                                point[2] - sqrt(3) * (a + k / 2));
+            double away = hypot(point[0] - 1.5 * k, point[2] - sqrt(3) * (a + k / 2));
             if (away < best) {
                 best = away;
                 number = a - k;
@@ -77,17 +74,14 @@ static double value_at(const struct pigment *pigment, const double point[3])
     case PATTERN_BOXED: return within(fmax(fabs(x), fmax(fabs(y), fabs(z))));
     case PATTERN_ONION: return fmod(far, 1);
     case PATTERN_LEOPARD: return leopard(point);
-    case PATTERN_RADIAL:
-        return .25 + (atan2(x, z) + half_turn()) / (2 * half_turn());
+    case PATTERN_RADIAL: return .25 + (atan2(x, z) + half_turn()) / (2 * half_turn());
     case PATTERN_SLANTED:
-        along = x * pigment->axis[0] + y * pigment->axis[1]
-                + z * pigment->axis[2];
+        along = x * pigment->axis[0] + y * pigment->axis[1] + z * pigment->axis[2];
         return along > 1 ? fmod(along, 1) : along;
     case PATTERN_BRICK: return brick(&pigment->pattern, point);
     case PATTERN_CHECKER:
         return fabs(
-            fmod(floor(x + EARLIER) + floor(y + EARLIER) + floor(z + EARLIER),
-                 2));
+            fmod(floor(x + EARLIER) + floor(y + EARLIER) + floor(z + EARLIER), 2));
     default: return hexagon(point);
     }
 }

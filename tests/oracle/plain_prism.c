@@ -72,9 +72,9 @@ static bool cross_cap(const struct primitive *primitive, double height,
     double point[3];
     if (ray->direction[1] == 0)
         return false;
-    *crossing = (struct crossing){ .distance = (height - ray->origin[1])
-                                               / ray->direction[1],
-                                   .normal = { 0, 1, 0 } };
+    *crossing = (struct crossing){
+        .distance = (height - ray->origin[1]) / ray->direction[1], .normal = { 0, 1, 0 }
+    };
     point_on(ray, crossing->distance, point);
     return is_round(&primitive->shape.prism.path, point[0], point[2]);
 }

@@ -71,18 +71,15 @@ static bool is_round(const struct outline *path, double x, double z)
     return inside;
 }
 
-bool in_quadratic_prism(const struct primitive *primitive,
-                        const double point[3])
+bool in_quadratic_prism(const struct primitive *primitive, const double point[3])
 {
     return point[1] > primitive->shape.quadratic_prism.low
            && point[1] < primitive->shape.quadratic_prism.high
-           && is_round(&primitive->shape.quadratic_prism.path, point[0],
-                       point[2]);
+           && is_round(&primitive->shape.quadratic_prism.path, point[0], point[2]);
 }
 
-static size_t cross_sides(const struct primitive *primitive,
-                          const struct arc *arc, const struct ray *ray,
-                          struct crossing *crossings)
+static size_t cross_sides(const struct primitive *primitive, const struct arc *arc,
+                          const struct ray *ray, struct crossing *crossings)
 {
     const double *o = ray->origin, *d = ray->direction;
     double w[2], level = d[0] * d[0] + d[2] * d[2];
@@ -108,16 +105,14 @@ static size_t cross_cap(const struct primitive *primitive, double height,
     double point[3];
     if (ray->direction[1] == 0)
         return 0;
-    *crossing = (struct crossing){ .distance = (height - ray->origin[1])
-                                               / ray->direction[1],
-                                   .normal = { 0, 1, 0 } };
+    *crossing = (struct crossing){
+        .distance = (height - ray->origin[1]) / ray->direction[1], .normal = { 0, 1, 0 }
+    };
     point_on(ray, crossing->distance, point);
-    return is_round(&primitive->shape.quadratic_prism.path, point[0],
-                    point[2]);
+    return is_round(&primitive->shape.quadratic_prism.path, point[0], point[2]);
 }
 
-size_t cross_quadratic_prism(const struct primitive *primitive,
-                             const struct ray *ray,
+size_t cross_quadratic_prism(const struct primitive *primitive, const struct ray *ray,
                              struct crossing crossings[MOST_CROSSINGS])
 {
     struct arcs arcs = { .path = &primitive->shape.quadratic_prism.path };

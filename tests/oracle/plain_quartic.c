@@ -28,8 +28,7 @@ static struct centred_line centre(const struct ray *ray)
     line.start = -along / square;
     line.step = 1 / sqrtl(square);
     for (int i = 0; i < 3; i++) {
-        line.coordinate[i].c[0] = ray->origin[i]
-                                  + line.start * ray->direction[i];
+        line.coordinate[i].c[0] = ray->origin[i] + line.start * ray->direction[i];
         line.coordinate[i].c[1] = ray->direction[i] * line.step;
     }
     return line;
@@ -45,8 +44,7 @@ static struct along times(const struct along *a, const struct along *b)
     return product;
 }
 
-static void add_times(struct along *sum, long double factor,
-                      const struct along *what)
+static void add_times(struct along *sum, long double factor, const struct along *what)
 {
     for (int i = 0; i < TERMS; i++)
         sum->c[i] += factor * what->c[i];
@@ -98,15 +96,13 @@ static void torus_normal(const struct torus *torus, const double point[3],
     double ratio = torus->radial / torus->axial;
     double across = point[0] * point[0] + point[2] * point[2];
     double sum = across + ratio * ratio * point[1] * point[1]
-                 + torus->major * torus->major
-                 - torus->radial * torus->radial;
+                 + torus->major * torus->major - torus->radial * torus->radial;
     normal[0] = point[0] * (sum - 2 * torus->major * torus->major);
     normal[1] = point[1] * ratio * ratio * sum;
     normal[2] = point[2] * (sum - 2 * torus->major * torus->major);
 }
 
-static size_t cross_any_torus(const struct torus *torus,
-                              const struct ray *ray,
+static size_t cross_any_torus(const struct torus *torus, const struct ray *ray,
                               struct crossing crossings[MOST_CROSSINGS])
 {
     struct centred_line line = centre(ray);
@@ -128,8 +124,7 @@ size_t cross_torus(const struct primitive *primitive, const struct ray *ray,
     return cross_any_torus(&torus, ray, crossings);
 }
 
-size_t cross_elliptical_torus(const struct primitive *primitive,
-                              const struct ray *ray,
+size_t cross_elliptical_torus(const struct primitive *primitive, const struct ray *ray,
                               struct crossing crossings[MOST_CROSSINGS])
 {
     const struct torus torus = { primitive->shape.elliptical_torus.major,
@@ -173,8 +168,7 @@ static struct along quartic_along(const double *coefficients,
 }
 
 /* The derivative of a term by one axis, at a point. */
-static double term_slope(const powers_of_term powers, int by,
-                         const double point[3])
+static double term_slope(const powers_of_term powers, int by, const double point[3])
 {
     double value = powers[by];
     for (int axis = 0; axis < 3; axis++)
@@ -191,8 +185,7 @@ static void quartic_normal(const double *coefficients, const double point[3],
     for (int axis = 0; axis < 3; axis++) {
         normal[axis] = 0;
         for (int i = 0; i < QUARTIC_TERMS; i++)
-            normal[axis] += coefficients[i]
-                            * term_slope(powers[i], axis, point);
+            normal[axis] += coefficients[i] * term_slope(powers[i], axis, point);
     }
 }
 

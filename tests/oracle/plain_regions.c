@@ -21,8 +21,7 @@ struct crossing_list {
 
 /* --- transforms -------------------------------------------------------- */
 
-static void turn(const struct transform *transform, const double in[3],
-                 double out[3])
+static void turn(const struct transform *transform, const double in[3], double out[3])
 {
     for (int i = 0; i < 3; i++)
         out[i] = dot(transform->rows[i], in);
@@ -37,8 +36,8 @@ void to_other_space(const struct transform *transform, const double in[3],
 }
 
 /* Normals go by the transpose of the inverse. */
-static void normal_to_world(const struct transform *to_local,
-                            const double in[3], double out[3])
+static void normal_to_world(const struct transform *to_local, const double in[3],
+                            double out[3])
 {
     for (int i = 0; i < 3; i++)
         out[i] = to_local->rows[0][i] * in[0] + to_local->rows[1][i] * in[1]
@@ -55,8 +54,7 @@ struct crossing_list *crossing_list_new(const struct scene *scene)
     for (size_t i = 0; i < scene->region_count; i++)
         if (scene->regions[i].primitive_count > most)
             most = scene->regions[i].primitive_count;
-    list = malloc(sizeof *list
-                  + most * MOST_CROSSINGS * sizeof *list->places);
+    list = malloc(sizeof *list + most * MOST_CROSSINGS * sizeof *list->places);
     return list;
 }
 
@@ -81,9 +79,8 @@ static void cross_primitive(struct crossing_list *list,
     struct ray local;
     to_other_space(&primitive->to_local, list->ray->origin, local.origin);
     turn(&primitive->to_local, list->ray->direction, local.direction);
-    size_t count = primitive->unseen
-                       ? 0
-                       : plain_crossings(primitive, &local, crossings);
+    size_t count = primitive->unseen ? 0
+                                     : plain_crossings(primitive, &local, crossings);
     for (size_t i = 0; i < count; i++) {
         struct place place = { primitive, crossings[i].distance, { 0 } };
         copy(place.normal, crossings[i].normal);
@@ -99,8 +96,7 @@ void plain_cross_region(struct crossing_list *list, const struct scene *scene,
     list->ray = ray;
     list->count = 0;
     for (size_t i = 0; i < region->primitive_count; i++)
-        cross_primitive(list,
-                        &scene->primitives[region->first_primitive + i]);
+        cross_primitive(list, &scene->primitives[region->first_primitive + i]);
 }
 
 /* --- the tree ----------------------------------------------------------- */
@@ -113,12 +109,11 @@ struct probe {
     double point[3];
 };
 
-static struct probe probe_at(const struct crossing_list *list,
-                             double crossing, bool behind)
+static struct probe probe_at(const struct crossing_list *list, double crossing,
+                             bool behind)
 {
     struct probe probe = { list, crossing, behind, { 0 } };
-    point_on(list->ray, crossing + (behind ? PLAIN_DELTA : -PLAIN_DELTA),
-             probe.point);
+    point_on(list->ray, crossing + (behind ? PLAIN_DELTA : -PLAIN_DELTA), probe.point);
     return probe;
 }
 
@@ -129,8 +124,7 @@ static bool is_near(const struct place *place, double distance)
 
 /* A patch, which has no inside, counts as solid behind a crossing with it and
  * nowhere else. */
-static bool is_behind(const struct probe *probe,
-                      const struct primitive *patch)
+static bool is_behind(const struct probe *probe, const struct primitive *patch)
 {
     for (size_t i = 0; probe->behind && i < probe->list->count; i++)
         if (probe->list->places[i].primitive == patch
@@ -139,8 +133,7 @@ static bool is_behind(const struct probe *probe,
     return false;
 }
 
-static bool is_inside(const struct probe *probe,
-                      const struct primitive *primitive)
+static bool is_inside(const struct probe *probe, const struct primitive *primitive)
 {
     double local[3];
     to_other_space(&primitive->to_local, probe->point, local);
@@ -157,8 +150,7 @@ static bool value_of(const struct probe *probe, size_t at)
     if (node->operation == TREE_NOT)
         return !value_of(probe, at + 1);
     bool decides = node->operation == TREE_OR;
-    for (size_t child = at + 1; child < node->next;
-         child = scene->nodes[child].next)
+    for (size_t child = at + 1; child < node->next; child = scene->nodes[child].next)
         if (value_of(probe, child) == decides)
             return decides;
     return !decides;
@@ -172,8 +164,8 @@ static bool is_alone(const struct region *region)
 static bool is_solid(const struct probe *probe)
 {
     const struct region *region = probe->list->region;
-    const struct primitive
-        *first = &probe->list->scene->primitives[region->first_primitive];
+    const struct primitive *first = &probe->list->scene
+                                         ->primitives[region->first_primitive];
     return is_alone(region) ? is_inside(probe, first) != first->inverted
                             : value_of(probe, region->first_node);
 }
@@ -203,20 +195,17 @@ static bool shows_below(const struct sides *sides, size_t at,
         return false;
     if (node->operation == TREE_LEAF)
         return primitive == &scene->primitives[node->primitive];
-    for (size_t child = at + 1; child < node->next;
-         child = scene->nodes[child].next)
+    for (size_t child = at + 1; child < node->next; child = scene->nodes[child].next)
         if (shows_below(sides, child, primitive))
             return true;
     return false;
 }
 
 /* Of a primitive alone every crossing is seen. */
-static bool shows(const struct sides *sides,
-                  const struct primitive *primitive)
+static bool shows(const struct sides *sides, const struct primitive *primitive)
 {
     const struct region *region = sides->before.list->region;
-    return is_alone(region)
-           || shows_below(sides, region->first_node, primitive);
+    return is_alone(region) || shows_below(sides, region->first_node, primitive);
 }
 
 /* Of the crossings that are as good as one that of the first primitive which
@@ -231,8 +220,7 @@ static const struct place *first_shown(const struct crossing_list *list,
         bool nearer = place->primitive == seen->primitive
                       && fabs(place->distance - distance)
                              < fabs(seen->distance - distance);
-        if (is_near(place, distance)
-            && (place->primitive < seen->primitive || nearer)
+        if (is_near(place, distance) && (place->primitive < seen->primitive || nearer)
             && shows(sides, place->primitive))
             seen = place;
     }
@@ -241,8 +229,8 @@ static const struct place *first_shown(const struct crossing_list *list,
 
 /* To a ray a mesh without inside is what it comes into; but as an opaque one
  * alone it has a side, as a patch has, that its normal points to. */
-static bool comes_into(const struct crossing_list *list,
-                       const struct place *place, double along)
+static bool comes_into(const struct crossing_list *list, const struct place *place,
+                       double along)
 {
     const struct primitive *primitive = place->primitive;
     if (primitive->kind == PRIMITIVE_MESH
@@ -251,36 +239,33 @@ static bool comes_into(const struct crossing_list *list,
     return (along < 0) != primitive->inverted;
 }
 
-static void describe(const struct crossing_list *list,
-                     const struct place *place, bool solid_behind,
-                     struct plain_hit *hit)
+static void describe(const struct crossing_list *list, const struct place *place,
+                     bool solid_behind, struct plain_hit *hit)
 {
     const double *direction = list->ray->direction;
     hit->primitive = place->primitive;
     normal_to_world(&place->primitive->to_local, place->normal, hit->normal);
     double along = dot(hit->normal, direction);
-    hit->entering = shape_is_surface(place->primitive)
-                        ? comes_into(list, place, along)
-                        : solid_behind;
+    hit->entering = shape_is_surface(place->primitive) ? comes_into(list, place, along)
+                                                       : solid_behind;
     if (along > 0)
         scale_by(hit->normal, -1);
 }
 
-static bool look_at(const struct crossing_list *list,
-                    const struct place *place, struct plain_hit *hit)
+static bool look_at(const struct crossing_list *list, const struct place *place,
+                    struct plain_hit *hit)
 {
     const struct sides sides = { probe_at(list, place->distance, false),
                                  probe_at(list, place->distance, true) };
     if (!shows(&sides, place->primitive))
         return false;
     hit->distance = place->distance;
-    describe(list, first_shown(list, &sides, place), is_solid(&sides.behind),
-             hit);
+    describe(list, first_shown(list, &sides, place), is_solid(&sides.behind), hit);
     return true;
 }
 
-bool plain_next_hit(const struct crossing_list *list, double last,
-                    double limit, struct plain_hit *hit)
+bool plain_next_hit(const struct crossing_list *list, double last, double limit,
+                    struct plain_hit *hit)
 {
     for (size_t i = 0; i < list->count; i++) {
         const struct place *place = &list->places[i];

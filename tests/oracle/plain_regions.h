@@ -31,8 +31,8 @@ void plain_cross_region(struct crossing_list *list, const struct scene *scene,
 
 /* The nearest of them that can be seen beyond `last` and before `limit`; false
  * when there is none. */
-bool plain_next_hit(const struct crossing_list *list, double last,
-                    double limit, struct plain_hit *hit);
+bool plain_next_hit(const struct crossing_list *list, double last, double limit,
+                    struct plain_hit *hit);
 
 /* Is the line inside of the region at that distance? */
 bool plain_holds(const struct crossing_list *list, double distance);

@@ -26,8 +26,7 @@ static struct polynomial derivative(const struct polynomial *f)
 }
 
 /* The signs at both ends differ. */
-static long double bisect(const struct polynomial *f, long double low,
-                          long double high)
+static long double bisect(const struct polynomial *f, long double low, long double high)
 {
     long double close = 1e-24L; /* far less than a double's last bit */
     bool below = is_below(f, low);
@@ -63,8 +62,7 @@ static size_t roots_between(const struct polynomial *f, long double low,
 /* Roots beyond 1 are those of the polynomial read backwards, one over them: so
  * no bound of the roots is needed, and none is lost when a leading coefficient
  * is 0. */
-size_t plain_roots(const long double *c, int degree,
-                   long double roots[HIGHEST_DEGREE])
+size_t plain_roots(const long double *c, int degree, long double roots[HIGHEST_DEGREE])
 {
     struct polynomial forward = { degree, { 0 } };
     struct polynomial backward = { degree, { 0 } };

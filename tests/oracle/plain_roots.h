@@ -14,7 +14,6 @@ enum { HIGHEST_DEGREE = 4 };
 
 /* Of c[0] + c[1] t + .. + c[degree] t^degree; the highest coefficients may be
  * 0.  In no order; returns how many, at most degree. */
-size_t plain_roots(const long double *c, int degree,
-                   long double roots[HIGHEST_DEGREE]);
+size_t plain_roots(const long double *c, int degree, long double roots[HIGHEST_DEGREE]);
 
 #endif

@@ -31,8 +31,7 @@ size_t cross_sphere(const struct primitive *primitive, const struct ray *ray,
     return count;
 }
 
-static void face_crossing(struct crossing *crossing, double distance,
-                          int axis)
+static void face_crossing(struct crossing *crossing, double distance, int axis)
 {
     *crossing = (struct crossing){ .distance = distance };
     crossing->normal[axis] = 1;
@@ -72,8 +71,8 @@ struct axial_view {
     double radius, slope;
 };
 
-static void view_along(const double base[3], const double cap[3],
-                       const struct ray *ray, struct axial_view *view)
+static void view_along(const double base[3], const double cap[3], const struct ray *ray,
+                       struct axial_view *view)
 {
     add_scaled(view->axis, cap, -1, base);
     view->length = sqrt(dot(view->axis, view->axis));
@@ -87,19 +86,15 @@ static void view_along(const double base[3], const double cap[3],
 
 /* The distance from the axis is the radius: the difference of their squares is
  * 0, and its gradient the normal. */
-static size_t cross_wall(const struct axial_view *view,
-                         struct crossing *crossings)
+static size_t cross_wall(const struct axial_view *view, struct crossing *crossings)
 {
     double radius = view->radius + view->slope * view->height;
     double growth = view->slope * view->rise;
     double roots[2];
     size_t count = 0;
-    size_t found = quadratic(dot(view->direction, view->direction)
-                                 - growth * growth,
-                             dot(view->from, view->direction)
-                                 - radius * growth,
-                             dot(view->from, view->from) - radius * radius,
-                             roots);
+    size_t found = quadratic(dot(view->direction, view->direction) - growth * growth,
+                             dot(view->from, view->direction) - radius * growth,
+                             dot(view->from, view->from) - radius * radius, roots);
     for (size_t i = 0; i < found; i++) {
         double height = view->height + roots[i] * view->rise;
         double *normal = crossings[count].normal;
@@ -107,8 +102,7 @@ static size_t cross_wall(const struct axial_view *view,
             continue;
         crossings[count++].distance = roots[i];
         add_scaled(normal, view->from, roots[i], view->direction);
-        add_scaled(normal, normal,
-                   -view->slope * (view->radius + view->slope * height),
+        add_scaled(normal, normal, -view->slope * (view->radius + view->slope * height),
                    view->axis);
     }
     return count;
@@ -127,20 +121,18 @@ static size_t cross_disk(const struct axial_view *view, double height,
     return dot(across, across) <= radius * radius;
 }
 
-static size_t cross_disks(const struct axial_view *view,
-                          struct crossing *crossings)
+static size_t cross_disks(const struct axial_view *view, struct crossing *crossings)
 {
     size_t count = cross_disk(view, 0, crossings);
     return count + cross_disk(view, view->length, &crossings[count]);
 }
 
-size_t cross_cylinder(const struct primitive *primitive,
-                      const struct ray *ray,
+size_t cross_cylinder(const struct primitive *primitive, const struct ray *ray,
                       struct crossing crossings[MOST_CROSSINGS])
 {
     struct axial_view view;
-    view_along(primitive->shape.cylinder.base, primitive->shape.cylinder.cap,
-               ray, &view);
+    view_along(primitive->shape.cylinder.base, primitive->shape.cylinder.cap, ray,
+               &view);
     view.radius = primitive->shape.cylinder.radius;
     view.slope = 0;
     size_t count = cross_wall(&view, crossings);
@@ -153,15 +145,12 @@ size_t cross_cone(const struct primitive *primitive, const struct ray *ray,
                   struct crossing crossings[MOST_CROSSINGS])
 {
     struct axial_view view;
-    view_along(primitive->shape.cone.base, primitive->shape.cone.cap, ray,
-               &view);
+    view_along(primitive->shape.cone.base, primitive->shape.cone.cap, ray, &view);
     view.radius = primitive->shape.cone.base_radius;
-    view.slope = (primitive->shape.cone.cap_radius - view.radius)
-                 / view.length;
+    view.slope = (primitive->shape.cone.cap_radius - view.radius) / view.length;
     size_t count = cross_wall(&view, crossings);
-    return primitive->shape.cone.open
-               ? count
-               : count + cross_disks(&view, &crossings[count]);
+    return primitive->shape.cone.open ? count
+                                      : count + cross_disks(&view, &crossings[count]);
 }
 
 size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
@@ -171,8 +160,7 @@ size_t cross_plane(const struct primitive *primitive, const struct ray *ray,
     double along = dot(normal, ray->direction);
     if (along == 0)
         return 0;
-    crossings[0].distance = (primitive->shape.plane.distance
-                             - dot(normal, ray->origin))
+    crossings[0].distance = (primitive->shape.plane.distance - dot(normal, ray->origin))
                             / along;
     copy(crossings[0].normal, normal);
     return 1;
@@ -192,14 +180,12 @@ size_t cross_disc(const struct primitive *primitive, const struct ray *ray,
     point_on(ray, crossings[0].distance, from);
     add_scaled(from, from, -1, primitive->shape.disc.center);
     away = sqrt(dot(from, from));
-    return away >= primitive->shape.disc.hole
-           && away <= primitive->shape.disc.radius;
+    return away >= primitive->shape.disc.hole && away <= primitive->shape.disc.radius;
 }
 
 /* A quadric's gradient at a point; without its linear part in a direction. */
-static void quadric_gradient(const double c[QUADRIC_TERMS],
-                             const double at[3], double linear,
-                             double gradient[3])
+static void quadric_gradient(const double c[QUADRIC_TERMS], const double at[3],
+                             double linear, double gradient[3])
 {
     double x = at[0], y = at[1], z = at[2];
     gradient[0] = 2 * c[0] * x + c[3] * y + c[4] * z + linear * c[6];
@@ -228,8 +214,7 @@ size_t cross_quadric(const struct primitive *primitive, const struct ray *ray,
     return count;
 }
 
-size_t plain_crossings(const struct primitive *primitive,
-                       const struct ray *ray,
+size_t plain_crossings(const struct primitive *primitive, const struct ray *ray,
                        struct crossing crossings[MOST_CROSSINGS])
 {
     static cross_shape *const cross[PRIMITIVE_KINDS] = {

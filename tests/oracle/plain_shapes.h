@@ -26,15 +26,13 @@ struct crossing {
 enum { MOST_CROSSINGS = 40 };
 
 /* Every crossing of the whole line, in no order; returns how many. */
-typedef size_t cross_shape(const struct primitive *primitive,
-                           const struct ray *ray,
+typedef size_t cross_shape(const struct primitive *primitive, const struct ray *ray,
                            struct crossing crossings[MOST_CROSSINGS]);
 cross_shape plain_crossings;
 
 /* Is a point of the primitive's own space inside of it?  A patch has no
  * inside, nor has a mesh without an inside_vector. */
-typedef bool enclose_point(const struct primitive *primitive,
-                           const double point[3]);
+typedef bool enclose_point(const struct primitive *primitive, const double point[3]);
 enclose_point plain_encloses;
 
 /* Of each: plain_shapes.c, plain_solids.c, plain_quartic.c, plain_steiner.c,
@@ -59,8 +57,8 @@ static inline double greatest(const double a[3])
 }
 
 /* result = a + scale b; result may be either. */
-static inline void add_scaled(double result[3], const double a[3],
-                              double scale, const double b[3])
+static inline void add_scaled(double result[3], const double a[3], double scale,
+                              const double b[3])
 {
     for (int i = 0; i < 3; i++)
         result[i] = a[i] + scale * b[i];
@@ -83,8 +81,7 @@ static inline void normalise(double a[3])
     scale_by(a, 1 / sqrt(dot(a, a)));
 }
 
-static inline void point_on(const struct ray *ray, double distance,
-                            double point[3])
+static inline void point_on(const struct ray *ray, double distance, double point[3])
 {
     add_scaled(point, ray->origin, distance, ray->direction);
 }

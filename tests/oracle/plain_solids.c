@@ -20,8 +20,7 @@ bool in_box(const struct primitive *primitive, const double point[3])
 
 bool in_plane(const struct primitive *primitive, const double point[3])
 {
-    return dot(primitive->shape.plane.normal, point)
-           < primitive->shape.plane.distance;
+    return dot(primitive->shape.plane.normal, point) < primitive->shape.plane.distance;
 }
 
 /* As in POV-Ray. */
@@ -33,9 +32,8 @@ bool in_disc(const struct primitive *primitive, const double point[3])
 }
 
 /* Between the ends' planes, and nearer to the axis than its radius there. */
-static bool about_axis(const double base[3], double base_radius,
-                       const double cap[3], double cap_radius,
-                       const double point[3])
+static bool about_axis(const double base[3], double base_radius, const double cap[3],
+                       double cap_radius, const double point[3])
 {
     double axis[3], from[3];
     add_scaled(axis, cap, -1, base);
@@ -57,10 +55,9 @@ bool in_cylinder(const struct primitive *primitive, const double point[3])
 
 bool in_cone(const struct primitive *primitive, const double point[3])
 {
-    return about_axis(primitive->shape.cone.base,
-                      primitive->shape.cone.base_radius,
-                      primitive->shape.cone.cap,
-                      primitive->shape.cone.cap_radius, point);
+    return about_axis(primitive->shape.cone.base, primitive->shape.cone.base_radius,
+                      primitive->shape.cone.cap, primitive->shape.cone.cap_radius,
+                      point);
 }
 
 /* A tube thicker than its ring passes through itself, and its core, where the
@@ -73,8 +70,7 @@ static bool in_ellipses(double major, double radial, double axial,
     double along = point[1] / axial;
     double here = (across - major) / radial;
     double beyond = (across + major) / radial;
-    return here * here + along * along < 1
-           && beyond * beyond + along * along > 1;
+    return here * here + along * along < 1 && beyond * beyond + along * along > 1;
 }
 
 bool in_torus(const struct primitive *primitive, const double point[3])
@@ -83,8 +79,7 @@ bool in_torus(const struct primitive *primitive, const double point[3])
     return in_ellipses(primitive->shape.torus.major, minor, minor, point);
 }
 
-bool in_elliptical_torus(const struct primitive *primitive,
-                         const double point[3])
+bool in_elliptical_torus(const struct primitive *primitive, const double point[3])
 {
     return in_ellipses(primitive->shape.elliptical_torus.major,
                        primitive->shape.elliptical_torus.radial,
@@ -96,8 +91,7 @@ bool in_quadric(const struct primitive *primitive, const double point[3])
     const double *c = primitive->shape.quadric.coefficients;
     double x = point[0], y = point[1], z = point[2];
     return x * (c[0] * x + c[3] * y + c[4] * z + c[6])
-               + y * (c[1] * y + c[5] * z + c[7]) + z * (c[2] * z + c[8])
-               + c[9]
+               + y * (c[1] * y + c[5] * z + c[7]) + z * (c[2] * z + c[8]) + c[9]
            < 0;
 }
 
@@ -121,8 +115,7 @@ bool in_quartic(const struct primitive *primitive, const double point[3])
     return sum < 0;
 }
 
-bool in_steiner_patch(const struct primitive *primitive,
-                      const double point[3])
+bool in_steiner_patch(const struct primitive *primitive, const double point[3])
 {
     (void)primitive;
     (void)point;

@@ -54,8 +54,7 @@ static long double polar(const struct conic *conic, const struct place *a,
 
 /* --- the conics --------------------------------------------------------- */
 
-static void cross_product(const double a[3], const double b[3],
-                          double result[3])
+static void cross_product(const double a[3], const double b[3], double result[3])
 {
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -79,8 +78,8 @@ static void plane_normals(const struct ray *ray, double normals[2][3])
 }
 
 /* Each control point's height over the plane, times its weight. */
-static struct conic conic_of(const struct primitive *primitive,
-                             const struct ray *ray, const double normal[3])
+static struct conic conic_of(const struct primitive *primitive, const struct ray *ray,
+                             const double normal[3])
 {
     struct conic conic;
     for (int k = 0; k < STEINER_POINTS; k++) {
@@ -167,8 +166,7 @@ static struct place middle(const struct place *a, const struct place *b)
 static void look_within(struct search *search, const struct place corners[3],
                         int halvings)
 {
-    if (one_sign(&search->conics[0], corners)
-        || one_sign(&search->conics[1], corners))
+    if (one_sign(&search->conics[0], corners) || one_sign(&search->conics[1], corners))
         return;
     const struct place half[3] = { middle(&corners[1], &corners[2]),
                                    middle(&corners[2], &corners[0]),
@@ -203,25 +201,22 @@ static struct homogeneous row_of(const struct primitive *primitive, int row,
         if (i != row && j != row)
             continue;
         double share = (double)at->p[i == row ? j : i] * weight;
-        add_scaled(sum.xyz, sum.xyz, share,
-                   primitive->shape.steiner_patch.points[k]);
+        add_scaled(sum.xyz, sum.xyz, share, primitive->shape.steiner_patch.points[k]);
         sum.w += share;
     }
     return sum;
 }
 
 /* The derivative of the point by s (or t) against u, over 2 / w. */
-static void tangent(const struct homogeneous *by,
-                    const struct homogeneous *against, const double point[3],
-                    double result[3])
+static void tangent(const struct homogeneous *by, const struct homogeneous *against,
+                    const double point[3], double result[3])
 {
     add_scaled(result, by->xyz, -1, against->xyz);
     add_scaled(result, result, against->w - by->w, point);
 }
 
 static struct crossing crossing_at(const struct primitive *primitive,
-                                   const struct ray *ray,
-                                   const struct place *at)
+                                   const struct ray *ray, const struct place *at)
 {
     struct homogeneous rows[3], sum = { { 0 }, 0 };
     struct crossing crossing;
@@ -233,16 +228,14 @@ static struct crossing crossing_at(const struct primitive *primitive,
     }
     scale_by(sum.xyz, 1 / sum.w);
     add_scaled(from, sum.xyz, -1, ray->origin);
-    crossing.distance = dot(from, ray->direction)
-                        / dot(ray->direction, ray->direction);
+    crossing.distance = dot(from, ray->direction) / dot(ray->direction, ray->direction);
     tangent(&rows[0], &rows[2], sum.xyz, tangents[0]);
     tangent(&rows[1], &rows[2], sum.xyz, tangents[1]);
     cross_product(tangents[0], tangents[1], crossing.normal);
     return crossing;
 }
 
-size_t cross_steiner_patch(const struct primitive *primitive,
-                           const struct ray *ray,
+size_t cross_steiner_patch(const struct primitive *primitive, const struct ray *ray,
                            struct crossing crossings[MOST_CROSSINGS])
 {
     static const struct place corners[3] = { { { 1, 0, 0 } },

@@ -34,9 +34,8 @@ struct path {
     bool reflected; /* once at least on its way from the eye */
 };
 
-static void trace_path(const struct plain_tracer *tracer,
-                       const struct path *path, struct plain_hit *hit,
-                       double color[3]);
+static void trace_path(const struct plain_tracer *tracer, const struct path *path,
+                       struct plain_hit *hit, double color[3]);
 
 /* --- the nearest hit ---------------------------------------------------- */
 
@@ -56,32 +55,28 @@ struct rank {
 
 /* How much farther a hit counts than it is: the less the later its region, and more on
  * a clear surface than on any opaque one. */
-static double yield_of(const struct plain_hit *hit, struct rank all,
-                       struct rank clear)
+static double yield_of(const struct plain_hit *hit, struct rank all, struct rank clear)
 {
     bool is_clear = pigment_is_clear(&hit->primitive->pigment);
     struct rank rank = is_clear ? clear : all;
-    return (1 + is_clear - (double)rank.place / (double)rank.count)
-           * PLAIN_DELTA;
+    return (1 + is_clear - (double)rank.place / (double)rank.count) * PLAIN_DELTA;
 }
 
 /* POV-Ray's: refraction does not change which objects a ray sees. */
 static bool is_seen(const struct scene *scene, const struct region *region,
                     const struct path *path)
 {
-    unsigned from = path->reflected ? HIDDEN_FROM_REFLECTIONS
-                                    : HIDDEN_FROM_IMAGE;
+    unsigned from = path->reflected ? HIDDEN_FROM_REFLECTIONS : HIDDEN_FROM_IMAGE;
     for (size_t i = 0; i < region->primitive_count; i++)
-        if (!(scene->primitives[region->first_primitive + i].hidden_from
-              & from))
+        if (!(scene->primitives[region->first_primitive + i].hidden_from & from))
             return true;
     return false;
 }
 
 /* Returns the rank of the region that is hit: its number among those with clear
  * parts, or 0. */
-static size_t find_nearest(const struct plain_tracer *tracer,
-                           const struct path *path, struct plain_hit *hit)
+static size_t find_nearest(const struct plain_tracer *tracer, const struct path *path,
+                           struct plain_hit *hit)
 {
     const struct scene *scene = tracer->scene;
     double nearest = INFINITY;
@@ -98,11 +93,9 @@ static size_t find_nearest(const struct plain_tracer *tracer,
         bool passed = path->passed <= (clear ? rank.place : 0);
         if (!is_seen(scene, &scene->regions[i], path))
             continue;
-        plain_cross_region(tracer->crossings, scene, &scene->regions[i],
-                           &path->ray);
-        if (!plain_next_hit(tracer->crossings,
-                            passed ? NEAREST_HIT : -PLAIN_DELTA, FARTHEST_HIT,
-                            &here)
+        plain_cross_region(tracer->crossings, scene, &scene->regions[i], &path->ray);
+        if (!plain_next_hit(tracer->crossings, passed ? NEAREST_HIT : -PLAIN_DELTA,
+                            FARTHEST_HIT, &here)
             || here.distance + yield_of(&here, all, rank) >= nearest)
             continue;
         *hit = here;
@@ -156,8 +149,7 @@ static double cross(struct interiors *in, const struct primitive *surface)
 
 /* The index that counts in Fresnel's formulas, POV-Ray's: out of the innermost
  * of several it is 1, and nothing more than the least is mirrored. */
-static double mirror_index(const struct interiors *in,
-                           const struct primitive *surface)
+static double mirror_index(const struct interiors *in, const struct primitive *surface)
 {
     double innermost = innermost_index(in);
     if (find(in, surface->interior) == in->count)
@@ -177,8 +169,8 @@ struct branching {
 };
 
 /* A ray of a direction, a level and what it is in. */
-static void follow(const struct branching *from, struct path *path,
-                   double share, const double weight[3])
+static void follow(const struct branching *from, struct path *path, double share,
+                   const double weight[3])
 {
     const struct scene *scene = from->tracer->scene;
     struct plain_hit hit;
@@ -280,8 +272,7 @@ static void branch(const struct branching *from, const struct plain_hit *hit)
 
 /* Each fog lets e^(-depth / distance) through, tinted by its filter, but its
  * transmit at least, and is seen for the rest. */
-static void see_through_fogs(const struct scene *scene, double depth,
-                             double color[3])
+static void see_through_fogs(const struct scene *scene, double depth, double color[3])
 {
     for (int i = 0; i < 3; i++) {
         double haze = 0;
@@ -296,9 +287,8 @@ static void see_through_fogs(const struct scene *scene, double depth,
     }
 }
 
-static void trace_clearly(const struct plain_tracer *tracer,
-                          const struct path *path, struct plain_hit *hit,
-                          double color[3])
+static void trace_clearly(const struct plain_tracer *tracer, const struct path *path,
+                          struct plain_hit *hit, double color[3])
 {
     struct plain_surface surface;
     struct branching from = { tracer, path, &surface, color, 0 };
@@ -317,13 +307,11 @@ static void trace_clearly(const struct plain_tracer *tracer,
 }
 
 /* POV-Ray's background is 2e10 away. */
-static void trace_path(const struct plain_tracer *tracer,
-                       const struct path *path, struct plain_hit *hit,
-                       double color[3])
+static void trace_path(const struct plain_tracer *tracer, const struct path *path,
+                       struct plain_hit *hit, double color[3])
 {
     trace_clearly(tracer, path, hit, color);
-    see_through_fogs(tracer->scene, hit->primitive ? hit->distance : 2e10,
-                     color);
+    see_through_fogs(tracer->scene, hit->primitive ? hit->distance : 2e10, color);
 }
 
 /* --- the frame ---------------------------------------------------------- */
@@ -335,36 +323,31 @@ static double as_light(const struct scene *scene, double color)
     return gamma > 0 && gamma != 1 ? pow(fmax(color, 0), gamma) : color;
 }
 
-static void store(const struct scene *scene, const struct frame *frame,
-                  size_t pixel, const double light[3],
-                  const struct plain_hit *hit)
+static void store(const struct scene *scene, const struct frame *frame, size_t pixel,
+                  const double light[3], const struct plain_hit *hit)
 {
-    double id = hit->primitive
-                    ? (double)(hit->primitive - scene->primitives + 1)
-                    : 0;
+    double id = hit->primitive ? (double)(hit->primitive - scene->primitives + 1) : 0;
     for (size_t i = 0; i < 3; i++) {
         frame->channel[CHANNEL_RED + i][pixel] = light[i];
         frame->channel[CHANNEL_NORMAL_X + i][pixel] = hit->normal[i];
     }
-    frame->channel[CHANNEL_DEPTH][pixel] = id > 0 ? ldexp(hit->distance,
-                                                          scene->unit_log)
-                                                  : 0;
+    frame->channel[CHANNEL_DEPTH][pixel] = id > 0
+                                               ? ldexp(hit->distance, scene->unit_log)
+                                               : 0;
     frame->channel[CHANNEL_ID][pixel] = id;
 }
 
 /* What of a pixel's light comes to this sample. */
 static struct plain_hit trace_sample(const struct plain_tracer *tracer,
-                                     const struct frame *frame,
-                                     size_t samples, size_t x, size_t y,
-                                     double light[3])
+                                     const struct frame *frame, size_t samples,
+                                     size_t x, size_t y, double light[3])
 {
     const struct scene *scene = tracer->scene;
-    const struct path path = {
-        .ray = plain_camera_ray(&scene->camera, frame->width * samples,
-                                frame->height * samples, x, y),
-        .level = 1,
-        .importance = 1
-    };
+    const struct path path = { .ray = plain_camera_ray(&scene->camera,
+                                                       frame->width * samples,
+                                                       frame->height * samples, x, y),
+                               .level = 1,
+                               .importance = 1 };
     struct plain_hit hit;
     double color[3];
     trace_path(tracer, &path, &hit, color);
@@ -374,8 +357,8 @@ static struct plain_hit trace_sample(const struct plain_tracer *tracer,
 }
 
 /* Depth, normal and number are those of the sample at half of the rows and columns. */
-static void trace_pixel(const struct plain_tracer *tracer,
-                        const struct frame *frame, size_t x, size_t y)
+static void trace_pixel(const struct plain_tracer *tracer, const struct frame *frame,
+                        size_t x, size_t y)
 {
     size_t samples = plain_samples(&tracer->scene->camera);
     double light[3] = { 0, 0, 0 };
@@ -383,8 +366,8 @@ static void trace_pixel(const struct plain_tracer *tracer,
     for (size_t i = 0; i < samples * samples; i++) {
         size_t row = i / samples, column = i % samples;
         struct plain_hit hit = trace_sample(tracer, frame, samples,
-                                            x * samples + column,
-                                            y * samples + row, light);
+                                            x * samples + column, y * samples + row,
+                                            light);
         if (row == samples / 2 && column == samples / 2)
             middle = hit;
     }

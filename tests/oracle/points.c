@@ -47,8 +47,7 @@ uint64_t lattice_word(unsigned m, uint64_t seed, uint64_t shift, uint64_t i,
     uint64_t p = seed * seed_apart - 7 * (shift + 1) + coordinate + 1;
     uint64_t cells = UINT64_C(1) << (47 - m);
 
-    return (i * z[coordinate] * cells
-            + (stream_mixed(stream_state_at(p & mask)) | 1))
+    return (i * z[coordinate] * cells + (stream_mixed(stream_state_at(p & mask)) | 1))
            & mask;
 }
 
@@ -80,17 +79,14 @@ static bool prepare(struct point_maker *maker, c205_error *error)
                                       defines, error);
     if (!maker->program)
         return false;
-    maker->given = (uint64_t)object_symbol(maker->program, "points_given")
-                       ->value;
-    maker->made = (uint64_t)object_symbol(maker->program, "points_made")
-                      ->value;
+    maker->given = (uint64_t)object_symbol(maker->program, "points_given")->value;
+    maker->made = (uint64_t)object_symbol(maker->program, "points_made")->value;
     maker->model = c205_model_find("cyber205-2pipe", error);
     maker->machine = maker->model ? c205_new(maker->model, error) : NULL;
     return maker->machine != NULL;
 }
 
-struct point_maker *point_maker_new(const struct point_kind *kind,
-                                    c205_error *error)
+struct point_maker *point_maker_new(const struct point_kind *kind, c205_error *error)
 {
     struct point_maker *maker = calloc(1, sizeof *maker);
 
@@ -115,23 +111,20 @@ void point_maker_free(struct point_maker *maker)
     free(maker);
 }
 
-c205 *point_maker_load(struct point_maker *maker,
-                       const struct point_choice *choice, c205_error *error)
+c205 *point_maker_load(struct point_maker *maker, const struct point_choice *choice,
+                       c205_error *error)
 {
     /* Integers have the exponent 0. */
-    c205_word given[] = { choice->seed, choice->first, choice->m,
-                          choice->shift };
+    c205_word given[] = { choice->seed, choice->first, choice->m, choice->shift };
 
     if (!c205_load(maker->machine, &maker->program->program, error))
         return NULL;
-    c205_write(maker->machine, maker->given, given,
-               sizeof given / sizeof *given);
+    c205_write(maker->machine, maker->given, given, sizeof given / sizeof *given);
     return maker->machine;
 }
 
-bool point_maker_run(struct point_maker *maker,
-                     const struct point_choice *choice, c205_word *words,
-                     c205_error *error)
+bool point_maker_run(struct point_maker *maker, const struct point_choice *choice,
+                     c205_word *words, c205_error *error)
 {
     c205 *machine = point_maker_load(maker, choice, error);
 

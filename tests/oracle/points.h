@@ -44,16 +44,14 @@ struct point_choice {
 struct point_maker;
 
 /* NULL: the error says why. */
-struct point_maker *point_maker_new(const struct point_kind *kind,
-                                    c205_error *error);
+struct point_maker *point_maker_new(const struct point_kind *kind, c205_error *error);
 void point_maker_free(struct point_maker *maker);
 /* Coordinate j of all points from words + j points on. */
-bool point_maker_run(struct point_maker *maker,
-                     const struct point_choice *choice, c205_word *words,
-                     c205_error *error);
+bool point_maker_run(struct point_maker *maker, const struct point_choice *choice,
+                     c205_word *words, c205_error *error);
 const struct object *point_maker_program(const struct point_maker *maker);
 /* As it was before the next run, with the choice made: for who listens. */
-c205 *point_maker_load(struct point_maker *maker,
-                       const struct point_choice *choice, c205_error *error);
+c205 *point_maker_load(struct point_maker *maker, const struct point_choice *choice,
+                       c205_error *error);
 
 #endif

@@ -184,8 +184,7 @@ static void make_spread(struct product *product, uint64_t *state)
     int degree = (int)integer(state, 2, DEGREE);
 
     while (product->degree < degree)
-        add_root(product,
-                 (unit(state) < 0.3 ? -1 : 1) * power_of_ten(state, -30, 30));
+        add_root(product, (unit(state) < 0.3 ? -1 : 1) * power_of_ten(state, -30, 30));
 }
 
 static void make_grazing(struct product *product, uint64_t *state)
@@ -203,14 +202,10 @@ static void make_grazing(struct product *product, uint64_t *state)
 }
 
 static make_product *const products[QUARTIC_KINDS] = {
-    [QUARTIC_SEPARATED] = make_separated,
-    [QUARTIC_CLUSTERED] = make_clustered,
-    [QUARTIC_MULTIPLE] = make_multiple,
-    [QUARTIC_SPREAD] = make_spread,
-    [QUARTIC_GRAZING] = make_grazing,
-    [QUARTIC_LEADING] = make_separated,
-    [QUARTIC_BOUND] = make_separated,
-    [QUARTIC_SCALED] = make_spread,
+    [QUARTIC_SEPARATED] = make_separated, [QUARTIC_CLUSTERED] = make_clustered,
+    [QUARTIC_MULTIPLE] = make_multiple,   [QUARTIC_SPREAD] = make_spread,
+    [QUARTIC_GRAZING] = make_grazing,     [QUARTIC_LEADING] = make_separated,
+    [QUARTIC_BOUND] = make_separated,     [QUARTIC_SCALED] = make_spread,
 };
 
 /* A point by chance on the unit sphere. */
@@ -255,22 +250,20 @@ static void make_torus(struct polynomial *polynomial, uint64_t *state)
         d[i] /= length;
     k1 = dot(p, p) - major * major - minor * minor;
     k2 = dot(p, d);
-    const double c[] = {
-        1, 4 * k2, 2 * (k1 + 2 * (k2 * k2 + major * major * d[1] * d[1])),
-        4 * (k2 * k1 + 2 * major * major * p[1] * d[1]),
-        k1 * k1 + 4 * major * major * (p[1] * p[1] - minor * minor)
-    };
+    const double c[] = { 1, 4 * k2,
+                         2 * (k1 + 2 * (k2 * k2 + major * major * d[1] * d[1])),
+                         4 * (k2 * k1 + 2 * major * major * p[1] * d[1]),
+                         k1 * k1 + 4 * major * major * (p[1] * p[1] - minor * minor) };
     for (int i = 0; i <= DEGREE; i++)
         polynomial->c[i] = c205_from_double(c[i]);
 }
 
-static void make_coefficients(struct polynomial *polynomial,
-                              enum quartic_kind kind, uint64_t *state)
+static void make_coefficients(struct polynomial *polynomial, enum quartic_kind kind,
+                              uint64_t *state)
 {
     for (int i = 0; i <= DEGREE; i++)
         polynomial->c[i] = kind == QUARTIC_INTEGERS
-                               ? c205_from_double(
-                                   (double)integer(state, -20, 20))
+                               ? c205_from_double((double)integer(state, -20, 20))
                                : c205_from_double(signed_unit(state));
 }
 
@@ -279,8 +272,8 @@ static void weaken(struct polynomial *polynomial, uint64_t *state)
 {
     for (int i = 0; i < 3 && unit(state) < 0.6; i++)
         if (polynomial->c[i] == C205_MACHINE_ZERO)
-            polynomial->c[i] = c205_from_double(
-                signed_unit(state) * power_of_ten(state, -40, -3));
+            polynomial->c[i] = c205_from_double(signed_unit(state)
+                                                * power_of_ten(state, -40, -3));
 }
 
 void quartic_case(struct polynomial *polynomial, enum quartic_kind kind,

@@ -46,8 +46,7 @@ static void half_take(struct half *half, const struct polynomial *polynomial,
     half->roots = roots;
     half->side = side;
     for (int i = 0; i <= EXACT_DEGREE; i++) {
-        oracle_value(&oracle_full, half->c[i],
-                     polynomial->c[EXACT_DEGREE - i]);
+        oracle_value(&oracle_full, half->c[i], polynomial->c[EXACT_DEGREE - i]);
         if (side < 0 && i % 2 == 1)
             mpfr_neg(half->c[i], half->c[i], MPFR_RNDN);
     }
@@ -115,8 +114,7 @@ static double error_of_only_root(struct half *half, size_t exact)
     return error < 0 ? -error : error;
 }
 
-static bool is_narrower(struct half *half, const struct island *island,
-                        double width)
+static bool is_narrower(struct half *half, const struct island *island, double width)
 {
     mpfr_sub(half->error, island->high, island->low, MPFR_RNDU);
     mpfr_div(half->error, half->error, island->low, MPFR_RNDU);
@@ -165,8 +163,7 @@ static int most_roots(struct half *half, const struct island *island,
     int more = facts->knots - (facts->roots - 1 + facts->multiple);
     int pairs = more > 0 ? (more + 1) / 2 : 0;
 
-    if (pairs == 0 && facts->bends > 0
-        && !is_narrower(half, island, CLUSTER_LEAST))
+    if (pairs == 0 && facts->bends > 0 && !is_narrower(half, island, CLUSTER_LEAST))
         pairs = 1;
     return facts->roots + pairs;
 }
@@ -185,8 +182,7 @@ static const char *check_count(struct half *half, const struct island *island,
     return NULL;
 }
 
-static const char *check_island(struct half *half,
-                                const struct island *island,
+static const char *check_island(struct half *half, const struct island *island,
                                 struct tally *tally)
 {
     struct facts facts;
@@ -204,8 +200,7 @@ static const char *check_island(struct half *half,
     tally->at_bound += facts.bounded && facts.above > found;
     tally->joined += !facts.bounded && facts.above > found;
     tally->touched += facts.above < found;
-    if (facts.above != 1 || found != 1
-        || !is_narrower(half, island, ERROR_MOST))
+    if (facts.above != 1 || found != 1 || !is_narrower(half, island, ERROR_MOST))
         return NULL;
     error = error_of_only_root(half, facts.root);
     tally->sharp++;
@@ -248,22 +243,17 @@ static const char *check_order(const struct polynomial *polynomial,
         if (!oracle_less(&oracle_full, last, roots->root[i], &flags))
             return "not ascending from the bound";
         last = roots->root[i];
-        zeros += (int)oracle_equal(&oracle_full, last, C205_MACHINE_ZERO,
-                                   &flags);
+        zeros += (int)oracle_equal(&oracle_full, last, C205_MACHINE_ZERO, &flags);
     }
-    if (oracle_equal(&oracle_full, polynomial->c[4], C205_MACHINE_ZERO,
-                     &flags)
-        && oracle_less(&oracle_full, polynomial->bound, C205_MACHINE_ZERO,
-                       &flags))
+    if (oracle_equal(&oracle_full, polynomial->c[4], C205_MACHINE_ZERO, &flags)
+        && oracle_less(&oracle_full, polynomial->bound, C205_MACHINE_ZERO, &flags))
         for (int i = 0; i < 4; i++)
             wanted |= polynomial->c[i] != C205_MACHINE_ZERO;
     return zeros != wanted ? "zero" : NULL;
 }
 
-const char *quartic_rule(struct half *half,
-                         const struct polynomial *polynomial,
-                         const struct polynomial_roots *roots,
-                         struct tally *tally)
+const char *quartic_rule(struct half *half, const struct polynomial *polynomial,
+                         const struct polynomial_roots *roots, struct tally *tally)
 {
     const char *why = check_order(polynomial, roots);
 

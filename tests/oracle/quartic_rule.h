@@ -50,9 +50,7 @@ void half_clear(struct half *half);
 
 /* What is wrong; NULL: nothing.  oracle_begin (arithmetic_oracle.h) must have
  * been called. */
-const char *quartic_rule(struct half *half,
-                         const struct polynomial *polynomial,
-                         const struct polynomial_roots *roots,
-                         struct tally *tally);
+const char *quartic_rule(struct half *half, const struct polynomial *polynomial,
+                         const struct polynomial_roots *roots, struct tally *tally);
 
 #endif

@@ -10,12 +10,10 @@
 /* ---- Instructions ------------------------------------------------------ */
 
 static const unsigned unit_weights[C205_UNITS] = {
-    [C205_UNIT_SINGLE] = 10,   [C205_UNIT_ADD] = 6,
-    [C205_UNIT_MULTIPLY] = 4,  [C205_UNIT_DIVIDE] = 3,
-    [C205_UNIT_LOGICAL] = 4,   [C205_UNIT_MEMORY] = 9,
-    [C205_UNIT_BRANCH] = 14,   [C205_UNIT_VECTOR] = 28,
-    [C205_UNIT_V_ADD] = 9,     [C205_UNIT_V_MULTIPLY] = 4,
-    [C205_UNIT_V_DIVIDE] = 4,  [C205_UNIT_V_SHIFT] = 2,
+    [C205_UNIT_SINGLE] = 10,    [C205_UNIT_ADD] = 6,      [C205_UNIT_MULTIPLY] = 4,
+    [C205_UNIT_DIVIDE] = 3,     [C205_UNIT_LOGICAL] = 4,  [C205_UNIT_MEMORY] = 9,
+    [C205_UNIT_BRANCH] = 14,    [C205_UNIT_VECTOR] = 28,  [C205_UNIT_V_ADD] = 9,
+    [C205_UNIT_V_MULTIPLY] = 4, [C205_UNIT_V_DIVIDE] = 4, [C205_UNIT_V_SHIFT] = 2,
     [C205_UNIT_V_LOGICAL] = 3,
 };
 
@@ -38,8 +36,7 @@ static bool may_link(const c205_insn *insn)
 
 static const c205_insn *draw_any(uint64_t *random)
 {
-    return c205_insns
-           + random_between(random, 0, (int64_t)c205_insn_count - 1);
+    return c205_insns + random_between(random, 0, (int64_t)c205_insn_count - 1);
 }
 
 static const c205_insn *draw_where(uint64_t *random, insn_filter *fits)
@@ -82,8 +79,8 @@ static const c205_insn *draw_linked(uint64_t *random, const c205_insn *first)
 
 /* After a prefix mostly two that can be linked; often the same once more, so
  * that units and memory are kept busy. */
-static const c205_insn *draw_insn(uint64_t *random,
-                                  const c205_insn *const *rows, size_t i)
+static const c205_insn *draw_insn(uint64_t *random, const c205_insn *const *rows,
+                                  size_t i)
 {
     bool first = i > 0 && is_prefix(rows[i - 1]);
     bool second = i > 1 && is_prefix(rows[i - 2]);
@@ -99,8 +96,7 @@ static const c205_insn *draw_insn(uint64_t *random,
 
 static bool is_transfer(const c205_insn *insn)
 {
-    static const char *const names[] = { "VXTOV", "VTOVX", "VGATHP",
-                                         "VSCATP" };
+    static const char *const names[] = { "VXTOV", "VTOVX", "VGATHP", "VSCATP" };
 
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(insn->mnemonic, names[i]) == 0)
@@ -110,8 +106,8 @@ static bool is_transfer(const c205_insn *insn)
 
 /* As above, of what goes into the machine's blocks, and at times of what does
  * not. */
-static const c205_insn *draw_scalar(uint64_t *random,
-                                    const c205_insn *const *rows, size_t i)
+static const c205_insn *draw_scalar(uint64_t *random, const c205_insn *const *rows,
+                                    size_t i)
 {
     const c205_insn *insn;
 
@@ -127,8 +123,7 @@ static const c205_insn *draw_scalar(uint64_t *random,
 
 static bool is_field(const c205_insn *insn)
 {
-    return strcmp(insn->mnemonic, "INSB") == 0
-           || strcmp(insn->mnemonic, "EXTB") == 0;
+    return strcmp(insn->mnemonic, "INSB") == 0 || strcmp(insn->mnemonic, "EXTB") == 0;
 }
 
 /* What the registers written i hold, by format and operand. */
@@ -142,9 +137,7 @@ static char integer_role(uint64_t *random, const c205_insn *insn, char field)
                : field == 'A' && insn->format == C205_FORMAT_ALTERB ? 'b'
                                                                     : 'i';
     case C205_FORMAT_MEMORY:
-        return field != 'R'        ? field == 'S' ? 'i' : 'n'
-               : one_in(random, 3) ? 'w'
-                                   : 'v';
+        return field != 'R' ? field == 'S' ? 'i' : 'n' : one_in(random, 3) ? 'w' : 'v';
     case C205_FORMAT_COMPARE: return 'k';
     case C205_FORMAT_CALL: return field == 'T' ? 'k' : 'i';
     case C205_FORMAT_SWAP: return field == 'S' ? 'n' : 's';
@@ -182,8 +175,7 @@ static bool is_broadcast(char field, unsigned g)
            || (field == 'b' && g & C205_G_BROADCAST_B);
 }
 
-static char role_of(uint64_t *random, const c205_insn *insn, char field,
-                    unsigned g)
+static char role_of(uint64_t *random, const c205_insn *insn, char field, unsigned g)
 {
     char letter = reference_letter(insn, g, (char)toupper(field));
     bool number = is_broadcast(field, g);
@@ -206,8 +198,7 @@ static char role_of(uint64_t *random, const c205_insn *insn, char field,
     case 'o': return bits_role(g, field);
     case 'b': return 'b';
     case 'z':
-        return strstr(c205_format_syntax(insn->format), "!Z")
-                       || one_in(random, 3)
+        return strstr(c205_format_syntax(insn->format), "!Z") || one_in(random, 3)
                    ? 'b'
                    : '0';
     case 'f':
@@ -217,8 +208,7 @@ static char role_of(uint64_t *random, const c205_insn *insn, char field,
     case 'm': return one_in(random, 3) ? 'v' : 'i';
     case 'M': return 'j';
     case 'I':
-        return insn->format == C205_FORMAT_MEMORY || one_in(random, 3) ? 'h'
-                                                                       : 'j';
+        return insn->format == C205_FORMAT_MEMORY || one_in(random, 3) ? 'h' : 'j';
     case 'w': return strpbrk(insn->operands, "fvF") ? 'n' : 'i';
     case 'W': return insn->format == C205_FORMAT_I24 ? 'j' : 'h';
     default: return integer_role(random, insn, field);
@@ -251,23 +241,21 @@ static unsigned draw_bits_of_g(uint64_t *random, const c205_insn *insn)
         return (unsigned)random_bits(random) & 0xFF;
     unsigned size = one_in(random, 2) ? C205_G_HALF : 0;
 
-    return (((unsigned)(random_bits(random) & random_bits(random))
-             & ~C205_G_HALF)
+    return (((unsigned)(random_bits(random) & random_bits(random)) & ~C205_G_HALF)
             | size)
            & legal;
 }
 
 /* In half words from the branch to some instruction. */
-static int64_t distance(uint64_t *random,
-                        const struct random_program *program, size_t i)
+static int64_t distance(uint64_t *random, const struct random_program *program,
+                        size_t i)
 {
     return ((int64_t)draw_code_address(random, program)
             - (int64_t)program_address(program, i))
            / HALF;
 }
 
-static int64_t draw_immediate(uint64_t *random,
-                              const struct random_program *program,
+static int64_t draw_immediate(uint64_t *random, const struct random_program *program,
                               const c205_insn *insn, size_t i)
 {
     switch (insn->format) {
@@ -295,8 +283,7 @@ static int64_t draw_immediate(uint64_t *random,
 }
 
 /* The operands in the order written; a letter after + is an offset. */
-static void draw_registers(uint64_t *random, const c205_insn *insn,
-                           c205_fields *fields)
+static void draw_registers(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     const char *syntax = c205_format_syntax(insn->format);
 
@@ -313,8 +300,7 @@ static void draw_registers(uint64_t *random, const c205_insn *insn,
 /* A sum is mostly in an even register; the index of an extreme now and then in
  * that of its value; and now and then a vector begins near its first source,
  * as their registers lie beside each other, so that it recurs. */
-static void draw_result(uint64_t *random, const c205_insn *insn,
-                        c205_fields *fields)
+static void draw_result(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     char letter = reference_letter(insn, fields->g, 'C');
 
@@ -323,12 +309,10 @@ static void draw_result(uint64_t *random, const c205_insn *insn,
     else if (insn->format == C205_FORMAT_EXTREME && one_in(random, 10))
         fields->c = letter == 'W' ? (uint8_t)(2u * fields->b) : fields->b;
     else if (letter && strchr("deD", letter) && one_in(random, 6))
-        fields->c = (uint8_t)(fields->a
-                              + (unsigned)random_between(random, -1, 1));
+        fields->c = (uint8_t)(fields->a + (unsigned)random_between(random, -1, 1));
 }
 
-static void draw_offsets(uint64_t *random, const c205_insn *insn,
-                         c205_fields *fields)
+static void draw_offsets(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     if (strchr(c205_format_syntax(insn->format), '@')) {
         fields->y = (uint8_t)draw_register(random, 'k');
@@ -343,28 +327,25 @@ static void draw_offsets(uint64_t *random, const c205_insn *insn,
         fields->y = (uint8_t)draw_register(random, 'i');
 }
 
-static void put_insn(struct random_program *program, size_t i,
-                     const c205_insn *insn, const c205_fields *fields)
+static void put_insn(struct random_program *program, size_t i, const c205_insn *insn,
+                     const c205_fields *fields)
 {
     program->insns[i].word = c205_encode(insn, fields);
     program->insns[i].halves = c205_format_halves(insn->format);
 }
 
 /* The second of a pair is mostly of the size of the first. */
-static unsigned size_of_pair(uint64_t *random,
-                             const struct random_program *program,
-                             const c205_insn *const *rows, size_t i,
-                             unsigned g)
+static unsigned size_of_pair(uint64_t *random, const struct random_program *program,
+                             const c205_insn *const *rows, size_t i, unsigned g)
 {
-    if (i < 2 || !is_prefix(rows[i - 2]) || !may_link(rows[i - 1])
-        || !may_link(rows[i]) || one_in(random, 20))
+    if (i < 2 || !is_prefix(rows[i - 2]) || !may_link(rows[i - 1]) || !may_link(rows[i])
+        || one_in(random, 20))
         return g;
     return (g & ~C205_G_HALF)
            | ((unsigned)(program->insns[i - 1].word >> 48) & C205_G_HALF);
 }
 
-static c205_fields draw_fields(uint64_t *random,
-                               const struct random_program *program,
+static c205_fields draw_fields(uint64_t *random, const struct random_program *program,
                                const c205_insn *const *rows, size_t i)
 {
     const c205_insn *insn = rows[i];
@@ -384,9 +365,8 @@ static c205_fields draw_fields(uint64_t *random,
 
 static void broadcast(uint64_t *random, c205_fields *fields, bool a)
 {
-    uint8_t number = (uint8_t)draw_register(random, fields->g & C205_G_HALF
-                                                        ? 'h'
-                                                        : 'n');
+    uint8_t number = (uint8_t)draw_register(random,
+                                            fields->g & C205_G_HALF ? 'h' : 'n');
 
     fields->g |= a ? C205_G_BROADCAST_A : C205_G_BROADCAST_B;
     *(a ? &fields->a : &fields->b) = number;
@@ -438,8 +418,7 @@ static void link_pairs(uint64_t *random, struct random_program *program,
 {
     for (size_t i = 0; i + 2 < program->insn_count; i++) {
         c205_fields first, second;
-        if (!is_prefix(rows[i]) || !may_link(rows[i + 1])
-            || !may_link(rows[i + 2]))
+        if (!is_prefix(rows[i]) || !may_link(rows[i + 1]) || !may_link(rows[i + 2]))
             continue;
         first = c205_decode(rows[i + 1], program->insns[i + 1].word);
         second = c205_decode(rows[i + 2], program->insns[i + 2].word);
@@ -453,9 +432,7 @@ static void link_pairs(uint64_t *random, struct random_program *program,
 static void close_loop(struct random_program *program)
 {
     const c205_insn *insn = c205_insn_named("DBNZ", 4);
-    c205_fields fields = { .f = insn->opcode,
-                           .r = LOOP_COUNT,
-                           .t = LOOP_BEGIN };
+    c205_fields fields = { .f = insn->opcode, .r = LOOP_COUNT, .t = LOOP_BEGIN };
 
     put_insn(program, program->insn_count - 2, insn, &fields);
 }
@@ -465,10 +442,9 @@ static void rewrite_in_loop(uint64_t *random, struct random_program *program,
                             const c205_insn **rows)
 {
     const c205_insn *insn = c205_insn_named("VTOVX", 5);
-    c205_fields fields = { .f = insn->opcode,
-                           .a = REWRITE_LIST,
-                           .b = REWRITE_FROM,
-                           .c = REWRITE_TABLE };
+    c205_fields fields = {
+        .f = insn->opcode, .a = REWRITE_LIST, .b = REWRITE_FROM, .c = REWRITE_TABLE
+    };
     int64_t count = (int64_t)program->insn_count;
     size_t i = (size_t)random_between(random, count / 2 - 1, count - 3);
 
@@ -500,8 +476,7 @@ void draw_insns(uint64_t *random, struct random_program *program)
             fields.immediate = 0;
         put_insn(program, i, rows[i], &fields);
         if (one_in(random, 200))
-            program->insns[i].word ^= UINT64_C(1)
-                                      << random_between(random, 32, 63);
+            program->insns[i].word ^= UINT64_C(1) << random_between(random, 32, 63);
     }
     link_pairs(random, program, rows);
     if (program->rewrites)

@@ -18,8 +18,7 @@ static void put_code(c205 *machine, const struct random_program *program)
         uint64_t at = program_address(program, i) - begin;
         for (unsigned k = 0; k < program->insns[i].halves; k++) {
             size_t half = (size_t)(at / HALF) + k;
-            c205_word bits = program->insns[i].word >> (k == 0 ? HALF : 0)
-                             & UINT32_MAX;
+            c205_word bits = program->insns[i].word >> (k == 0 ? HALF : 0) & UINT32_MAX;
             code[half / 2] |= bits << (half % 2 == 0 ? HALF : 0);
         }
     }
@@ -32,8 +31,7 @@ static void put_data(c205 *machine, const struct random_program *program)
 
     for (size_t i = 0; i < random_area_count; i++) {
         program_data(program, random_areas + i, words);
-        c205_write(machine, random_areas[i].address, words,
-                   random_areas[i].words);
+        c205_write(machine, random_areas[i].address, words, random_areas[i].words);
     }
 }
 
@@ -45,8 +43,7 @@ uint64_t random_region_end(const struct random_program *program)
 static bool load_nothing(c205 *machine, const struct random_program *program,
                          c205_error *error)
 {
-    const c205_region region = { "first", program->code,
-                                 random_region_end(program) };
+    const c205_region region = { "first", program->code, random_region_end(program) };
     const c205_program empty = { program->code, 0, NULL, 1, &region, false };
 
     return c205_load(machine, &empty, error);
@@ -58,8 +55,7 @@ static void put_registers(c205 *machine, const struct random_program *program)
         c205_set_register(machine, i, program->registers[i]);
 }
 
-bool random_load(c205 *machine, const struct random_program *program,
-                 c205_error *error)
+bool random_load(c205 *machine, const struct random_program *program, c205_error *error)
 {
     if (!load_nothing(machine, program, error))
         return false;
@@ -76,8 +72,7 @@ bool random_load(c205 *machine, const struct random_program *program,
 /* ---- Shared pages ---------------------------------------------------------- */
 
 /* What the page has now; one that is only read stays the machine's own. */
-static bool share_page(const c205 *machine, size_t i,
-                       struct random_shared *shared)
+static bool share_page(const c205 *machine, size_t i, struct random_shared *shared)
 {
     static c205_word words[C205_PAGE_WORDS];
 
@@ -90,14 +85,13 @@ static bool share_page(const c205 *machine, size_t i,
     return shared->page[i];
 }
 
-static bool map_page(c205 *machine, size_t i,
-                     const struct random_shared *shared, c205_error *error)
+static bool map_page(c205 *machine, size_t i, const struct random_shared *shared,
+                     c205_error *error)
 {
-    return shared->page[i]
-               ? c205_map_shared(machine, random_pages[i].address,
-                                 shared->page[i], error)
-               : c205_map(machine, random_pages[i].address, C205_PAGE_WORDS,
-                          random_pages[i].access, error);
+    return shared->page[i] ? c205_map_shared(machine, random_pages[i].address,
+                                             shared->page[i], error)
+                           : c205_map(machine, random_pages[i].address, C205_PAGE_WORDS,
+                                      random_pages[i].access, error);
 }
 
 static void put_own_data(c205 *machine, const struct random_program *program)
@@ -107,8 +101,7 @@ static void put_own_data(c205 *machine, const struct random_program *program)
     for (size_t i = 0; i < random_area_count; i++)
         if (random_areas[i].access != C205_READ_WRITE) {
             program_data(program, random_areas + i, words);
-            c205_write(machine, random_areas[i].address, words,
-                       random_areas[i].words);
+            c205_write(machine, random_areas[i].address, words, random_areas[i].words);
         }
 }
 
@@ -136,8 +129,8 @@ void random_shared_free(struct random_shared *shared)
         c205_shared_free(shared->page[i]);
 }
 
-bool random_shared_read(c205 *machine, const struct random_shared *shared,
-                        size_t page, c205_word *words, c205_error *error)
+bool random_shared_read(c205 *machine, const struct random_shared *shared, size_t page,
+                        c205_word *words, c205_error *error)
 {
     const c205_program nothing = { 0, 0, NULL, 0, NULL, false };
     uint64_t address = random_pages[page].address;

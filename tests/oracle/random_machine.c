@@ -98,8 +98,7 @@ uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared)
 c205_word *random_image(uint64_t address)
 {
     for (size_t i = 0; i < RANDOM_PAGES; i++)
-        if (plain_page_number(random_pages[i].address)
-            == plain_page_number(address))
+        if (plain_page_number(random_pages[i].address) == plain_page_number(address))
             return images[i] + address / WORD % C205_PAGE_WORDS;
     return NULL;
 }
@@ -115,8 +114,7 @@ static void take_words(const c205 *machine, struct plain_memory *memory,
     }
 }
 
-void random_images_take(const c205 *machine,
-                        const struct random_program *program,
+void random_images_take(const c205 *machine, const struct random_program *program,
                         struct plain_memory *memory)
 {
     for (size_t i = 0; i < RANDOM_PAGES; i++) {

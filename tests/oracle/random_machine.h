@@ -19,13 +19,11 @@ c205 *random_machine_load(const struct random_program *program);
 c205 *random_machine_load_shared(const struct random_program *program,
                                  struct random_shared *shared);
 /* Of the words of all these pages, which the machine gives up its program for. */
-uint64_t random_shared_hash(c205 *machine,
-                            const struct random_shared *shared);
+uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared);
 
 /* What a machine has in its pages goes into the images, and what a program
  * finds there into memory, which is empty. */
-void random_images_take(const c205 *machine,
-                        const struct random_program *program,
+void random_images_take(const c205 *machine, const struct random_program *program,
                         struct plain_memory *memory);
 
 /* The word at an address, and those behind it in the same page; NULL: there

@@ -19,8 +19,7 @@ uint64_t draw_length(uint64_t *random);
 unsigned draw_register(uint64_t *random, char role);
 c205_word draw_descriptor(uint64_t *random, char role);
 /* Of an instruction of the program; now and then off a half word. */
-c205_word draw_code_address(uint64_t *random,
-                            const struct random_program *program);
+c205_word draw_code_address(uint64_t *random, const struct random_program *program);
 
 /* Registers of no pool: how often a loop runs yet, and where it begins. */
 enum { LOOP_COUNT = 250, LOOP_BEGIN = 251 };

@@ -9,8 +9,7 @@
 enum { PAGE_BITS = C205_PAGE_WORDS * WORD };
 #define HALF_ONES UINT64_C(0xEA400000EA400000)
 #define LOW_24 UINT64_C(0xFFFFFF)
-#define IN_PAGE(page, word) \
-    ((uint64_t)(page)*PAGE_BITS + (uint64_t)(word)*WORD)
+#define IN_PAGE(page, word) ((uint64_t)(page)*PAGE_BITS + (uint64_t)(word)*WORD)
 
 const char *const random_models[] = {
     "title two pipes\nlike cyber205-2pipe-prior\n",
@@ -37,8 +36,7 @@ const char *const random_models[] = {
     "translation.registers 0 registers R\n"
     "vector.word_rate 2 results R\nvector.half_rate 3 results R\n",
 };
-const size_t random_model_count = sizeof random_models
-                                  / sizeof random_models[0];
+const size_t random_model_count = sizeof random_models / sizeof random_models[0];
 
 /* Page 5 is not there, nor are pages 0 and 7 and those from 9 on. */
 const struct random_page random_pages[RANDOM_PAGES] = {
@@ -105,8 +103,7 @@ static c205_word near_half(uint64_t *random)
 
 static c205_word word_number(uint64_t *random)
 {
-    return one_in(random, 12) ? near_half(random)
-                              : number(random, &oracle_full);
+    return one_in(random, 12) ? near_half(random) : number(random, &oracle_full);
 }
 
 /* Two half words. */
@@ -145,8 +142,7 @@ static c205_word far_index(uint64_t *random)
 {
     int64_t pages = one_in(random, 40) ? random_between(random, -2, 3) : 0;
 
-    return (c205_word)(pages * C205_PAGE_WORDS
-                       + random_between(random, -40, 300));
+    return (c205_word)(pages * C205_PAGE_WORDS + random_between(random, -40, 300));
 }
 
 static c205_word datum(uint64_t *random, const struct random_area *area)
@@ -158,8 +154,7 @@ static c205_word datum(uint64_t *random, const struct random_area *area)
                                   : (c205_word)random_between(random, -9, 9);
     case FAR_INDICES: return far_index(random);
     case BIT_STRINGS:
-        return one_in(random, 3) ? 0 - (random_bits(random) & 1)
-                                 : random_bits(random);
+        return one_in(random, 3) ? 0 - (random_bits(random) & 1) : random_bits(random);
     case HALF_NUMBERS: return half_numbers(random);
     default: return word_number(random);
     }
@@ -179,15 +174,15 @@ static c205_word plain_datum(const struct random_area *area)
  * take their time. */
 enum { DISTINCT = 200 };
 
-void program_data(const struct random_program *program,
-                  const struct random_area *area, c205_word *words)
+void program_data(const struct random_program *program, const struct random_area *area,
+                  c205_word *words)
 {
     uint64_t random = program->seed ^ area->address;
 
     for (size_t i = 0; i < area->words; i++)
         words[i] = program->plain_data ? plain_datum(area)
                    : i < DISTINCT      ? datum(&random, area)
-                                  : words[random_bits(&random) % DISTINCT];
+                                       : words[random_bits(&random) % DISTINCT];
 }
 
 /* ---- Registers --------------------------------------------------------- */
@@ -246,8 +241,7 @@ static bool is_of_halves(char role)
     return role == 'w' || role == 'o';
 }
 
-static bool area_fits(uint64_t *random, const struct random_area *area,
-                      char role)
+static bool area_fits(uint64_t *random, const struct random_area *area, char role)
 {
     if (area->access == C205_READ_ONLY && !one_in(random, 3))
         return false;
@@ -256,11 +250,8 @@ static bool area_fits(uint64_t *random, const struct random_area *area,
     case INDICES: return role == 'x';
     case WILD_INDICES: return role == 'x' && one_in(random, 3);
     case FAR_INDICES: return role == 'x' && one_in(random, 2);
-    case HALF_NUMBERS:
-        return is_of_halves(role) || (role != 'b' && one_in(random, 6));
-    default:
-        return !strchr("bx", role)
-               && (!is_of_halves(role) || one_in(random, 4));
+    case HALF_NUMBERS: return is_of_halves(role) || (role != 'b' && one_in(random, 6));
+    default: return !strchr("bx", role) && (!is_of_halves(role) || one_in(random, 4));
     }
 }
 
@@ -269,8 +260,7 @@ static const struct random_area *draw_area(uint64_t *random, char role)
     const struct random_area *area;
 
     do
-        area = random_areas
-               + random_between(random, 0, (int64_t)random_area_count - 1);
+        area = random_areas + random_between(random, 0, (int64_t)random_area_count - 1);
     while (!area_fits(random, area, role) && !one_in(random, 400));
     return area;
 }
@@ -294,29 +284,24 @@ c205_word draw_descriptor(uint64_t *random, char role)
     return draw_length(random) << 48 | address;
 }
 
-c205_word draw_code_address(uint64_t *random,
-                            const struct random_program *program)
+c205_word draw_code_address(uint64_t *random, const struct random_program *program)
 {
-    size_t i = (size_t)random_between(random, 0,
-                                      (int64_t)program->insn_count - 1);
+    size_t i = (size_t)random_between(random, 0, (int64_t)program->insn_count - 1);
     uint64_t address = program_address(program, i);
 
     return one_in(random, 30) ? address + 8 : address;
 }
 
 /* Some words of the program itself. */
-static c205_word code_vector(uint64_t *random,
-                             const struct random_program *program)
+static c205_word code_vector(uint64_t *random, const struct random_program *program)
 {
     uint64_t address = draw_code_address(random, program);
 
-    return (c205_word)random_between(random, 1, 5) << 48
-           | address / WORD * WORD;
+    return (c205_word)random_between(random, 1, 5) << 48 | address / WORD * WORD;
 }
 
 /* In the program, on a page that is only read, or at the end of a page. */
-static c205_word table_elsewhere(uint64_t *random,
-                                 const struct random_program *program)
+static c205_word table_elsewhere(uint64_t *random, const struct random_program *program)
 {
     uint64_t before = (uint64_t)random_between(random, 0, 90);
 
@@ -336,9 +321,8 @@ static c205_word half_integers(uint64_t *random)
     return left << HALF | ((c205_word)draw_integer(random) & LOW_24);
 }
 
-static c205_word preset(uint64_t *random,
-                        const struct random_program *program, char role,
-                        unsigned i)
+static c205_word preset(uint64_t *random, const struct random_program *program,
+                        char role, unsigned i)
 {
     c205_word length;
 
@@ -346,8 +330,7 @@ static c205_word preset(uint64_t *random,
     case 'n': return word_number(random);
     case 'h': return half_numbers(random);
     case 'j': return half_integers(random);
-    case 'i':
-        return (c205_word)draw_integer(random) & UINT64_C(0xFFFFFFFFFFFF);
+    case 'i': return (c205_word)draw_integer(random) & UINT64_C(0xFFFFFFFFFFFF);
     case 'f':
         length = (c205_word)random_between(random, 0, 20);
         return length << 48 | (c205_word)random_between(random, 0, 50);
@@ -356,8 +339,7 @@ static c205_word preset(uint64_t *random,
     case 'o':
     case 'q':
         if (i % 2 == 1)
-            return (c205_word)random_between(random,
-                                             one_in(random, 30) ? -2 : 0, 9)
+            return (c205_word)random_between(random, one_in(random, 30) ? -2 : 0, 9)
                    & UINT64_C(0xFFFFFFFFFFFF);
         return draw_descriptor(random, role == 'q' ? 'b' : role);
     default:
@@ -374,13 +356,11 @@ static uint64_t step_of(char role)
 }
 
 /* Near the vector before, or, of half words, near one of words. */
-static c205_word near_another(uint64_t *random,
-                              const struct random_program *program, char role,
-                              unsigned number)
+static c205_word near_another(uint64_t *random, const struct random_program *program,
+                              char role, unsigned number)
 {
-    unsigned other = role == 'w' && one_in(random, 2)
-                         ? draw_register(random, 'v')
-                         : number - 1;
+    unsigned other = role == 'w' && one_in(random, 2) ? draw_register(random, 'v')
+                                                      : number - 1;
 
     return program->registers[other]
            + step_of(role) * (uint64_t)random_between(random, -3, 3);
@@ -395,10 +375,9 @@ static void preset_registers(uint64_t *random, struct random_program *program)
             program->registers[number] = strchr("vw", pools[p].role) && i > 0
                                                  && one_in(random, 4)
                                              ? near_another(random, program,
-                                                            pools[p].role,
-                                                            number)
-                                             : preset(random, program,
-                                                      pools[p].role, i);
+                                                            pools[p].role, number)
+                                             : preset(random, program, pools[p].role,
+                                                      i);
         }
 }
 
@@ -407,10 +386,12 @@ static void preset_loop(uint64_t *random, struct random_program *program)
 {
     int64_t half = (int64_t)program->insn_count / 2;
 
-    program->registers[LOOP_COUNT] = (c205_word)
-        random_between(random, 2, one_in(random, 3) ? 90 : 25);
-    program->registers[LOOP_BEGIN] =
-        program_address(program, (size_t)random_between(random, 0, half));
+    program->registers[LOOP_COUNT] = (c205_word)random_between(random, 2,
+                                                               one_in(random, 3) ? 90
+                                                                                 : 25);
+    program->registers[LOOP_BEGIN] = program_address(program,
+                                                     (size_t)random_between(random, 0,
+                                                                            half));
 }
 
 /* The words around one of the loop are the table.  Numbers are what is stored there,
@@ -422,12 +403,13 @@ static void preset_rewrites(uint64_t *random, struct random_program *program)
     uint64_t page = code / PAGE_BITS * PAGE_BITS;
     c205_word length = (c205_word)random_between(random, 1, 6) << 48;
 
-    program->registers[REWRITE_LIST] =
-        length | IN_PAGE(3, 5000 + random_between(random, 0, 200));
-    program->registers[REWRITE_FROM] =
-        length | IN_PAGE(8, 100 + random_between(random, 0, 200));
-    program->registers[REWRITE_TABLE] = code - page < before ? page
-                                                             : code - before;
+    program->registers[REWRITE_LIST] = length
+                                       | IN_PAGE(3,
+                                                 5000 + random_between(random, 0, 200));
+    program->registers[REWRITE_FROM] = length
+                                       | IN_PAGE(8,
+                                                 100 + random_between(random, 0, 200));
+    program->registers[REWRITE_TABLE] = code - page < before ? page : code - before;
 }
 
 /* ---- The whole --------------------------------------------------------- */
@@ -445,8 +427,7 @@ uint64_t program_address(const struct random_program *program, size_t i)
 static uint64_t draw_beginning(uint64_t *random)
 {
     uint64_t words = one_in(random, 3)
-                         ? C205_PAGE_WORDS
-                               - (uint64_t)random_between(random, 1, 20)
+                         ? C205_PAGE_WORDS - (uint64_t)random_between(random, 1, 20)
                          : (uint64_t)random_between(random, 0, 200);
 
     return IN_PAGE(1, words) + HALF * (random_bits(random) & 1);
@@ -460,8 +441,7 @@ struct random_program random_program(uint64_t seed)
     struct random_program program = { .seed = seed };
 
     random = random_bits(&random); /* far from those of other seeds */
-    program.model = (size_t)random_between(&random, 0,
-                                           (int64_t)random_model_count - 1);
+    program.model = (size_t)random_between(&random, 0, (int64_t)random_model_count - 1);
     program.code = draw_beginning(&random);
     program.loop = seed % ONE_LOOP_IN == 0;
     program.transfers = seed % ONE_OF_TRANSFERS_IN == 1;

@@ -72,8 +72,8 @@ struct random_program random_program(uint64_t seed);
 uint64_t program_address(const struct random_program *program, size_t i);
 
 /* The contents of an area, area->words of them. */
-void program_data(const struct random_program *program,
-                  const struct random_area *area, c205_word *words);
+void program_data(const struct random_program *program, const struct random_area *area,
+                  c205_word *words);
 
 /* The machine as the program finds it.  The first half of the program is the
  * region "first", up to random_region_end. */
@@ -88,8 +88,8 @@ bool random_load_shared(c205 *machine, const struct random_program *program,
                         struct random_shared *shared, c205_error *error);
 void random_shared_free(struct random_shared *shared);
 /* A page of them, as it is; on a machine that is free for it. */
-bool random_shared_read(c205 *machine, const struct random_shared *shared,
-                        size_t page, c205_word *words, c205_error *error);
+bool random_shared_read(c205 *machine, const struct random_shared *shared, size_t page,
+                        c205_word *words, c205_error *error);
 uint64_t random_region_end(const struct random_program *program);
 
 #endif

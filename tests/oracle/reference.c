@@ -47,8 +47,7 @@ static char by_g(const c205_insn *insn, unsigned g, char letter)
 
     if (letter == 'g')
         return g & C205_G_GIVEN ? 'b' : 'o';
-    return half && strchr("fwpvudcx", letter) ? (char)toupper(letter)
-                                              : letter;
+    return half && strchr("fwpvudcx", letter) ? (char)toupper(letter) : letter;
 }
 
 /* What comes behind a + is an offset and has no letter. */
@@ -74,9 +73,7 @@ bool reference_is_half_register(char letter, bool broadcast)
 
 unsigned width_of_letter(char letter)
 {
-    return letter && strchr("beoz", letter) ? BIT
-           : isupper(letter)                ? HALF_BITS
-                                            : BITS;
+    return letter && strchr("beoz", letter) ? BIT : isupper(letter) ? HALF_BITS : BITS;
 }
 
 /* ---- Registers --------------------------------------------------------- */
@@ -86,8 +83,7 @@ c205_word read_bits(const struct reference *reference, unsigned number)
     return number == 0 ? 0 : reference->now.registers[number];
 }
 
-void write_register(struct reference *reference, unsigned number,
-                    c205_word word)
+void write_register(struct reference *reference, unsigned number, c205_word word)
 {
     if (number >= C205_REGISTERS)
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
@@ -111,8 +107,7 @@ static bool is_number(char letter)
     return strchr("fFvV", letter);
 }
 
-c205_word read_operand(const struct reference *reference, char letter,
-                       unsigned number)
+c205_word read_operand(const struct reference *reference, char letter, unsigned number)
 {
     bool half = width_of_letter(letter) == HALF_BITS;
     unsigned whole = half ? whole_register(number) : number;
@@ -144,8 +139,8 @@ static uint64_t word_of(uint64_t address)
     return plain_address(address) / BITS * BITS;
 }
 
-static void check_place(struct reference *reference, uint64_t address,
-                        unsigned width, bool certain)
+static void check_place(struct reference *reference, uint64_t address, unsigned width,
+                        bool certain)
 {
     if (plain_address(address) % width != 0)
         add_fault(reference, C205_TRAP_MISALIGNED_OPERAND, address, certain);
@@ -153,8 +148,8 @@ static void check_place(struct reference *reference, uint64_t address,
         add_fault(reference, C205_TRAP_UNMAPPED_ADDRESS, address, certain);
 }
 
-static void check_write(struct reference *reference, uint64_t address,
-                        unsigned width, bool certain)
+static void check_write(struct reference *reference, uint64_t address, unsigned width,
+                        bool certain)
 {
     check_place(reference, address, width, certain);
     if (plain_is_mapped(&reference->memory, address)
@@ -168,8 +163,7 @@ static uint64_t bits_in_word(uint64_t address, unsigned width)
     return UINT64_MAX << (BITS - width) >> address % BITS;
 }
 
-c205_word read_memory(struct reference *reference, uint64_t address,
-                      unsigned width)
+c205_word read_memory(struct reference *reference, uint64_t address, unsigned width)
 {
     c205_word word = plain_read(&reference->memory, word_of(address));
 
@@ -178,8 +172,8 @@ c205_word read_memory(struct reference *reference, uint64_t address,
     return width == BIT ? word >> (BITS - BIT) : word;
 }
 
-void write_memory(struct reference *reference, uint64_t address,
-                  unsigned width, c205_word word)
+void write_memory(struct reference *reference, uint64_t address, unsigned width,
+                  c205_word word)
 {
     c205_word old = plain_read(&reference->memory, word_of(address));
     uint64_t mask = bits_in_word(address, width);
@@ -191,14 +185,12 @@ void write_memory(struct reference *reference, uint64_t address,
                 (old & ~mask) | (word >> address % BITS & mask));
 }
 
-void pass_by_memory(struct reference *reference, uint64_t address,
-                    unsigned width)
+void pass_by_memory(struct reference *reference, uint64_t address, unsigned width)
 {
     check_place(reference, address, width, false);
 }
 
-void leave_memory(struct reference *reference, uint64_t address,
-                  unsigned width)
+void leave_memory(struct reference *reference, uint64_t address, unsigned width)
 {
     check_write(reference, address, width, false);
 }
@@ -208,9 +200,8 @@ void add_extent(struct reference *reference, uint64_t address, uint64_t bits)
     struct deed *deed = &reference->deed;
 
     if (bits > 0)
-        deed->extents[deed->extent_count++] = (struct extent){
-            plain_address(address), bits
-        };
+        deed->extents[deed->extent_count++] = (struct extent){ plain_address(address),
+                                                               bits };
 }
 
 /* ---- Fetching ---------------------------------------------------------- */
@@ -273,15 +264,13 @@ static unsigned vector_bits(const c205_insn *insn)
 
 unsigned reference_bits_of_g(const c205_insn *insn)
 {
-    return c205_unit_is_vector(insn->unit)
-               ? vector_bits(insn)
-               : insn->subop_mask | C205_G_RELATIVE;
+    return c205_unit_is_vector(insn->unit) ? vector_bits(insn)
+                                           : insn->subop_mask | C205_G_RELATIVE;
 }
 
 bool reference_has_offset(const c205_insn *insn, const c205_fields *fields)
 {
-    return c205_unit_is_vector(insn->unit)
-           && insn->format != C205_FORMAT_SPARSE
+    return c205_unit_is_vector(insn->unit) && insn->format != C205_FORMAT_SPARSE
            && fields->g & reference_bits_of_g(insn) & C205_G_OFFSET;
 }
 
@@ -294,13 +283,11 @@ static bool is_sum(const c205_insn *insn)
 /* Fields that a format lacks are zero; so is the offset of what is broadcast,
  * and the zeros of a control vector that there is not; r255 has no register
  * after it, and a sum in two registers begins with an even one. */
-static bool has_only(const c205_insn *insn, c205_word word,
-                     const c205_fields *fields)
+static bool has_only(const c205_insn *insn, c205_word word, const c205_fields *fields)
 {
     unsigned g = fields->g;
 
-    if ((g & ~reference_bits_of_g(insn)) != 0
-        || c205_encode(insn, fields) != word)
+    if ((g & ~reference_bits_of_g(insn)) != 0 || c205_encode(insn, fields) != word)
         return false;
     return !c205_unit_is_vector(insn->unit)
            || !((g & C205_G_BROADCAST_A && fields->x != 0)

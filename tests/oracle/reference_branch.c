@@ -36,8 +36,8 @@ static enum relation compare_integers(int64_t a, int64_t b)
     return a < b ? LESS : a > b ? GREATER : EQUAL;
 }
 
-static enum relation compare_numbers(const struct oracle_format *format,
-                                     c205_word a, c205_word b)
+static enum relation compare_numbers(const struct oracle_format *format, c205_word a,
+                                     c205_word b)
 {
     uint64_t flags = 0;
 
@@ -69,37 +69,32 @@ static uint64_t long_target(const struct reference *reference,
     return read_bits(reference, fields->y) + read_bits(reference, fields->b);
 }
 
-static void branch_on_index(struct reference *reference,
-                            const c205_insn *insn, const c205_fields *fields)
+static void branch_on_index(struct reference *reference, const c205_insn *insn,
+                            const c205_fields *fields)
 {
     c205_word a = read_bits(reference, fields->a);
     c205_word sum = (a + read_bits(reference, fields->x)) & LOW_48;
     c205_word limit = read_bits(reference, fields->z);
     uint64_t target = long_target(reference, fields);
-    enum relation found = compare_integers(as_integer(sum),
-                                           as_integer(limit));
+    enum relation found = compare_integers(as_integer(sum), as_integer(limit));
 
     write_register(reference, fields->c, sum);
-    go_to(reference, target,
-          branches_on(reference_which(insn)) & (unsigned)found);
+    go_to(reference, target, branches_on(reference_which(insn)) & (unsigned)found);
 }
 
-static void branch_on_numbers(struct reference *reference,
-                              const c205_insn *insn, unsigned a, unsigned b,
-                              uint64_t target)
+static void branch_on_numbers(struct reference *reference, const c205_insn *insn,
+                              unsigned a, unsigned b, uint64_t target)
 {
     char letter = insn->operands[0];
     enum relation found = compare_numbers(format_of(width_of_letter(letter)),
                                           read_operand(reference, letter, a),
                                           read_operand(reference, letter, b));
 
-    go_to(reference, target,
-          branches_on(reference_which(insn)) & (unsigned)found);
+    go_to(reference, target, branches_on(reference_which(insn)) & (unsigned)found);
 }
 
-static void count_and_branch(struct reference *reference,
-                             const c205_fields *fields, uint64_t step,
-                             uint64_t target)
+static void count_and_branch(struct reference *reference, const c205_fields *fields,
+                             uint64_t step, uint64_t target)
 {
     c205_word r = read_bits(reference, fields->r);
     c205_word count = with_low(r, r + step);
@@ -129,35 +124,29 @@ static bool altered(int64_t i4, bool bit)
 
 /* The new word, and on to C if the bit is as it must be.  Of its number the
  * low 6 bits count. */
-static c205_word branch_on_bit(struct reference *reference,
-                               const c205_fields *fields, c205_word word,
-                               c205_word number)
+static c205_word branch_on_bit(struct reference *reference, const c205_fields *fields,
+                               c205_word word, c205_word number)
 {
     uint64_t mask = UINT64_C(1) << (BITS - 1 - number % BITS);
     bool bit = word & mask;
 
-    go_to(reference, read_bits(reference, fields->c),
-          holds(fields->immediate, bit));
+    go_to(reference, read_bits(reference, fields->c), holds(fields->immediate, bit));
     return altered(fields->immediate, bit) ? word | mask : word & ~mask;
 }
 
-static void branch_on_memory(struct reference *reference,
-                             const c205_fields *fields)
+static void branch_on_memory(struct reference *reference, const c205_fields *fields)
 {
     uint64_t address = plain_address(read_bits(reference, fields->a)
                                      + read_bits(reference, fields->b));
     bool bit = read_memory(reference, address, BIT);
 
     add_extent(reference, address, 1);
-    go_to(reference, read_bits(reference, fields->c),
-          holds(fields->immediate, bit));
+    go_to(reference, read_bits(reference, fields->c), holds(fields->immediate, bit));
     if ((fields->immediate & 3) != LEAVE)
-        write_memory(reference, address, BIT,
-                     altered(fields->immediate, bit));
+        write_memory(reference, address, BIT, altered(fields->immediate, bit));
 }
 
-static void branch_on_one_bit(struct reference *reference,
-                              const c205_insn *insn,
+static void branch_on_one_bit(struct reference *reference, const c205_insn *insn,
                               const c205_fields *fields)
 {
     c205_word a = read_bits(reference, fields->a);
@@ -165,25 +154,18 @@ static void branch_on_one_bit(struct reference *reference,
     if (reference_which(insn) == DO_BAB)
         branch_on_memory(reference, fields);
     else if (reference_which(insn) == DO_BADF)
-        reference->now.flags = branch_on_bit(reference, fields,
-                                             reference->now.flags, a);
+        reference->now.flags = branch_on_bit(reference, fields, reference->now.flags,
+                                             a);
     else
         write_register(reference, fields->a,
                        branch_on_bit(reference, fields, a,
                                      read_bits(reference, fields->b)));
 }
 
-enum request {
-    END,
-    PRINT_TEXT = 4,
-    PRINT_NUMBERS = 6,
-    PRINT_BITS = 7,
-    REQUESTS
-};
+enum request { END, PRINT_TEXT = 4, PRINT_NUMBERS = 6, PRINT_BITS = 7, REQUESTS };
 
 /* What the monitor will print must be there. */
-static void look_at(struct reference *reference, c205_word descriptor,
-                    int64_t request)
+static void look_at(struct reference *reference, c205_word descriptor, int64_t request)
 {
     for (uint64_t i = 0; i < length_of(descriptor); i++)
         if (request == PRINT_TEXT)
@@ -194,8 +176,7 @@ static void look_at(struct reference *reference, c205_word descriptor,
             read_memory(reference, descriptor + i, BIT);
 }
 
-static void ask_monitor(struct reference *reference,
-                        const c205_fields *fields)
+static void ask_monitor(struct reference *reference, const c205_fields *fields)
 {
     c205_word r = read_bits(reference, fields->r);
 
@@ -214,16 +195,13 @@ void do_branch(struct reference *reference, const c205_insn *insn,
 
     switch (reference_which(insn)) {
     case DO_IBNZ: count_and_branch(reference, fields, 1, called); break;
-    case DO_DBNZ:
-        count_and_branch(reference, fields, (uint64_t)-1, called);
-        break;
+    case DO_DBNZ: count_and_branch(reference, fields, (uint64_t)-1, called); break;
     case DO_BSAVE:
         write_register(reference, fields->r, reference->now.pc);
         go_to(reference, called, true);
         break;
     case DO_BIM:
-        go_to(reference,
-              (uint64_t)fields->immediate + read_bits(reference, fields->r),
+        go_to(reference, (uint64_t)fields->immediate + read_bits(reference, fields->r),
               true);
         break;
     case DO_BARB:

@@ -10,33 +10,32 @@ enum { WORD = 64, HALF = 32, NAME = 64 };
 /* ---- Constants --------------------------------------------------------- */
 
 /* In millionths. */
-static uint64_t millionths(const struct reference_clock *clock,
-                           const char *family, const char *name)
+static uint64_t millionths(const struct reference_clock *clock, const char *family,
+                           const char *name)
 {
     char full[NAME];
 
     snprintf(full, sizeof full, "%s.%s", family, name);
-    return (uint64_t)(c205_model_lookup(clock->model, full)->value
-                          * (double)MILLION
+    return (uint64_t)(c205_model_lookup(clock->model, full)->value * (double)MILLION
                       + 0.5);
 }
 
-static uint64_t constant(const struct reference_clock *clock,
-                         const char *family, const char *name)
+static uint64_t constant(const struct reference_clock *clock, const char *family,
+                         const char *name)
 {
     return millionths(clock, family, name) / MILLION;
 }
 
-static uint64_t of_class(const struct reference_clock *clock,
-                         const char *family, c205_timing timing)
+static uint64_t of_class(const struct reference_clock *clock, const char *family,
+                         c205_timing timing)
 {
     return constant(clock, family, c205_timing_name(timing));
 }
 
 /* ---- Charging ---------------------------------------------------------- */
 
-static void charge(struct reference_clock *clock, size_t region,
-                   c205_cause cause, uint64_t until)
+static void charge(struct reference_clock *clock, size_t region, c205_cause cause,
+                   uint64_t until)
 {
     if (until > clock->now) {
         clock->charged[region][cause] += until - clock->now;
@@ -44,8 +43,7 @@ static void charge(struct reference_clock *clock, size_t region,
     }
 }
 
-static void pass(struct reference_clock *clock, c205_cause cause,
-                 uint64_t clocks)
+static void pass(struct reference_clock *clock, c205_cause cause, uint64_t clocks)
 {
     charge(clock, clock->region, cause, clock->now + clocks);
 }
@@ -63,8 +61,7 @@ static void wait_for_vector(struct reference_clock *clock, uint64_t until)
                lesser(clock->phases[i].end, until));
 }
 
-static void wait_for(struct reference_clock *clock,
-                     const struct awaited *awaited)
+static void wait_for(struct reference_clock *clock, const struct awaited *awaited)
 {
     if (awaited->maker == VECTOR_UNIT)
         wait_for_vector(clock, awaited->ready);
@@ -91,8 +88,7 @@ static void name_register(struct named *named, unsigned number)
 
 /* A half register is waited for as the register it lies in. */
 static void name_operand(struct named *named, const c205_insn *insn,
-                         const c205_fields *fields, char field,
-                         unsigned number)
+                         const c205_fields *fields, char field, unsigned number)
 {
     unsigned bit = field == 'A'   ? C205_G_BROADCAST_A
                    : field == 'B' ? C205_G_BROADCAST_B
@@ -107,8 +103,7 @@ static void name_operand(struct named *named, const c205_insn *insn,
 /* C is a register that is only written, so waited for last. */
 static bool is_reduction(const c205_insn *insn)
 {
-    return insn->format == C205_FORMAT_REDUCE
-           || insn->format == C205_FORMAT_REDUCE2
+    return insn->format == C205_FORMAT_REDUCE || insn->format == C205_FORMAT_REDUCE2
            || insn->format == C205_FORMAT_EXTREME;
 }
 
@@ -169,8 +164,7 @@ static void name_field(struct named *named, const c205_insn *insn,
     }
 }
 
-static void wait_for_registers(struct reference_clock *clock,
-                               const c205_insn *insn,
+static void wait_for_registers(struct reference_clock *clock, const c205_insn *insn,
                                const c205_fields *fields)
 {
     const char *syntax = c205_format_syntax(insn->format);
@@ -195,8 +189,7 @@ static char written_field(const c205_insn *insn)
     if (insn->format == C205_FORMAT_ALTER)
         return 'A';
     if (insn->format == C205_FORMAT_INDEX
-        || (c205_unit_is_vector(insn->unit)
-            && insn->format != C205_FORMAT_BITS1))
+        || (c205_unit_is_vector(insn->unit) && insn->format != C205_FORMAT_BITS1))
         return 'C';
     return strchr("wmWM", letters[0]) && letters[1] != '\0' ? 'R' : 'T';
 }
@@ -300,8 +293,7 @@ static struct translation translate(struct reference_clock *clock,
             look_up(clock, page, &translation);
     }
     for (size_t i = 0; i < deed->indexed_count; i++)
-        look_up(clock, plain_address(deed->indexed[i]) / page_bits,
-                &translation);
+        look_up(clock, plain_address(deed->indexed[i]) / page_bits, &translation);
     translation.misses *= constant(clock, "translation", "miss");
     translation.faults *= constant(clock, "page_fault", "clocks");
     return translation;
@@ -335,8 +327,7 @@ static void issue(struct reference_clock *clock)
 }
 
 /* Memory is the vector unit's until it is done. */
-static void reach_memory(struct reference_clock *clock,
-                         const struct deed *deed)
+static void reach_memory(struct reference_clock *clock, const struct deed *deed)
 {
     struct translation translation;
 
@@ -348,8 +339,7 @@ static void reach_memory(struct reference_clock *clock,
 
 static void step_swap(struct reference_clock *clock, const struct deed *deed)
 {
-    uint64_t words = deed->swapped * millionths(clock, "swap", "word")
-                     + MILLION - 1;
+    uint64_t words = deed->swapped * millionths(clock, "swap", "word") + MILLION - 1;
     uint64_t clocks = constant(clock, "latency", "swap") + words / MILLION;
     uint64_t begin;
 
@@ -363,8 +353,7 @@ static void step_swap(struct reference_clock *clock, const struct deed *deed)
     charge(clock, clock->region, C205_MEMORY_WAIT, begin + clocks);
 }
 
-static void step_scalar(struct reference_clock *clock,
-                        const struct deed *deed)
+static void step_scalar(struct reference_clock *clock, const struct deed *deed)
 {
     const c205_insn *insn = deed->insns[0];
     bool load = insn->timing == C205_TIMING_load;
@@ -374,12 +363,10 @@ static void step_scalar(struct reference_clock *clock,
     if (insn->unit == C205_UNIT_MEMORY || deed->extent_count > 0)
         reach_memory(clock, deed);
     if (load)
-        wait_for_loads(clock,
-                       constant(clock, "memory", "loads_in_flight") - 1);
+        wait_for_loads(clock, constant(clock, "memory", "loads_in_flight") - 1);
     wait_for_unit(clock, insn->unit);
     ready = clock->now + of_class(clock, "latency", insn->timing);
-    clock->unit_free[insn->unit] = clock->now
-                                   + of_class(clock, "busy", insn->timing);
+    clock->unit_free[insn->unit] = clock->now + of_class(clock, "busy", insn->timing);
     if (load)
         clock->loads[clock->load_count++] = ready;
     deliver(clock, insn, deed->fields,
@@ -404,8 +391,7 @@ static void run_on(struct reference_clock *clock, const struct deed *deed)
         clock->stack_low = clock->stack_high - words;
 }
 
-static void step_branch(struct reference_clock *clock,
-                        const struct deed *deed)
+static void step_branch(struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t word = deed->target / WORD;
     bool inside = word >= clock->stack_low && word < clock->stack_high;
@@ -425,8 +411,7 @@ static void step_branch(struct reference_clock *clock,
 /* ---- The vector unit --------------------------------------------------- */
 
 /* How long gather or scatter wait for busy banks. */
-static uint64_t conflicts(const struct reference_clock *clock,
-                          const struct deed *deed)
+static uint64_t conflicts(const struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t banks = constant(clock, "memory", "banks");
     uint64_t busy = constant(clock, "memory", "bank_busy");
@@ -445,8 +430,8 @@ static uint64_t conflicts(const struct reference_clock *clock,
 }
 
 /* So many elements at once where the pipes set the rate. */
-static uint64_t stream(const struct reference_clock *clock,
-                       c205_timing timing, bool halves, uint64_t elements)
+static uint64_t stream(const struct reference_clock *clock, c205_timing timing,
+                       bool halves, uint64_t elements)
 {
     char name[NAME];
     const c205_constant *rate;
@@ -454,22 +439,18 @@ static uint64_t stream(const struct reference_clock *clock,
 
     snprintf(name, sizeof name, "stream.%s", c205_timing_name(timing));
     rate = c205_model_lookup(clock->model, name);
-    pipes = strstr(rate->unit, "pipe") ? constant(clock, "machine", "pipes")
-                                       : 1;
+    pipes = strstr(rate->unit, "pipe") ? constant(clock, "machine", "pipes") : 1;
     if (strstr(rate->unit, "pipe"))
-        pipes *= constant(clock, "vector",
-                          halves ? "half_rate" : "word_rate");
-    millionth = elements
-                * millionths(clock, "stream", c205_timing_name(timing));
+        pipes *= constant(clock, "vector", halves ? "half_rate" : "word_rate");
+    millionth = elements * millionths(clock, "stream", c205_timing_name(timing));
     return (millionth + MILLION * pipes - 1) / (MILLION * pipes);
 }
 
-static void add_phase(struct reference_clock *clock, c205_cause cause,
-                      uint64_t *end, uint64_t clocks)
+static void add_phase(struct reference_clock *clock, c205_cause cause, uint64_t *end,
+                      uint64_t clocks)
 {
     *end += clocks;
-    clock->phases[clock->phase_count++] = (struct phase){ *end, cause,
-                                                          clock->region };
+    clock->phases[clock->phase_count++] = (struct phase){ *end, cause, clock->region };
 }
 
 /* Phases that are over are forgotten. */
@@ -496,8 +477,7 @@ static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
 
 /* A linked pair starts up later by as much as each of the two does than an
  * addition. */
-static uint64_t startup_of(const struct reference_clock *clock,
-                           const struct deed *deed)
+static uint64_t startup_of(const struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t addition = of_class(clock, "startup", C205_TIMING_vadd);
     uint64_t clocks = of_class(clock, "startup", deed->insns[0]->timing);
@@ -511,22 +491,20 @@ static uint64_t startup_of(const struct reference_clock *clock,
 
 /* A linked pair goes at the rate of its slowest; each element that recurs
  * waits until the one before is through. */
-static uint64_t stream_of(const struct reference_clock *clock,
-                          const struct deed *deed, uint64_t startup)
+static uint64_t stream_of(const struct reference_clock *clock, const struct deed *deed,
+                          uint64_t startup)
 {
     bool halves = deed->fields[deed->insn_count - 1].g & C205_G_HALF;
     uint64_t longest = 0;
 
     for (size_t i = 0; i < deed->insn_count; i++) {
-        uint64_t clocks = stream(clock, deed->insns[i]->timing, halves,
-                                 deed->elements);
+        uint64_t clocks = stream(clock, deed->insns[i]->timing, halves, deed->elements);
         longest = clocks > longest ? clocks : longest;
     }
     return longest + deed->recurrent * startup;
 }
 
-static void step_vector(struct reference_clock *clock,
-                        const struct deed *deed)
+static void step_vector(struct reference_clock *clock, const struct deed *deed)
 {
     size_t last = deed->insn_count - 1;
     uint64_t startup = startup_of(clock, deed);
@@ -554,8 +532,7 @@ static void step_vector(struct reference_clock *clock,
 
 /* ---- A step ------------------------------------------------------------ */
 
-void reference_clock_begin(struct reference_clock *clock,
-                           const c205_model *model)
+void reference_clock_begin(struct reference_clock *clock, const c205_model *model)
 {
     memset(clock, 0, sizeof *clock);
     clock->model = model;
@@ -570,11 +547,10 @@ void reference_clock_enter(struct reference_clock *clock, uint64_t pc)
  * how the mnemonics begin. */
 static unsigned flops(const c205_insn *insn)
 {
-    static const char ones[][7] = {
-        "ADDU", "ADDN", "SUBU", "SUBL",  "SUBN",  "MPYU",   "MPYL",
-        "MPYS", "DIVU", "DIVS", "SQRT",  "AVG",   "DELTAV", "SUMV",
-        "PROD", "ADJM", "INTV", "ADDLV", "ADDLH", "ADDLS"
-    };
+    static const char ones[][7] = { "ADDU", "ADDN", "SUBU",   "SUBL",  "SUBN",
+                                    "MPYU", "MPYL", "MPYS",   "DIVU",  "DIVS",
+                                    "SQRT", "AVG",  "DELTAV", "SUMV",  "PROD",
+                                    "ADJM", "INTV", "ADDLV",  "ADDLH", "ADDLS" };
     static const char twos[][5] = { "DOTV", "POLY" };
 
     for (size_t i = 0; i < sizeof twos / sizeof twos[0]; i++)
@@ -599,8 +575,7 @@ static uint64_t operations(const struct deed *deed)
 }
 
 /* Instructions, elements, operations, and how often control came from elsewhere. */
-static void count(struct reference_clock *clock, const struct deed *deed,
-                  size_t region)
+static void count(struct reference_clock *clock, const struct deed *deed, size_t region)
 {
     struct counts *counts = clock->counts + region;
 
@@ -615,8 +590,8 @@ static void count(struct reference_clock *clock, const struct deed *deed,
     clock->begun = true;
 }
 
-void reference_clock_step(struct reference_clock *clock,
-                          const struct deed *deed, size_t region)
+void reference_clock_step(struct reference_clock *clock, const struct deed *deed,
+                          size_t region)
 {
     const c205_insn *insn = deed->insns[0];
 

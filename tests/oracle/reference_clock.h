@@ -58,13 +58,12 @@ struct reference_clock {
     uint64_t charged[CLOCK_REGIONS][C205_CAUSES];
 };
 
-void reference_clock_begin(struct reference_clock *clock,
-                           const c205_model *model);
+void reference_clock_begin(struct reference_clock *clock, const c205_model *model);
 /* Code begins here, come from nowhere: the instruction stack is empty. */
 void reference_clock_enter(struct reference_clock *clock, uint64_t pc);
 /* An instruction of a region has been done. */
-void reference_clock_step(struct reference_clock *clock,
-                          const struct deed *deed, size_t region);
+void reference_clock_step(struct reference_clock *clock, const struct deed *deed,
+                          size_t region);
 /* The run has ended: wait for everything in flight. */
 void reference_clock_drain(struct reference_clock *clock);
 

@@ -7,9 +7,8 @@ static uint64_t lesser(uint64_t a, uint64_t b)
 }
 
 /* n elements of A, B and Z, then stored ones of C. */
-static void use_operands(struct reference *reference,
-                         const struct vector *vector, uint64_t n,
-                         uint64_t stored)
+static void use_operands(struct reference *reference, const struct vector *vector,
+                         uint64_t n, uint64_t stored)
 {
     reference->deed.elements = n;
     use_source(reference, &vector->sources.a, n);
@@ -26,8 +25,7 @@ static void reverse(struct reference *reference, const struct vector *vector)
     use_operands(reference, vector, length, length);
     for (uint64_t i = 0; i < length; i++)
         write_element(reference, vector, i,
-                      element(reference, &vector->sources.a, length - 1 - i),
-                      0);
+                      element(reference, &vector->sources.a, length - 1 - i), 0);
 }
 
 /* ---- Gather and scatter ------------------------------------------------ */
@@ -45,18 +43,16 @@ static void note_index(struct reference *reference, uint64_t address)
 }
 
 /* Where index i leads: elements from the table's address on. */
-static uint64_t indexed(struct reference *reference,
-                        const struct vector *vector, uint64_t i,
-                        const struct target *table)
+static uint64_t indexed(struct reference *reference, const struct vector *vector,
+                        uint64_t i, const struct target *table)
 {
     c205_word index = element(reference, &vector->sources.a, i);
     return plain_address(table->address + table->width * (index & LOW_48));
 }
 
 /* Element i of the table by the period, which is A and may be negative. */
-static uint64_t periodic(struct reference *reference,
-                         const struct vector *vector, uint64_t i,
-                         const struct target *table)
+static uint64_t periodic(struct reference *reference, const struct vector *vector,
+                         uint64_t i, const struct target *table)
 {
     int64_t period = as_integer(read_bits(reference, vector->fields->a));
     uint64_t count = (uint64_t)(period * (int64_t)i);
@@ -64,8 +60,8 @@ static uint64_t periodic(struct reference *reference,
     return plain_address(table->address + table->width * count);
 }
 
-static void gather_one(struct reference *reference,
-                       const struct vector *vector, uint64_t i, uint64_t from)
+static void gather_one(struct reference *reference, const struct vector *vector,
+                       uint64_t i, uint64_t from)
 {
     if (permitted(reference, vector, i)) {
         note_index(reference, from);
@@ -77,8 +73,8 @@ static void gather_one(struct reference *reference,
     }
 }
 
-static void scatter_one(struct reference *reference,
-                        const struct vector *vector, uint64_t i, uint64_t to)
+static void scatter_one(struct reference *reference, const struct vector *vector,
+                        uint64_t i, uint64_t to)
 {
     c205_word word = element(reference, &vector->sources.b, i);
 
@@ -107,8 +103,7 @@ static void gather(struct reference *reference, const struct vector *vector)
 
     use_operands(reference, vector, length, length);
     for (uint64_t i = 0; i < length; i++)
-        gather_one(reference, vector, i,
-                   indexed(reference, vector, i, &table));
+        gather_one(reference, vector, i, indexed(reference, vector, i, &table));
 }
 
 static void scatter(struct reference *reference, const struct vector *vector)
@@ -117,13 +112,11 @@ static void scatter(struct reference *reference, const struct vector *vector)
 
     use_operands(reference, vector, length, 0);
     for (uint64_t i = 0; i < length; i++)
-        scatter_one(reference, vector, i,
-                    indexed(reference, vector, i, &vector->c));
+        scatter_one(reference, vector, i, indexed(reference, vector, i, &vector->c));
 }
 
 /* As many as there is room for. */
-static void gather_periodic(struct reference *reference,
-                            const struct vector *vector)
+static void gather_periodic(struct reference *reference, const struct vector *vector)
 {
     struct target table = gathered_table(reference, vector);
     uint64_t length = vector->c.length;
@@ -132,13 +125,11 @@ static void gather_periodic(struct reference *reference,
     use_control(reference, vector, length);
     use_target(reference, &vector->c, length);
     for (uint64_t i = 0; i < length; i++)
-        gather_one(reference, vector, i,
-                   periodic(reference, vector, i, &table));
+        gather_one(reference, vector, i, periodic(reference, vector, i, &table));
 }
 
 /* As many as there are to scatter. */
-static void scatter_periodic(struct reference *reference,
-                             const struct vector *vector)
+static void scatter_periodic(struct reference *reference, const struct vector *vector)
 {
     const struct source *b = &vector->sources.b;
 
@@ -146,8 +137,7 @@ static void scatter_periodic(struct reference *reference,
     use_source(reference, b, b->length);
     use_control(reference, vector, b->length);
     for (uint64_t i = 0; i < b->length; i++)
-        scatter_one(reference, vector, i,
-                    periodic(reference, vector, i, &vector->c));
+        scatter_one(reference, vector, i, periodic(reference, vector, i, &vector->c));
 }
 
 /* ---- Mask, merge, compress --------------------------------------------- */
@@ -180,8 +170,8 @@ static void merge(struct reference *reference, const struct vector *vector)
 }
 
 /* Nobody knows beforehand how many will be stored. */
-static void may_store(struct reference *reference,
-                      const struct vector *vector, uint64_t length)
+static void may_store(struct reference *reference, const struct vector *vector,
+                      uint64_t length)
 {
     for (uint64_t i = 0; i < length; i++)
         leave_element(reference, &vector->c, i);

@@ -7,13 +7,12 @@
 
 /* Of a linked pair every element of the first one raises its flags, as it
  * has no control vector. */
-static c205_word read_element(struct reference *reference,
-                              const struct source *source, uint64_t i)
+static c205_word read_element(struct reference *reference, const struct source *source,
+                              uint64_t i)
 {
     switch (source->kind) {
     case NUMBER: return source->number;
-    case STREAM:
-        return join(reference, source->stream, i, &reference->now.flags);
+    case STREAM: return join(reference, source->stream, i, &reference->now.flags);
     default:
         return read_memory(reference, source->address + source->width * i,
                            source->width);
@@ -22,8 +21,7 @@ static c205_word read_element(struct reference *reference,
 
 /* Sign control is applied to each element as it is read, not to those that
  * continue a short vector, and raises no flags of its own. */
-c205_word element(struct reference *reference, const struct source *source,
-                  uint64_t i)
+c205_word element(struct reference *reference, const struct source *source, uint64_t i)
 {
     const struct oracle_format *format = format_of(source->width);
     uint64_t unused = 0;
@@ -39,8 +37,8 @@ c205_word element(struct reference *reference, const struct source *source,
     return word;
 }
 
-c205_word join(struct reference *reference, const struct pair *pair,
-               uint64_t i, uint64_t *flags)
+c205_word join(struct reference *reference, const struct pair *pair, uint64_t i,
+               uint64_t *flags)
 {
     c205_word a = element(reference, &pair->a, i);
     c205_word b = pair->has_b ? element(reference, &pair->b, i) : 0;
@@ -50,8 +48,7 @@ c205_word join(struct reference *reference, const struct pair *pair,
 
 /* ---- The control vector ------------------------------------------------ */
 
-bool permitted(struct reference *reference, const struct vector *vector,
-               uint64_t i)
+bool permitted(struct reference *reference, const struct vector *vector, uint64_t i)
 {
     bool on_zeros = vector->fields->g & C205_G_ZEROS;
 
@@ -60,22 +57,19 @@ bool permitted(struct reference *reference, const struct vector *vector,
     return read_memory(reference, vector->z.address + i, BIT) != on_zeros;
 }
 
-void store_element(struct reference *reference, const struct target *target,
-                   uint64_t i, c205_word word)
+void store_element(struct reference *reference, const struct target *target, uint64_t i,
+                   c205_word word)
 {
-    write_memory(reference, target->address + target->width * i,
-                 target->width, word);
+    write_memory(reference, target->address + target->width * i, target->width, word);
 }
 
-void leave_element(struct reference *reference, const struct target *target,
-                   uint64_t i)
+void leave_element(struct reference *reference, const struct target *target, uint64_t i)
 {
-    leave_memory(reference, target->address + target->width * i,
-                 target->width);
+    leave_memory(reference, target->address + target->width * i, target->width);
 }
 
-void write_element(struct reference *reference, const struct vector *vector,
-                   uint64_t i, c205_word word, uint64_t flags)
+void write_element(struct reference *reference, const struct vector *vector, uint64_t i,
+                   c205_word word, uint64_t flags)
 {
     if (permitted(reference, vector, i)) {
         reference->now.flags |= flags;
@@ -104,16 +98,14 @@ void set_length(struct reference *reference, const struct vector *vector,
 {
     unsigned c = vector->fields->c;
 
-    write_register(reference, c,
-                   with_length(read_bits(reference, c), length));
+    write_register(reference, c, with_length(read_bits(reference, c), length));
 }
 
 /* ---- Taking operands --------------------------------------------------- */
 
 /* An offset moves a vector on and shortens it. */
-static struct target behind_offset(struct reference *reference,
-                                   c205_word descriptor, unsigned offset,
-                                   unsigned width)
+static struct target behind_offset(struct reference *reference, c205_word descriptor,
+                                   unsigned offset, unsigned width)
 {
     int64_t skipped = as_integer(read_bits(reference, offset));
     uint64_t length = length_of(descriptor);
@@ -145,13 +137,11 @@ static struct source broadcast(const struct reference *reference, char letter,
     };
 }
 
-struct source vector_source(struct reference *reference,
-                            const c205_insn *insn, char letter,
-                            unsigned number, unsigned offset)
+struct source vector_source(struct reference *reference, const c205_insn *insn,
+                            char letter, unsigned number, unsigned offset)
 {
     unsigned width = width_of_letter(letter);
-    struct target place = behind_offset(reference,
-                                        read_bits(reference, number), offset,
+    struct target place = behind_offset(reference, read_bits(reference, number), offset,
                                         width);
 
     return (struct source){
@@ -165,8 +155,7 @@ struct source vector_source(struct reference *reference,
 
 static struct source take_source(struct reference *reference,
                                  const struct vector *vector, char letter,
-                                 unsigned number, unsigned offset,
-                                 bool broadcasts)
+                                 unsigned number, unsigned offset, bool broadcasts)
 {
     if (vector->insn->format == C205_FORMAT_SCALARS || broadcasts)
         return broadcast(reference, letter, number);
@@ -203,10 +192,9 @@ void take_targets(struct reference *reference, struct vector *vector)
     unsigned width = width_of_letter(reference_letter(insn, fields->g, 'C'));
     unsigned offset = reference_has_offset(insn, fields) ? fields->c + 1u : 0;
 
-    vector->c = behind_offset(reference, read_bits(reference, fields->c),
-                              offset, width);
-    vector->z = behind_offset(reference, read_bits(reference, fields->z),
-                              offset, BIT);
+    vector->c = behind_offset(reference, read_bits(reference, fields->c), offset,
+                              width);
+    vector->z = behind_offset(reference, read_bits(reference, fields->z), offset, BIT);
 }
 
 bool has_bad_operand(const struct reference *reference)
@@ -225,8 +213,7 @@ bool take_operands(struct reference *reference, const c205_insn *insn,
 
 /* ---- Memory used ------------------------------------------------------- */
 
-void use_source(struct reference *reference, const struct source *source,
-                uint64_t n)
+void use_source(struct reference *reference, const struct source *source, uint64_t n)
 {
     uint64_t used = n < source->length ? n : source->length;
 
@@ -234,23 +221,19 @@ void use_source(struct reference *reference, const struct source *source,
         add_extent(reference, source->address, source->width * used);
 }
 
-void use_target(struct reference *reference, const struct target *target,
-                uint64_t n)
+void use_target(struct reference *reference, const struct target *target, uint64_t n)
 {
     add_extent(reference, target->address, target->width * n);
 }
 
-void use_control(struct reference *reference, const struct vector *vector,
-                 uint64_t n)
+void use_control(struct reference *reference, const struct vector *vector, uint64_t n)
 {
     if (vector->fields->z != 0)
         use_target(reference, &vector->z, n);
 }
 
-void may_need(struct reference *reference, const struct source *source,
-              uint64_t n)
+void may_need(struct reference *reference, const struct source *source, uint64_t n)
 {
     for (uint64_t i = 0; i < n && i < source->length; i++)
-        pass_by_memory(reference, source->address + source->width * i,
-                       source->width);
+        pass_by_memory(reference, source->address + source->width * i, source->width);
 }

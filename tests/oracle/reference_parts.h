@@ -7,8 +7,8 @@
 
 /* A name for each row of the instruction table: DO_ADDNV .. */
 enum reference_insn {
-#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, \
-             flags, semantics, operation, provenance, effect) \
+#define INSN(mnemonic, opcode, subop, mask, format, operands, unit, timing, flags, \
+             semantics, operation, provenance, effect) \
     DO_##mnemonic,
 #include "vm/insn.def"
     DO_NOTHING
@@ -74,13 +74,11 @@ static inline c205_word with_length(c205_word descriptor, uint64_t length)
 
 /* A register of 64 bits, as bits. */
 c205_word read_bits(const struct reference *reference, unsigned number);
-void write_register(struct reference *reference, unsigned number,
-                    c205_word word);
+void write_register(struct reference *reference, unsigned number, c205_word word);
 
 /* A register or a half register, as the letter of the operand says.  Register
  * 0, h0 and h1 are machine zero to those who read numbers, 0 to others. */
-c205_word read_operand(const struct reference *reference, char letter,
-                       unsigned number);
+c205_word read_operand(const struct reference *reference, char letter, unsigned number);
 void write_operand(struct reference *reference, char letter, unsigned number,
                    c205_word word);
 
@@ -88,16 +86,13 @@ void add_fault(struct reference *reference, c205_trap trap, uint64_t address,
                bool certain);
 
 /* A word, a half word, or a bit as 1 or 0. */
-c205_word read_memory(struct reference *reference, uint64_t address,
-                      unsigned width);
-void write_memory(struct reference *reference, uint64_t address,
-                  unsigned width, c205_word word);
+c205_word read_memory(struct reference *reference, uint64_t address, unsigned width);
+void write_memory(struct reference *reference, uint64_t address, unsigned width,
+                  c205_word word);
 /* A load that was not needed, and a store that the control vector left
  * out: they may trap. */
-void pass_by_memory(struct reference *reference, uint64_t address,
-                    unsigned width);
-void leave_memory(struct reference *reference, uint64_t address,
-                  unsigned width);
+void pass_by_memory(struct reference *reference, uint64_t address, unsigned width);
+void leave_memory(struct reference *reference, uint64_t address, unsigned width);
 
 void add_extent(struct reference *reference, uint64_t address, uint64_t bits);
 

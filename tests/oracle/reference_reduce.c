@@ -2,8 +2,8 @@
 #include "reference_vector.h"
 
 /* All of them are looked at, as all addresses are. */
-static void select_first(struct reference *reference,
-                         const struct vector *vector, uint64_t length)
+static void select_first(struct reference *reference, const struct vector *vector,
+                         uint64_t length)
 {
     uint64_t first = length, flags = 0;
 
@@ -16,9 +16,8 @@ static void select_first(struct reference *reference,
 }
 
 /* To the register, or half register, C, or to one behind it. */
-static void write_result(struct reference *reference,
-                         const struct vector *vector, unsigned behind,
-                         c205_word word)
+static void write_result(struct reference *reference, const struct vector *vector,
+                         unsigned behind, c205_word word)
 {
     const c205_fields *fields = vector->fields;
 
@@ -32,9 +31,8 @@ struct parts {
 };
 
 /* One more term, which has itself an upper and perhaps a lower part. */
-static struct parts add_term(const struct oracle_format *format,
-                             struct parts sum, const struct parts *term,
-                             bool both, uint64_t *flags)
+static struct parts add_term(const struct oracle_format *format, struct parts sum,
+                             const struct parts *term, bool both, uint64_t *flags)
 {
     c205_word below = oracle_add_lower(format, sum.upper, term->upper, flags);
 
@@ -46,9 +44,8 @@ static struct parts add_term(const struct oracle_format *format,
 }
 
 /* Element i of A, or the parts of its product with that of B. */
-static struct parts term(struct reference *reference,
-                         const struct vector *vector, uint64_t i,
-                         uint64_t *flags)
+static struct parts term(struct reference *reference, const struct vector *vector,
+                         uint64_t i, uint64_t *flags)
 {
     const struct pair *sources = &vector->sources;
     c205_word a = element(reference, &sources->a, i), b;
@@ -84,8 +81,8 @@ static void sum_up(struct reference *reference, const struct vector *vector,
     write_result(reference, vector, 1, sum.lower);
 }
 
-static void multiply_up(struct reference *reference,
-                        const struct vector *vector, uint64_t length)
+static void multiply_up(struct reference *reference, const struct vector *vector,
+                        uint64_t length)
 {
     const struct oracle_format *format = vector->sources.format;
     c205_word total = format == &oracle_half ? HALF_ONE : C205_ONE;

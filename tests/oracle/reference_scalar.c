@@ -21,8 +21,7 @@ static void apply_rule(struct reference *reference, const c205_insn *insn,
     const char *letters = insn->operands;
     c205_word r = read_operand(reference, letters[0], fields->r);
     c205_word s = read_operand(reference, letters[1], fields->s);
-    const struct oracle_format *format = format_of(
-        width_of_letter(letters[0]));
+    const struct oracle_format *format = format_of(width_of_letter(letters[0]));
 
     write_operand(reference, reference_letter(insn, 0, 'T'), fields->t,
                   reference_rule(insn)(format, r, s, &reference->now.flags));
@@ -34,8 +33,7 @@ static c205_word half_of(uint64_t high, uint64_t low)
     return (high & ~(LOW_24 << HALF_BITS)) | (low & LOW_24) << HALF_BITS;
 }
 
-static void enter_half(struct reference *reference, const c205_fields *fields,
-                       bool add)
+static void enter_half(struct reference *reference, const c205_fields *fields, bool add)
 {
     c205_word old = read_operand(reference, 'I', fields->r);
     uint64_t immediate = (uint64_t)fields->immediate;
@@ -59,8 +57,7 @@ static void set_timer(struct reference *reference, c205_word clocks)
     reference->now.timer = clocks == 0 ? 0 : reference->clock + clocks;
 }
 
-static void exchange_flags(struct reference *reference,
-                           const c205_fields *fields)
+static void exchange_flags(struct reference *reference, const c205_fields *fields)
 {
     c205_word old = reference->now.flags;
 
@@ -74,8 +71,7 @@ struct field {
     uint64_t mask;  /* right-justified */
 };
 
-static struct field describe_field(struct reference *reference,
-                                   c205_word descriptor)
+static struct field describe_field(struct reference *reference, c205_word descriptor)
 {
     uint64_t length = length_of(descriptor);
     uint64_t first = descriptor & LOW_48;
@@ -91,21 +87,17 @@ static struct field describe_field(struct reference *reference,
 
 static void extract(struct reference *reference, const c205_fields *fields)
 {
-    struct field field = describe_field(reference,
-                                        read_bits(reference, fields->s));
+    struct field field = describe_field(reference, read_bits(reference, fields->s));
 
     write_register(reference, fields->t,
-                   read_bits(reference, fields->r) >> field.shift
-                       & field.mask);
+                   read_bits(reference, fields->r) >> field.shift & field.mask);
 }
 
 static void insert(struct reference *reference, const c205_fields *fields)
 {
-    struct field field = describe_field(reference,
-                                        read_bits(reference, fields->s));
+    struct field field = describe_field(reference, read_bits(reference, fields->s));
     c205_word bits = read_bits(reference, fields->r) & field.mask;
-    c205_word rest = read_bits(reference, fields->t)
-                     & ~(field.mask << field.shift);
+    c205_word rest = read_bits(reference, fields->t) & ~(field.mask << field.shift);
 
     write_register(reference, fields->t, rest | bits << field.shift);
 }
@@ -117,8 +109,7 @@ static uint64_t low_product(c205_word r, c205_word s)
 }
 
 /* They may be at fault as well. */
-static void look_at_vectors(struct reference *reference, c205_word from,
-                            c205_word to)
+static void look_at_vectors(struct reference *reference, c205_word from, c205_word to)
 {
     for (unsigned i = 0; i < length_of(from); i++)
         pass_by_memory(reference, from + BITS * i, BITS);
@@ -133,8 +124,7 @@ static void swap(struct reference *reference, const c205_fields *fields)
     c205_word to = read_bits(reference, fields->t);
     uint64_t saved = length_of(to), loaded = length_of(from);
 
-    if (fields->s + saved > C205_REGISTERS
-        || fields->s + loaded > C205_REGISTERS) {
+    if (fields->s + saved > C205_REGISTERS || fields->s + loaded > C205_REGISTERS) {
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
         look_at_vectors(reference, from, to);
         return;
@@ -157,8 +147,7 @@ static void reach_memory(struct reference *reference, const c205_insn *insn,
     char letter = reference_letter(insn, 0, 'T');
     unsigned width = width_of_letter(letter);
     uint64_t address = plain_address(read_bits(reference, fields->r)
-                                     + width
-                                           * read_bits(reference, fields->s));
+                                     + width * read_bits(reference, fields->s));
 
     add_extent(reference, address, width);
     if (store)
@@ -181,12 +170,8 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
     case DO_ES:
     case DO_EX: write_register(reference, first, immediate & LOW_48); break;
     case DO_IS:
-    case DO_IX:
-        write_register(reference, first, with_low(r, r + immediate));
-        break;
-    case DO_ELEN:
-        write_register(reference, first, with_length(r, immediate));
-        break;
+    case DO_IX: write_register(reference, first, with_low(r, r + immediate)); break;
+    case DO_ELEN: write_register(reference, first, with_length(r, immediate)); break;
     case DO_ADDLEN:
         write_register(reference, result, with_length(r, length_of(r) + s));
         break;
@@ -198,15 +183,11 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
                                     &reference->now.flags));
         break;
     case DO_LSDFR: exchange_flags(reference, fields); break;
-    case DO_CLOCK:
-        write_register(reference, result, reference->clock & LOW_48);
-        break;
+    case DO_CLOCK: write_register(reference, result, reference->clock & LOW_48); break;
     case DO_RJTIME: read_timer(reference, result); break;
     case DO_WJTIME: set_timer(reference, r); break;
     case DO_EXH:
-    case DO_IXH:
-        enter_half(reference, fields, reference_which(insn) == DO_IXH);
-        break;
+    case DO_IXH: enter_half(reference, fields, reference_which(insn) == DO_IXH); break;
     case DO_EXTB: extract(reference, fields); break;
     case DO_INSB: insert(reference, fields); break;
     case DO_LOD:
@@ -221,30 +202,24 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
 /* ---- Which instructions have a rule ------------------------------------ */
 
 static const bool written_out[] = {
-    [DO_ES] = true,     [DO_IS] = true,     [DO_EX] = true,
-    [DO_IX] = true,     [DO_ELEN] = true,   [DO_ADDLEN] = true,
-    [DO_LTOR] = true,   [DO_MPYX] = true,   [DO_LOD] = true,
-    [DO_STO] = true,    [DO_SWAP] = true,   [DO_SHIFTI] = true,
-    [DO_BEQ] = true,    [DO_BNE] = true,    [DO_BGE] = true,
-    [DO_BLT] = true,    [DO_IBNZ] = true,   [DO_DBNZ] = true,
-    [DO_BSAVE] = true,  [DO_BIM] = true,    [DO_IBXEQ] = true,
-    [DO_IBXNE] = true,  [DO_IBXGE] = true,  [DO_IBXLT] = true,
-    [DO_IBXLE] = true,  [DO_IBXGT] = true,  [DO_CFPEQ] = true,
-    [DO_CFPNE] = true,  [DO_CFPGE] = true,  [DO_CFPLT] = true,
-    [DO_CFPLE] = true,  [DO_CFPGT] = true,  [DO_EXIT] = true,
-    [DO_INTVLV] = true, [DO_MAXV] = true,   [DO_MINV] = true,
-    [DO_SUMV] = true,   [DO_PRODV] = true,  [DO_DOTV] = true,
-    [DO_VREVV] = true,  [DO_VXTOV] = true,  [DO_VTOVX] = true,
-    [DO_MASKV] = true,  [DO_CPSV] = true,   [DO_MRGV] = true,
-    [DO_ACPSV] = true,  [DO_CNTLB] = true,  [DO_LSDFR] = true,
-    [DO_CLOCK] = true,  [DO_INSB] = true,   [DO_EXTB] = true,
-    [DO_BARB] = true,   [DO_BAB] = true,    [DO_BADF] = true,
-    [DO_POLYV] = true,  [DO_CPSB] = true,   [DO_MRGB] = true,
-    [DO_MASKB] = true,  [DO_MRKZ] = true,   [DO_MRKO] = true,
-    [DO_CNTOB] = true,  [DO_LINKV] = true,  [DO_EXH] = true,
-    [DO_IXH] = true,    [DO_LODH] = true,   [DO_STOH] = true,
-    [DO_BHEQ] = true,   [DO_BHNE] = true,   [DO_BHGE] = true,
-    [DO_BHLT] = true,   [DO_RJTIME] = true, [DO_WJTIME] = true,
+    [DO_ES] = true,     [DO_IS] = true,     [DO_EX] = true,       [DO_IX] = true,
+    [DO_ELEN] = true,   [DO_ADDLEN] = true, [DO_LTOR] = true,     [DO_MPYX] = true,
+    [DO_LOD] = true,    [DO_STO] = true,    [DO_SWAP] = true,     [DO_SHIFTI] = true,
+    [DO_BEQ] = true,    [DO_BNE] = true,    [DO_BGE] = true,      [DO_BLT] = true,
+    [DO_IBNZ] = true,   [DO_DBNZ] = true,   [DO_BSAVE] = true,    [DO_BIM] = true,
+    [DO_IBXEQ] = true,  [DO_IBXNE] = true,  [DO_IBXGE] = true,    [DO_IBXLT] = true,
+    [DO_IBXLE] = true,  [DO_IBXGT] = true,  [DO_CFPEQ] = true,    [DO_CFPNE] = true,
+    [DO_CFPGE] = true,  [DO_CFPLT] = true,  [DO_CFPLE] = true,    [DO_CFPGT] = true,
+    [DO_EXIT] = true,   [DO_INTVLV] = true, [DO_MAXV] = true,     [DO_MINV] = true,
+    [DO_SUMV] = true,   [DO_PRODV] = true,  [DO_DOTV] = true,     [DO_VREVV] = true,
+    [DO_VXTOV] = true,  [DO_VTOVX] = true,  [DO_MASKV] = true,    [DO_CPSV] = true,
+    [DO_MRGV] = true,   [DO_ACPSV] = true,  [DO_CNTLB] = true,    [DO_LSDFR] = true,
+    [DO_CLOCK] = true,  [DO_INSB] = true,   [DO_EXTB] = true,     [DO_BARB] = true,
+    [DO_BAB] = true,    [DO_BADF] = true,   [DO_POLYV] = true,    [DO_CPSB] = true,
+    [DO_MRGB] = true,   [DO_MASKB] = true,  [DO_MRKZ] = true,     [DO_MRKO] = true,
+    [DO_CNTOB] = true,  [DO_LINKV] = true,  [DO_EXH] = true,      [DO_IXH] = true,
+    [DO_LODH] = true,   [DO_STOH] = true,   [DO_BHEQ] = true,     [DO_BHNE] = true,
+    [DO_BHGE] = true,   [DO_BHLT] = true,   [DO_RJTIME] = true,   [DO_WJTIME] = true,
     [DO_VGATHP] = true, [DO_VSCATP] = true, [DO_NOTHING] = false,
 };
 

@@ -23,8 +23,7 @@ struct order {
 };
 
 /* Order vectors are read as a whole; a shorter one continues with zeros. */
-static void read_order(struct reference *reference, struct packed *packed,
-                       uint64_t n)
+static void read_order(struct reference *reference, struct packed *packed, uint64_t n)
 {
     packed->present = plain_room(NULL, (size_t)n + 1, sizeof(bool));
     packed->ones = 0;
@@ -35,9 +34,9 @@ static void read_order(struct reference *reference, struct packed *packed,
 }
 
 /* The order vectors first, as they are read first. */
-static void use_packed(struct reference *reference,
-                       const struct vector *vector, const struct packed *a,
-                       const struct packed *b, const struct order *z)
+static void use_packed(struct reference *reference, const struct vector *vector,
+                       const struct packed *a, const struct packed *b,
+                       const struct order *z)
 {
     use_source(reference, &a->order, z->places);
     use_source(reference, &b->order, z->places);
@@ -61,28 +60,25 @@ static bool is_made(const struct vector *vector, const struct packed *a,
 }
 
 /* Which places have a result: where Z says so if it is given. */
-static void find_results(struct reference *reference,
-                         const struct vector *vector, const struct packed *a,
-                         const struct packed *b, struct order *z)
+static void find_results(struct reference *reference, const struct vector *vector,
+                         const struct packed *a, const struct packed *b,
+                         struct order *z)
 {
     z->present = plain_room(NULL, (size_t)z->places + 1, sizeof(bool));
     z->ones = 0;
     for (uint64_t i = 0; i < z->places; i++) {
-        z->present[i] = z->given ? read_memory(reference,
-                                               vector->z.address + i, BIT)
+        z->present[i] = z->given ? read_memory(reference, vector->z.address + i, BIT)
                                  : is_made(vector, a, b, i);
         z->ones += z->present[i];
     }
 }
 
 /* The next packed element if place i has one; absent, it is machine zero. */
-static c205_word next_element(struct reference *reference,
-                              const struct packed *packed, uint64_t i,
-                              uint64_t *next)
+static c205_word next_element(struct reference *reference, const struct packed *packed,
+                              uint64_t i, uint64_t *next)
 {
-    return packed->present[i]
-               ? element(reference, &packed->elements, (*next)++)
-               : C205_MACHINE_ZERO;
+    return packed->present[i] ? element(reference, &packed->elements, (*next)++)
+                              : C205_MACHINE_ZERO;
 }
 
 static bool recurs(const struct packed *packed, uint64_t i, uint64_t next,
@@ -92,17 +88,16 @@ static bool recurs(const struct packed *packed, uint64_t i, uint64_t next,
            && lies_on_results(&packed->elements, next, &vector->c, made);
 }
 
-static void make_elements(struct reference *reference,
-                          const struct vector *vector, const struct packed *a,
-                          const struct packed *b, const struct order *z)
+static void make_elements(struct reference *reference, const struct vector *vector,
+                          const struct packed *a, const struct packed *b,
+                          const struct order *z)
 {
     uint64_t next_a = 0, next_b = 0, made = 0;
 
     for (uint64_t i = 0; i < z->places; i++) {
         reference->deed.recurrent += z->present[i]
                                      && (recurs(a, i, next_a, vector, made)
-                                         || recurs(b, i, next_b, vector,
-                                                   made));
+                                         || recurs(b, i, next_b, vector, made));
         c205_word x = next_element(reference, a, i, &next_a);
         c205_word y = next_element(reference, b, i, &next_b);
         if (z->present[i])
@@ -112,8 +107,7 @@ static void make_elements(struct reference *reference,
     }
 }
 
-static void set_length_in(struct reference *reference, unsigned number,
-                          uint64_t length)
+static void set_length_in(struct reference *reference, unsigned number, uint64_t length)
 {
     c205_word descriptor = read_bits(reference, number);
 
@@ -121,8 +115,8 @@ static void set_length_in(struct reference *reference, unsigned number,
 }
 
 /* A Z that is made is stored last, and has as many bits as there are places. */
-static void store_order(struct reference *reference,
-                        const struct vector *vector, const struct order *z)
+static void store_order(struct reference *reference, const struct vector *vector,
+                        const struct order *z)
 {
     for (uint64_t i = 0; i < z->places; i++)
         store_element(reference, &vector->z, i, z->present[i]);
@@ -130,14 +124,12 @@ static void store_order(struct reference *reference,
     set_length_in(reference, vector->fields->z, z->places);
 }
 
-static void do_packed(struct reference *reference,
-                      const struct vector *vector, struct packed *a,
-                      struct packed *b)
+static void do_packed(struct reference *reference, const struct vector *vector,
+                      struct packed *a, struct packed *b)
 {
     struct order z = { .given = vector->fields->g & C205_G_GIVEN };
 
-    z.places = z.given ? vector->z.length
-                       : greater(a->order.length, b->order.length);
+    z.places = z.given ? vector->z.length : greater(a->order.length, b->order.length);
     read_order(reference, a, z.places);
     read_order(reference, b, z.places);
     find_results(reference, vector, a, b, &z);

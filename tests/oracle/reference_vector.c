@@ -5,8 +5,7 @@
 
 /* ---- Element by element ------------------------------------------------ */
 
-static void each_element(struct reference *reference,
-                         const struct vector *vector)
+static void each_element(struct reference *reference, const struct vector *vector)
 {
     for (uint64_t i = 0; i < vector->c.length; i++) {
         uint64_t flags = 0;
@@ -16,8 +15,7 @@ static void each_element(struct reference *reference,
 }
 
 /* Each element and the one after it. */
-static void each_neighbour(struct reference *reference,
-                           const struct vector *vector)
+static void each_neighbour(struct reference *reference, const struct vector *vector)
 {
     const struct source *a = &vector->sources.a;
 
@@ -25,25 +23,23 @@ static void each_neighbour(struct reference *reference,
         uint64_t flags = 0;
         c205_word here = element(reference, a, i);
         c205_word next = element(reference, a, i + 1);
-        c205_word word = vector->sources.rule(vector->sources.format, next,
-                                              here, &flags);
+        c205_word word = vector->sources.rule(vector->sources.format, next, here,
+                                              &flags);
         write_element(reference, vector, i, word, flags);
     }
 }
 
 /* The polynomial with the coefficients B, highest first. */
-static c205_word polynomial(struct reference *reference,
-                            const struct pair *pair, c205_word x,
-                            uint64_t *flags)
+static c205_word polynomial(struct reference *reference, const struct pair *pair,
+                            c205_word x, uint64_t *flags)
 {
     const struct source *b = &pair->b;
-    c205_word value = b->length > 0 ? element(reference, b, 0)
-                                    : C205_MACHINE_ZERO;
+    c205_word value = b->length > 0 ? element(reference, b, 0) : C205_MACHINE_ZERO;
 
     for (uint64_t j = 1; j < b->length; j++) {
         value = oracle_multiply_significant(pair->format, value, x, flags);
-        value = oracle_add_normalised(pair->format, value,
-                                      element(reference, b, j), flags);
+        value = oracle_add_normalised(pair->format, value, element(reference, b, j),
+                                      flags);
     }
     return value;
 }
@@ -56,8 +52,7 @@ static c205_word search(struct reference *reference, const struct pair *pair,
 
     for (uint64_t j = 0; j < pair->b.length; j++) {
         ++*compared;
-        if (pair->rule(pair->format, x, element(reference, &pair->b, j),
-                       &flags))
+        if (pair->rule(pair->format, x, element(reference, &pair->b, j), &flags))
             return j;
     }
     return pair->b.length;
@@ -79,8 +74,7 @@ static bool scan_recurs(const struct vector *vector, uint64_t i)
 }
 
 /* Each element goes through all of B. */
-static void each_scan(struct reference *reference,
-                      const struct vector *vector)
+static void each_scan(struct reference *reference, const struct vector *vector)
 {
     const struct pair *pair = &vector->sources;
     uint64_t steps = 0;
@@ -99,8 +93,7 @@ static void each_scan(struct reference *reference,
             reference->deed.recurrent += scan_recurs(vector, i);
         write_element(reference, vector, i, word, flags);
     }
-    reference->deed.elements = pair->rule ? steps
-                                          : vector->c.length * pair->b.length;
+    reference->deed.elements = pair->rule ? steps : vector->c.length * pair->b.length;
 }
 
 static void interval(struct reference *reference, const struct vector *vector)
@@ -145,8 +138,8 @@ static void count_bits(struct reference *reference, const c205_fields *fields,
 }
 
 /* Groups of S bits, the first R of each like ones. */
-static void repeat_bits(struct reference *reference,
-                        const c205_fields *fields, bool ones)
+static void repeat_bits(struct reference *reference, const c205_fields *fields,
+                        bool ones)
 {
     int64_t r = as_integer(read_bits(reference, fields->r));
     int64_t s = as_integer(read_bits(reference, fields->s));
@@ -167,8 +160,7 @@ static void repeat_bits(struct reference *reference,
 
 static bool takes_neighbours(const c205_insn *insn)
 {
-    return reference_which(insn) == DO_DELTAV
-           || reference_which(insn) == DO_ADJMV;
+    return reference_which(insn) == DO_DELTAV || reference_which(insn) == DO_ADJMV;
 }
 
 /* For neighbours A is two sources, the first one element on. */
@@ -184,8 +176,7 @@ static struct source next_of(const struct vector *vector)
 }
 
 /* n elements of A, B, Z and C. */
-static void use_operands(struct reference *reference,
-                         const struct vector *vector)
+static void use_operands(struct reference *reference, const struct vector *vector)
 {
     uint64_t n = vector->c.length;
     struct source next = next_of(vector);
@@ -194,17 +185,15 @@ static void use_operands(struct reference *reference,
     use_source(reference, &next, n);
     use_source(reference, &vector->sources.a, n);
     use_source(reference, &vector->sources.b,
-               n > 0 && vector->insn->format == C205_FORMAT_SCAN
-                   ? C205_MAX_LENGTH
-                   : n);
+               n > 0 && vector->insn->format == C205_FORMAT_SCAN ? C205_MAX_LENGTH : n);
     use_control(reference, vector, n);
     use_target(reference, &vector->c, n);
 }
 
 /* ---- Recurrences ------------------------------------------------------- */
 
-bool lies_on_results(const struct source *source, uint64_t i,
-                     const struct target *c, uint64_t stored)
+bool lies_on_results(const struct source *source, uint64_t i, const struct target *c,
+                     uint64_t stored)
 {
     uint64_t address = source->address + source->width * i;
 
@@ -233,8 +222,7 @@ static uint64_t own_recurrences(const struct vector *vector)
     const struct source sources[] = { vector->sources.a, vector->sources.b,
                                       next_of(vector) };
 
-    return recurrences(sources, sizeof sources / sizeof sources[0],
-                       &vector->c);
+    return recurrences(sources, sizeof sources / sizeof sources[0], &vector->c);
 }
 
 /* What both read; the result is the second one's. */
@@ -244,15 +232,13 @@ static uint64_t linked_recurrences(const struct vector *first,
     const struct source sources[] = { first->sources.a, first->sources.b,
                                       second->sources.a, second->sources.b };
 
-    return recurrences(sources, sizeof sources / sizeof sources[0],
-                       &second->c);
+    return recurrences(sources, sizeof sources / sizeof sources[0], &second->c);
 }
 
 /* ---- By kind ----------------------------------------------------------- */
 
 /* Words, bits or half words, one for each element of the sources. */
-static void each_result(struct reference *reference,
-                        const struct vector *vector)
+static void each_result(struct reference *reference, const struct vector *vector)
 {
     if (strchr(vector->insn->operands, 'e'))
         each_bit(reference, vector);
@@ -260,8 +246,7 @@ static void each_result(struct reference *reference,
         each_element(reference, vector);
 }
 
-static void do_operands(struct reference *reference,
-                        const struct vector *vector)
+static void do_operands(struct reference *reference, const struct vector *vector)
 {
     if (strpbrk(vector->insn->operands, "wkp")) {
         do_reduction(reference, vector);
@@ -310,8 +295,8 @@ static unsigned streams(const struct pair *sources)
 
 /* A source that is the other instruction's result, by its register.  With an
  * offset it is none that can be handed over: false. */
-static bool link_source(struct source *source, unsigned number,
-                        unsigned offset, const struct vector *first)
+static bool link_source(struct source *source, unsigned number, unsigned offset,
+                        const struct vector *first)
 {
     if (source->kind != VECTOR || number != first->fields->c)
         return true;
@@ -332,8 +317,7 @@ static bool can_be_linked(const struct vector *first, struct vector *second)
     const c205_fields *fields = second->fields;
     bool a = link_source(&second->sources.a, fields->a, fields->x, first);
     bool b = link_source(&second->sources.b, fields->b, fields->y, first);
-    bool linked = second->sources.a.kind == STREAM
-                  || second->sources.b.kind == STREAM;
+    bool linked = second->sources.a.kind == STREAM || second->sources.b.kind == STREAM;
 
     return is_plain(first) && linked && a && b
            && first->c.width == second->sources.a.width
@@ -346,8 +330,7 @@ static bool may_link(const struct deed *deed)
 {
     c205_unit first = deed->insns[1]->unit, second = deed->insns[2]->unit;
 
-    return c205_unit_links(first) && c205_unit_links(second)
-           && first != second;
+    return c205_unit_links(first) && c205_unit_links(second) && first != second;
 }
 
 void do_linked(struct reference *reference)

@@ -36,9 +36,8 @@ struct vector {
 };
 
 /* A vector, of words, half words or bits, by its registers. */
-struct source vector_source(struct reference *reference,
-                            const c205_insn *insn, char letter,
-                            unsigned number, unsigned offset);
+struct source vector_source(struct reference *reference, const c205_insn *insn,
+                            char letter, unsigned number, unsigned offset);
 /* The result and the control vector. */
 void take_targets(struct reference *reference, struct vector *vector);
 /* False: an operand is bad, and its fault noted. */
@@ -48,33 +47,27 @@ bool take_operands(struct reference *reference, const c205_insn *insn,
 bool has_bad_operand(const struct reference *reference);
 
 /* Element i of a source. */
-c205_word element(struct reference *reference, const struct source *source,
-                  uint64_t i);
+c205_word element(struct reference *reference, const struct source *source, uint64_t i);
 /* Of both sources, joined by the rule. */
-c205_word join(struct reference *reference, const struct pair *pair,
-               uint64_t i, uint64_t *flags);
+c205_word join(struct reference *reference, const struct pair *pair, uint64_t i,
+               uint64_t *flags);
 
 /* The memory that n elements use, in the order A, B, Z, C. */
-void use_source(struct reference *reference, const struct source *source,
-                uint64_t n);
+void use_source(struct reference *reference, const struct source *source, uint64_t n);
 /* n elements that are looked at but perhaps not needed. */
-void may_need(struct reference *reference, const struct source *source,
-              uint64_t n);
-void use_target(struct reference *reference, const struct target *target,
-                uint64_t n);
-void use_control(struct reference *reference, const struct vector *vector,
-                 uint64_t n);
+void may_need(struct reference *reference, const struct source *source, uint64_t n);
+void use_target(struct reference *reference, const struct target *target, uint64_t n);
+void use_control(struct reference *reference, const struct vector *vector, uint64_t n);
 
 /* What the control vector says of element i. */
-bool permitted(struct reference *reference, const struct vector *vector,
-               uint64_t i);
+bool permitted(struct reference *reference, const struct vector *vector, uint64_t i);
 /* Where it permits: stored, and the flags with it. */
-void write_element(struct reference *reference, const struct vector *vector,
-                   uint64_t i, c205_word word, uint64_t flags);
+void write_element(struct reference *reference, const struct vector *vector, uint64_t i,
+                   c205_word word, uint64_t flags);
 
 /* Element i of the result, whatever the control vector says. */
-void store_element(struct reference *reference, const struct target *target,
-                   uint64_t i, c205_word word);
+void store_element(struct reference *reference, const struct target *target, uint64_t i,
+                   c205_word word);
 void leave_element(struct reference *reference, const struct target *target,
                    uint64_t i);
 
@@ -87,8 +80,8 @@ void set_length(struct reference *reference, const struct vector *vector,
 
 /* Whether element i of a source lies where so many of the result have been
  * stored, whatever the control vector held back of them. */
-bool lies_on_results(const struct source *source, uint64_t i,
-                     const struct target *c, uint64_t stored);
+bool lies_on_results(const struct source *source, uint64_t i, const struct target *c,
+                     uint64_t stored);
 
 void do_sparse(struct reference *reference, const c205_insn *insn,
                const c205_fields *fields);

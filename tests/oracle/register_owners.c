@@ -7,12 +7,7 @@
 #include "tests/oracle/operand_letters.h"
 #include "tests/oracle/reference.h"
 
-enum {
-    ANYONE = -1,
-    KEPT_WORDS = 1 << 12,
-    MOST_FOUND = 1000,
-    MOST_NAMES = 16
-};
+enum { ANYONE = -1, KEPT_WORDS = 1 << 12, MOST_FOUND = 1000, MOST_NAMES = 16 };
 
 /* A word that a SWAP put into memory. */
 struct kept {
@@ -120,8 +115,7 @@ static struct names names_at(const struct object *program, uint64_t address)
 }
 
 /* The last one for a register: results stand behind sources. */
-static long name_of(const struct object *program, struct names names,
-                    unsigned number)
+static long name_of(const struct object *program, struct names names, unsigned number)
 {
     long found = ANYONE;
 
@@ -146,8 +140,7 @@ static long name_behind(const struct object *program, long name, size_t count)
         return ANYONE;
     first = &program->registers[name];
     behind = first + count;
-    return !first->half && !behind->half
-                   && behind->number == first->number + count
+    return !first->half && !behind->half && behind->number == first->number + count
                ? name + (long)count
                : ANYONE;
 }
@@ -158,20 +151,18 @@ static bool is_known(const struct register_owners *owners, uint64_t address,
                      size_t name, long owner)
 {
     for (size_t i = 0; i < owners->found_count; i++)
-        if (owners->found[i].address == address
-            && owners->found[i].name == name
+        if (owners->found[i].address == address && owners->found[i].name == name
             && owners->found[i].owner == owner)
             return true;
     return false;
 }
 
-static void find(struct register_owners *owners, uint64_t address,
-                 size_t name, unsigned number)
+static void find(struct register_owners *owners, uint64_t address, size_t name,
+                 unsigned number)
 {
     long owner = owners->owner[number];
 
-    if (owners->found_count < MOST_FOUND
-        && !is_known(owners, address, name, owner))
+    if (owners->found_count < MOST_FOUND && !is_known(owners, address, name, owner))
         owners->found[owners->found_count++] = (struct found){
             address, name, owner, owners->written[number]
         };
@@ -189,11 +180,9 @@ static void read_register(struct register_owners *owners, uint64_t address,
         return;
     owners->read++;
     for (size_t i = 0; i < names.count; i++) {
-        const struct asm_register
-            *mentioned = &program->registers[names.first[i].name];
+        const struct asm_register *mentioned = &program->registers[names.first[i].name];
 
-        if (whole_number(mentioned) == number
-            && (long)mentioned->owner == owner)
+        if (whole_number(mentioned) == number && (long)mentioned->owner == owner)
             return;
     }
     find(owners, address, (size_t)name, number);
@@ -222,8 +211,8 @@ static unsigned count_of(c205_word descriptor, unsigned first)
     return count < C205_REGISTERS - first ? count : C205_REGISTERS - first;
 }
 
-static void save(struct register_owners *owners, const c205 *machine,
-                 c205_word to, unsigned first)
+static void save(struct register_owners *owners, const c205 *machine, c205_word to,
+                 unsigned first)
 {
     uint64_t address = to & 0xFFFFFFFFFFFF;
 
@@ -239,16 +228,15 @@ static void save(struct register_owners *owners, const c205 *machine,
     }
 }
 
-static void load(struct register_owners *owners, const c205 *machine,
-                 uint64_t pc, c205_word from, unsigned first, long name)
+static void load(struct register_owners *owners, const c205 *machine, uint64_t pc,
+                 c205_word from, unsigned first, long name)
 {
     uint64_t address = from & 0xFFFFFFFFFFFF;
 
     for (unsigned i = 0; i < count_of(from, first); i++, address += 64) {
         const struct kept *kept = kept_at(owners, address);
 
-        write_register(owners, pc, first + i,
-                       name_behind(owners->program, name, i));
+        write_register(owners, pc, first + i, name_behind(owners->program, name, i));
         if (kept->address == address && kept->first == first
             && kept->begin == (from & 0xFFFFFFFFFFFF)
             && kept->word == c205_register(machine, first + i))
@@ -279,8 +267,8 @@ static void swap(struct register_owners *owners, const c205 *machine,
 
 /* ---- The other instructions --------------------------------------------- */
 
-static void read_operands(struct register_owners *owners,
-                          const c205_event *event, struct names names)
+static void read_operands(struct register_owners *owners, const c205_event *event,
+                          struct names names)
 {
     const struct row *row = &owners->rows[event->insn - c205_insns];
     c205_fields fields = event->fields;
@@ -289,8 +277,7 @@ static void read_operands(struct register_owners *owners,
     for (int role = 0; role < ROLES; role++)
         if (row->letters[role] && !strchr("wWpk", row->letters[role]))
             read_register(owners, event->pc, names,
-                          *field_of_role(&fields, event->insn,
-                                         (enum role)role));
+                          *field_of_role(&fields, event->insn, (enum role)role));
     for (size_t i = 0; row->offsets && i < 2; i++)
         read_register(owners, event->pc, names, offsets[i]);
     if (row->target)
@@ -299,8 +286,8 @@ static void read_operands(struct register_owners *owners,
         read_register(owners, event->pc, names, fields.c + 1u);
 }
 
-static void write_results(struct register_owners *owners,
-                          const c205_event *event, struct names names)
+static void write_results(struct register_owners *owners, const c205_event *event,
+                          struct names names)
 {
     const struct object *program = owners->program;
     const struct row *row = &owners->rows[event->insn - c205_insns];
@@ -308,8 +295,7 @@ static void write_results(struct register_owners *owners,
 
     for (int role = 0; role < ROLES; role++) {
         char letter = row->letters[role];
-        unsigned number = *field_of_role(&fields, event->insn,
-                                         (enum role)role);
+        unsigned number = *field_of_role(&fields, event->insn, (enum role)role);
         long name = name_of(program, names, number);
 
         if (!letter || number == 0 || !strchr("wWpkmM", letter))
@@ -322,8 +308,7 @@ static void write_results(struct register_owners *owners,
 }
 
 /* A register is as large as its parts: half registers count as the whole. */
-void register_owners_listen(void *context, const c205 *machine,
-                            const c205_event *event)
+void register_owners_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct register_owners *owners = context;
     struct names names;
@@ -351,15 +336,13 @@ size_t register_owners_found(const struct register_owners *owners)
     return owners->found_count;
 }
 
-static const struct asm_line *line_at(const struct object *program,
-                                      uint64_t address)
+static const struct asm_line *line_at(const struct object *program, uint64_t address)
 {
     static const struct asm_line nowhere = { .file = "?", .source = "" };
 
     for (size_t i = 0; i < program->line_count; i++)
         if (program->lines[i].address <= address
-            && address < program->lines[i].address
-                             + 32 * program->lines[i].halves)
+            && address < program->lines[i].address + 32 * program->lines[i].halves)
             return &program->lines[i];
     return &nowhere;
 }
@@ -379,9 +362,7 @@ void register_owners_print(const struct register_owners *owners,
                    "%s:%zu: r%u is read as '%s', but it is '%s' since"
                    " %s:%zu\n",
                    read->file, read->number, whole_number(name), name->name,
-                   found->owner == ANYONE
-                       ? "?"
-                       : program->registers[found->owner].name,
+                   found->owner == ANYONE ? "?" : program->registers[found->owner].name,
                    written->file, written->number);
     }
 }

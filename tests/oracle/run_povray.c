@@ -22,8 +22,7 @@ static bool open_workplace(struct workplace *place)
     snprintf(place->folder, sizeof place->folder, "/tmp/run_povray.XXXXXX");
     if (!mkdtemp(place->folder))
         return false;
-    snprintf(place->picture, sizeof place->picture, "%s/picture.png",
-             place->folder);
+    snprintf(place->picture, sizeof place->picture, "%s/picture.png", place->folder);
     snprintf(place->log, sizeof place->log, "%s/log", place->folder);
     return true;
 }
@@ -49,8 +48,7 @@ static void put_method(const struct antialiasing *how, char words[2][32])
 
 /* In the new process: all that POV-Ray says goes to the log. */
 static void become_povray(const char *scene, size_t width, size_t height,
-                          const struct antialiasing *how,
-                          const struct workplace *place)
+                          const struct antialiasing *how, const struct workplace *place)
 {
     char input[LONGEST_PATH], library[LONGEST_PATH];
     char output[128], wide[32], high[32], method[2][32];
@@ -68,8 +66,7 @@ static void become_povray(const char *scene, size_t width, size_t height,
     put_method(how, method);
     /* 16-bit PNG whose samples are linear; no display. */
     execlp("povray", "povray", input, library, output, wide, high, "+FN16",
-           "File_Gamma=1.0", "-D", "-J", method[0], method[1], "+WT1",
-           (char *)NULL);
+           "File_Gamma=1.0", "-D", "-J", method[0], method[1], "+WT1", (char *)NULL);
     perror("povray");
     _exit(127);
 }
@@ -83,8 +80,7 @@ static bool succeeded(pid_t child)
 }
 
 /* The end of the log as the message. */
-static bool fail_with_log(const struct workplace *place,
-                          struct picture_error *error)
+static bool fail_with_log(const struct workplace *place, struct picture_error *error)
 {
     FILE *log = fopen(place->log, "r");
     size_t length = 0;
@@ -104,8 +100,7 @@ struct povray {
 };
 
 static struct povray *begin(const char *scene, size_t width, size_t height,
-                            const struct antialiasing *how,
-                            struct picture_error *error)
+                            const struct antialiasing *how, struct picture_error *error)
 {
     struct povray *run = calloc(1, sizeof *run);
     if (!run || !open_workplace(&run->place)) {
@@ -126,8 +121,7 @@ struct povray *povray_begin(const char *scene, size_t width, size_t height,
     return begin(scene, width, height, NULL, error);
 }
 
-bool povray_end(struct povray *run, struct frame *frame,
-                struct picture_error *error)
+bool povray_end(struct povray *run, struct frame *frame, struct picture_error *error)
 {
     bool good = run->child > 0 && succeeded(run->child)
                     ? picture_read(run->place.picture, frame, error)

@@ -24,7 +24,6 @@ bool run_povray(const char *scene, size_t width, size_t height,
 struct povray;
 struct povray *povray_begin(const char *scene, size_t width, size_t height,
                             struct picture_error *error);
-bool povray_end(struct povray *run, struct frame *frame,
-                struct picture_error *error);
+bool povray_end(struct povray *run, struct frame *frame, struct picture_error *error);
 
 #endif

@@ -138,8 +138,7 @@ bool solid_leave_out(struct solid **place, size_t *way)
     for (size_t i = 0; i < solid->count; i++)
         if (solid_leave_out(&solid->parts[i], way))
             return true;
-    if (leave_out_words(solid->look, way)
-        || leave_out_words(solid->motion, way))
+    if (leave_out_words(solid->look, way) || leave_out_words(solid->motion, way))
         return true;
     if (solid->inverse && solid_is_next(way)) {
         solid->inverse = false;

@@ -18,8 +18,7 @@ struct solid {
     bool inverse;
     size_t count;
     struct solid **parts;
-    struct solid
-        *clip; /* what it is clipped by, before its motion; or NULL */
+    struct solid *clip; /* what it is clipped by, before its motion; or NULL */
 };
 
 /* Zeros.  Without memory the test ends. */

@@ -15,20 +15,18 @@ struct stand {
 static void box_words(uint64_t *state, const struct stand *at, char *words)
 {
     double wide = at->size * between(state, .6, 1);
-    solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ",
-                -at->size, -wide, at->size, at->height, wide);
+    solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -at->size, -wide,
+                at->size, at->height, wide);
 }
 
-static void whole_box_words(uint64_t *state, const struct stand *at,
-                            char *words)
+static void whole_box_words(uint64_t *state, const struct stand *at, char *words)
 {
     (void)state;
-    solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ",
-                -at->size, -at->size, at->size, at->height, at->size);
+    solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -at->size,
+                -at->size, at->size, at->height, at->size);
 }
 
-static void cylinder_words(uint64_t *state, const struct stand *at,
-                           char *words)
+static void cylinder_words(uint64_t *state, const struct stand *at, char *words)
 {
     (void)state;
     solid_words(words, "cylinder { 0, %.9g*y, %.9g ", at->height, at->size);
@@ -49,8 +47,7 @@ static void prism_words(uint64_t *state, const struct stand *at, char *words)
     solid_words(words,
                 "prism { 0, %.9g, 5, <%.9g, %.9g>, <%.9g, %.9g>, "
                 "<%.9g, %.9g>, <%.9g, %.9g>, <%.9g, %.9g> ",
-                at->height, -s, -s * u, s * v, -s, s, s * u, -s * v, s, -s,
-                -s * u);
+                at->height, -s, -s * u, s * v, -s, s, s * u, -s * v, s, -s, -s * u);
 }
 
 static void mesh_words(uint64_t *state, const struct stand *at, char *words)
@@ -101,12 +98,11 @@ static void lathe_words(uint64_t *state, const struct stand *at, char *words)
 
 static void disc_words(uint64_t *state, const struct stand *at, char *words)
 {
-    solid_words(words, "disc { %.9g*y, y, %.9g ",
-                (double)below(state, 2) * at->height, at->size);
+    solid_words(words, "disc { %.9g*y, y, %.9g ", (double)below(state, 2) * at->height,
+                at->size);
 }
 
-static void triangle_words(uint64_t *state, const struct stand *at,
-                           char *words)
+static void triangle_words(uint64_t *state, const struct stand *at, char *words)
 {
     double y = (double)below(state, 2) * at->height;
     solid_words(words,
@@ -141,12 +137,9 @@ static struct stand random_stand(struct drawing *drawing)
 {
     uint64_t *state = &drawing->state;
     if (drawing->kind == STANDING_CLEAR)
-        return (struct stand){ between(state, -1.5, 1.5), 0,
-                               between(state, -1.5, 1.5),
-                               between(state, .3, .9),
-                               between(state, .2, 1.2) };
-    return (struct stand){ (double)below(state, 2) - .5,
-                           .5 * (double)below(state, 2),
+        return (struct stand){ between(state, -1.5, 1.5), 0, between(state, -1.5, 1.5),
+                               between(state, .3, .9), between(state, .2, 1.2) };
+    return (struct stand){ (double)below(state, 2) - .5, .5 * (double)below(state, 2),
                            (double)below(state, 2) - .5, .5, .5 };
 }
 
@@ -155,21 +148,19 @@ static void put_body(struct drawing *drawing, bool clear)
 {
     uint64_t *state = &drawing->state;
     struct stand at = random_stand(drawing);
-    double turn = drawing->kind == STANDING_CLEAR
-                      ? between(state, 0, 360)
-                      : 90 * (double)below(state, 4);
+    double turn = drawing->kind == STANDING_CLEAR ? between(state, 0, 360)
+                                                  : 90 * (double)below(state, 4);
     size_t count = drawing->kind == STANDING_OPAQUE ? SHAPES : SHAPES_CLEAR;
     char words[WORDS] = "";
     shapes[below(state, count)](state, &at, words);
-    fprintf(drawing->text, "%s pigment { rgb%s <%.2f, %.2f, %.2f%s> } %s",
-            words, clear ? "f" : "", between(state, .6, 1),
-            between(state, .6, 1), between(state, .6, 1), clear ? ", .9" : "",
+    fprintf(drawing->text, "%s pigment { rgb%s <%.2f, %.2f, %.2f%s> } %s", words,
+            clear ? "f" : "", between(state, .6, 1), between(state, .6, 1),
+            between(state, .6, 1), clear ? ", .9" : "",
             one_in(state, 6) ? "finish { reflection .1 } " : "");
     if (clear && !one_in(state, 4))
-        fprintf(drawing->text, "interior { ior %.2f } ",
-                between(state, 1.1, 1.7));
-    fprintf(drawing->text, "rotate %.9g*y translate <%.9g, %.9g, %.9g> %s}\n",
-            turn, at.x, at.y, at.z, drawing->motion);
+        fprintf(drawing->text, "interior { ior %.2f } ", between(state, 1.1, 1.7));
+    fprintf(drawing->text, "rotate %.9g*y translate <%.9g, %.9g, %.9g> %s}\n", turn,
+            at.x, at.y, at.z, drawing->motion);
 }
 
 /* Its colour changes slowly. */
@@ -182,9 +173,9 @@ static void put_ground(struct drawing *drawing, double lift)
             "%s pigment { gradient x color_map { [0 rgb%s <.2, .4, .9%s>] "
             "[1 rgb%s <1, .8, .3%s>] } translate -.5*x scale 60 "
             "rotate 37*y } translate %.9g*y %s}\n",
-            plane ? "plane { y, 0" : "box { <-3, -1, -3>, <3, 0, 3>",
-            clear ? "f" : "", clear ? ", .8" : "", clear ? "f" : "",
-            clear ? ", .8" : "", lift, drawing->motion);
+            plane ? "plane { y, 0" : "box { <-3, -1, -3>, <3, 0, 3>", clear ? "f" : "",
+            clear ? ", .8" : "", clear ? "f" : "", clear ? ", .8" : "", lift,
+            drawing->motion);
 }
 
 static void put_view(struct drawing *drawing)
@@ -200,8 +191,7 @@ static void put_view(struct drawing *drawing)
             x, y, between(state, -8, -5), STANDING_WIDTH, STANDING_HEIGHT,
             between(state, 18, 40), between(state, -9, 9));
     if (one_in(state, 3))
-        solid_words(drawing->motion,
-                    "rotate <%.3f, %.3f, %.3f> translate %.5f*y ",
+        solid_words(drawing->motion, "rotate <%.3f, %.3f, %.3f> translate %.5f*y ",
                     between(state, -9, 9), between(state, 0, 360),
                     between(state, -9, 9), between(state, -.5, .5));
 }
@@ -231,9 +221,8 @@ char *standing_scene_text(uint64_t seed, double lift)
     if (ground_first)
         put_ground(&drawing, lift);
     for (size_t i = 0; i < count; i++)
-        put_body(&drawing,
-                 drawing.kind == STANDING_CLEAR
-                     || (drawing.kind == STANDING_STACKED && i != opaque));
+        put_body(&drawing, drawing.kind == STANDING_CLEAR
+                               || (drawing.kind == STANDING_STACKED && i != opaque));
     if (!ground_first)
         put_ground(&drawing, lift);
     fclose(drawing.text);

@@ -23,15 +23,13 @@ static const char *next_line(const char *line)
 /* How many directives a word opens. */
 static int opened_by(const char *word)
 {
-    static const char *const openers[] = { "#if",    "#ifdef", "#ifndef",
-                                           "#while", "#for",   "#switch",
-                                           "#macro" };
+    static const char *const openers[] = { "#if",  "#ifdef",  "#ifndef", "#while",
+                                           "#for", "#switch", "#macro" };
     size_t length = 1 + strspn(word + 1, "abcdefghijklmnopqrstuvwxyz");
     if (length == 4 && strncmp(word, "#end", 4) == 0)
         return -1;
     for (size_t i = 0; i < sizeof openers / sizeof *openers; i++)
-        if (strlen(openers[i]) == length
-            && strncmp(word, openers[i], length) == 0)
+        if (strlen(openers[i]) == length && strncmp(word, openers[i], length) == 0)
             return 1;
     return 0;
 }

@@ -30,8 +30,7 @@ c205_word word_of(const c205_program *program, uint64_t address)
 }
 
 /* Every word of one program is in the other as well. */
-static void assert_words_in(const c205_program *program,
-                            const c205_program *other)
+static void assert_words_in(const c205_program *program, const c205_program *other)
 {
     size_t i, j;
 
@@ -60,17 +59,15 @@ void assert_same_program(const c205_program *a, const c205_program *b)
     }
 }
 
-void assert_one_error(const struct diagnostics *errors, const char *text,
-                      size_t line, size_t column, const char *message)
+void assert_one_error(const struct diagnostics *errors, const char *text, size_t line,
+                      size_t column, const char *message)
 {
     const struct diagnostic *first = errors->items;
 
     if (errors->count != 1 || first->line != line
-        || (column > 0 && first->column != column)
-        || !strstr(first->message, message))
+        || (column > 0 && first->column != column) || !strstr(first->message, message))
         fail_msg("%.200s\n%zu errors: %zu:%zu: %s", text, errors->count,
-                 errors->count ? first->line : 0,
-                 errors->count ? first->column : 0,
+                 errors->count ? first->line : 0, errors->count ? first->column : 0,
                  errors->count ? first->message : "");
 }
 

@@ -15,8 +15,8 @@ struct asm_error {
     const char *message;
 };
 
-void assert_one_error(const struct diagnostics *errors, const char *text,
-                      size_t line, size_t column, const char *message);
+void assert_one_error(const struct diagnostics *errors, const char *text, size_t line,
+                      size_t column, const char *message);
 /* Each text has this one error. */
 void assert_asm_errors(const struct asm_error *error, size_t count);
 

@@ -39,15 +39,13 @@ struct decoded insn(const char *name, unsigned r, unsigned s, unsigned t)
     return decoded;
 }
 
-void charge(struct clock *clock, struct decoded decoded,
-            const struct effect *effect)
+void charge(struct clock *clock, struct decoded decoded, const struct effect *effect)
 {
     clock_charge(clock, &decoded, effect);
     driven_pc = effect->taken ? effect->target : decoded.next;
 }
 
-void scalar(struct clock *clock, const char *name, unsigned r, unsigned s,
-            unsigned t)
+void scalar(struct clock *clock, const char *name, unsigned r, unsigned s, unsigned t)
 {
     charge(clock, insn(name, r, s, t), &no_effect);
 }

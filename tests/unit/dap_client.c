@@ -88,8 +88,8 @@ static void put(void *context, const char *text, size_t length)
 }
 
 /* Numbers of requests are every third one. */
-void client_request(struct dap_client *client, const char *command,
-                    const char *format, va_list arguments)
+void client_request(struct dap_client *client, const char *command, const char *format,
+                    va_list arguments)
 {
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text), out = { put, client };
@@ -108,8 +108,8 @@ void client_request(struct dap_client *client, const char *command,
     text_buffer_free(&text);
 }
 
-void client_tell(struct dap_client *client, const char *command,
-                 const char *format, ...)
+void client_tell(struct dap_client *client, const char *command, const char *format,
+                 ...)
 {
     va_list arguments;
 
@@ -139,8 +139,7 @@ static const struct json_value *next_message(struct dap_client *client)
     c205_error error = { "" };
 
     for (;;) {
-        enum message_state state = message_find(&client->input, &content,
-                                                &error);
+        enum message_state state = message_find(&client->input, &content, &error);
 
         if (state == MESSAGE_WHOLE)
             break;
@@ -157,8 +156,7 @@ static const struct json_value *next_message(struct dap_client *client)
     return message;
 }
 
-static void keep_event(struct dap_client *client,
-                       const struct json_value *event)
+static void keep_event(struct dap_client *client, const struct json_value *event)
 {
     struct sink sink = text_buffer_sink(&client->output);
 
@@ -188,9 +186,8 @@ const struct json_value *client_response(struct dap_client *client)
     }
 }
 
-const struct json_value *client_ask(struct dap_client *client,
-                                    const char *command, const char *format,
-                                    ...)
+const struct json_value *client_ask(struct dap_client *client, const char *command,
+                                    const char *format, ...)
 {
     const struct json_value *response;
     va_list arguments;
@@ -205,8 +202,8 @@ const struct json_value *client_ask(struct dap_client *client,
     return the(response, "body");
 }
 
-void client_refused(struct dap_client *client, const char *words,
-                    const char *command, const char *format, ...)
+void client_refused(struct dap_client *client, const char *words, const char *command,
+                    const char *format, ...)
 {
     const struct json_value *response;
     va_list arguments;
@@ -221,8 +218,7 @@ void client_refused(struct dap_client *client, const char *words,
                  json_member_text(response, "message"));
 }
 
-const struct json_value *client_event(struct dap_client *client,
-                                      const char *name)
+const struct json_value *client_event(struct dap_client *client, const char *name)
 {
     const struct json_value *event;
 
@@ -236,8 +232,7 @@ const struct json_value *client_event(struct dap_client *client,
     return json_member(event, "body");
 }
 
-const struct json_value *client_stopped(struct dap_client *client,
-                                        const char *reason)
+const struct json_value *client_stopped(struct dap_client *client, const char *reason)
 {
     const struct json_value *body = client_event(client, "stopped");
 
@@ -277,8 +272,8 @@ int64_t the_whole(const struct json_value *object, const char *key)
     return value;
 }
 
-const struct json_value *element_with(const struct json_value *list,
-                                      const char *key, const char *text)
+const struct json_value *element_with(const struct json_value *list, const char *key,
+                                      const char *text)
 {
     const struct json_value *item = list->first;
 

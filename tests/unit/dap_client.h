@@ -33,10 +33,10 @@ int client_end(struct dap_client *client);
 /* Any bytes. */
 void client_send(struct dap_client *client, const char *bytes, size_t length);
 /* A request, its arguments printed; NULL: none. */
-void client_request(struct dap_client *client, const char *command,
-                    const char *format, va_list arguments);
-void client_tell(struct dap_client *client, const char *command,
-                 const char *format, ...)
+void client_request(struct dap_client *client, const char *command, const char *format,
+                    va_list arguments);
+void client_tell(struct dap_client *client, const char *command, const char *format,
+                 ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif
@@ -44,35 +44,31 @@ void client_tell(struct dap_client *client, const char *command,
 /* The response to what was told last; events before it are kept. */
 const struct json_value *client_response(struct dap_client *client);
 /* The body of a response that must be one of success. */
-const struct json_value *client_ask(struct dap_client *client,
-                                    const char *command, const char *format,
-                                    ...)
+const struct json_value *client_ask(struct dap_client *client, const char *command,
+                                    const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
 /* It must be refused, with these words in the message. */
-void client_refused(struct dap_client *client, const char *words,
-                    const char *command, const char *format, ...)
+void client_refused(struct dap_client *client, const char *words, const char *command,
+                    const char *format, ...)
 #if defined(__GNUC__)
     __attribute__((format(printf, 4, 5)))
 #endif
     ;
 /* The body of the next event, which must be this one; output does not count. */
-const struct json_value *client_event(struct dap_client *client,
-                                      const char *name);
+const struct json_value *client_event(struct dap_client *client, const char *name);
 /* The same of stopped, for this reason. */
-const struct json_value *client_stopped(struct dap_client *client,
-                                        const char *reason);
+const struct json_value *client_stopped(struct dap_client *client, const char *reason);
 
 /* Members that must be there. */
-const struct json_value *the(const struct json_value *object,
-                             const char *key);
+const struct json_value *the(const struct json_value *object, const char *key);
 const char *the_text(const struct json_value *object, const char *key);
 int64_t the_whole(const struct json_value *object, const char *key);
 /* The element of a list whose member key has this text; NULL: there is none. */
-const struct json_value *element_with(const struct json_value *list,
-                                      const char *key, const char *text);
+const struct json_value *element_with(const struct json_value *list, const char *key,
+                                      const char *text);
 size_t length_of(const struct json_value *list);
 
 #endif

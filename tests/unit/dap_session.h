@@ -27,8 +27,8 @@ const char *client_file_name(void);
 
 /* To where breakpoints are set; what the adapter is capable of.  more: further members of
  * launch, each behind a comma. */
-const struct json_value *client_launch(struct dap_client *client,
-                                       const char *text, const char *more);
+const struct json_value *client_launch(struct dap_client *client, const char *text,
+                                       const char *more);
 const struct json_value *client_launch_file(struct dap_client *client,
                                             const char *more);
 /* To the first instruction. */
@@ -37,8 +37,7 @@ void client_enter(struct dap_client *client, const char *text);
 void client_leave(struct dap_client *client);
 
 /* A motion, and why it ends; by instructions, where it was to. */
-void client_go(struct dap_client *client, const char *request,
-               const char *reason);
+void client_go(struct dap_client *client, const char *request, const char *reason);
 void client_go_finely(struct dap_client *client, const char *request);
 /* All that stops in the file: a breakpoint, or "". */
 void client_stop_at(struct dap_client *client, const char *stop);
@@ -49,10 +48,9 @@ const struct json_value *client_frames(struct dap_client *client);
 uint64_t client_pc(struct dap_client *client);
 uint64_t client_step(struct dap_client *client);
 /* The variables of a scope; of a reference, with further arguments. */
-const struct json_value *client_variables(struct dap_client *client,
-                                          const char *scope);
-const struct json_value *client_inside(struct dap_client *client,
-                                       int reference, const char *more);
+const struct json_value *client_variables(struct dap_client *client, const char *scope);
+const struct json_value *client_inside(struct dap_client *client, int reference,
+                                       const char *more);
 const char *value_of(const struct json_value *list, const char *name);
 int reference_of(const struct json_value *list, const char *name);
 /* Its bits: "2  X'FFD3 4000 0000 0000'  .." */
@@ -60,7 +58,6 @@ c205_word word_in(const char *value);
 /* What an expression is. */
 const char *client_print(struct dap_client *client, const char *expression);
 const struct json_value *client_disassembled(struct dap_client *client,
-                                             uint64_t address, int from,
-                                             int count);
+                                             uint64_t address, int from, int count);
 
 #endif

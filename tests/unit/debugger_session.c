@@ -34,8 +34,8 @@ bool session_says(const struct debug_session *session, const char *part)
     return strstr(session->said.text ? session->said.text : "", part);
 }
 
-void session_check(struct debug_session *session,
-                   const struct line_said *lines, size_t count)
+void session_check(struct debug_session *session, const struct line_said *lines,
+                   size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         session_obey(session, lines[i].line);
@@ -44,8 +44,8 @@ void session_check(struct debug_session *session,
     }
 }
 
-void check_session(const char *text, const struct line_said *lines,
-                   size_t count, size_t faults)
+void check_session(const char *text, const struct line_said *lines, size_t count,
+                   size_t faults)
 {
     struct debug_session session;
 

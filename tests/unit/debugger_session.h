@@ -23,10 +23,10 @@ bool session_says(const struct debug_session *session, const char *part);
 struct line_said {
     const char *line, *said;
 };
-void session_check(struct debug_session *session,
-                   const struct line_said *lines, size_t count);
+void session_check(struct debug_session *session, const struct line_said *lines,
+                   size_t count);
 /* All of a session with a program, test.s; so many lines cannot be done. */
-void check_session(const char *text, const struct line_said *lines,
-                   size_t count, size_t faults);
+void check_session(const char *text, const struct line_said *lines, size_t count,
+                   size_t faults);
 
 #endif

@@ -9,12 +9,10 @@ static const struct {
     unsigned width;
     const char *directive, *work, *fault_work;
 } kinds[DRAWN_KINDS] = {
-    { 64, ".vector", "ADDNV   [xs], [xs], [ys]",
-      "ADDNV   [value], [value], [one]" },
+    { 64, ".vector", "ADDNV   [xs], [xs], [ys]", "ADDNV   [value], [value], [one]" },
     { 32, ".halfvector", "ADDNV,H [xs], [xs], [ys]",
       "ADDNV,H [value], [value], [one]" },
-    { 1, ".bitvector", "NANDB   [xs], [xs], [ys]",
-      "NANDB   [one], [one], [one]" },
+    { 1, ".bitvector", "NANDB   [xs], [xs], [ys]", "NANDB   [one], [one], [one]" },
 };
 
 double drawn_number(const struct drawn_lesson *drawn, c205_word element)
@@ -39,21 +37,19 @@ static c205_word element_of(const struct drawn_lesson *drawn, double number)
 }
 
 /* No two numbers are the same, or the same but for their sign; none is zero. */
-static void draw_elements(const struct drawn_lesson *drawn,
-                          struct drawn_test *test, uint64_t *state)
+static void draw_elements(const struct drawn_lesson *drawn, struct drawn_test *test,
+                          uint64_t *state)
 {
     for (size_t i = 0; i < test->n; i++) {
-        double number = (double)(50 * i
-                                 + (size_t)xorshift_between(state, 1, 49));
+        double number = (double)(50 * i + (size_t)xorshift_between(state, 1, 49));
 
         if (drawn->kind == DRAWN_BITS)
             number = (double)(xorshift(state) & 1);
         else if (xorshift(state) & 1)
             number = -number;
         test->x[i] = element_of(drawn, number);
-        test->wanted[i] = element_of(drawn, drawn->kind == DRAWN_BITS
-                                                ? 1 - number
-                                                : 2 * number);
+        test->wanted[i] = element_of(drawn, drawn->kind == DRAWN_BITS ? 1 - number
+                                                                      : 2 * number);
     }
 }
 
@@ -61,13 +57,11 @@ static void draw_test(const struct drawn_lesson *drawn, size_t index,
                       struct drawn_test *test, uint64_t *state)
 {
     static const char *const models[] = { "cyber205-1pipe", "cyber205-2pipe",
-                                          "cyber205-4pipe",
-                                          C205_DEFAULT_MODEL };
+                                          "cyber205-4pipe", C205_DEFAULT_MODEL };
 
     *test = (struct drawn_test){
         .n = (size_t)(DRAWN_TESTS
-                          * xorshift_between(state, 0,
-                                             DRAWN_LONGEST / DRAWN_TESTS - 1)
+                          * xorshift_between(state, 0, DRAWN_LONGEST / DRAWN_TESTS - 1)
                       + (int64_t)index + 1),
         .warm = xorshift(state) & 1,
         .has_goals = xorshift(state) & 1,
@@ -102,19 +96,14 @@ static void draw_found(struct drawn_lesson *drawn, uint64_t *state)
     if (drawn->kind == DRAWN_BITS)
         drawn->found = ~wanted & C205_MACHINE_ZERO;
     else if (drawn->fault == FAULT_LAST_BIT)
-        drawn->found = wanted
-                       + (drawn->kind == DRAWN_WORDS ? 1 : UINT64_C(1) << 32);
+        drawn->found = wanted + (drawn->kind == DRAWN_WORDS ? 1 : UINT64_C(1) << 32);
     else
-        drawn->found = element_of(drawn,
-                                  10000
-                                      + (double)xorshift_between(state, 0,
-                                                                 999)
-                                      + number);
+        drawn->found = element_of(drawn, 10000 + (double)xorshift_between(state, 0, 999)
+                                             + number);
 }
 
 /* Half of the number of an element, as digits of its word. */
-static void put_value(const struct drawn_lesson *drawn,
-                      const struct sink *sink)
+static void put_value(const struct drawn_lesson *drawn, const struct sink *sink)
 {
     if (drawn->kind == DRAWN_WORDS)
         sink_print(sink, "v:      .word   X'%016" PRIX64 "'\n",
@@ -124,8 +113,7 @@ static void put_value(const struct drawn_lesson *drawn,
                    (drawn->found - (UINT64_C(1) << 56)) >> 32);
 }
 
-static void put_work(const struct drawn_lesson *drawn,
-                     const struct sink *sink)
+static void put_work(const struct drawn_lesson *drawn, const struct sink *sink)
 {
     if (drawn->way == WAY_VECTOR)
         sink_print(sink, "        %s\n", kinds[drawn->kind].work);
@@ -146,8 +134,7 @@ static void put_work(const struct drawn_lesson *drawn,
                    drawn->idle);
 }
 
-static void put_fault(const struct drawn_lesson *drawn,
-                      const struct sink *sink)
+static void put_fault(const struct drawn_lesson *drawn, const struct sink *sink)
 {
     unsigned width = kinds[drawn->kind].width;
     const char *half = width == 32 ? ",H" : "";
@@ -189,21 +176,19 @@ static void write_answer(struct drawn_lesson *drawn)
     struct text_buffer text = { 0 };
     struct sink sink = text_buffer_sink(&text);
 
-    sink_print(
-        &sink,
-        "        .include \"core.s\"\n        .ifndef n\n"
-        "        .equ    n, 5\n        .endif\n"
-        "        .regs   r16, xs, ys, one, value, idle\n        .data\n"
-        "        %s x, n\n        %s y, n\n",
-        directive, directive);
+    sink_print(&sink,
+               "        .include \"core.s\"\n        .ifndef n\n"
+               "        .equ    n, 5\n        .endif\n"
+               "        .regs   r16, xs, ys, one, value, idle\n        .data\n"
+               "        %s x, n\n        %s y, n\n",
+               directive, directive);
     put_value(drawn, &sink);
     sink_print(&sink,
                "        .code\n        descriptor xs, x, n\n"
                "        descriptor ys, y, n\n        .if n == %zu\n",
                drawn->tests[drawn->faulty].n);
     put_fault(drawn, &sink);
-    sink_print(&sink,
-               "        .else\n        %s\n        .endif\n        EXIT\n",
+    sink_print(&sink, "        .else\n        %s\n        .endif\n        EXIT\n",
                kinds[drawn->kind].work);
     assert_true(text.length < sizeof drawn->answer);
     strcpy(drawn->answer, text.text);
@@ -233,8 +218,7 @@ void draw_lesson(struct drawn_lesson *drawn, uint64_t *state)
 /* ---- The folder ------------------------------------------------------------ */
 
 static void put_elements(const struct drawn_lesson *drawn, const char *label,
-                         const c205_word *elements, size_t n,
-                         const struct sink *sink)
+                         const c205_word *elements, size_t n, const struct sink *sink)
 {
     if (drawn->kind == DRAWN_BITS)
         sink_print(sink, "        .bitvector %s, %zu, \"", label, n);
@@ -244,16 +228,14 @@ static void put_elements(const struct drawn_lesson *drawn, const char *label,
         if (drawn->kind == DRAWN_BITS)
             sink_print(sink, "%d", (int)(elements[i] >> 63));
         else if (drawn->kind == DRAWN_HALVES)
-            sink_print(sink, "        .half   0x%08" PRIX64 "\n",
-                       elements[i] >> 32);
+            sink_print(sink, "        .half   0x%08" PRIX64 "\n", elements[i] >> 32);
         else
-            sink_print(sink, "        .word   X'%016" PRIX64 "'\n",
-                       elements[i]);
+            sink_print(sink, "        .word   X'%016" PRIX64 "'\n", elements[i]);
     sink_put(sink, drawn->kind == DRAWN_BITS ? "\"\n" : "");
 }
 
-static void put_test(const struct drawn_lesson *drawn,
-                     const struct drawn_test *test, const struct sink *sink)
+static void put_test(const struct drawn_lesson *drawn, const struct drawn_test *test,
+                     const struct sink *sink)
 {
     sink_print(sink, "; test: so many as %zu\n; expect-model: %s\n", test->n,
                test->model);
@@ -261,8 +243,7 @@ static void put_test(const struct drawn_lesson *drawn,
         sink_put(sink, "; tolerance: y 1e-3\n");
     if (test->has_goals)
         sink_print(sink,
-                   ";goals: bronze %" PRIu64 ",gold %" PRIu64
-                   " , silver %" PRIu64 "\n",
+                   ";goals: bronze %" PRIu64 ",gold %" PRIu64 " , silver %" PRIu64 "\n",
                    test->goals[MEDAL_BRONZE], test->goals[MEDAL_GOLD],
                    test->goals[MEDAL_SILVER]);
     sink_print(sink, "        .equ    n, %zu\n%s        .data\n", test->n,
@@ -309,7 +290,6 @@ void grade_well(struct lesson_verdict *verdict, const struct lesson *lesson,
     c205_error error;
 
     *verdict = (struct lesson_verdict){ 0 };
-    if (!lesson_grade(verdict, lesson, "my.s", answer, strlen(answer),
-                      &error))
+    if (!lesson_grade(verdict, lesson, "my.s", answer, strlen(answer), &error))
         fail_msg("%s\n%s", error.message, answer);
 }

@@ -32,8 +32,7 @@ struct drawn_test {
     size_t n; /* no other test has as many */
     bool warm, has_goals, tolerant;
     const char *model;
-    c205_word x[DRAWN_LONGEST],
-        wanted[DRAWN_LONGEST]; /* at the left of a word */
+    c205_word x[DRAWN_LONGEST], wanted[DRAWN_LONGEST]; /* at the left of a word */
     uint64_t goals[MEDALS];
 };
 
@@ -44,8 +43,7 @@ struct drawn_lesson {
     /* The answer. */
     enum drawn_fault fault;
     enum drawn_way way;
-    size_t faulty, element,
-        repeated,    /* in which test, where, how often more */
+    size_t faulty, element, repeated, /* in which test, where, how often more */
         idle;        /* instructions between two others of scalar code */
     c205_word found; /* there, of FAULT_ELEMENT and FAULT_LAST_BIT */
     char answer[8192];

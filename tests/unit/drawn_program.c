@@ -21,12 +21,10 @@ static const char *const vector_lines[] = {
     "        ADDNV   [r52], [r51], [r51]\n",
     "        SUMV    [r50], r36\n",
 };
-static const struct kinds scalars = {
-    sizeof scalar_lines / sizeof *scalar_lines, scalar_lines
-};
-static const struct kinds vectors = {
-    sizeof vector_lines / sizeof *vector_lines, vector_lines
-};
+static const struct kinds scalars = { sizeof scalar_lines / sizeof *scalar_lines,
+                                      scalar_lines };
+static const struct kinds vectors = { sizeof vector_lines / sizeof *vector_lines,
+                                      vector_lines };
 
 /* Up to so many of them. */
 static void add_lines(uint64_t *state, char *text, int64_t most,

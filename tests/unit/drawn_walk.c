@@ -39,8 +39,7 @@ void draw_walk(uint64_t *state, struct text_buffer *text)
                    (unsigned)(1 + below(state, 40)), i);
         sink_print(&sink, "        .kernel k%zu\nloop%zu:\n", i, i);
         for (size_t k = 1 + below(state, 8); k > 0; k--)
-            sink_put(&sink,
-                     lines[below(state, sizeof lines / sizeof *lines)]);
+            sink_put(&sink, lines[below(state, sizeof lines / sizeof *lines)]);
         sink_put(&sink, "        DBNZ turns, [to]\n        .endkernel\n");
     }
     sink_put(&sink, "        EXIT\n"

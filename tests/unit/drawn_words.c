@@ -38,22 +38,18 @@ static c205_word found_at(const struct drawn_lesson *drawn, size_t i)
     case FAULT_SIGN:
         return drawn->kind == DRAWN_WORDS
                    ? c205_from_double(-c205_to_double(test->wanted[i]))
-                   : c205_half_from_double(
-                       -c205_half_to_double(test->wanted[i]));
+                   : c205_half_from_double(-c205_half_to_double(test->wanted[i]));
     case FAULT_ELEMENT:
-    case FAULT_LAST_BIT:
-        return i == drawn->element ? drawn->found : test->wanted[i];
+    case FAULT_LAST_BIT: return i == drawn->element ? drawn->found : test->wanted[i];
     default: return test->wanted[i];
     }
 }
 
-static bool is_near(const struct drawn_lesson *drawn, c205_word found,
-                    c205_word wanted)
+static bool is_near(const struct drawn_lesson *drawn, c205_word found, c205_word wanted)
 {
     return found == wanted
            || (drawn->tests[drawn->faulty].tolerant
-               && fabs(drawn_number(drawn, found)
-                       - drawn_number(drawn, wanted))
+               && fabs(drawn_number(drawn, found) - drawn_number(drawn, wanted))
                       <= c205_to_double(c205_from_double(1e-3)));
 }
 

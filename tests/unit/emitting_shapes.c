@@ -5,17 +5,15 @@
 #include "tests/unit/plain_surface.h"
 #include "tests/unit/scene_reading.h"
 
-const enum primitive_kind emitting_kinds[EMITTING_KINDS] = {
-    PRIMITIVE_SPHERE,
-    PRIMITIVE_BOX,
-    PRIMITIVE_CYLINDER,
-    PRIMITIVE_DISC,
-    PRIMITIVE_CONE,
-    PRIMITIVE_TORUS,
-    PRIMITIVE_ELLIPTICAL_TORUS,
-    PRIMITIVE_STEINER_PATCH,
-    PRIMITIVE_MESH
-};
+const enum primitive_kind emitting_kinds[EMITTING_KINDS] = { PRIMITIVE_SPHERE,
+                                                             PRIMITIVE_BOX,
+                                                             PRIMITIVE_CYLINDER,
+                                                             PRIMITIVE_DISC,
+                                                             PRIMITIVE_CONE,
+                                                             PRIMITIVE_TORUS,
+                                                             PRIMITIVE_ELLIPTICAL_TORUS,
+                                                             PRIMITIVE_STEINER_PATCH,
+                                                             PRIMITIVE_MESH };
 
 static uint64_t *state;
 
@@ -42,9 +40,8 @@ static struct triangle triangle_store[TRIANGLES];
 
 static void draw_mesh(struct primitive *primitive)
 {
-    primitive->shape.mesh.triangles = (struct triangles){
-        between(1, TRIANGLES), triangle_store
-    };
+    primitive->shape.mesh.triangles = (struct triangles){ between(1, TRIANGLES),
+                                                          triangle_store };
     for (size_t i = 0; i < primitive->shape.mesh.triangles.count; i++)
         for (int k = 0; k < 3; k++)
             some_place(triangle_store[i].corners[k]);
@@ -52,15 +49,13 @@ static void draw_mesh(struct primitive *primitive)
 
 static void draw_patch(struct primitive *primitive)
 {
-    static const double about[STEINER_POINTS][3] = {
-        { 1, 0, 0 },   { 0, 1, 0 },  { 0, 0, 0 },
-        { .5, .5, 0 }, { 0, .5, 0 }, { .5, 0, 0 }
-    };
+    static const double about[STEINER_POINTS][3] = { { 1, 0, 0 },  { 0, 1, 0 },
+                                                     { 0, 0, 0 },  { .5, .5, 0 },
+                                                     { 0, .5, 0 }, { .5, 0, 0 } };
 
     for (int k = 0; k < STEINER_POINTS; k++) {
         for (int i = 0; i < 3; i++)
-            primitive->shape.steiner_patch.points[k][i] = about[k][i]
-                                                          + some(-.2, .2);
+            primitive->shape.steiner_patch.points[k][i] = about[k][i] + some(-.2, .2);
         primitive->shape.steiner_patch.weights[k] = 1;
     }
     if (between(0, 1))
@@ -105,12 +100,10 @@ static void draw_shape(struct primitive *primitive)
         primitive->shape.sphere.radius = some(.2, 1.5);
         break;
     case PRIMITIVE_BOX:
-        draw_axis(primitive->shape.box.corner[0],
-                  primitive->shape.box.corner[1]);
+        draw_axis(primitive->shape.box.corner[0], primitive->shape.box.corner[1]);
         break;
     case PRIMITIVE_CYLINDER:
-        draw_axis(primitive->shape.cylinder.base,
-                  primitive->shape.cylinder.cap);
+        draw_axis(primitive->shape.cylinder.base, primitive->shape.cylinder.cap);
         primitive->shape.cylinder.radius = some(.1, 1);
         primitive->shape.cylinder.open = between(0, 1);
         break;
@@ -130,8 +123,7 @@ static void draw_shape(struct primitive *primitive)
     }
 }
 
-void move_shape(struct primitive *primitive,
-                const struct placement *placement)
+void move_shape(struct primitive *primitive, const struct placement *placement)
 {
     primitive->to_world = placement->to_world;
     primitive->to_local = placement->to_local;

@@ -14,7 +14,6 @@ extern const enum primitive_kind emitting_kinds[EMITTING_KINDS];
  * triangles of a mesh hold until the next one is drawn. */
 struct primitive draw_emitting(enum primitive_kind kind, uint64_t *random);
 /* To that place. */
-void move_shape(struct primitive *primitive,
-                const struct placement *placement);
+void move_shape(struct primitive *primitive, const struct placement *placement);
 
 #endif

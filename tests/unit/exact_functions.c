@@ -177,13 +177,12 @@ static const struct exact_polynomial polynomials[] = {
 
 const struct exact_polynomial *exact_polynomial_at(size_t i)
 {
-    return i < sizeof polynomials / sizeof *polynomials ? &polynomials[i]
-                                                        : NULL;
+    return i < sizeof polynomials / sizeof *polynomials ? &polynomials[i] : NULL;
 }
 
 /* Point i of count: the middle plus half the way times cos(pi (2 i + 1) / (2 count)). */
-static void chebyshev_point(mpfr_t point, size_t i, size_t count,
-                            const mpfr_t low, const mpfr_t high)
+static void chebyshev_point(mpfr_t point, size_t i, size_t count, const mpfr_t low,
+                            const mpfr_t high)
 {
     mpfr_t middle;
 
@@ -217,8 +216,8 @@ static void divide_differences(mpfr_t values[], mpfr_t points[], size_t count)
 }
 
 /* Newton's form multiplied out. */
-static void multiply_out(mpfr_t coefficients[], mpfr_t differences[],
-                         mpfr_t points[], size_t count)
+static void multiply_out(mpfr_t coefficients[], mpfr_t differences[], mpfr_t points[],
+                         size_t count)
 {
     mpfr_t part;
 
@@ -228,8 +227,8 @@ static void multiply_out(mpfr_t coefficients[], mpfr_t differences[],
             mpfr_mul(part, coefficients[i], points[k], MPFR_RNDN);
             mpfr_neg(coefficients[i], part, MPFR_RNDN);
             if (i > 0) {
-                mpfr_add(coefficients[i], coefficients[i],
-                         coefficients[i - 1], MPFR_RNDN);
+                mpfr_add(coefficients[i], coefficients[i], coefficients[i - 1],
+                         MPFR_RNDN);
             }
         }
         mpfr_add(coefficients[0], coefficients[0], differences[k], MPFR_RNDN);
@@ -247,8 +246,7 @@ void exact_coefficients(const struct exact_polynomial *polynomial,
     mpfr_inits2(DIGITS, low, high, (mpfr_ptr)NULL);
     polynomial->bounds(low, high);
     for (size_t i = 0; i < count; i++) {
-        mpfr_inits2(DIGITS, points[i], values[i], coefficients[i],
-                    (mpfr_ptr)NULL);
+        mpfr_inits2(DIGITS, points[i], values[i], coefficients[i], (mpfr_ptr)NULL);
         chebyshev_point(points[i], i, count, low, high);
         polynomial->value(values[i], points[i]);
         mpfr_set_ui(coefficients[i], 0, MPFR_RNDN);

@@ -9,13 +9,11 @@
 /* A function of one number, or of two. */
 typedef void exact_function(mpfr_t value, const mpfr_t x, const mpfr_t y);
 
-exact_function exact_exp, exact_log, exact_sin, exact_cos, exact_atan2,
-    exact_power;
+exact_function exact_exp, exact_log, exact_sin, exact_cos, exact_atan2, exact_power;
 
 /* What a polynomial goes through, at count Chebyshev points from low to high. */
 struct exact_polynomial {
-    const char
-        *label; /* where a routine has its coefficients, the lowest first */
+    const char *label; /* where a routine has its coefficients, the lowest first */
     size_t count;
     void (*bounds)(mpfr_t low, mpfr_t high);
     void (*value)(mpfr_t value, const mpfr_t at);

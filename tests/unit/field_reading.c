@@ -22,8 +22,7 @@ void field_keep(const char *bytes, size_t count)
 }
 
 struct scene *field_read(const char *words, const char *modifiers,
-                         const struct scene_options *how,
-                         struct diagnostics *reports)
+                         const struct scene_options *how, struct diagnostics *reports)
 {
     char text[1000];
 
@@ -35,8 +34,7 @@ struct scene *field_read(const char *words, const char *modifiers,
 struct scene *field_expect(const char *words, const char *modifiers)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = field_read(words, modifiers, &with_images,
-                                     &reports);
+    struct scene *scene = field_read(words, modifiers, &with_images, &reports);
 
     diagnostics_print(&reports, stderr);
     assert_non_null(scene);
@@ -45,12 +43,11 @@ struct scene *field_expect(const char *words, const char *modifiers)
     return scene;
 }
 
-void field_expect_fault(const char *words, const char *modifiers,
-                        size_t column, const char *message)
+void field_expect_fault(const char *words, const char *modifiers, size_t column,
+                        const char *message)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = field_read(words, modifiers, &with_images,
-                                     &reports);
+    struct scene *scene = field_read(words, modifiers, &with_images, &reports);
 
     if (scene || reports.count != 1 || reports.items->column != column
         || !strstr(reports.items->message, message)) {
@@ -60,8 +57,7 @@ void field_expect_fault(const char *words, const char *modifiers,
     diagnostics_free(&reports);
 }
 
-bool field_shares(const struct triangle *triangle, double x, double z,
-                  double shares[3])
+bool field_shares(const struct triangle *triangle, double x, double z, double shares[3])
 {
     const double(*at)[3] = triangle->corners;
     double area = (at[1][0] - at[0][0]) * (at[2][2] - at[0][2])
@@ -69,14 +65,12 @@ bool field_shares(const struct triangle *triangle, double x, double z,
 
     for (int k = 0; k < 3; k++) {
         const double *a = at[(k + 1) % 3], *b = at[(k + 2) % 3];
-        shares[k] = ((a[0] - x) * (b[2] - z) - (b[0] - x) * (a[2] - z))
-                    / area;
+        shares[k] = ((a[0] - x) * (b[2] - z) - (b[0] - x) * (a[2] - z)) / area;
     }
     return shares[0] > 0 && shares[1] > 0 && shares[2] > 0;
 }
 
-int field_meet(const struct triangles *triangles, double x, double z,
-               double *height)
+int field_meet(const struct triangles *triangles, double x, double z, double *height)
 {
     int count = 0;
 

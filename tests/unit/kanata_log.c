@@ -173,8 +173,7 @@ static const char *take_line(struct kanata_log *log)
 
 /* ---- The log --------------------------------------------------------------- */
 
-static const char *read_lines(struct kanata_log *log, const char *text,
-                              size_t *line)
+static const char *read_lines(struct kanata_log *log, const char *text, size_t *line)
 {
     const char *fault = NULL;
 
@@ -188,8 +187,7 @@ static const char *read_lines(struct kanata_log *log, const char *text,
                         ? NULL
                         : "it is no log of this version";
         else
-            fault = cut_line(log, text, length) ? take_line(log)
-                                                : "words are missing";
+            fault = cut_line(log, text, length) ? take_line(log) : "words are missing";
         text += length + 1;
     }
     --*line;

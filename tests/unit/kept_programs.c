@@ -38,8 +38,8 @@ static bool write_asked(const char *kernel, const struct asm_define *defines,
     size_t n = (size_t)snprintf(asked, ASKED_ROOM, "%s", kernel);
 
     for (; defines && defines->name && n < ASKED_ROOM; defines++)
-        n += (size_t)snprintf(asked + n, ASKED_ROOM - n, " %s=%lld",
-                              defines->name, (long long)defines->value);
+        n += (size_t)snprintf(asked + n, ASKED_ROOM - n, " %s=%lld", defines->name,
+                              (long long)defines->value);
     return n < ASKED_ROOM;
 }
 
@@ -57,8 +57,7 @@ static struct kept *make_room(void)
     struct kept *oldest = NULL;
 
     for (size_t i = 0; i < KEPT; i++)
-        if (all_kept[i].users == 0
-            && (!oldest || all_kept[i].used < oldest->used))
+        if (all_kept[i].users == 0 && (!oldest || all_kept[i].used < oldest->used))
             oldest = &all_kept[i];
     if (oldest && oldest->object)
         __real_object_free(oldest->object);
@@ -67,8 +66,7 @@ static struct kept *make_room(void)
     return oldest;
 }
 
-static struct object *assemble(const char *kernel,
-                               const struct asm_define *defines,
+static struct object *assemble(const char *kernel, const struct asm_define *defines,
                                c205_error *error)
 {
     char asked[ASKED_ROOM];

@@ -22,8 +22,7 @@ static void add_place(struct places *places, const char *name)
         places->names[places->count++] = name;
 }
 
-static void add_kernels(struct places *places,
-                        const struct shape_kernels *kernels)
+static void add_kernels(struct places *places, const struct shape_kernels *kernels)
 {
     add_place(places, kernels->kernel);
     add_place(places, kernels->normal);
@@ -73,8 +72,7 @@ static struct object *stage_program(void)
     return program;
 }
 
-void raise_curtain(struct stage *stage, const char *text,
-                   enum bounding bounding)
+void raise_curtain(struct stage *stage, const char *text, enum bounding bounding)
 {
     struct frame_layout frame = { .width = 4, .height = 2, .rows = 2 };
     c205_error error = { "" };
@@ -82,8 +80,8 @@ void raise_curtain(struct stage *stage, const char *text,
     stage->scene = read_scene(text);
     stage->program = stage_program();
     stage->machine = c205_new(prior_model, &error);
-    stage->layout = layout_new(stage->program, stage->scene, bounding, NULL,
-                               NULL, &error);
+    stage->layout = layout_new(stage->program, stage->scene, bounding, NULL, NULL,
+                               &error);
     if (!stage->machine || !stage->layout
         || !c205_load(stage->machine, &stage->program->program, &error)
         || !layout_put(stage->layout, stage->machine, &frame, &error))
@@ -120,8 +118,8 @@ c205_word scene_word(const struct stage *stage, const char *name)
     return stage_word(stage, symbol(stage, name));
 }
 
-c205_word field_of(const struct stage *stage, uint64_t first,
-                   const char *size, size_t i, const char *name)
+c205_word field_of(const struct stage *stage, uint64_t first, const char *size,
+                   size_t i, const char *name)
 {
     uint64_t words = symbol(stage, size) * i + symbol(stage, name);
 
@@ -130,20 +128,17 @@ c205_word field_of(const struct stage *stage, uint64_t first,
 
 c205_word primitive(const struct stage *stage, size_t i, const char *name)
 {
-    return field_of(stage, scene_word(stage, "scene_primitives"), "P_SIZE", i,
-                    name);
+    return field_of(stage, scene_word(stage, "scene_primitives"), "P_SIZE", i, name);
 }
 
 c205_word region(const struct stage *stage, size_t i, const char *name)
 {
-    return field_of(stage, scene_word(stage, "scene_regions"), "R_SIZE", i,
-                    name);
+    return field_of(stage, scene_word(stage, "scene_regions"), "R_SIZE", i, name);
 }
 
 uint64_t primitive_at(const struct stage *stage, size_t i)
 {
-    return scene_word(stage, "scene_primitives")
-           + 64 * symbol(stage, "P_SIZE") * i;
+    return scene_word(stage, "scene_primitives") + 64 * symbol(stage, "P_SIZE") * i;
 }
 
 void assert_integer(c205_word word, int64_t expected)

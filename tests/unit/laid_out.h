@@ -16,16 +16,15 @@ struct stage {
     c205 *machine;
 };
 
-void raise_curtain(struct stage *stage, const char *text,
-                   enum bounding bounding);
+void raise_curtain(struct stage *stage, const char *text, enum bounding bounding);
 void drop_curtain(struct stage *stage);
 uint64_t symbol(const struct stage *stage, const char *name);
 c205_word stage_word(const struct stage *stage, uint64_t address);
 c205_word scene_word(const struct stage *stage, const char *name);
 
 /* Field of the i-th record of a row that begins at an address. */
-c205_word field_of(const struct stage *stage, uint64_t first,
-                   const char *size, size_t i, const char *name);
+c205_word field_of(const struct stage *stage, uint64_t first, const char *size,
+                   size_t i, const char *name);
 c205_word primitive(const struct stage *stage, size_t i, const char *name);
 c205_word region(const struct stage *stage, size_t i, const char *name);
 uint64_t primitive_at(const struct stage *stage, size_t i);

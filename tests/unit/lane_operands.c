@@ -11,12 +11,11 @@ c205_word lane_special_at(word_format f, size_t i)
     int32_t end = 1 << (f.exponent_bits - 1);
     int64_t half = INT64_C(1) << (f.digits - 1);
     const int32_t exponents[LANE_EXPONENTS] = {
-        -end, bottom - 1, top + 1, end - 1,      bottom,
-        top,  0,          -1,      1 - f.digits, -f.digits
+        -end, bottom - 1, top + 1, end - 1, bottom, top, 0, -1, 1 - f.digits, -f.digits
     };
-    const int64_t coefficients[LANE_COEFFICIENTS] = {
-        0, 1, -1, half, -half, 2 * half - 1, -2 * half, -half - 1
-    };
+    const int64_t coefficients[LANE_COEFFICIENTS] = { 0,         1,        -1,
+                                                      half,      -half,    2 * half - 1,
+                                                      -2 * half, -half - 1 };
 
     return format_make(f, exponents[i / LANE_COEFFICIENTS],
                        coefficients[i % LANE_COEFFICIENTS]);
@@ -79,8 +78,7 @@ c205_word lane_sparse(word_format f, uint64_t *seed)
     int64_t c = format_coefficient(f, word);
     int64_t kept = -(INT64_C(1) << xorshift_between(seed, 0, f.digits - 1));
 
-    return format_make(f, format_exponent(f, word),
-                       c < 0 ? c | ~kept : c & kept);
+    return format_make(f, format_exponent(f, word), c < 0 ? c | ~kept : c & kept);
 }
 
 c205_word lane_mostly_usual(word_format f, uint64_t *seed)
@@ -235,8 +233,7 @@ supply *const lane_supplies[LANE_SUPPLIES] = {
     mostly_whole,
 };
 
-void lane_fill(c205_word *words, size_t n, supply *next, word_format f,
-               uint64_t *seed)
+void lane_fill(c205_word *words, size_t n, supply *next, word_format f, uint64_t *seed)
 {
     for (size_t i = 0; i < n; i++)
         words[i] = next(f, seed);

@@ -17,14 +17,13 @@ enum {
 };
 c205_word lane_special_at(word_format f, size_t i);
 
-supply lane_near, lane_or_machine_zero, lane_any_bits, lane_sparse,
-    lane_mostly_usual, lane_about_a_square;
+supply lane_near, lane_or_machine_zero, lane_any_bits, lane_sparse, lane_mostly_usual,
+    lane_about_a_square;
 
 /* All of these but squares, and more. */
 enum { LANE_SUPPLIES = 23 };
 extern supply *const lane_supplies[LANE_SUPPLIES];
 
-void lane_fill(c205_word *words, size_t n, supply *next, word_format f,
-               uint64_t *seed);
+void lane_fill(c205_word *words, size_t n, supply *next, word_format f, uint64_t *seed);
 
 #endif

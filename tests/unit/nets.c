@@ -35,8 +35,7 @@ static void clear(struct net *net)
 
 /* --- bodies --------------------------------------------------------------- */
 
-static bool are_apart(const struct net *net, size_t a, size_t b,
-                      double distance)
+static bool are_apart(const struct net *net, size_t a, size_t b, double distance)
 {
     double way[3];
 
@@ -89,8 +88,8 @@ static void add_square(struct net *net, const size_t corners[4], bool other)
 }
 
 /* A point of one side of a cube, so many squares from its corner. */
-static size_t point_of_side(struct net *net, int axis, double at,
-                            double across, double along)
+static size_t point_of_side(struct net *net, int axis, double at, double across,
+                            double along)
 {
     double point[3];
 
@@ -110,10 +109,9 @@ static void add_side(struct net *net, int axis, double at, size_t squares,
             size_t corners[4];
 
             for (size_t k = 0; k < 4; k++)
-                corners[k] =
-                    point_of_side(net, axis, at,
-                                  step * (double)(i + (k == 1 || k == 2)),
-                                  step * (double)(j + k / 2));
+                corners[k] = point_of_side(net, axis, at,
+                                           step * (double)(i + (k == 1 || k == 2)),
+                                           step * (double)(j + k / 2));
             add_square(net, corners, random && xorshift(random) % 2);
         }
 }
@@ -139,8 +137,7 @@ void net_take(struct net *net, enum net_body body)
 
 /* --- what is open --------------------------------------------------------- */
 
-void net_sheet(struct net *net, size_t squares, double height,
-               uint64_t *random)
+void net_sheet(struct net *net, size_t squares, double height, uint64_t *random)
 {
     clear(net);
     add_side(net, 1, 1, squares, random);
@@ -271,14 +268,12 @@ void net_shuffle(struct net *net, uint64_t *random)
     }
 }
 
-static void face_normal(const struct net *net, const size_t face[3],
-                        double normal[3])
+static void face_normal(const struct net *net, const size_t face[3], double normal[3])
 {
     double edges[2][3];
 
     for (int k = 0; k < 2; k++)
-        add_scaled(edges[k], net->points[face[1 + k]], -1,
-                   net->points[face[0]]);
+        add_scaled(edges[k], net->points[face[1 + k]], -1, net->points[face[0]]);
     for (int i = 0; i < 3; i++) {
         int j = (i + 1) % 3, k = (i + 2) % 3;
 
@@ -298,8 +293,7 @@ static void add_normals(struct net *net)
         if (dot(normal, net->points[face[0]]) < 0)
             scale_by(normal, -1);
         for (int k = 0; k < 3; k++)
-            add_scaled(net->normals[face[k]], net->normals[face[k]], 1,
-                       normal);
+            add_scaled(net->normals[face[k]], net->normals[face[k]], 1, normal);
     }
 }
 
@@ -321,22 +315,20 @@ void net_smooth(struct net *net, double lean, uint64_t *random)
 static void add_vector(char *text, size_t size, const double vector[3],
                        const char *behind)
 {
-    add_text(text, size, "<%.17g,%.17g,%.17g>%s", vector[0], vector[1],
-             vector[2], behind);
+    add_text(text, size, "<%.17g,%.17g,%.17g>%s", vector[0], vector[1], vector[2],
+             behind);
 }
 
 void net_mesh_text(const struct net *net, char *text, size_t size)
 {
     add_text(text, size, "mesh { ");
     for (size_t i = 0; i < net->face_count; i++) {
-        add_text(text, size,
-                 net->smooth ? "smooth_triangle {" : "triangle {");
+        add_text(text, size, net->smooth ? "smooth_triangle {" : "triangle {");
         for (int k = 0; k < 3; k++) {
             size_t at = net->faces[i][k];
             const char *behind = k < 2 ? ", " : "}\n";
 
-            add_vector(text, size, net->points[at],
-                       net->smooth ? ", " : behind);
+            add_vector(text, size, net->points[at], net->smooth ? ", " : behind);
             if (net->smooth)
                 add_vector(text, size, net->normals[at], behind);
         }
@@ -360,18 +352,16 @@ void net_mesh2_text(const struct net *net, char *text, size_t size)
     add_text(text, size, "mesh2 { ");
     add_vectors(text, size, "vertex_vectors", net->points, net->point_count);
     if (net->smooth)
-        add_vectors(text, size, "normal_vectors", net->normals,
-                    net->point_count);
+        add_vectors(text, size, "normal_vectors", net->normals, net->point_count);
     add_text(text, size, "face_indices { %zu", net->face_count);
     for (size_t i = 0; i < net->face_count; i++)
-        add_text(text, size, ", <%zu,%zu,%zu>", net->faces[i][0],
-                 net->faces[i][1], net->faces[i][2]);
+        add_text(text, size, ", <%zu,%zu,%zu>", net->faces[i][0], net->faces[i][1],
+                 net->faces[i][2]);
     add_text(text, size, "}\n");
     assert_true(strlen(text) < size - 1);
 }
 
-void net_text(const struct net *net, char *text, size_t size,
-              uint64_t *random)
+void net_text(const struct net *net, char *text, size_t size, uint64_t *random)
 {
     if (xorshift(random) % 2)
         net_mesh_text(net, text, size);

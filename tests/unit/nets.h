@@ -31,8 +31,7 @@ void net_take(struct net *net, enum net_body body);
  * diagonal. */
 void net_cube(struct net *net, double half, size_t squares, uint64_t *random);
 /* z is a height, between -height and height, over x and z from -1 to 1. */
-void net_sheet(struct net *net, size_t squares, double height,
-               uint64_t *random);
+void net_sheet(struct net *net, size_t squares, double height, uint64_t *random);
 /* Round the first point; around is how much of the whole circle. */
 void net_fan(struct net *net, size_t blades, double around, double height);
 /* Apart from each other; slender ones have two corners as good as one. */
@@ -60,8 +59,7 @@ void net_smooth(struct net *net, double lean, uint64_t *random);
 void net_mesh_text(const struct net *net, char *text, size_t size);
 void net_mesh2_text(const struct net *net, char *text, size_t size);
 /* Either. */
-void net_text(const struct net *net, char *text, size_t size,
-              uint64_t *random);
+void net_text(const struct net *net, char *text, size_t size, uint64_t *random);
 /* The caller frees the triangles' list. */
 void net_primitive(const struct net *net, struct primitive *primitive);
 

@@ -4,8 +4,7 @@
 
 struct moment moment_of(const c205 *machine, uint64_t watched)
 {
-    struct moment moment = { .pc = c205_pc(machine),
-                             .clock = c205_clock(machine) };
+    struct moment moment = { .pc = c205_pc(machine), .clock = c205_clock(machine) };
 
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         moment.registers[i] = c205_register(machine, i);
@@ -23,8 +22,7 @@ struct plain run_plainly(struct object *object, uint64_t *random_state)
 
     assert_non_null(object);
     last = &object->program.segments[object->program.segment_count - 1];
-    plain.watched = last->address
-                    + 64 * (xorshift(random_state) % last->length);
+    plain.watched = last->address + 64 * (xorshift(random_state) % last->length);
     plain.moments = malloc((PLAIN_STEPS_MOST + 1) * sizeof *plain.moments);
     assert_true(c205_load(machine, &object->program, &error));
     plain.moments[0] = moment_of(machine, plain.watched);

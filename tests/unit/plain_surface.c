@@ -51,8 +51,8 @@ struct surface one(enum primitive_kind kind)
     return surface;
 }
 
-void assert_hits(const struct surface *surface,
-                 const struct expectation *rows, size_t count)
+void assert_hits(const struct surface *surface, const struct expectation *rows,
+                 size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         struct ray ray;
@@ -112,8 +112,7 @@ double volume(const struct surface *surface, double size)
 /* --- two surfaces that are one -------------------------------------------- */
 
 
-void set_coefficient(struct surface *surface, int x, int y, int z,
-                     double value)
+void set_coefficient(struct surface *surface, int x, int y, int z, double value)
 {
     size_t at = 0;
     for (int i = 4; i >= 0; i--)
@@ -135,8 +134,7 @@ static struct ray random_ray(uint64_t *random, double size)
     return ray;
 }
 
-void assert_same_surface(const struct surface *a, const struct surface *b,
-                         double size)
+void assert_same_surface(const struct surface *a, const struct surface *b, double size)
 {
     uint64_t random = RANDOM_SEED;
     int hits = 0, strays = 0;

@@ -37,8 +37,8 @@ struct expectation {
     double distance, normal[3];
 };
 
-void assert_hits(const struct surface *surface,
-                 const struct expectation *rows, size_t count);
+void assert_hits(const struct surface *surface, const struct expectation *rows,
+                 size_t count);
 #define ASSERT_HITS(surface, rows) \
     assert_hits(surface, rows, sizeof(rows) / sizeof *(rows))
 
@@ -50,11 +50,9 @@ double volume(const struct surface *surface, double size);
 /* --- two surfaces that are one -------------------------------------------- */
 
 /* A coefficient of a quartic by the powers of x and y and z. */
-void set_coefficient(struct surface *surface, int x, int y, int z,
-                     double value);
+void set_coefficient(struct surface *surface, int x, int y, int z, double value);
 
 /* Random rays at both; where they graze, a rounding decides. */
-void assert_same_surface(const struct surface *a, const struct surface *b,
-                         double size);
+void assert_same_surface(const struct surface *a, const struct surface *b, double size);
 
 #endif

@@ -36,8 +36,7 @@ static uint64_t new_seed(struct making *making)
     return xorshift(&making->state) | 1;
 }
 
-static void put_list(struct making *making, const char *format,
-                     va_list arguments)
+static void put_list(struct making *making, const char *format, va_list arguments)
 {
     struct sink sink = text_buffer_sink(&making->text);
     char text[200];
@@ -104,8 +103,8 @@ static void carry_out(struct making *making, enum place place, uint64_t seed,
 }
 
 /* .. of which a #break is the end: whether it came to one. */
-static bool carry_out_broken(struct making *making, enum place place,
-                             uint64_t seed, size_t depth)
+static bool carry_out_broken(struct making *making, enum place place, uint64_t seed,
+                             size_t depth)
 {
     bool breakable = making->breakable, broken;
 
@@ -118,8 +117,8 @@ static bool carry_out_broken(struct making *making, enum place place,
 }
 
 /* .. where a #break belongs to what is around. */
-static void carry_out_branch(struct making *making, enum place place,
-                             uint64_t seed, size_t depth, bool *broken)
+static void carry_out_branch(struct making *making, enum place place, uint64_t seed,
+                             size_t depth, bool *broken)
 {
     carry_out(making, place, seed, depth);
     *broken = *broken || making->broken;
@@ -184,8 +183,7 @@ static void put_while(struct making *making, enum place place, size_t depth)
     uint64_t seed = new_seed(making);
 
     variable = new_variable(making, 0);
-    direct(making, "#local V%zu = 0; #while (V%zu < %zu)\n", variable,
-           variable, turns);
+    direct(making, "#local V%zu = 0; #while (V%zu < %zu)\n", variable, variable, turns);
     for (size_t i = 0; i < (making->written ? 1 : turns); i++) {
         making->values[variable] = (double)(i + first);
         if (first)
@@ -255,8 +253,8 @@ static void put_switch(struct making *making, enum place place, size_t depth)
 
         chosen = chosen || fits;
         if (making->written || (chosen && !done))
-            done = carry_out_broken(making, place, seed, depth)
-                   || (chosen && ends) || done;
+            done = carry_out_broken(making, place, seed, depth) || (chosen && ends)
+                   || done;
         direct(making, ends ? " #break\n" : " ");
     }
     if (one || below(making, 2)) {
@@ -316,8 +314,7 @@ static void put_break(struct making *making)
     making->broken = !making->written && holds;
 }
 
-static void put_directive(struct making *making, enum place place,
-                          size_t depth)
+static void put_directive(struct making *making, enum place place, size_t depth)
 {
     size_t count = place == NUMBER ? 5 : making->breakable ? 7 : 6;
 
@@ -465,8 +462,8 @@ static void put_array(struct making *making, size_t depth)
     size_t variable = new_variable(making, 0);
     uint64_t seed = new_seed(making), state;
 
-    direct(making, "#local A%zu = array[%zu] { #for (V%zu, 1, %zu) ",
-           variable, turns * count, variable, turns);
+    direct(making, "#local A%zu = array[%zu] { #for (V%zu, 1, %zu) ", variable,
+           turns * count, variable, turns);
     making->silent += !making->written;
     for (size_t i = 0; i < (making->written ? 1 : turns); i++) {
         making->values[variable] = (double)(i + 1);

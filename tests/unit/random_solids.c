@@ -36,8 +36,8 @@ static void add_color(char *text, size_t size)
     double filter = solids.clear && below(2) ? between(0, .7) : 0;
 
     add_text(text, size, "%s rgbft <%.3f, %.3f, %.3f, %.3f, %.3f> ",
-             below(3) ? "" : "checker", between(0, 1), between(0, 1),
-             between(0, 1), filter, filter / 3);
+             below(3) ? "" : "checker", between(0, 1), between(0, 1), between(0, 1),
+             filter, filter / 3);
 }
 
 /* Of one to six stops, some of them at one place. */
@@ -49,8 +49,8 @@ void add_gradient(char *text, size_t size)
     add_point(text, size, 1);
     add_text(text, size, " color_map { ");
     for (size_t left = 1 + below(6); left > 0; left--) {
-        add_text(text, size, "[%.3f rgb <%.3f, %.3f, %.3f>] ", at,
-                 between(0, 1), between(0, 1), between(0, 1));
+        add_text(text, size, "[%.3f rgb <%.3f, %.3f, %.3f>] ", at, between(0, 1),
+                 between(0, 1), between(0, 1));
         at += below(4) ? between(.02, .4) : 0;
     }
     add_text(text, size, "} ");
@@ -95,21 +95,18 @@ void add_look(char *text, size_t size)
 static void add_motion(char *text, size_t size)
 {
     if (below(2))
-        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(),
-                 angle());
+        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(), angle());
     if (below(4) == 0)
-        add_text(text, size, "scale <%.2f, %.2f, %.2f> ",
-                 size_between(.6, 1.4), size_between(.6, 1.4),
-                 size_between(.6, 1.4));
-    add_text(text, size, "translate <%.3f, %.3f, %.3f> ",
-             place_between(-.6, .6), place_between(-.6, .6),
-             place_between(-.6, .6));
+        add_text(text, size, "scale <%.2f, %.2f, %.2f> ", size_between(.6, 1.4),
+                 size_between(.6, 1.4), size_between(.6, 1.4));
+    add_text(text, size, "translate <%.3f, %.3f, %.3f> ", place_between(-.6, .6),
+             place_between(-.6, .6), place_between(-.6, .6));
 }
 
 void add_turn(char *text, size_t size, double larger)
 {
-    add_text(text, size, " scale %.1f rotate <%.2f, %.2f, %.2f> translate ",
-             larger, between(-90, 90), between(-90, 90), between(-90, 90));
+    add_text(text, size, " scale %.1f rotate <%.2f, %.2f, %.2f> translate ", larger,
+             between(-90, 90), between(-90, 90), between(-90, 90));
     add_point(text, size, 1.3);
     add_text(text, size, " ");
 }
@@ -125,24 +122,21 @@ static void add_ball(char *text, size_t size)
 static void add_box(char *text, size_t size)
 {
     add_text(text, size, "box { -<%.4f, %.4f, %.4f>, <%.4f, %.4f, %.4f> ",
-             size_between(.3, 1.2), size_between(.3, 1.2),
-             size_between(.3, 1.2), size_between(.3, 1.2),
-             size_between(.3, 1.2), size_between(.3, 1.2));
+             size_between(.3, 1.2), size_between(.3, 1.2), size_between(.3, 1.2),
+             size_between(.3, 1.2), size_between(.3, 1.2), size_between(.3, 1.2));
 }
 
 static void add_cylinder(char *text, size_t size)
 {
-    add_text(text, size, "cylinder { -%.4f*y, %.4f*y, %.4f %s ",
-             size_between(.3, 1.4), size_between(.3, 1.4),
-             size_between(.3, .8), below(4) ? "" : "open");
+    add_text(text, size, "cylinder { -%.4f*y, %.4f*y, %.4f %s ", size_between(.3, 1.4),
+             size_between(.3, 1.4), size_between(.3, .8), below(4) ? "" : "open");
 }
 
 static void add_cone(char *text, size_t size)
 {
     add_text(text, size, "cone { -%.4f*y, %.4f, %.4f*y, %.4f %s ",
-             size_between(.3, 1.4), size_between(.4, .9),
-             size_between(.3, 1.4), place_between(0, .3),
-             below(4) ? "" : "open");
+             size_between(.3, 1.4), size_between(.4, .9), size_between(.3, 1.4),
+             place_between(0, .3), below(4) ? "" : "open");
 }
 
 static void add_plane(char *text, size_t size)
@@ -173,8 +167,7 @@ static void add_disc(char *text, size_t size)
 static void add_quadric(char *text, size_t size)
 {
     add_text(text, size, "quadric { <1, %.4f, 1>, <0, 0, %.4f>, 0, -%.4f ",
-             place_between(-1, 1), place_between(-.5, .5),
-             size_between(.2, .8));
+             place_between(-1, 1), place_between(-.5, .5), size_between(.2, .8));
 }
 
 /* Of two sizes: closed or open, with level and upright segments. */
@@ -185,9 +178,8 @@ static void add_lathe(char *text, size_t size, double large, double small)
     add_text(text, size,
              "lathe { %d, %s<%.4f, -%.4f>, <%.4f, -%.4f>, <%.4f, %.4f>, "
              "<%.4f, %.4f>, <%.4f, %.4f>%s ",
-             open ? 5 : 7, open ? "" : "<0, -1>, ", small, large, large,
-             small, large, small, small, small, small, large,
-             open ? "" : ", <0, .75>");
+             open ? 5 : 7, open ? "" : "<0, -1>, ", small, large, large, small, large,
+             small, small, small, small, large, open ? "" : ", <0, .75>");
 }
 
 /* Or a lathe: what is drawn else does not depend on it. */
@@ -203,9 +195,8 @@ static void add_torus(char *text, size_t size)
 
 static void add_elliptical_torus(char *text, size_t size)
 {
-    add_text(text, size, "elliptical_torus { %.4f, %.4f, %.4f ",
-             size_between(.6, 1), size_between(.15, .4),
-             size_between(.15, .6));
+    add_text(text, size, "elliptical_torus { %.4f, %.4f, %.4f ", size_between(.6, 1),
+             size_between(.15, .4), size_between(.15, .6));
 }
 
 static void add_quartic(char *text, size_t size)
@@ -232,9 +223,9 @@ static void add_prism(char *text, size_t size)
              "prism { %s-%.4f, %.4f, %s, <-%.4f, -%.4f>, <%.4f, -%.4f>, "
              "<%.4f, %.4f>, <%.4f, %.4f>, <0, %.4f>, <-%.4f, %.4f>%s %s ",
              curved ? "quadratic_spline " : "", size_between(.3, 1),
-             size_between(.3, 1), start, x, z, x, z, x,
-             place_between(-.3, .3), place_between(-.2, .2),
-             place_between(-.3, .3), z, x, z, end, below(4) ? "" : "open");
+             size_between(.3, 1), start, x, z, x, z, x, place_between(-.3, .3),
+             place_between(-.2, .2), place_between(-.3, .3), z, x, z, end,
+             below(4) ? "" : "open");
 }
 
 static void add_patch(char *text, size_t size)
@@ -244,8 +235,7 @@ static void add_patch(char *text, size_t size)
              "<-1, 1, -%.4f>, <1, 1, %.4f>, <0, -.5, -%.4f> ",
              size_between(.2, 1), place_between(-1, 1), size_between(.2, 1));
     if (below(2))
-        add_text(text, size, "weights 1, 1, 1, %.2f, .5, 1 ",
-                 size_between(.5, 2));
+        add_text(text, size, "weights 1, 1, 1, %.2f, .5, 1 ", size_between(.5, 2));
 }
 
 /* A roof and one of its gables, which is smooth, or both, and it is a body. */
@@ -254,13 +244,12 @@ static void add_mesh(char *text, size_t size)
     double x = size_between(.3, 1), y = place_between(-.5, 1);
     double z = size_between(.3, 1);
 
-    add_text(
-        text, size,
-        "mesh { triangle { <-%.4f, 0, 0>, <%.4f, 0, 0>, <0, %.4f, %.4f> }"
-        " triangle { <-%.4f, 0, 0>, <%.4f, 0, 0>, <0, %.4f, -%.4f> }"
-        " smooth_triangle { <0, %.4f, %.4f>, y, <0, %.4f, -%.4f>, y + z,"
-        " <%.4f, 0, 0>, y - z } ",
-        x, x, y, z, x, x, y, z, y, z, y, z, x);
+    add_text(text, size,
+             "mesh { triangle { <-%.4f, 0, 0>, <%.4f, 0, 0>, <0, %.4f, %.4f> }"
+             " triangle { <-%.4f, 0, 0>, <%.4f, 0, 0>, <0, %.4f, -%.4f> }"
+             " smooth_triangle { <0, %.4f, %.4f>, y, <0, %.4f, -%.4f>, y + z,"
+             " <%.4f, 0, 0>, y - z } ",
+             x, x, y, z, x, x, y, z, y, z, y, z, x);
     if (below(2))
         add_text(text, size,
                  "triangle { <0, %.4f, %.4f>, <0, %.4f, -%.4f>, <-%.4f, 0, 0>"
@@ -301,11 +290,9 @@ static bool add_blob(char *text, size_t size)
                  " cylinder { <%.4f, -%.4f, 0>, <%.4f, %.4f, 0>, %.4f, 1 }"
                  " sphere { <0, %.4f, %.4f>, %.4f, %s.8 } ",
                  between(.2, .6), place_between(-.5, 0), size_between(.5, 1),
-                 place_between(0, .5), size_between(.25, .5),
-                 place_between(0, .5), size_between(.25, .5),
-                 size_between(.4, .8), place_between(-.5, .5),
-                 place_between(-.5, .5), size_between(.4, .8),
-                 below(2) ? "-" : "");
+                 place_between(0, .5), size_between(.25, .5), place_between(0, .5),
+                 size_between(.25, .5), size_between(.4, .8), place_between(-.5, .5),
+                 place_between(-.5, .5), size_between(.4, .8), below(2) ? "-" : "");
     traced.random = kept;
     return there;
 }
@@ -367,9 +354,8 @@ void add_solid(char *text, size_t size, size_t depth)
         const char *word;
         bool meets; /* a patch in it is reported */
     } joined[] = {
-        { "difference", true },   { "difference", true },
-        { "intersection", true }, { "merge", false },
-        { "union", false },
+        { "difference", true }, { "difference", true }, { "intersection", true },
+        { "merge", false },     { "union", false },
     };
     size_t which = below(COUNT(joined));
     bool patches = solids.patches, meshes = solids.meshes;
@@ -411,15 +397,14 @@ static void add_part(char *text, size_t size, shape_words *add_shape)
 
 static void write_solids_with(char *text, size_t size, shape_words *add_shape)
 {
-    static const char *const joined[] = { "difference", "intersection",
-                                          "merge", "union" };
+    static const char *const joined[] = { "difference", "intersection", "merge",
+                                          "union" };
 
-    add_text(
-        text, size,
-        "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
-        "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
-        "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
-        between(-7, 7), place_between(-2, 2), place_between(-2, 2));
+    add_text(text, size,
+             "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+             "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
+             "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n",
+             between(-7, 7), place_between(-2, 2), place_between(-2, 2));
     for (size_t solids_left = 2; solids_left > 0; solids_left--) {
         add_text(text, size, "%s {\n", joined[below(4)]);
         for (size_t i = 2 + below(3); i > 0; i--)
@@ -444,8 +429,7 @@ void check_solids_with(void (*add_shape)(char *text, size_t size))
     traced.visible = VISIBLE_DEFAULT;
     traced.no_bounds = false;
     if (memcmp(words, others, sizeof *words) != 0)
-        fail_msg("every crossing without bounds gives another frame of\n%s",
-                 text);
+        fail_msg("every crossing without bounds gives another frame of\n%s", text);
     free(words);
     free(others);
 }

@@ -20,16 +20,14 @@ static inline void gives(const char *what, c205_word result, uint64_t flags,
     if (result != expected || flags != expected_flags)
         fail_msg("%s gives %016llX, flags %llX, not %016llX, %llX", what,
                  (unsigned long long)result, (unsigned long long)flags,
-                 (unsigned long long)expected,
-                 (unsigned long long)expected_flags);
+                 (unsigned long long)expected, (unsigned long long)expected_flags);
 }
 
 #define BINARY_GIVES(op, a, b, expected, expected_flags) \
     do { \
         uint64_t flags_ = 0; \
         c205_word result_ = op(a, b, &flags_); \
-        gives(#op "(" #a ", " #b ")", result_, flags_, expected, \
-              expected_flags); \
+        gives(#op "(" #a ", " #b ")", result_, flags_, expected, expected_flags); \
     } while (0)
 
 #define UNARY_GIVES(op, a, expected, expected_flags) \

@@ -55,8 +55,7 @@ c205 *replace(c205 *machine)
     c205 *other = restore(&bytes, c205_machine_model(machine));
     assert_saved_as(other, &bytes);
     assert_int_equal(c205_clock(machine), c205_clock(other));
-    assert_int_equal(c205_loaded_program(machine),
-                     c205_loaded_program(other));
+    assert_int_equal(c205_loaded_program(machine), c205_loaded_program(other));
     free(bytes.byte);
     c205_free(machine);
     return other;

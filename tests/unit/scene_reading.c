@@ -13,9 +13,9 @@ const struct scene_options reading_options = { .width = 640,
 const struct scene_options strict_options = { .width = 640,
                                               .height = 480,
                                               .strict = true };
-const struct scene_options with_images = {
-    .width = 640, .height = 480, .read_raster = picture_read_raster
-};
+const struct scene_options with_images = { .width = 640,
+                                           .height = 480,
+                                           .read_raster = picture_read_raster };
 
 void write_bytes(const char *path, const char *bytes, size_t count)
 {
@@ -60,13 +60,11 @@ struct scene *read_versioned(const char *name, const char *text,
 struct scene *read_with(const char *text, size_t expected)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options,
-                                         &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     if (!scene || reports.count != expected) {
         diagnostics_print(&reports, stderr);
-        fail_msg("%zu reports, expected %zu: %s", reports.count, expected,
-                 text);
+        fail_msg("%zu reports, expected %zu: %s", reports.count, expected, text);
     }
     diagnostics_free(&reports);
     return scene;
@@ -77,8 +75,8 @@ struct scene *read_scene(const char *text)
     return read_with(text, 0);
 }
 
-void assert_error(const char *text, const struct scene_options *how,
-                  size_t line, size_t column, const char *message)
+void assert_error(const char *text, const struct scene_options *how, size_t line,
+                  size_t column, const char *message)
 {
     struct diagnostics reports = { 0 };
     struct scene *scene = read_versioned("test.pov", text, how, &reports);
@@ -103,16 +101,14 @@ void assert_errors(const struct line_error *errors, size_t count)
 void assert_refused(const char *text, size_t most, const char *message)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options,
-                                         &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
     bool said = false;
 
     for (size_t i = 0; i < reports.count; i++)
         said = said || strstr(reports.items[i].message, message);
     if (scene || !said || reports.count > most) {
         diagnostics_print(&reports, stderr);
-        fail_msg("%zu reports, not '%s', of: %.80s", reports.count, message,
-                 text);
+        fail_msg("%zu reports, not '%s', of: %.80s", reports.count, message, text);
     }
     diagnostics_free(&reports);
 }

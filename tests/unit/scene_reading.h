@@ -31,14 +31,13 @@ struct scene *read_with(const char *text, size_t expected);
 struct scene *read_scene(const char *text);
 
 /* Of a primitive that is a mesh; of a scene that is one. */
-const struct triangles *triangles_of_part(const struct scene *scene,
-                                          size_t i);
+const struct triangles *triangles_of_part(const struct scene *scene, size_t i);
 const struct triangles *triangles_of(const struct scene *scene);
 
 /* A text is not read, for one error, at that place and with a message of which
  * this is a part. */
-void assert_error(const char *text, const struct scene_options *how,
-                  size_t line, size_t column, const char *message);
+void assert_error(const char *text, const struct scene_options *how, size_t line,
+                  size_t column, const char *message);
 
 /* Texts of one line, each with this one error. */
 struct line_error {

@@ -5,18 +5,15 @@
 
 /* A loop round a point, its corners at rising angles: it does not cross
  * itself. */
-static size_t add_prism_loop(char *text, size_t size, double x, double z,
-                             double reach)
+static size_t add_prism_loop(char *text, size_t size, double x, double z, double reach)
 {
     size_t corners = 3 + below(8);
 
     for (size_t i = 0; i <= corners; i++) {
         static double first[2];
-        double angle = 2 * acos(-1) * ((double)i + between(-.3, .3))
-                       / (double)corners;
+        double angle = 2 * acos(-1) * ((double)i + between(-.3, .3)) / (double)corners;
         double radius = reach * between(.3, 1);
-        double point[2] = { x + radius * cos(angle),
-                            z + radius * sin(angle) };
+        double point[2] = { x + radius * cos(angle), z + radius * sin(angle) };
 
         if (i == 0)
             memcpy(first, point, sizeof first);
@@ -33,8 +30,7 @@ static size_t add_prism_tangle(char *text, size_t size)
     size_t corners = 3 + below(9);
 
     for (size_t i = 0; i < corners; i++)
-        add_text(text, size, ", <%.6f, %.6f>", between(-1, 1),
-                 between(-1, 1));
+        add_text(text, size, ", <%.6f, %.6f>", between(-1, 1), between(-1, 1));
     return corners;
 }
 
@@ -48,8 +44,7 @@ static size_t add_prism_comb(char *text, size_t size)
     for (size_t i = 0; i < teeth; i++) {
         double x = -1 + step * (double)i;
 
-        add_text(text, size,
-                 ", <%.6f, .7>, <%.6f, .7>, <%.6f, %.6f>, <%.6f, %.6f>", x,
+        add_text(text, size, ", <%.6f, .7>, <%.6f, .7>, <%.6f, %.6f>, <%.6f, %.6f>", x,
                  x + .5 * step, x + .6 * step, -depth, x + step, -depth);
     }
     add_text(text, size, ", <1, -.7>");
@@ -70,8 +65,8 @@ void add_prism(char *text, size_t size, bool tangles)
             count += add_prism_loop(path, sizeof path, between(-.4, .4),
                                     between(-.4, .4), between(.3, 1));
     add_text(text, size, "prism { %s%.4f, %.4f, %zu%s %s ",
-             below(2) ? "linear_sweep " : "", between(-.8, -.1),
-             between(.1, .8), count, path, below(4) ? "" : "open");
+             below(2) ? "linear_sweep " : "", between(-.8, -.1), between(.1, .8), count,
+             path, below(4) ? "" : "open");
 }
 
 /* ---- Prisms of quadratic splines ----------------------------------------- */
@@ -80,8 +75,7 @@ enum { CORNERS_MOST = 9 };
 
 /* The last corner once more before the first, as a smooth loop has it. */
 static size_t add_spline_corners(char *text, size_t size,
-                                 double corners[CORNERS_MOST][2],
-                                 size_t count)
+                                 double corners[CORNERS_MOST][2], size_t count)
 {
     add_text(text, size, ", <%.6f, %.6f>", corners[count - 1][0],
              corners[count - 1][1]);
@@ -93,15 +87,13 @@ static size_t add_spline_corners(char *text, size_t size,
 
 /* Round a point; now and then the last corner stands twice, or one on the way
  * from it to the first. */
-static size_t add_spline_loop(char *text, size_t size, double x, double z,
-                              double reach)
+static size_t add_spline_loop(char *text, size_t size, double x, double z, double reach)
 {
     double corners[CORNERS_MOST][2];
     size_t count = 3 + below(5);
 
     for (size_t i = 0; i < count; i++) {
-        double angle = 2 * acos(-1) * ((double)i + between(-.3, .3))
-                       / (double)count;
+        double angle = 2 * acos(-1) * ((double)i + between(-.3, .3)) / (double)count;
         double radius = reach * between(.4, 1);
 
         corners[i][0] = x + radius * cos(angle);
@@ -113,8 +105,7 @@ static size_t add_spline_loop(char *text, size_t size, double x, double z,
     }
     if (below(4) == 0) {
         for (int k = 0; k < 2; k++)
-            corners[count][k] = .3 * corners[count - 1][k]
-                                + .7 * corners[0][k];
+            corners[count][k] = .3 * corners[count - 1][k] + .7 * corners[0][k];
         count++;
     }
     return add_spline_corners(text, size, corners, count);
@@ -145,8 +136,8 @@ void add_quadratic_prism(char *text, size_t size, bool tangles)
             count += add_spline_loop(path, sizeof path, between(-.4, .4),
                                      between(-.4, .4), between(.3, 1));
     add_text(text, size, "prism { quadratic_spline %s%.4f, %.4f, %zu%s %s ",
-             below(2) ? "linear_sweep " : "", between(-.8, -.1),
-             between(.1, .8), count, path, below(4) ? "" : "open");
+             below(2) ? "linear_sweep " : "", between(-.8, -.1), between(.1, .8), count,
+             path, below(4) ? "" : "open");
 }
 
 /* ---- Lathes -------------------------------------------------------------- */
@@ -184,11 +175,9 @@ static size_t add_lathe_loop(char *text, size_t size)
     bool closed = below(4) > 0;
 
     for (size_t i = 0; i < corners; i++) {
-        double turn = 2 * acos(-1) * ((double)i + between(-.3, .3))
-                      / (double)corners;
+        double turn = 2 * acos(-1) * ((double)i + between(-.3, .3)) / (double)corners;
         double reach = between(.2, .5);
-        double point[2] = { fmax(0, .45 + reach * cos(turn)),
-                            1.6 * reach * sin(turn) };
+        double point[2] = { fmax(0, .45 + reach * cos(turn)), 1.6 * reach * sin(turn) };
 
         if (i == 0)
             memcpy(first, point, sizeof first);
@@ -217,6 +206,6 @@ void add_lathe(char *text, size_t size, bool tangles)
                    : sort == 2 ? add_lathe_loop(path, sizeof path)
                                : add_lathe_profile(path, sizeof path);
 
-    add_text(text, size, "lathe { %s%zu%s ", below(2) ? "linear_spline " : "",
-             count, path);
+    add_text(text, size, "lathe { %s%zu%s ", below(2) ? "linear_spline " : "", count,
+             path);
 }

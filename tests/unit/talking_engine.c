@@ -30,11 +30,9 @@ const struct json_value *talk_bytes(struct talk *talk, const char *request,
     forget(talk);
     talk->text = engine_answer(talk->engine, request, length);
     assert_non_null(talk->text);
-    talk->reply = json_read(&talk->arena, talk->text, strlen(talk->text),
-                            &error);
+    talk->reply = json_read(&talk->arena, talk->text, strlen(talk->text), &error);
     if (!talk->reply)
-        fail_msg("%.*s\n%s: %s", (int)length, request, talk->text,
-                 error.message);
+        fail_msg("%.*s\n%s: %s", (int)length, request, talk->text, error.message);
     ok = json_member(talk->reply, "ok");
     assert_non_null(ok);
     assert_int_equal(ok->kind, JSON_TRUTH);

@@ -29,8 +29,7 @@ static struct accounts random_accounts(void)
         c205_account account = { .name = name };
         snprintf(name, sizeof name, "r%u%.*s", i, (int)any(9), "_of_many");
         for (int cause = 0; any(5) > 0 && cause < C205_CAUSES; cause++) {
-            account.clocks[cause] = (causes >> cause & 1) * any(3)
-                                    * any(scale);
+            account.clocks[cause] = (causes >> cause & 1) * any(3) * any(scale);
         }
         if (accounts_clocks(&account) > 0) {
             account.instructions = 1 + any(1000);
@@ -104,8 +103,7 @@ static void check_place(struct view view, const struct accounts *accounts,
     line += view.causes_down ? 1 : 2;
     assert_near(at(view, line++, place), (double)account->instructions);
     if (sum->vector_instructions > 0) {
-        assert_near(at(view, line++, place),
-                    (double)account->vector_instructions);
+        assert_near(at(view, line++, place), (double)account->vector_instructions);
     }
     if (sum->elements > 0) {
         assert_near(at(view, line++, place),
@@ -116,23 +114,20 @@ static void check_place(struct view view, const struct accounts *accounts,
     }
     if (sum->operations > 0) {
         double seconds = accounts_seconds(model, accounts_clocks(account));
-        assert_near(at(view, line, place),
-                    (double)account->operations / seconds / 1e6);
+        assert_near(at(view, line, place), (double)account->operations / seconds / 1e6);
     }
 }
 
 /* Both matrices say what the accounts say, and have no row or column for what
  * took no time. */
-static void check_matrix(const struct accounts *accounts,
-                         enum accounts_rows rows)
+static void check_matrix(const struct accounts *accounts, enum accounts_rows rows)
 {
     c205_account sum = accounts_together(accounts);
     struct table *table = accounts_matrix(accounts, rows, 0, REGIONS_MOST);
     size_t regions = accounts_regions(accounts), place = 0;
     struct view view = { table, rows == ACCOUNTS_CAUSES };
     size_t figures = 1u + (sum.vector_instructions > 0 ? 1u : 0u)
-                     + (sum.elements > 0 ? 1u : 0u)
-                     + (sum.operations > 0 ? 1u : 0u);
+                     + (sum.elements > 0 ? 1u : 0u) + (sum.operations > 0 ? 1u : 0u);
     assert_non_null(table);
     assert_int_equal(table_rows(table), view.causes_down
                                             ? used_causes(&sum) + 1 + figures
@@ -176,8 +171,7 @@ static void show(const struct accounts *accounts, enum results_format format,
 static size_t times_in(const char *text, const char *word)
 {
     size_t count = 0, length = strlen(word);
-    for (const char *found = text; (found = strstr(found, word));
-         found += length) {
+    for (const char *found = text; (found = strstr(found, word)); found += length) {
         count += strchr(" \n", found[length]) != NULL
                  && (found == text || strchr(" \n", found[-1]));
     }
@@ -217,11 +211,9 @@ static void check_share(const struct accounts *accounts, const char *text,
     const char *found = strstr(text, row);
     char *end;
     assert_non_null(found);
-    assert_near(strtod(found + strlen(row), &end),
-                accounts_seconds(model, clocks));
+    assert_near(strtod(found + strlen(row), &end), accounts_seconds(model, clocks));
     assert_int_equal(*end, ',');
-    assert_near(strtod(end + 1, &end),
-                all > 0 ? 100 * (double)clocks / all : 0);
+    assert_near(strtod(end + 1, &end), all > 0 ? 100 * (double)clocks / all : 0);
     assert_int_equal(*end, '\n');
 }
 
@@ -255,8 +247,7 @@ static void assert_twice(const c205_account *twice, const c205_account *once)
         assert_int_equal(twice->clocks[cause], 2 * once->clocks[cause]);
     }
     assert_int_equal(twice->instructions, 2 * once->instructions);
-    assert_int_equal(twice->vector_instructions,
-                     2 * once->vector_instructions);
+    assert_int_equal(twice->vector_instructions, 2 * once->vector_instructions);
     assert_int_equal(twice->elements, 2 * once->elements);
     assert_int_equal(twice->operations, 2 * once->operations);
     assert_int_equal(twice->entries, 2 * once->entries);
@@ -268,14 +259,12 @@ TEST(runs_add_up)
     for (int i = 0; i < TRIES; i++) {
         struct accounts once = random_accounts(), twice = { .model = model };
         for (size_t k = 0; k < 2 * once.count; k++) {
-            assert_true(
-                accounts_add_account(&twice, &once.items[k % once.count]));
+            assert_true(accounts_add_account(&twice, &once.items[k % once.count]));
         }
         assert_int_equal(twice.count, once.count);
         assert_int_equal(twice.clocks, 2 * once.clocks);
         for (size_t k = 0; k < once.count; k++) {
-            assert_twice(accounts_find(&twice, once.items[k].name),
-                         &once.items[k]);
+            assert_twice(accounts_find(&twice, once.items[k].name), &once.items[k]);
         }
         accounts_free(&twice);
         accounts_free(&once);

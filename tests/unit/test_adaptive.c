@@ -26,15 +26,11 @@ static void add_thing(char *text, size_t size)
         "pigment { rgb <-1, .2, .3> } finish { ambient .6 }",
     };
 
-    add_text(text, size, "%s",
-             among(0, 1) ? "sphere { 0, 1 " : "box { -.7, .7 ");
-    add_text(text, size,
-             "scale <%.2f, %.2f, 1> rotate %.1f*z rotate %.1f*y\n",
-             between(.2, 1.2), between(.1, 1), between(0, 180),
-             between(0, 180));
-    add_text(text, size, "  translate <%.3f, %.3f, %.3f> %s }\n",
-             between(-2, 2), between(-1.5, 1.5), between(-1, 3),
-             looks[among(0, COUNT(looks) - 1)]);
+    add_text(text, size, "%s", among(0, 1) ? "sphere { 0, 1 " : "box { -.7, .7 ");
+    add_text(text, size, "scale <%.2f, %.2f, 1> rotate %.1f*z rotate %.1f*y\n",
+             between(.2, 1.2), between(.1, 1), between(0, 180), between(0, 180));
+    add_text(text, size, "  translate <%.3f, %.3f, %.3f> %s }\n", between(-2, 2),
+             between(-1.5, 1.5), between(-1, 3), looks[among(0, COUNT(looks) - 1)]);
 }
 
 static void add_scene(char *text, size_t size)
@@ -51,8 +47,7 @@ static void add_scene(char *text, size_t size)
 
 /* ---- The plain rule ------------------------------------------------------ */
 
-static struct frame traced_frame(const struct scene *scene, size_t width,
-                                 size_t height)
+static struct frame traced_frame(const struct scene *scene, size_t width, size_t height)
 {
     struct trace_options options = { .mode = TRACE_VECTOR,
                                      .queue = TRACE_QUEUE,
@@ -78,8 +73,7 @@ static void add_scaled(double a[3], double s, const double b[3])
 /* See one column more to the left, and one row more above. */
 static void look_beyond(struct camera *camera, double width, double height)
 {
-    double *middle = camera->orthographic ? camera->location
-                                          : camera->direction;
+    double *middle = camera->orthographic ? camera->location : camera->direction;
 
     add_scaled(middle, -.5 / width, camera->right);
     add_scaled(middle, .5 / height, camera->up);
@@ -88,9 +82,8 @@ static void look_beyond(struct camera *camera, double width, double height)
 }
 
 /* The colours that are averaged and compared are the scene's own. */
-static struct plain_refined expect(struct scene *scene,
-                                   const struct trace_options *options,
-                                   struct frame *picture)
+static struct plain_refined
+expect(struct scene *scene, const struct trace_options *options, struct frame *picture)
 {
     struct camera camera = scene->camera;
     double gamma = scene->assumed_gamma;
@@ -98,16 +91,14 @@ static struct plain_refined expect(struct scene *scene,
     struct frame first, sampled;
     struct plain_refined refined;
 
-    look_beyond(&scene->camera, (double)options->width,
-                (double)options->height);
+    look_beyond(&scene->camera, (double)options->width, (double)options->height);
     scene->assumed_gamma = 1;
     first = traced_frame(scene, width, height);
-    sampled = traced_frame(scene, options->samples * width,
-                           options->samples * height);
+    sampled = traced_frame(scene, options->samples * width, options->samples * height);
     scene->camera = camera;
     scene->assumed_gamma = gamma;
-    refined = plain_adaptive(&first, &sampled, options->samples,
-                             options->threshold, gamma, picture);
+    refined = plain_adaptive(&first, &sampled, options->samples, options->threshold,
+                             gamma, picture);
     frame_free(&first);
     frame_free(&sampled);
     return refined;
@@ -119,8 +110,8 @@ static double linear(double colour, double gamma)
 }
 
 /* Pixels whose colour is another one. */
-static size_t count_others(const struct frame *expected,
-                           const struct frame *found, double gamma)
+static size_t count_others(const struct frame *expected, const struct frame *found,
+                           double gamma)
 {
     size_t count = 0;
 
@@ -128,9 +119,8 @@ static size_t count_others(const struct frame *expected,
         double greatest = 0;
 
         for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
-            greatest = fmax(greatest,
-                            fabs(linear(expected->channel[i][k], gamma)
-                                 - found->channel[i][k]));
+            greatest = fmax(greatest, fabs(linear(expected->channel[i][k], gamma)
+                                           - found->channel[i][k]));
         count += greatest > 1e-6;
     }
     return count;
@@ -144,8 +134,8 @@ static uint64_t first_rays(const struct trace *trace,
     return (options->height + trace_bands(trace)) * (options->width + 1);
 }
 
-static void check_rays(const struct trace *trace,
-                       const struct trace_options *options, size_t refined)
+static void check_rays(const struct trace *trace, const struct trace_options *options,
+                       size_t refined)
 {
     size_t each = options->samples * options->samples;
     uint64_t rays = trace_rays(trace, RAY_PRIMARY);
@@ -183,8 +173,7 @@ static void check_plain(struct scene *scene, const struct trace *trace,
 
 /* ---- All forms ----------------------------------------------------------- */
 
-static void check_form(const struct scene *scene,
-                       const struct trace_options *like,
+static void check_form(const struct scene *scene, const struct trace_options *like,
                        const struct trace *expected, const char *text)
 {
     struct trace_options options = *like;
@@ -200,12 +189,11 @@ static void check_form(const struct scene *scene,
         fail_msg("%s by %s, queue %zu, band %zu, threshold %g, samples %zu: "
                  "another frame of %zu x %zu of\n%s",
                  trace_mode_name(options.mode), order_name(options.order),
-                 options.queue, options.band, options.threshold,
-                 options.samples, options.width, options.height, text);
+                 options.queue, options.band, options.threshold, options.samples,
+                 options.width, options.height, text);
     if (trace_bands(trace) == trace_bands(expected))
         for (int kind = 0; kind < RAY_KINDS; kind++)
-            assert_int_equal(trace_rays(trace, kind),
-                             trace_rays(expected, kind));
+            assert_int_equal(trace_rays(trace, kind), trace_rays(expected, kind));
     trace_free(trace);
 }
 
@@ -229,8 +217,7 @@ TEST(random)
                                                .width = among(1, 70),
                                                .height = among(1, 70),
                                                .samples = among(2, 4),
-                                               .threshold = exp(
-                                                   between(-4, 1)),
+                                               .threshold = exp(between(-4, 1)),
                                                .band = among(1, 5000),
                                                .model = prior_model };
 
@@ -315,8 +302,7 @@ TEST(ends)
         check_nearly(red(refined, k), .9 * red(all, k) + .1 * red(one, k));
     }
     assert_int_equal(trace_rays(first, RAY_PRIMARY), first_rays);
-    assert_int_equal(trace_rays(refined, RAY_PRIMARY),
-                     first_rays + 9 * PIXELS);
+    assert_int_equal(trace_rays(refined, RAY_PRIMARY), first_rays + 9 * PIXELS);
     assert_true(trace_accounts(first)->clocks < trace_accounts(all)->clocks);
     trace_free(one);
     trace_free(all);
@@ -439,16 +425,14 @@ TEST(kept)
     trace = begin_kept(scene, .02, &patience, &farm);
     assert_false(trace_run(trace, &error));
     assert_true(trace_bands_done(trace) > 0);
-    assert_int_equal(trace_rows_done(trace),
-                     TRACE_BLOCK * trace_bands_done(trace));
+    assert_int_equal(trace_rows_done(trace), TRACE_BLOCK * trace_bands_done(trace));
     trace_free(trace);
     assert_null(begin_kept(scene, .03, NULL, &farm));
     trace = begin_kept(scene, .02, NULL, &farm);
     assert_true(farm.kept > 0);
     assert_true(trace_run(trace, &error));
     assert_int_equal(trace_checksum(trace), trace_checksum(whole));
-    assert_int_equal(trace_accounts(trace)->clocks,
-                     trace_accounts(whole)->clocks);
+    assert_int_equal(trace_accounts(trace)->clocks, trace_accounts(whole)->clocks);
     trace_forget(trace);
     trace_free(trace);
     trace_free(whole);

@@ -106,8 +106,7 @@ static struct outcome attempt(task *work, size_t fails, bool for_good)
     host.fails = 0;
     fclose(out);
     if (host.living != before)
-        fail_msg("allocation %zu failed, %ld are lost", fails,
-                 host.living - before);
+        fail_msg("allocation %zu failed, %ld are lost", fails, host.living - before);
     return outcome;
 }
 
@@ -162,13 +161,10 @@ static bool find_models(FILE *out, c205_error *error)
     static const char text[] = "title Slow\nlike cyber205-2pipe-prior\n"
                                "latency.load 99 clk R\n";
     c205_model *parsed = c205_model_parse("slow", text, error);
-    c205_model *read = parsed
-                           ? c205_model_find("vm/models/cyber205-2pipe.model",
-                                             error)
-                           : NULL;
+    c205_model *read = parsed ? c205_model_find("vm/models/cyber205-2pipe.model", error)
+                              : NULL;
     if (read)
-        fprintf(out, "%s, %s\n", c205_model_title(parsed),
-                c205_model_title(read));
+        fprintf(out, "%s, %s\n", c205_model_title(parsed), c205_model_title(read));
     c205_model_free(parsed);
     c205_model_free(read);
     return read;
@@ -292,10 +288,9 @@ static bool assemble_long(FILE *out, c205_error *error)
 /* A text with errors is refused, whatever else happens. */
 static bool assemble_wrong(FILE *out, c205_error *error)
 {
-    struct object
-        *made = assembled("        NOPE\n        ADDN r1, nowhere, r3\n"
-                          "        .if 1\n        .include \"missing.s\"\n",
-                          error);
+    struct object *made = assembled("        NOPE\n        ADDN r1, nowhere, r3\n"
+                                    "        .if 1\n        .include \"missing.s\"\n",
+                                    error);
     fputs("refused", out);
     assert_null(made);
     return true;
@@ -306,9 +301,9 @@ static bool read_object(FILE *out, c205_error *error)
     struct text_buffer buffer = { NULL, 0, 0, false };
     struct sink text = text_buffer_sink(&buffer), sink = stream_sink(out);
     object_write(object, &text);
-    struct object *copy = buffer.failed ? (no_memory(error), NULL)
-                                        : object_read(buffer.text,
-                                                      buffer.length, error);
+    struct object *copy = buffer.failed
+                              ? (no_memory(error), NULL)
+                              : object_read(buffer.text, buffer.length, error);
     if (copy)
         object_write(copy, &sink);
     text_buffer_free(&buffer);
@@ -373,8 +368,7 @@ static bool run_object(FILE *out, c205_error *error)
 static bool run_example(FILE *out, c205_error *error)
 {
     struct diagnostics errors = { 0 };
-    struct object *made = assemble_file("asm/examples/lookup.s", NULL,
-                                        &errors);
+    struct object *made = assemble_file("asm/examples/lookup.s", NULL, &errors);
     c205 *machine = NULL;
     if (made)
         machine = loaded(made, error);
@@ -409,8 +403,7 @@ static bool measure_one(FILE *out, c205_error *error)
     struct measurement measurement;
     if (!measure(model, "ADDNV", &measurement, error))
         return false;
-    fprintf(out, "%.17g %.17g\n", measurement.startup,
-            measurement.per_element);
+    fprintf(out, "%.17g %.17g\n", measurement.startup, measurement.per_element);
     return true;
 }
 
@@ -455,8 +448,8 @@ static bool grade_answer(FILE *out, c205_error *error)
                 && lesson_take(&lesson, "start.s", "", 0, error)
                 && lesson_take(&lesson, "test-a.s", test, strlen(test), error)
                 && lesson_end(&lesson, error)
-                && lesson_grade(&verdict, &lesson, "my.s", answer,
-                                strlen(answer), error);
+                && lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer),
+                                error);
     if (done && !verdict.passed) {
         done = no_memory(error);
     }
@@ -591,8 +584,7 @@ TEST(untouched_page)
         c205 *machine = loaded(program, &error);
         c205_word word;
         assert_non_null(machine);
-        assert_true(
-            c205_map(machine, 0x50000000, 1, C205_WHEN_TOUCHED, &error));
+        assert_true(c205_map(machine, 0x50000000, 1, C205_WHEN_TOUCHED, &error));
         host.calls = 0;
         host.fails = fails;
         c205_stop stop = c205_run(machine, UINT64_MAX);

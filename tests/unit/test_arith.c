@@ -16,8 +16,7 @@ enum { TOP = WORD_EXPONENT_MAX, BOTTOM = WORD_EXPONENT_MIN, ROUNDS = 20000 };
 
 #define BINARY(op, a, b, expected, flags) \
     BINARY_GIVES(arith_##op, a, b, expected, flags)
-#define UNARY(op, a, expected, flags) \
-    UNARY_GIVES(arith_##op, a, expected, flags)
+#define UNARY(op, a, expected, flags) UNARY_GIVES(arith_##op, a, expected, flags)
 
 /* ---- Add, subtract ------------------------------------------------------ */
 
@@ -83,8 +82,7 @@ TEST(add_normalises)
     BINARY(add_normalised, W(9, 5), W(9, -5), MZ, ZERO_FLAG);
     BINARY(subtract_normalised, W(0, HALF), W(-1, MAX), W(-47, HALF), 0);
     BINARY(subtract_normalised, W(47, 1), W(0, 1), W(0, MAX), 0);
-    BINARY(add_normalised, W(BOTTOM, HALF), W(BOTTOM, -HALF - 1), MZ,
-           ZERO_FLAG);
+    BINARY(add_normalised, W(BOTTOM, HALF), W(BOTTOM, -HALF - 1), MZ, ZERO_FLAG);
     BINARY(add_normalised, W(TOP, MAX), W(TOP, 1), IND, OVERFLOW_FLAGS);
     BINARY(add_normalised, W(TOP, 1), W(TOP, 1), W(TOP - 45, HALF), 0);
 }
@@ -142,11 +140,9 @@ TEST(multiply_significant)
     BINARY(multiply_significant, W(0, -1), W(0, 1), W(-1, -2), 0);
     BINARY(multiply_significant, W(0, -1), W(0, MIN), W(47, 1), 0);
     BINARY(multiply_significant, W(3, 0), C205_ONE, MZ, ZERO_FLAG);
-    BINARY(multiply_significant, W(TOP, HALF), W(-45, HALF), IND,
-           OVERFLOW_FLAGS);
+    BINARY(multiply_significant, W(TOP, HALF), W(-45, HALF), IND, OVERFLOW_FLAGS);
     BINARY(multiply_significant, W(TOP, HALF), W(-46, HALF), W(TOP, HALF), 0);
-    BINARY(multiply_significant, W(BOTTOM, HALF), W(-47, HALF), MZ,
-           ZERO_FLAG);
+    BINARY(multiply_significant, W(BOTTOM, HALF), W(-47, HALF), MZ, ZERO_FLAG);
 }
 
 /* ---- Divide ------------------------------------------------------------- */
@@ -180,11 +176,10 @@ TEST(divide_upper)
 TEST(divide_significant)
 {
     BINARY(divide_significant, C205_ONE, C205_ONE, C205_ONE, 0);
-    BINARY(divide_significant, C205_ONE, W(-45, HALF / 2 * 3),
-           W(-48, 0x555555555555), 0);
+    BINARY(divide_significant, C205_ONE, W(-45, HALF / 2 * 3), W(-48, 0x555555555555),
+           0);
     /* The quotient is cut to zero, then shifted by floor. */
-    BINARY(divide_significant, W(0, -HALF - 1), W(0, MAX),
-           W(-47, -0x400000000001), 0);
+    BINARY(divide_significant, W(0, -HALF - 1), W(0, MAX), W(-47, -0x400000000001), 0);
     BINARY(divide_significant, W(0, HALF), W(0, MIN), W(-48, MIN), 0);
     BINARY(divide_significant, W(0, MIN), W(0, HALF), W(-46, MIN), 0);
     BINARY(divide_significant, W(0, MIN), W(0, MIN), W(-46, HALF), 0);
@@ -192,10 +187,8 @@ TEST(divide_significant)
     BINARY(divide_significant, W(0, -7), W(0, 3), W(0, -3), 0);
     BINARY(divide_significant, W(0, 1), W(0, MAX), W(-47, 1), 0);
     BINARY(divide_significant, W(0, 0), W(0, MAX), MZ, ZERO_FLAG);
-    BINARY(divide_significant, W(TOP, MAX), W(-47, HALF), IND,
-           OVERFLOW_FLAGS);
-    BINARY(divide_significant, W(BOTTOM, HALF), W(-46, HALF + 1), MZ,
-           ZERO_FLAG);
+    BINARY(divide_significant, W(TOP, MAX), W(-47, HALF), IND, OVERFLOW_FLAGS);
+    BINARY(divide_significant, W(BOTTOM, HALF), W(-46, HALF + 1), MZ, ZERO_FLAG);
 }
 
 /* ---- Square root -------------------------------------------------------- */
@@ -278,11 +271,9 @@ static const c205_word ladder[][4] = {
     { W(BOTTOM, -1), W(BOTTOM, -1), W(BOTTOM, -1), W(BOTTOM, -1) },
     { MZ, W(TOP, 0), W(BOTTOM, 0), MZ | UINT64_C(0xFFFFFFFFFFFF) },
     { W(BOTTOM, 1), W(BOTTOM, 1), W(BOTTOM, 1), W(BOTTOM, 1) },
-    { W(BOTTOM, HALF), W(BOTTOM + 46, 1), W(BOTTOM + 45, 2),
-      W(BOTTOM, HALF) },
+    { W(BOTTOM, HALF), W(BOTTOM + 46, 1), W(BOTTOM + 45, 2), W(BOTTOM, HALF) },
     { C205_ONE, W(0, 1), W(-1, 2), W(-45, HALF / 2) },
-    { W(-46, HALF + 1), W(-46, HALF + 1), W(-46, HALF + 1),
-      W(-46, HALF + 1) },
+    { W(-46, HALF + 1), W(-46, HALF + 1), W(-46, HALF + 1), W(-46, HALF + 1) },
     { W(TOP, MAX), W(TOP, MAX), W(TOP, MAX), W(TOP, MAX) },
 };
 
@@ -358,10 +349,8 @@ TEST(add_and_multiply_commute)
 
     for (int i = 0; i < ROUNDS; i++) {
         c205_word a = any(&seed), b = any(&seed);
-        assert_int_equal(arith_add_upper(a, b, &flags),
-                         arith_add_upper(b, a, &flags));
-        assert_int_equal(arith_add_lower(a, b, &flags),
-                         arith_add_lower(b, a, &flags));
+        assert_int_equal(arith_add_upper(a, b, &flags), arith_add_upper(b, a, &flags));
+        assert_int_equal(arith_add_lower(a, b, &flags), arith_add_lower(b, a, &flags));
         assert_int_equal(arith_multiply_significant(a, b, &flags),
                          arith_multiply_significant(b, a, &flags));
     }
@@ -388,8 +377,7 @@ TEST(roots_and_squares)
     uint64_t seed = RANDOM_SEED, flags = 0;
 
     for (int i = 0; i < ROUNDS; i++) {
-        c205_word a = arith_absolute(xorshift_normalised(&seed, -99, 99),
-                                     &flags);
+        c205_word a = arith_absolute(xorshift_normalised(&seed, -99, 99), &flags);
         c205_word r = arith_square_root(a, &flags);
         c205_word square = arith_multiply_significant(r, r, &flags);
         c205_word next = arith_multiply_significant(r + 1, r + 1, &flags);

@@ -33,8 +33,8 @@ static void run(const struct object *object, const char *name)
     watch_begin(watch, machine);
     stop = c205_run(machine, 1000000);
     warned = object->warned | watch_warned(watch);
-    if (!expect_check(object, machine, &stop,
-                      printed.text ? printed.text : "", warned, &report))
+    if (!expect_check(object, machine, &stop, printed.text ? printed.text : "", warned,
+                      &report))
         fail_msg("%s", name);
     assert_int_equal(watch_errors(watch), 0);
     watch_free(watch);
@@ -74,8 +74,7 @@ static size_t check_file(const char *path)
     while ((at = strstr(at, fence)) != NULL) {
         unsigned number = 1;
 
-        for (line = text; (line = strchr(line, '\n')) != NULL && line < at;
-             line++)
+        for (line = text; (line = strchr(line, '\n')) != NULL && line < at; line++)
             number++;
         at += sizeof fence - 1;
         end = strstr(at, "```");

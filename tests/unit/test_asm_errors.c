@@ -127,11 +127,9 @@ TEST(expectations)
         { "; expect-trap:\n", 1, 15, "the name of a trap" },
         { "; expect: r1 = 1 ~\n", 1, 19, "expected a number" },
         { "; expect: r1 = 1 ~ -1\n", 1, 11, "a tolerance is" },
-        { "; expect: r1 = 1 ~ X'7000000000000000'\n", 1, 11,
-          "a tolerance is" },
+        { "; expect: r1 = 1 ~ X'7000000000000000'\n", 1, 11, "a tolerance is" },
         { "; expect-model:\n", 1, 16, "the name of a model" },
-        { "; expect-model: a\n; expect-model: b\n", 2, 17,
-          "already, in test.s:1" },
+        { "; expect-model: a\n; expect-model: b\n", 2, 17, "already, in test.s:1" },
     };
 
     assert_asm_errors(errors, COUNT(errors));
@@ -155,8 +153,7 @@ static char *repeated(const char *begin, const char *part, size_t times,
     return text;
 }
 
-static void check_long(char *text, size_t line, size_t column,
-                       const char *message)
+static void check_long(char *text, size_t line, size_t column, const char *message)
 {
     struct diagnostics errors = { 0 };
 
@@ -168,17 +165,14 @@ static void check_long(char *text, size_t line, size_t column,
 
 TEST(bounds)
 {
-    char *model = repeated(" .macro m a\n .text \"", "\\a", 100,
-                           "\"\n .endm\n m ");
+    char *model = repeated(" .macro m a\n .text \"", "\\a", 100, "\"\n .endm\n m ");
 
     check_long(repeated("a:", " ", 70000, "EXIT\n"), 1, 1, "too long");
-    check_long(repeated(model, "1234567890", 70, "\n"), 2, 2,
-               "too long a line");
+    check_long(repeated(model, "1234567890", 70, "\n"), 2, 2, "too long a line");
     free(model);
     check_long(repeated("", " .if 1\n", 300, ""), 65, 2, "nested more than");
     check_long(repeated(" .word ", "(", 300, "1\n"), 1, 208, "too deeply");
-    check_long(repeated(" .word later", " + later", 300, "\n"), 1, 1614,
-               "too deeply");
+    check_long(repeated(" .word later", " + later", 300, "\n"), 1, 1614, "too deeply");
     check_long(repeated(" .include \"", "long/", 1000, "name\"\n"), 1, 11,
                "'long/long");
 }
@@ -201,29 +195,26 @@ TEST(names_of_the_command)
     const struct asm_options options = { .defines = defines };
     struct diagnostics errors = { 0 };
 
-    assert_null(
-        assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
+    assert_null(assemble_text("test.s", " EXIT\nN: EXIT\n", &options, &errors));
     assert_one_error(&errors, "N", 2, 1, "defined by the command already");
     diagnostics_free(&errors);
 }
 
 TEST(search_folders)
 {
-    static const char *const folders[] = { "no such folder",
-                                           "tests/programs/", NULL };
-    static const char *const without[] = { "asm/examples", "tests/programs",
-                                           NULL };
+    static const char *const folders[] = { "no such folder", "tests/programs/", NULL };
+    static const char *const without[] = { "asm/examples", "tests/programs", NULL };
     const struct asm_options options = { .search = folders };
     const struct asm_options others = { .search = without };
     struct diagnostics errors = { 0 };
     struct object *object;
 
-    object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n",
-                           &options, &errors);
+    object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n", &options,
+                           &errors);
     assert_non_null(object);
     object_free(object);
-    object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n",
-                           &others, &errors);
+    object = assemble_text("test.s", " .include \"scalar.inc\"\n EXIT\n", &others,
+                           &errors);
     assert_non_null(object);
     object_free(object);
     assert_int_equal(errors.count, 0);
@@ -271,8 +262,7 @@ TEST(operators)
         char text[80];
         struct object *object;
 
-        snprintf(text, sizeof text, " EXIT\n .equ v, %s\n",
-                 cases[i].expression);
+        snprintf(text, sizeof text, " EXIT\n .equ v, %s\n", cases[i].expression);
         object = good(text);
         if (object_symbol(object, "v")->value != cases[i].value)
             fail_msg("%s is %lld", cases[i].expression,
@@ -282,8 +272,7 @@ TEST(operators)
 }
 
 /* Every error of a line is told, each at its place, and what was meant. */
-static void check_all(const char *text, const struct asm_error *wanted,
-                      size_t count)
+static void check_all(const char *text, const struct asm_error *wanted, size_t count)
 {
     struct diagnostics errors = { 0 };
     size_t i;
@@ -322,8 +311,7 @@ TEST(all_of_a_line)
         { NULL, 2, 4, "expected an instruction" });
     ALL(" .word 1, ), 2+, 4, *\n", { NULL, 1, 11, "found ')'" },
         { NULL, 1, 16, "found ','" }, { NULL, 1, 21, "found '*'" });
-    ALL(" .word one + two\n", { NULL, 1, 8, "'one'" },
-        { NULL, 1, 14, "'two'" });
+    ALL(" .word one + two\n", { NULL, 1, 8, "'one'" }, { NULL, 1, 14, "'two'" });
 }
 
 TEST(what_was_meant)
@@ -334,8 +322,7 @@ TEST(what_was_meant)
     ALL(" .edif\n", { NULL, 1, 2, "did you mean .endif?" });
     ALL(" .include \"core.s\"\n descirptor r1, 0, 5\n",
         { NULL, 2, 2, "did you mean descriptor?" });
-    ALL(" .reg total, r9\n ES totla, 5\n",
-        { NULL, 2, 5, "did you mean total?" });
+    ALL(" .reg total, r9\n ES totla, 5\n", { NULL, 2, 5, "did you mean total?" });
     ALL("here: BIM hree\n", { NULL, 1, 11, "did you mean here?" });
     ALL(" ES r1, 1.0f\n", { NULL, 1, 9, "a number has no suffix" });
     ALL(" ES r1, 10x\n", { NULL, 1, 9, "goes over into a name" });

@@ -61,8 +61,7 @@ TEST(integers)
     size_t i;
 
     for (i = 0; i < COUNT(cases); i++)
-        assert_int_equal(value(cases[i].text),
-                         c205_from_integer(cases[i].value));
+        assert_int_equal(value(cases[i].text), c205_from_integer(cases[i].value));
 }
 
 TEST(words)
@@ -93,8 +92,7 @@ static void expect_failure(const char *expression, const char *message)
     char text[1200];
     struct diagnostics errors = { 0 };
 
-    snprintf(text, sizeof text, " .equ F, 2.5\n .reg x, r5\n .word %s\n",
-             expression);
+    snprintf(text, sizeof text, " .equ F, 2.5\n .reg x, r5\n .word %s\n", expression);
     assert_null(assemble_text("test.s", text, NULL, &errors));
     assert_int_equal(errors.count, 1);
     assert_int_equal(errors.items[0].line, 3);

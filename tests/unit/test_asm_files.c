@@ -151,8 +151,7 @@ TEST(saved)
     object_free(again);
 }
 
-static bool is_disassembled_as(const struct object *object,
-                               const char *section)
+static bool is_disassembled_as(const struct object *object, const char *section)
 {
     struct text_buffer text = { NULL, 0, 0, false };
     struct sink sink = text_buffer_sink(&text);
@@ -182,9 +181,7 @@ TEST(any_bits)
         words[i] = xorshift(&seed);
         if (i % 3) /* opcodes that are defined */
             words[i] = words[i] << 8 >> 8
-                       | (c205_word)
-                                 c205_insns[xorshift(&seed) % c205_insn_count]
-                                     .opcode
+                       | (c205_word)c205_insns[xorshift(&seed) % c205_insn_count].opcode
                              << 56;
     }
     segment.words = words;
@@ -295,19 +292,14 @@ TEST(refused_files)
     check_refused("c205-object 1\nentry 00000000000400000\nend\n",
                   "1 to 16 hex digits");
     check_refused("c205-object 1\nsegment 20 0\nend\n", "on a word");
-    check_refused("c205-object 1\nsegment 40 9999999\nend\n",
-                  "before its words");
+    check_refused("c205-object 1\nsegment 40 9999999\nend\n", "before its words");
     check_refused("c205-object 1\nzeros 40 99999999\nend\n", "too large");
-    check_refused("c205-object 1\nzeros FFFFFFFFFFC0 2\nend\n",
-                  "the last address");
-    check_refused(
-        "c205-object 1\nzeros 0 40000000\nzeros 200000000 40000000\n"
-        "end\n",
-        "too many words");
+    check_refused("c205-object 1\nzeros FFFFFFFFFFC0 2\nend\n", "the last address");
+    check_refused("c205-object 1\nzeros 0 40000000\nzeros 200000000 40000000\n"
+                  "end\n",
+                  "too many words");
     check_refused("c205-object 1\nregion 40 40 x\nend\n", "after it begins");
-    check_refused("c205-object 1\nexpect half 0 0 0 1 x\nend\n",
-                  "number of words");
-    check_refused("c205-object 1\nexpect clocks 0 0 0 1 x\nend\n",
-                  "number of words");
+    check_refused("c205-object 1\nexpect half 0 0 0 1 x\nend\n", "number of words");
+    check_refused("c205-object 1\nexpect clocks 0 0 0 1 x\nend\n", "number of words");
     check_refused("c205-object 1\nend\nend\n", "follows");
 }

@@ -75,15 +75,14 @@ static void check_place(const struct diagnostic *item, const char *text)
 
     if (item->line == 0 || item->column < 1 || item->column > length + 1
         || !*item->message || strchr(item->source, '\n'))
-        fail_msg("%s:%zu:%zu: %s\n%s\nin\n%s", item->file, item->line,
-                 item->column, item->message, item->source, text);
+        fail_msg("%s:%zu:%zu: %s\n%s\nin\n%s", item->file, item->line, item->column,
+                 item->message, item->source, text);
 }
 
 static size_t check_text(const char *path, const char *text)
 {
     struct diagnostics found = { 0 };
-    struct object *object = assemble_bytes(path, text, strlen(text), NULL,
-                                           &found);
+    struct object *object = assemble_bytes(path, text, strlen(text), NULL, &found);
     size_t i, errors = found.errors;
 
     if (!object != (errors > 0))

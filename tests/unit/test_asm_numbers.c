@@ -25,8 +25,7 @@ struct drawn {
 
 static c205_word number_of(const struct drawn *drawn)
 {
-    return drawn->is_integer ? c205_from_double((double)drawn->integer)
-                             : drawn->word;
+    return drawn->is_integer ? c205_from_double((double)drawn->integer) : drawn->word;
 }
 
 static void draw_leaf(struct drawn *drawn)
@@ -72,21 +71,18 @@ static void draw_sum(struct drawn *drawn, int depth)
         sides[0].is_integer = false;
         made = "float";
     }
-    snprintf(drawn->text, TEXT, "%s(%.1900s) %s (%.1900s)", made,
-             sides[0].text, operations[i].text, sides[1].text);
+    snprintf(drawn->text, TEXT, "%s(%.1900s) %s (%.1900s)", made, sides[0].text,
+             operations[i].text, sides[1].text);
     drawn->is_integer = false;
     drawn->word = operations[i].rule(&oracle_full, number_of(&sides[0]),
                                      number_of(&sides[1]), &flags);
-    drawn->good = sides[0].good && sides[1].good
-                  && drawn->word != C205_INDEFINITE;
+    drawn->good = sides[0].good && sides[1].good && drawn->word != C205_INDEFINITE;
     free(sides);
 }
 
 static void draw_comparison(struct drawn *drawn, int depth)
 {
-    static const char *const operators[] = {
-        "<", ">=", ">", "<=", "==", "!="
-    };
+    static const char *const operators[] = { "<", ">=", ">", "<=", "==", "!=" };
     size_t i = below(&state, 6);
     struct drawn *sides = calloc(2, sizeof *sides);
     uint64_t flags = 0;
@@ -99,17 +95,18 @@ static void draw_comparison(struct drawn *drawn, int depth)
     }
     left = number_of(&sides[0]);
     right = number_of(&sides[1]);
-    snprintf(drawn->text, TEXT, "(%.1900s) %s (%.1900s)", sides[0].text,
-             operators[i], sides[1].text);
+    snprintf(drawn->text, TEXT, "(%.1900s) %s (%.1900s)", sides[0].text, operators[i],
+             sides[1].text);
     drawn->is_integer = true;
-    drawn->integer =
-        (int64_t)(i == 0   ? oracle_less(&oracle_full, left, right, &flags)
-                  : i == 1 ? !oracle_less(&oracle_full, left, right, &flags)
-                  : i == 2 ? oracle_less(&oracle_full, right, left, &flags)
-                  : i == 3 ? !oracle_less(&oracle_full, right, left, &flags)
-                  : i == 4
-                      ? oracle_equal(&oracle_full, left, right, &flags)
-                      : !oracle_equal(&oracle_full, left, right, &flags));
+    drawn->integer = (int64_t)(i == 0 ? oracle_less(&oracle_full, left, right, &flags)
+                               : i == 1
+                                   ? !oracle_less(&oracle_full, left, right, &flags)
+                               : i == 2 ? oracle_less(&oracle_full, right, left, &flags)
+                               : i == 3
+                                   ? !oracle_less(&oracle_full, right, left, &flags)
+                               : i == 4
+                                   ? oracle_equal(&oracle_full, left, right, &flags)
+                                   : !oracle_equal(&oracle_full, left, right, &flags));
     drawn->good = sides[0].good && sides[1].good;
     free(sides);
 }
@@ -127,8 +124,7 @@ static void draw_unary(struct drawn *drawn, int depth)
     switch (below(&state, 4)) {
     case 0:
         snprintf(drawn->text, TEXT, "-float(%.3900s)", inside->text);
-        drawn->word = oracle_subtract_normalised(&oracle_full,
-                                                 C205_MACHINE_ZERO, word,
+        drawn->word = oracle_subtract_normalised(&oracle_full, C205_MACHINE_ZERO, word,
                                                  &flags);
         break;
     case 1:
@@ -138,16 +134,14 @@ static void draw_unary(struct drawn *drawn, int depth)
     case 2:
         snprintf(drawn->text, TEXT, "floor(%.3900s)", inside->text);
         drawn->is_integer = true;
-        drawn->integer = c205_to_integer(
-            oracle_floor(&oracle_full, word, 0, &flags));
+        drawn->integer = c205_to_integer(oracle_floor(&oracle_full, word, 0, &flags));
         drawn->good = drawn->good && fabs(c205_to_double(word)) < 0x1p47;
         break;
     default:
         snprintf(drawn->text, TEXT, "float(%.3900s)", inside->text);
         drawn->word = word;
     }
-    drawn->good = drawn->good
-                  && (drawn->is_integer || drawn->word != C205_INDEFINITE);
+    drawn->good = drawn->good && (drawn->is_integer || drawn->word != C205_INDEFINITE);
     free(inside);
 }
 
@@ -168,10 +162,8 @@ static struct object *assemble_value(const char *text)
     struct diagnostics errors = { 0 };
     struct object *object;
 
-    snprintf(
-        program, sizeof program,
-        "        .data\n        .word   %s\n        .code\n        EXIT\n",
-        text);
+    snprintf(program, sizeof program,
+             "        .data\n        .word   %s\n        .code\n        EXIT\n", text);
     object = assemble_text("test.s", program, NULL, &errors);
     diagnostics_free(&errors);
     return object;
@@ -189,18 +181,16 @@ TEST(operations)
         draw_value(&drawn, DEPTH);
         object = assemble_value(drawn.text);
         if (drawn.good != (bool)object) {
-            fail_msg("%s: it has %s value", drawn.text,
-                     drawn.good ? "a" : "no");
+            fail_msg("%s: it has %s value", drawn.text, drawn.good ? "a" : "no");
         }
         if (!object) {
             continue;
         }
         word = word_of(&object->program, 0x800000);
-        expected = drawn.is_integer ? c205_from_integer(drawn.integer)
-                                    : drawn.word;
+        expected = drawn.is_integer ? c205_from_integer(drawn.integer) : drawn.word;
         if (word != expected) {
-            fail_msg("%s: %016" PRIX64 " should be %016" PRIX64, drawn.text,
-                     word, expected);
+            fail_msg("%s: %016" PRIX64 " should be %016" PRIX64, drawn.text, word,
+                     expected);
         }
         object_free(object);
         values++;
@@ -230,15 +220,13 @@ static void check_function(const char *name, bool two)
              "        load_constant y, %.9f\n"
              "        apply_two %s, x, y, r\n"
              "        load_constant s, %s(%.9f%s)\n        EXIT\n",
-             strcmp(name, "cos") == 0 ? "sin" : name, x, y, name, name, x,
-             second);
+             strcmp(name, "cos") == 0 ? "sin" : name, x, y, name, name, x, second);
     object = good(program);
     assert_true(c205_load(machine, &object->program, &error));
     assert_int_equal(c205_run(machine, C205_NO_LIMIT).trap, C205_TRAP_NONE);
     computed = c205_register(machine, 13);
     if (c205_register(machine, 12) != computed) {
-        fail_msg("%s(%.9f%s) is %016" PRIX64 " at assembly, %016" PRIX64
-                 " in a run",
+        fail_msg("%s(%.9f%s) is %016" PRIX64 " at assembly, %016" PRIX64 " in a run",
                  name, x, second, computed, c205_register(machine, 12));
     }
     c205_free(machine);
@@ -248,16 +236,13 @@ static void check_function(const char *name, bool two)
 /* Indefinite is what a word may be; it is neither less nor not less than anything. */
 TEST(indefinite)
 {
-    static const char *const operators[] = {
-        "<", ">=", ">", "<=", "==", "!="
-    };
+    static const char *const operators[] = { "<", ">=", ">", "<=", "==", "!=" };
 
     for (size_t i = 0; i < 6; i++) {
         char text[80];
         struct object *object;
 
-        snprintf(text, sizeof text, "X'7000 0000 0000 0000' %s 1.0",
-                 operators[i]);
+        snprintf(text, sizeof text, "X'7000 0000 0000 0000' %s 1.0", operators[i]);
         object = assemble_value(text);
         assert_non_null(object);
         assert_int_equal(word_of(&object->program, 0x800000), i == 5);

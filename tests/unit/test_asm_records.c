@@ -6,8 +6,7 @@
 
 #include "tests/random.h"
 
-static void assert_place(const struct object *object, const char *name,
-                         int64_t place)
+static void assert_place(const struct object *object, const char *name, int64_t place)
 {
     const struct asm_symbol *symbol = object_symbol(object, name);
 
@@ -59,13 +58,11 @@ struct random_record {
     char text[4096];
 };
 
-static void say(struct random_record *record, const char *format, int64_t a,
-                int64_t b)
+static void say(struct random_record *record, const char *format, int64_t a, int64_t b)
 {
     size_t used = strlen(record->text);
 
-    snprintf(record->text + used, sizeof record->text - used, format, (long)a,
-             (long)b);
+    snprintf(record->text + used, sizeof record->text - used, format, (long)a, (long)b);
 }
 
 /* Fields of all sizes, back to those before, and on. */
@@ -89,8 +86,7 @@ static void make_record(struct random_record *record, uint64_t *seed)
         } else {
             record->place[record->count] = next;
             next += choice == 2 ? 1 : words;
-            say(record,
-                choice == 2 ? " .field f%ld\n" : " .field f%ld, %ld\n",
+            say(record, choice == 2 ? " .field f%ld\n" : " .field f%ld, %ld\n",
                 (int64_t)record->count++, words);
         }
         record->size = next > record->size ? next : record->size;
@@ -140,8 +136,7 @@ TEST(errors)
           3, 12, "from 0 to 7108864" },
         { " .record a\n .field b, later\n .endrecord\nlater: EXIT\n", 2, 12,
           "not defined before" },
-        { " .record a\n .at -1\n .endrecord\n", 2, 6,
-          "a place in the record" },
+        { " .record a\n .at -1\n .endrecord\n", 2, 6, "a place in the record" },
         { " .record a\n .field b\n .field b\n .endrecord\n", 3, 9,
           "'b' is defined already, in test.s:2" },
         { " .equ a_SIZE, 5\n .record a\n .field b\n .endrecord\n", 4, 2,

@@ -9,21 +9,17 @@
 static void check_warning(const struct asm_error *expected)
 {
     struct diagnostics found = { 0 };
-    struct object *object = assemble_text("test.s", expected->text, NULL,
-                                          &found);
+    struct object *object = assemble_text("test.s", expected->text, NULL, &found);
     const struct diagnostic *first = found.items;
-    bool good = object && found.errors == 0
-                && found.count == (expected->line > 0);
+    bool good = object && found.errors == 0 && found.count == (expected->line > 0);
 
     if (good && expected->line > 0)
-        good = first->severity == SEVERITY_WARNING
-               && first->line == expected->line
+        good = first->severity == SEVERITY_WARNING && first->line == expected->line
                && first->column == expected->column
                && strstr(first->message, expected->message);
     if (!good)
         fail_msg("%s\n%zu found: %zu:%zu: %s", expected->text, found.count,
-                 found.count ? first->line : 0,
-                 found.count ? first->column : 0,
+                 found.count ? first->line : 0, found.count ? first->column : 0,
                  found.count ? first->message : "");
     diagnostics_free(&found);
     object_free(object);
@@ -81,8 +77,8 @@ TEST(warnings)
           " .share x\n .reg c, r5\n .endshare\n",
           0, 0, "" },
         /* The one before the last is an owner, too. */
-        { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n .reg c, r5\n", 5,
-          7, "'a' already, of test.s:1" },
+        { " .reg a, r5\n .share\n .reg b, r5\n .endshare\n .reg c, r5\n", 5, 7,
+          "'a' already, of test.s:1" },
     };
 
     for (size_t i = 0; i < COUNT(warnings); i++)
@@ -125,9 +121,10 @@ TEST(mentions)
     static const struct {
         uint64_t address;
         size_t name;
-    } mentions[] = { { 0x400000, 0 }, { 0x400000, 3 }, { 0x400020, 4 },
-                     { 0x400020, 1 }, { 0x400020, 3 }, { 0x400020, 4 },
-                     { 0x400020, 1 }, { 0x400060, 2 } };
+    } mentions[] = {
+        { 0x400000, 0 }, { 0x400000, 3 }, { 0x400020, 4 }, { 0x400020, 1 },
+        { 0x400020, 3 }, { 0x400020, 4 }, { 0x400020, 1 }, { 0x400060, 2 }
+    };
 
     assert_int_equal(object->register_count, 5);
     assert_string_equal(object->registers[2].name, "h");
@@ -226,11 +223,8 @@ static void close_block(struct declarations *declarations)
 /* By number, or by a name that holds (and not its own). */
 static void name_one(struct declarations *declarations, uint64_t *seed)
 {
-    struct given *given = declarations->given,
-                 *new = &given[declarations->count];
-    size_t other = declarations->count > 0
-                       ? xorshift(seed) % declarations->count
-                       : 0;
+    struct given *given = declarations->given, *new = &given[declarations->count];
+    size_t other = declarations->count > 0 ? xorshift(seed) % declarations->count : 0;
     char text[40];
 
     *new = declarations->around;
@@ -239,34 +233,29 @@ static void name_one(struct declarations *declarations, uint64_t *seed)
     new->owner = declarations->count;
     if (declarations->count > 0 && given[other].holds
         && given[other].name != new->name &&xorshift(seed) % 3 == 0) {
-        snprintf(text, sizeof text, " .reg n%zu, n%zu\n", new->name,
-                 given[other].name);
+        snprintf(text, sizeof text, " .reg n%zu, n%zu\n", new->name, given[other].name);
         new->number = given[other].number;
         new->owner = given[other].owner;
         new->depth = given[other].depth;
         memcpy(new->blocks, given[other].blocks, sizeof new->blocks);
         memcpy(new->words, given[other].words, sizeof new->words);
     } else {
-        snprintf(text, sizeof text, " .reg n%zu, r%u\n", new->name,
-                 new->number);
+        snprintf(text, sizeof text, " .reg n%zu, r%u\n", new->name, new->number);
     }
     for (size_t i = 0; i < declarations->count; i++)
         if (given[i].holds && given[i].name == new->name) {
             given[i].holds = false;
-            if (given[i].number == new->number &&new->owner
-                == declarations->count)
+            if (given[i].number == new->number &&new->owner == declarations->count)
                 new->owner = given[i].owner;
         }
     say(declarations, text);
     declarations->told[declarations->line] = !strchr(strchr(text, ','), 'n')
-                                             && clashes(given,
-                                                        declarations->count);
+                                             && clashes(given, declarations->count);
     new->holds = true;
     declarations->count++;
 }
 
-static void make_declarations(struct declarations *declarations,
-                              uint64_t *seed)
+static void make_declarations(struct declarations *declarations, uint64_t *seed)
 {
     memset(declarations, 0, sizeof *declarations);
     while (declarations->line < LINES) {

@@ -216,8 +216,7 @@ TEST(repetition)
         " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
         " .endr\n";
 
-    assert_int_equal(first_word(" .data\n .rept 3\n .word \\+\n .endr\n",
-                                DATA + 128),
+    assert_int_equal(first_word(" .data\n .rept 3\n .word \\+\n .endr\n", DATA + 128),
                      2);
     assert_int_equal(first_word(nested, DATA + 2 * 64), 2);
     assert_int_equal(first_word(nested, DATA + 3 * 64), 10);
@@ -230,13 +229,12 @@ TEST(repetition)
 
 TEST(conditions)
 {
-    static const char text[] =
-        " .data\n"
-        " .if N == 1\n .word 1\n"
-        " .elseif N == 2\n .word 2\n .if 0\n .error \"no\"\n"
-        " .else\n .word 22\n .endif\n"
-        " .else\n .word 3\n .endif\n"
-        " .ifdef N\n .ifndef M\n .word 4\n .endif\n .endif\n";
+    static const char text[] = " .data\n"
+                               " .if N == 1\n .word 1\n"
+                               " .elseif N == 2\n .word 2\n .if 0\n .error \"no\"\n"
+                               " .else\n .word 22\n .endif\n"
+                               " .else\n .word 3\n .endif\n"
+                               " .ifdef N\n .ifndef M\n .word 4\n .endif\n .endif\n";
     static const struct asm_define defines[] = { { "N", 2 }, { NULL, 0 } };
     const struct asm_options options = { .defines = defines };
     struct diagnostics errors = { 0 };
@@ -251,15 +249,13 @@ TEST(conditions)
 
 TEST(registers_are_named_anew)
 {
-    assert_int_equal(first_word(" .reg x, r1\n .reg x, r2\n RTOR x, r3\n",
-                                CODE),
+    assert_int_equal(first_word(" .reg x, r1\n .reg x, r2\n RTOR x, r3\n", CODE),
                      0x7802000300000000);
     assert_int_equal(first_word(" .reg x, r1\n .regs h8, y, x\n"
                                 " RTORH y, x\n",
                                 CODE),
                      0x5808000900000000);
-    assert_int_equal(first_word(" .reg x, h1\n .reg x, r9\n RTOR x, r3\n",
-                                CODE),
+    assert_int_equal(first_word(" .reg x, h1\n .reg x, r9\n RTOR x, r3\n", CODE),
                      0x7809000300000000);
 }
 
@@ -275,8 +271,7 @@ TEST(errors)
         { " .space later\nlater:\n", 1, 0, "not defined before this line" },
         { " .space -1\n", 1, 0, "a number of words" },
         { " .space 0x4000001\n", 1, 0, "a number of words" },
-        { " .data\n .space 0x4000000\n .word 1\n", 3, 0,
-          "at most 67108864 words" },
+        { " .data\n .space 0x4000000\n .word 1\n", 3, 0, "at most 67108864 words" },
         { " .org 5\n", 1, 0, "a multiple of 32" },
         { " .align 48\n", 1, 0, "a multiple of 32" },
         { " .org 0xFFFFFFFFFFE0\n BIM 0\n", 2, 0, "beyond the last address" },
@@ -310,8 +305,7 @@ TEST(errors)
         { " .halfword 0x1000000\n", 1, 0, "24 bits" },
         { " .halfword -0x800001\n", 1, 0, "24 bits" },
         { " .halfword X'1 0000 0000'\n", 1, 0, "8 hex digits" },
-        { " .halfvector v, 2, 1, 2, 3\n", 1, 0,
-          "more than the vector holds" },
+        { " .halfvector v, 2, 1, 2, 3\n", 1, 0, "more than the vector holds" },
         { " .halfvector v, -1\n", 1, 0, "a length" },
         { " .entry 0\n .entry 0\n", 2, 0, "an .entry already" },
         { " .entry nowhere\n", 1, 0, "not defined" },
@@ -335,8 +329,7 @@ TEST(errors)
         { " .else\n", 1, 0, "no .if" },
         { " .if 0\n .else\n .else\n .endif\n", 3, 0, "expected .endif" },
         { " .if x\n .endif\n", 1, 0, "not defined before" },
-        { " .macro m\n .endif\n .endm\n .if 1\n m\n .endif\n", 2, 0,
-          "no .if" },
+        { " .macro m\n .endif\n .endm\n .if 1\n m\n .endif\n", 2, 0, "no .if" },
         { " .rept 0x4000000\n\n .endr\n", 2, 0, "too much text" },
         { "; expect-nothing: 5\n", 1, 0, "expected expect:" },
         { "; expect: r5 = 1, 2\n", 1, 0, "one value" },

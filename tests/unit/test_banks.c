@@ -8,15 +8,13 @@
 enum { LISTS = 2000, LENGTH_MOST = 1500, BANKS_MOST = 70, AGAIN = 4 };
 
 /* An access begins one access after the one before, or when its bank is free. */
-static uint64_t by_the_rule(const struct banks *banks, uint64_t table,
-                            unsigned step, const c205_word *indices,
-                            size_t count)
+static uint64_t by_the_rule(const struct banks *banks, uint64_t table, unsigned step,
+                            const c205_word *indices, size_t count)
 {
     uint64_t free_at[BANKS_MOST] = { 0 }, next = 0;
 
     for (size_t i = 0; i < count; i++) {
-        uint64_t address = (table + indices[i] * step)
-                           & UINT64_C(0xFFFFFFFFFFFF);
+        uint64_t address = (table + indices[i] * step) & UINT64_C(0xFFFFFFFFFFFF);
         uint64_t *free_again = &free_at[address / 64 % banks->count];
         uint64_t begin = next < *free_again ? *free_again : next;
         *free_again = begin + banks->busy;
@@ -26,8 +24,7 @@ static uint64_t by_the_rule(const struct banks *banks, uint64_t table,
 }
 
 /* Ascending with gaps, in one bank, or anywhere. */
-static void fill(c205_word *indices, size_t count, size_t banks,
-                 uint64_t *seed)
+static void fill(c205_word *indices, size_t count, size_t banks, uint64_t *seed)
 {
     uint64_t kind = xorshift(seed) % 4, at = xorshift(seed) >> 16;
 
@@ -41,8 +38,8 @@ static void fill(c205_word *indices, size_t count, size_t banks,
 }
 
 /* Of a gather that comes next: mostly the same list, at another place. */
-static void change(c205_word *indices, size_t count, uint64_t *table,
-                   unsigned *step, uint64_t *seed)
+static void change(c205_word *indices, size_t count, uint64_t *table, unsigned *step,
+                   uint64_t *seed)
 {
     switch (xorshift(seed) % 8) {
     case 0: *table = xorshift(seed) >> 16; break;
@@ -66,8 +63,7 @@ static void check_list(uint64_t *seed)
     struct banks banks;
     struct index_list list = { 0 };
 
-    assert_true(banks_init(&banks,
-                           (size_t)xorshift_between(seed, 1, BANKS_MOST),
+    assert_true(banks_init(&banks, (size_t)xorshift_between(seed, 1, BANKS_MOST),
                            access, busy));
     fill(indices, count, banks.count, seed);
     for (int i = 0; i < AGAIN; i++) {

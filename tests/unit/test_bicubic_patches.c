@@ -68,8 +68,8 @@ static void blossom_point(const struct patch *patch, const double u[3],
     }
 }
 
-static void cell_point(const struct patch *patch, const struct cell *cell,
-                       int i, int j, double point[3])
+static void cell_point(const struct patch *patch, const struct cell *cell, int i, int j,
+                       double point[3])
 {
     double u[3], v[3];
 
@@ -107,8 +107,8 @@ static void oracle_normal(const struct patch *patch, double u, double v,
         double ends[2][3];
         for (int end = 0; end < 2; end++) {
             double bent[3] = { axis ? v : u, axis ? v : u, end };
-            blossom_point(patch, axis == 0 ? bent : at[0],
-                          axis == 1 ? bent : at[1], ends[end]);
+            blossom_point(patch, axis == 0 ? bent : at[0], axis == 1 ? bent : at[1],
+                          ends[end]);
         }
         minus(ends[1], ends[0], along[axis]);
     }
@@ -142,19 +142,16 @@ struct expected {
     struct triangle list[1024];
 };
 
-static void expect_triangle(const struct patch *patch,
-                            const struct cell *cell, const int corners[3],
-                            struct expected *expected)
+static void expect_triangle(const struct patch *patch, const struct cell *cell,
+                            const int corners[3], struct expected *expected)
 {
     struct triangle *triangle = &expected->list[expected->count++];
 
     for (int k = 0; k < 3; k++) {
         bool high[2] = { corners[k] & 2, corners[k] & 1 };
-        cell_point(patch, cell, high[0] ? 3 : 0, high[1] ? 3 : 0,
-                   triangle->corners[k]);
+        cell_point(patch, cell, high[0] ? 3 : 0, high[1] ? 3 : 0, triangle->corners[k]);
         oracle_normal(patch, high[0] ? cell->to[0] : cell->from[0],
-                      high[1] ? cell->to[1] : cell->from[1],
-                      triangle->normals[k]);
+                      high[1] ? cell->to[1] : cell->from[1], triangle->normals[k]);
     }
 }
 
@@ -162,8 +159,7 @@ static void expect_cell(const struct patch *patch, struct cell cell,
                         struct expected *expected)
 {
     static const int two[2][3] = { { 0, 1, 3 }, { 0, 2, 3 } };
-    bool cut[2] = { cell.depth < patch->steps[0],
-                    cell.depth < patch->steps[1] };
+    bool cut[2] = { cell.depth < patch->steps[0], cell.depth < patch->steps[1] };
 
     if ((!cut[0] && !cut[1]) || oracle_is_flat(patch, &cell)) {
         for (int i = 0; i < 2; i++)
@@ -196,27 +192,25 @@ static struct patch random_patch(void)
         patch.steps[i] = (int)xorshift_between(&random_state, 0, 4);
     for (int i = 0; i < 48; i++) {
         double grid[3] = { i / 12, i / 3 % 4, 0 };
-        patch.points[i / 12][i / 3 % 4][i % 3] = grid[i % 3]
-                                                 + between(-.45, .45);
+        patch.points[i / 12][i / 3 % 4][i % 3] = grid[i % 3] + between(-.45, .45);
     }
     return patch;
 }
 
-static void write_patch(const struct patch *patch, const double scale[3],
-                        char *text)
+static void write_patch(const struct patch *patch, const double scale[3], char *text)
 {
     text += sprintf(text,
                     "bicubic_patch { type %d flatness %.17g u_steps %d "
                     "v_steps %d\n",
-                    (int)xorshift_between(&random_state, 0, 2),
-                    patch->flatness, patch->steps[0], patch->steps[1]);
+                    (int)xorshift_between(&random_state, 0, 2), patch->flatness,
+                    patch->steps[0], patch->steps[1]);
     for (int i = 0; i < 16; i++) {
         const double *p = patch->points[i / 4][i % 4];
-        text += sprintf(text, "%s<%.17g, %.17g, %.17g>\n", i ? ", " : "",
-                        p[0], p[1], p[2]);
+        text += sprintf(text, "%s<%.17g, %.17g, %.17g>\n", i ? ", " : "", p[0], p[1],
+                        p[2]);
     }
-    sprintf(text, "scale <%.17g, %.17g, %.17g> translate <1, -2, 3> }\n",
-            scale[0], scale[1], scale[2]);
+    sprintf(text, "scale <%.17g, %.17g, %.17g> translate <1, -2, 3> }\n", scale[0],
+            scale[1], scale[2]);
 }
 
 static bool is_near(const double a[3], const double b[3])
@@ -241,8 +235,7 @@ static bool is_same(const struct triangle *a, const struct triangle *b)
     return true;
 }
 
-static bool has_all(const struct triangles *triangles,
-                    const struct expected *expected)
+static bool has_all(const struct triangles *triangles, const struct expected *expected)
 {
     if (triangles->count != expected->count)
         return false;
@@ -266,8 +259,7 @@ TEST(random_patches)
         struct patch patch = random_patch();
         double scale[3];
         for (int k = 0; k < 3; k++)
-            scale[k] = between(.4, 2.5)
-                       * (xorshift(&random_state) & 1 ? 1 : -1);
+            scale[k] = between(.4, 2.5) * (xorshift(&random_state) & 1 ? 1 : -1);
         write_patch(&patch, scale, text);
         for (int k = 0; k < 48; k++) {
             double *x = &patch.points[k / 12][k / 3 % 4][k % 3];
@@ -298,16 +290,14 @@ TEST(words)
 {
     /* flat, but no steps without a flatness above 0 */
     assert_int_equal(count_of("bicubic_patch { type 0 " SQUARE " }"), 2);
-    assert_int_equal(
-        count_of("bicubic_patch { v_steps 1.9 type 1 u_steps 2, " SQUARE
-                 " scale 2 }"),
-        2 * 8);
+    assert_int_equal(count_of("bicubic_patch { v_steps 1.9 type 1 u_steps 2, " SQUARE
+                              " scale 2 }"),
+                     2 * 8);
     assert_int_equal(count_of("bicubic_patch { type 1 u_steps 3 v_steps 3 "
                               "flatness .1 " SQUARE " }"),
                      2);
     assert_int_equal(count_of("bicubic_patch { u_steps -3 type 3 u_steps 1 "
-                              "uv_vectors <0, 0> x <1, 1> y " SQUARE
-                              " inverse }"),
+                              "uv_vectors <0, 0> x <1, 1> y " SQUARE " inverse }"),
                      4);
     assert_int_equal(count_of("#declare P = bicubic_patch { type 1 u_steps 1 "
                               "v_steps 1 flatness .5 " SQUARE
@@ -341,8 +331,7 @@ TEST(errors)
 {
     static const struct line_error rows[] = {
         { "bicubic_patch { " SQUARE " }", 17, "expected 'type'" },
-        { "bicubic_patch { flatness 1 u_steps 2 " SQUARE " }", 38,
-          "expected 'type'" },
+        { "bicubic_patch { flatness 1 u_steps 2 " SQUARE " }", 38, "expected 'type'" },
         { "bicubic_patch { type -1 " SQUARE " }", 22, "below 0" },
         { "bicubic_patch { type 1 u_steps 21 " SQUARE " }", 32,
           "'u_steps' is more than 20" },

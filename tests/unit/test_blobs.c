@@ -32,12 +32,10 @@ static void add_strength(char *text, size_t size)
 static void add_motions(char *text, size_t size)
 {
     if (below(3) == 0)
-        add_text(text, size, "scale <%.4f, %.4f, %.4f> ",
-                 size_between(.5, 1.5), size_between(.5, 1.5),
-                 size_between(.5, 1.5));
+        add_text(text, size, "scale <%.4f, %.4f, %.4f> ", size_between(.5, 1.5),
+                 size_between(.5, 1.5), size_between(.5, 1.5));
     if (below(3) == 0)
-        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(),
-                 angle());
+        add_text(text, size, "rotate <%.2f, %.2f, %.2f> ", angle(), angle(), angle());
     if (below(3) == 0) {
         add_text(text, size, "translate ");
         add_place(text, size, .5);
@@ -54,10 +52,8 @@ static void add_cylinder_part(char *text, size_t size)
     }
     if (way[0] + way[1] + way[2] == 0)
         way[below(3)] = .75;
-    add_text(text, size,
-             "cylinder { <%.4f, %.4f, %.4f>, <%.4f, %.4f, %.4f>, ", from[0],
-             from[1], from[2], from[0] + way[0], from[1] + way[1],
-             from[2] + way[2]);
+    add_text(text, size, "cylinder { <%.4f, %.4f, %.4f>, <%.4f, %.4f, %.4f>, ", from[0],
+             from[1], from[2], from[0] + way[0], from[1] + way[1], from[2] + way[2]);
 }
 
 static void add_component(char *text, size_t size)
@@ -142,8 +138,7 @@ TEST(humps)
         char text[600];
 
         snprintf(text, sizeof text,
-                 AHEAD "intersection { " HUMPS "} plane { -z, -(%s) } }",
-                 cuts[i]);
+                 AHEAD "intersection { " HUMPS "} plane { -z, -(%s) } }", cuts[i]);
         free(plain_frame(text));
     }
 }

@@ -145,8 +145,7 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct heard *heard = context;
     (void)machine;
-    if (event->kind != C205_EVENT_INSTRUCTION
-        && event->kind != C205_EVENT_REQUEST)
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     assert_int_equal(event->record->arrived, heard->clock);
     heard->clock += event->clocks;
@@ -257,31 +256,30 @@ TEST(fault)
  * stream beside it; the clock is read on the way. */
 TEST(regions)
 {
-    static const char text[] =
-        "        .include \"core.s\"\n"
-        "        .regs   r10, turns, to, a, b, time, v, x\n"
-        "        .data\n"
-        "        .vector numbers, 100, 1.0, 2.0, 3.0\n"
-        "        .code\n"
-        "        ES      turns, 30\n"
-        "        descriptor v, numbers, 100\n"
-        "        load_constant x, 1.5\n"
-        "        EX      to, inside\n"
-        "        .kernel one\n"
-        "begin:  ADDN    x, x, a\n"
-        "        MPYS    a, x, a\n"
-        "inside: DIVS    a, x, b\n"
-        "        ADDN    b, x, b\n"
-        "        .endkernel\n"
-        "        .kernel two\n"
-        "        MPYS    b, x, a\n"
-        "        CLOCK   time\n"
-        "        CFPLT   x, b, further\n"
-        "        ADDNV   [v], [v], [v]\n"
-        "further: ADDN   a, b, a\n"
-        "        DBNZ    turns, [to]\n"
-        "        .endkernel\n"
-        "        EXIT\n";
+    static const char text[] = "        .include \"core.s\"\n"
+                               "        .regs   r10, turns, to, a, b, time, v, x\n"
+                               "        .data\n"
+                               "        .vector numbers, 100, 1.0, 2.0, 3.0\n"
+                               "        .code\n"
+                               "        ES      turns, 30\n"
+                               "        descriptor v, numbers, 100\n"
+                               "        load_constant x, 1.5\n"
+                               "        EX      to, inside\n"
+                               "        .kernel one\n"
+                               "begin:  ADDN    x, x, a\n"
+                               "        MPYS    a, x, a\n"
+                               "inside: DIVS    a, x, b\n"
+                               "        ADDN    b, x, b\n"
+                               "        .endkernel\n"
+                               "        .kernel two\n"
+                               "        MPYS    b, x, a\n"
+                               "        CLOCK   time\n"
+                               "        CFPLT   x, b, further\n"
+                               "        ADDNV   [v], [v], [v]\n"
+                               "further: ADDN   a, b, a\n"
+                               "        DBNZ    turns, [to]\n"
+                               "        .endkernel\n"
+                               "        EXIT\n";
     c205 *whole, *stepped;
     compare(text, &whole, &stepped);
     assert_int_equal(c205_account_count(whole), 3);
@@ -478,8 +476,7 @@ TEST(data_behind_branch)
                              "        EXIT\n",
                              &whole, &stepped);
     assert_int_equal(stop.trap, C205_TRAP_NONE);
-    assert_true(whole->memory.code_changes
-                < stepped->memory.code_changes + 5);
+    assert_true(whole->memory.code_changes < stepped->memory.code_changes + 5);
     free_both(whole, stepped);
 }
 
@@ -487,26 +484,25 @@ TEST(data_behind_branch)
  * product, by the other one a sum. */
 TEST(lost_results)
 {
-    static const char text[] =
-        "        .include \"core.s\"\n"
-        "        .regs   r10, turns, to, bit, one, x, place\n"
-        "        .data\n"
-        "words:  .space  4\n"
-        "        .code\n"
-        "        EX      to, again\n"
-        "        ES      turns, 8\n"
-        "        ES      one, 1\n"
-        "        load_constant x, 1.5\n"
-        "        descriptor place, words, 4\n"
-        "again:  AND     turns, one, bit\n"
-        "        IBXEQ   bit, r0, one, odd, bit\n"
-        "        MPYS    x, x, r0\n"
-        "        BIM     both\n"
-        "odd:    ADDN    x, x, r0\n"
-        "        BIM     both\n"
-        "both:   SWAP    [r0], r4, [place]\n"
-        "        DBNZ    turns, [to]\n"
-        "        EXIT\n";
+    static const char text[] = "        .include \"core.s\"\n"
+                               "        .regs   r10, turns, to, bit, one, x, place\n"
+                               "        .data\n"
+                               "words:  .space  4\n"
+                               "        .code\n"
+                               "        EX      to, again\n"
+                               "        ES      turns, 8\n"
+                               "        ES      one, 1\n"
+                               "        load_constant x, 1.5\n"
+                               "        descriptor place, words, 4\n"
+                               "again:  AND     turns, one, bit\n"
+                               "        IBXEQ   bit, r0, one, odd, bit\n"
+                               "        MPYS    x, x, r0\n"
+                               "        BIM     both\n"
+                               "odd:    ADDN    x, x, r0\n"
+                               "        BIM     both\n"
+                               "both:   SWAP    [r0], r4, [place]\n"
+                               "        DBNZ    turns, [to]\n"
+                               "        EXIT\n";
     compare_on("title T\nlike cyber205-2pipe-prior\n"
                "latency.multiply 40 clk R\nlatency.add 30 clk R\n",
                text);

@@ -36,10 +36,7 @@ TEST(known)
           6,
           .002 },
         { "cylinder { -4*y, 4*y, 3 }", { 0, 0, 0 }, 5, .02 },
-        { "cylinder { -y, y, 3 open scale <1, 4, 1> rotate 30 }",
-          { 0, 0, 0 },
-          5,
-          .02 },
+        { "cylinder { -y, y, 3 open scale <1, 4, 1> rotate 30 }", { 0, 0, 0 }, 5, .02 },
         { "cone { 0, 3, 4*y, 0 }", { 0, .875, 0 }, 3.125, .03 },
         { "torus { 3, 1 rotate 33 }", { 0, 0, 0 }, 4, .002 },
         { "torus { 3, 1 scale <1, 2, 1> }", { 0, 0, 0 }, 5, .002 },
@@ -49,14 +46,8 @@ TEST(known)
           { 1, 0, 0 },
           1,
           .03 },
-        { "prism { -4, 4, 4, <3, 0>, <0, 3>, <-3, 0>, <0, -3> }",
-          { 0, 0, 0 },
-          5,
-          .02 },
-        { "lathe { 4, <0, -4>, <3, -4>, <1, 0>, <3, 4> }",
-          { 0, 0, 0 },
-          5,
-          .02 },
+        { "prism { -4, 4, 4, <3, 0>, <0, 3>, <-3, 0>, <0, -3> }", { 0, 0, 0 }, 5, .02 },
+        { "lathe { 4, <0, -4>, <3, -4>, <1, 0>, <3, 4> }", { 0, 0, 0 }, 5, .02 },
         { "lathe { 3, <0, 0>, <3, 0>, <1, 1> }", { 0, 0, 0 }, 3.06, .02 },
         { "blob { sphere { -3*x, 1, 2 } cylinder { x, 2*x, 2, 1 }"
           " sphere { 0, 9, -1 } }",
@@ -76,35 +67,17 @@ TEST(known)
         { "quadric { 1, 0, 0, -1 }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "sphere { 0, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "box { -1e100, 1e100 }", { 0, 0, 0 }, BOUND_NONE, 0 },
-        { "merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }",
-          { 0, 0, 0 },
-          4,
-          .002 },
-        { "merge { sphere { 0, 5 } sphere { 2*x, 2 } }",
-          { 0, 0, 0 },
-          5,
-          .002 },
-        { "merge { sphere { 0, 5 } plane { y, 2 } }",
-          { 0, 0, 0 },
-          BOUND_NONE,
-          0 },
+        { "merge { sphere { -3*x, 1 } sphere { 2*x, 2 } }", { 0, 0, 0 }, 4, .002 },
+        { "merge { sphere { 0, 5 } sphere { 2*x, 2 } }", { 0, 0, 0 }, 5, .002 },
+        { "merge { sphere { 0, 5 } plane { y, 2 } }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "intersection { sphere { 0, 5 } plane { y, 2 } sphere { x, 2 } }",
           { 1, 0, 0 },
           2,
           .002 },
-        { "difference { sphere { 0, 5 } sphere { x, 2 } }",
-          { 0, 0, 0 },
-          5,
-          .002 },
+        { "difference { sphere { 0, 5 } sphere { x, 2 } }", { 0, 0, 0 }, 5, .002 },
         { "disc { x, y, 2, 1 scale 2 }", { 2, 0, 0 }, 4, .03 },
-        { "intersection { disc { 0, y, 2 } sphere { 0, 5 } }",
-          { 0, 0, 0 },
-          5,
-          .002 },
-        { "merge { disc { 0, y, 2 } sphere { 0, 5 } }",
-          { 0, 0, 0 },
-          BOUND_NONE,
-          0 },
+        { "intersection { disc { 0, y, 2 } sphere { 0, 5 } }", { 0, 0, 0 }, 5, .002 },
+        { "merge { disc { 0, y, 2 } sphere { 0, 5 } }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "sphere { 0, 1 inverse }", { 0, 0, 0 }, BOUND_NONE, 0 },
         { "intersection { plane { y, 1 } plane { x, 1 } }",
           { 0, 0, 0 },
@@ -125,8 +98,8 @@ TEST(known)
             assert_close(bound.center[k], rows[i].center[k], within);
         if (bound.radius < rows[i].radius
             || bound.radius > rows[i].radius * (1 + rows[i].slack))
-            fail_msg("%s: radius %.9g, expected %.9g", rows[i].text,
-                     bound.radius, rows[i].radius);
+            fail_msg("%s: radius %.9g, expected %.9g", rows[i].text, bound.radius,
+                     rows[i].radius);
     }
 }
 
@@ -137,9 +110,7 @@ TEST(known_boxes)
         double low[3], high[3];
     } rows[] = {
         { "sphere { <1, 2, 3>, 2 }", { -1, 0, 1 }, { 3, 4, 5 } },
-        { "box { <-1, 0, 2>, <3, 4, 5> rotate 90*y }",
-          { 2, 0, -3 },
-          { 5, 4, 1 } },
+        { "box { <-1, 0, 2>, <3, 4, 5> rotate 90*y }", { 2, 0, -3 }, { 5, 4, 1 } },
         { "cylinder { -4*y, 4*y, 1 rotate 90*z translate x }",
           { -3, -1, -1 },
           { 5, 1, 1 } },
@@ -193,8 +164,7 @@ static size_t count_crossings(const struct primitive *primitive,
         point_on(&ray, crossings[i].distance, point);
         transform_point(&primitive->to_world, point);
         for (int k = 0; k < 3; k++)
-            assert_true(bound->low[k] <= point[k]
-                        && point[k] <= bound->high[k]);
+            assert_true(bound->low[k] <= point[k] && point[k] <= bound->high[k]);
         add_scaled(point, point, -1, bound->center);
         assert_true(sqrt(dot(point, point)) <= bound->radius);
     }
@@ -237,9 +207,8 @@ TEST(crossings)
                  "%s scale <%f, %f, %f> rotate <%f, %f, %f>"
                  " matrix <1, %f, 0, 0, 1, %f, 0, 0, 1, %f, 9, -5> }",
                  shapes[i % COUNT(shapes)], between(.2, 3), between(.2, 3),
-                 between(-3, -.2), between(0, 360), between(0, 360),
-                 between(0, 360), between(-2, 2), between(-2, 2),
-                 between(-9, 9));
+                 between(-3, -.2), between(0, 360), between(0, 360), between(0, 360),
+                 between(-2, 2), between(-2, 2), between(-9, 9));
         struct scene *scene = read_scene(text);
         struct bound bound;
 
@@ -277,16 +246,15 @@ TEST(enclose)
             double way[3];
 
             add_scaled(way, parts[i].center, -1, whole.center);
-            assert_true(sqrt(dot(way, way)) + parts[i].radius
-                        <= whole.radius);
+            assert_true(sqrt(dot(way, way)) + parts[i].radius <= whole.radius);
             for (int k = 0; k < 3; k++)
                 assert_true(whole.low[k] <= parts[i].low[k]
                             && parts[i].high[k] <= whole.high[k]);
             for (size_t j = 0; j < count; j++) {
                 add_scaled(way, parts[i].center, -1, parts[j].center);
-                least = fmax(least, (sqrt(dot(way, way)) + parts[i].radius
-                                     + parts[j].radius)
-                                        / 2);
+                least = fmax(least,
+                             (sqrt(dot(way, way)) + parts[i].radius + parts[j].radius)
+                                 / 2);
             }
         }
         assert_true(whole.radius <= 1.25 * least);

@@ -7,8 +7,7 @@
 
 enum { PLACES = 1000, REQUESTS = 200 };
 
-static const char *const programs[] = { "asm/examples/dot.s",
-                                        "asm/examples/horner.s",
+static const char *const programs[] = { "asm/examples/dot.s", "asm/examples/horner.s",
                                         "asm/examples/saxpy_linked.s",
                                         "asm/examples/saxpy_scalar.s",
                                         "asm/examples/sieve.s" };
@@ -28,8 +27,7 @@ static struct object *assembled(const char *path)
 static uint64_t draw_address(const struct object *object)
 {
     const c205_program *program = &object->program;
-    const c205_segment
-        *segment = &program->segments[below(program->segment_count)];
+    const c205_segment *segment = &program->segments[below(program->segment_count)];
     uint64_t half = segment->address / 32 + below(2 * segment->length + 8);
 
     switch (below(8)) {
@@ -48,14 +46,13 @@ static bool is_instruction(const struct object *object, uint64_t address)
     return false;
 }
 
-static void check_line(struct debug_session *session, const char *line,
-                       bool good, const char *said)
+static void check_line(struct debug_session *session, const char *line, bool good,
+                       const char *said)
 {
     size_t stops = session->debugger->stop_count;
 
     session_obey(session, line);
-    if (session->debugger->stop_count != stops + good
-        || !session_says(session, said))
+    if (session->debugger->stop_count != stops + good || !session_says(session, said))
         fail_msg("%s: %s", line, session->said.text);
     session_obey(session, "delete");
 }
@@ -76,8 +73,8 @@ static void check_addresses(const char *path, bool stripped)
         bool good = is_instruction(whole, address);
         char line[80];
 
-        snprintf(line, sizeof line, "%s *0x%llX",
-                 below(2) ? "break" : "tbreak", (unsigned long long)address);
+        snprintf(line, sizeof line, "%s *0x%llX", below(2) ? "break" : "tbreak",
+                 (unsigned long long)address);
         check_line(&session, line, good,
                    good ? "break " : "error: no instruction begins at ");
     }
@@ -97,8 +94,7 @@ TEST(addresses)
 TEST(visited)
 {
     for (size_t i = 0; i < PROGRAMS; i++) {
-        struct plain plain = run_plainly(assembled(programs[i]),
-                                         &random_state);
+        struct plain plain = run_plainly(assembled(programs[i]), &random_state);
         struct debug_session session;
         char line[80];
 
@@ -116,8 +112,7 @@ TEST(visited)
 /* ---- Lines ---------------------------------------------------------------- */
 
 /* The first line from there on that has code or calls a macro that has; 0: none. */
-static size_t next_line(const struct object *object, const char *file,
-                        size_t number)
+static size_t next_line(const struct object *object, const char *file, size_t number)
 {
     size_t found = SIZE_MAX;
 
@@ -157,8 +152,8 @@ TEST(lines)
             if (found == wanted && found > 0)
                 snprintf(said, sizeof said, ": %zu\n", found);
             else if (found > 0)
-                snprintf(said, sizeof said, ": %zu (at %s:%zu)\n", wanted,
-                         paths[i], found);
+                snprintf(said, sizeof said, ": %zu (at %s:%zu)\n", wanted, paths[i],
+                         found);
             check_line(&session, line, found > 0, said);
         }
         session_end(&session);
@@ -204,11 +199,11 @@ TEST(moved)
 static void check_verified(struct dap_client *client, const char *request,
                            const char *stop, bool good)
 {
-    const struct json_value *list = the(
-        client_ask(client, request,
-                   "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
-                   client_path, stop),
-        "breakpoints");
+    const struct json_value *list =
+        the(client_ask(client, request,
+                       "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
+                       client_path, stop),
+            "breakpoints");
 
     if (json_member_truth(list->first, "verified", !good) != good
         || !*the_text(list->first, "message"))
@@ -233,15 +228,11 @@ TEST(protocol)
     for (int line = -2; line < 60; line++) {
         snprintf(stop, sizeof stop, "{\"line\": %d}", line);
         check_verified(&client, "setBreakpoints", stop,
-                       line > 0
-                           && next_line(object, "test.s", (size_t)line) > 0);
+                       line > 0 && next_line(object, "test.s", (size_t)line) > 0);
     }
-    check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"0\"}",
-                   false);
-    check_verified(&client, "setFunctionBreakpoints",
-                   "{\"name\": \"a.words\"}", false);
-    check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"again\"}",
-                   true);
+    check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"0\"}", false);
+    check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"a.words\"}", false);
+    check_verified(&client, "setFunctionBreakpoints", "{\"name\": \"again\"}", true);
     client_leave(&client);
     object_free(object);
 }

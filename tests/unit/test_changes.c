@@ -20,8 +20,7 @@ static c205 *begin(const struct random_program *program, c205_model *model)
 static c205_model *model_of(const struct random_program *program)
 {
     c205_error error;
-    c205_model *model = c205_model_parse("random",
-                                         random_models[program->model],
+    c205_model *model = c205_model_parse("random", random_models[program->model],
                                          &error);
 
     assert_non_null(model);
@@ -45,8 +44,7 @@ static void take(struct contents *contents, const c205 *machine)
 
         if (!contents->words[i])
             contents->words[i] = calloc(area->words, sizeof(c205_word));
-        assert_true(c205_read(machine, area->address, contents->words[i],
-                              area->words));
+        assert_true(c205_read(machine, area->address, contents->words[i], area->words));
     }
 }
 
@@ -65,8 +63,8 @@ static bool is_told(const c205_event *event, uint64_t address)
     return false;
 }
 
-static void compare(const struct contents *before,
-                    const struct contents *after, const c205_event *event)
+static void compare(const struct contents *before, const struct contents *after,
+                    const c205_event *event)
 {
     for (unsigned i = 1; i < C205_REGISTERS; i++)
         if (before->registers[i] != after->registers[i]
@@ -79,19 +77,16 @@ static void compare(const struct contents *before,
                 && !is_told(event, random_areas[i].address + 64 * k))
                 fail_msg("%s at %llx changed %llx", event->insn->mnemonic,
                          (unsigned long long)event->pc,
-                         (unsigned long long)(random_areas[i].address
-                                              + 64 * k));
+                         (unsigned long long)(random_areas[i].address + 64 * k));
 }
 
 /* Of what stores elements one behind another the range has as many. */
 static bool is_dense(const c205_event *event)
 {
-    return c205_unit_is_vector(event->insn->unit)
-           && strchr(event->insn->operands, 'd');
+    return c205_unit_is_vector(event->insn->unit) && strchr(event->insn->operands, 'd');
 }
 
-static void take_event(void *context, const c205 *machine,
-                       const c205_event *event)
+static void take_event(void *context, const c205 *machine, const c205_event *event)
 {
     (void)machine;
     *(c205_event *)context = *event;
@@ -154,8 +149,7 @@ TEST(changes)
 
 static uint64_t constant(const c205 *machine, const char *name)
 {
-    return (uint64_t)c205_model_lookup(c205_machine_model(machine), name)
-        ->value;
+    return (uint64_t)c205_model_lookup(c205_machine_model(machine), name)->value;
 }
 
 /* The clocks of a cause in the time of an instruction itself. */
@@ -166,16 +160,13 @@ static uint64_t clocks_for(const c205_times *record, c205_cause cause)
     for (size_t i = 0; i < record->phase_count; i++)
         if (record->phase[i].cause == cause)
             clocks += record->phase[i].end - record->phase[i].begin;
-    for (size_t i = 0; i < record->piece_count && record->phase_count == 0;
-         i++)
-        if (record->piece[i].cause == cause
-            && record->piece[i].pc == record->pc)
+    for (size_t i = 0; i < record->piece_count && record->phase_count == 0; i++)
+        if (record->piece[i].cause == cause && record->piece[i].pc == record->pc)
             clocks += record->piece[i].clocks;
     return clocks;
 }
 
-static void check_pages(void *context, const c205 *machine,
-                        const c205_event *event)
+static void check_pages(void *context, const c205 *machine, const c205_event *event)
 {
     const c205_times *record = event->record;
     uint64_t *faults = context;
@@ -233,8 +224,7 @@ static struct places draw_places(const struct random_program *program,
     }
     area = &random_areas[below(random_area_count)];
     places.words = 1 + (size_t)below(area->words);
-    places.watched = area->address
-                     + 64 * below(area->words - places.words + 1);
+    places.watched = area->address + 64 * below(area->words - places.words + 1);
     c205_free(machine);
     return places;
 }
@@ -248,8 +238,8 @@ static bool is_place(const struct places *places, uint64_t pc)
 }
 
 /* The next stop by looking behind each instruction. */
-static c205_trap step_to_stop(c205 *machine, const struct places *places,
-                              uint64_t most, c205_stop *stop)
+static c205_trap step_to_stop(c205 *machine, const struct places *places, uint64_t most,
+                              c205_stop *stop)
 {
     size_t size = places->words * sizeof(c205_word);
     c205_word *before = malloc(size), *after = malloc(size);
@@ -274,8 +264,7 @@ static c205_trap step_to_stop(c205 *machine, const struct places *places,
     return met;
 }
 
-static void pause_now(void *context, const c205 *machine,
-                      const c205_event *event)
+static void pause_now(void *context, const c205 *machine, const c205_event *event)
 {
     uint64_t *left = context;
 
@@ -318,8 +307,7 @@ static void check_stops(const struct random_program *program, bool listens)
         assert_true(c205_listen(machine, pause_now, &left));
     for (int i = 0; i < STOPPED; i++) {
         uint64_t most = 1 + below(30);
-        c205_stop expected,
-            stop = run_some(machine, most, listens ? &left : NULL);
+        c205_stop expected, stop = run_some(machine, most, listens ? &left : NULL);
         c205_trap trap = step_to_stop(plain, &places, most, &expected);
 
         assert_string_equal(c205_trap_name(stop.trap), c205_trap_name(trap));
@@ -376,8 +364,7 @@ static void check_history(const struct random_program *program)
         while (c205_history_step(history) < step)
             c205_history_forward(history, &stop);
         assert_int_equal(c205_pc(c205_history_machine(history)), pc[step]);
-        for (uint64_t k = below(10);
-             k > 0 && c205_history_step(history) < steps; k--)
+        for (uint64_t k = below(10); k > 0 && c205_history_step(history) < steps; k--)
             c205_history_forward(history, &stop);
     }
     c205_history_free(history);

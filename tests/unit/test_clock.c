@@ -10,11 +10,9 @@
 TEST(isolated_add)
 {
     static const size_t lengths[] = { 0, 1, 2, 3, 5, 100, 101, 65535 };
-    static const char *const models[] = {
-        "title T\nlike cyber205-1pipe-prior",
-        "title T\nlike cyber205-2pipe-prior",
-        "title T\nlike cyber205-4pipe-prior"
-    };
+    static const char *const models[] = { "title T\nlike cyber205-1pipe-prior",
+                                          "title T\nlike cyber205-2pipe-prior",
+                                          "title T\nlike cyber205-4pipe-prior" };
     for (size_t m = 0; m < 3; m++) {
         struct clock *clock = clock_of(models[m]);
         size_t pipes = (size_t)1 << m;
@@ -70,11 +68,9 @@ TEST(word_rate)
         const char *name;
         uint8_t g;
         uint64_t clocks;
-    } cases[] = {
-        { "ADDNV", 0, 51 + 251 }, { "ADDNV", C205_G_HALF, 51 + 251 },
-        { "DIVSV", 0, 80 + 814 }, { "LINKV", 0, 84 + 251 },
-        { "ANDB", 0, 40 + 16 },   { "VXTOV", 0, 69 + 1001 }
-    };
+    } cases[] = { { "ADDNV", 0, 51 + 251 }, { "ADDNV", C205_G_HALF, 51 + 251 },
+                  { "DIVSV", 0, 80 + 814 }, { "LINKV", 0, 84 + 251 },
+                  { "ANDB", 0, 40 + 16 },   { "VXTOV", 0, 69 + 1001 } };
     struct clock *clock = clock_of("title T\nlike cyber205-2pipe-prior\n"
                                    "vector.word_rate 2 results R\n");
     for (size_t i = 0; i < COUNT(cases); i++) {
@@ -215,10 +211,8 @@ TEST(linked_rates)
     for (size_t i = 0; i < COUNT(cases); i++) {
         clock_reset(clock);
         charge_pair(clock, cases[i].first, cases[i].second, cases[i].g, 0);
-        assert_int_equal(clocks_for(clock, C205_VECTOR_STARTUP),
-                         cases[i].startup);
-        assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM),
-                         cases[i].stream);
+        assert_int_equal(clocks_for(clock, C205_VECTOR_STARTUP), cases[i].startup);
+        assert_int_equal(clocks_for(clock, C205_VECTOR_STREAM), cases[i].stream);
         assert_total(clock, cases[i].startup + cases[i].stream);
     }
     clock_free(clock);
@@ -314,9 +308,8 @@ TEST(latencies)
     static const struct {
         const char *name;
         uint64_t latency;
-    } cases[] = { { "ADDX", 1 },  { "ADDN", 5 },  { "MPYS", 5 },
-                  { "DIVS", 54 }, { "SQRT", 54 }, { "XOR", 3 },
-                  { "MPYX", 5 },  { "ABS", 5 } };
+    } cases[] = { { "ADDX", 1 },  { "ADDN", 5 }, { "MPYS", 5 }, { "DIVS", 54 },
+                  { "SQRT", 54 }, { "XOR", 3 },  { "MPYX", 5 }, { "ABS", 5 } };
     struct clock *clock = two_pipes();
     for (size_t i = 0; i < COUNT(cases); i++) {
         for (unsigned reg = 10; reg < 20; reg++)
@@ -439,8 +432,7 @@ TEST(stack_size)
         for (unsigned half = 0; half < 2 * words - 1; half++)
             scalar(clock, "ES", 0, 0, 9);
         branch(clock, "BEQ", 0x40000);
-        assert_int_equal(clocks_for(clock, C205_BRANCH),
-                         words <= 64 ? 8 : 16);
+        assert_int_equal(clocks_for(clock, C205_BRANCH), words <= 64 ? 8 : 16);
         clock_reset(clock);
     }
     for (unsigned back = 63; back <= 64; back++) { /* of longer code, too */
@@ -476,8 +468,7 @@ static void random_instruction(struct clock *clock, c205_word *indices)
     const c205_insn *row = &c205_insns[random_bits() % c205_insn_count];
     unsigned r = (unsigned)(random_bits() % 8);
     unsigned s = (unsigned)(random_bits() % 8);
-    struct decoded decoded = insn(row->mnemonic, r, s,
-                                  (unsigned)(random_bits() % 8));
+    struct decoded decoded = insn(row->mnemonic, r, s, (unsigned)(random_bits() % 8));
     struct effect effect = no_effect;
     decoded.region = random_bits() % 16 ? 0 : 1;
     effect.taken = row->unit == C205_UNIT_BRANCH && random_bits() % 2;

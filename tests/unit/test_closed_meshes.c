@@ -29,18 +29,17 @@ static void check_closed(void)
     struct words *words = same_frame(text);
 
     for (size_t k = 0; k < traced.pixels; k++)
-        if ((c205_to_integer(words->channel[CHANNEL_ID][k]) == 0)
-            == (sight == SHELL))
-            fail_msg("pixel %zu of %zu by %zu: a ray slips out of\n%s", k,
-                     traced.width, traced.height, text);
+        if ((c205_to_integer(words->channel[CHANNEL_ID][k]) == 0) == (sight == SHELL))
+            fail_msg("pixel %zu of %zu by %zu: a ray slips out of\n%s", k, traced.width,
+                     traced.height, text);
     check_paper_stage(text, words);
     free(words);
 }
 
 static void add_vector(const char *name, const double vector[3])
 {
-    add_text(text, sizeof text, "%s <%.17g, %.17g, %.17g> ", name, vector[0],
-             vector[1], vector[2]);
+    add_text(text, sizeof text, "%s <%.17g, %.17g, %.17g> ", name, vector[0], vector[1],
+             vector[2]);
 }
 
 static void begin_scene(const double location[3], const double ahead[3],
@@ -95,17 +94,14 @@ static void write_closed(void)
     begin_mesh(location, scale);
     net_text(&net, text, sizeof text, &traced.random);
     inside_vector();
-    add_text(text, sizeof text,
-             "scale %.17g translate <%.17g, %.17g, %.17g> ", scale, by[0],
-             by[1], by[2]);
+    add_text(text, sizeof text, "scale %.17g translate <%.17g, %.17g, %.17g> ", scale,
+             by[0], by[1], by[2]);
     end_mesh();
 }
 
 TEST(closed)
 {
-    static const size_t sizes[][2] = { { WIDTH, HEIGHT },
-                                       { 17, 9 },
-                                       { 40, 3 } };
+    static const size_t sizes[][2] = { { WIDTH, HEIGHT }, { 17, 9 }, { 40, 3 } };
 
     for (size_t i = 0; i < share_of(3 * scene_count); i++) {
         set_size(sizes[i % 3][0], sizes[i % 3][1]);
@@ -128,8 +124,7 @@ static void cross(const double a[3], const double b[3], double result[3])
  * neighbours of a cube among cubes, 13 being itself. */
 static void write_symmetric(size_t neighbour, const double middle[3])
 {
-    double ahead[3] = { (double)(neighbour % 3) - 1,
-                        (double)(neighbour / 3 % 3) - 1,
+    double ahead[3] = { (double)(neighbour % 3) - 1, (double)(neighbour / 3 % 3) - 1,
                         (double)(neighbour / 9) - 1 };
     double aside[3] = { 0, 0, 0 }, right[3], up[3];
     size_t axis = 0;
@@ -169,8 +164,7 @@ TEST(symmetric)
  * numbers are whole; each point of the net may lie farther away or nearer. */
 static void write_whole(size_t side, const double middle[3])
 {
-    double ahead[3] = { 0, 0, 0 }, right[3] = { 0, 0, 0 },
-           up[3] = { 0, 0, 0 };
+    double ahead[3] = { 0, 0, 0 }, right[3] = { 0, 0, 0 }, up[3] = { 0, 0, 0 };
     size_t axis = side / 2;
 
     ahead[axis] = side % 2 ? -16 : 16;
@@ -203,8 +197,7 @@ TEST(rays_to_points)
 /* The rays of the first row go to points of one edge of a face, its ends and
  * its middle among them, those of the first column and of a diagonal to the
  * others'. */
-static void write_aimed(const size_t face[3], const double location[3],
-                        double scale)
+static void write_aimed(const size_t face[3], const double location[3], double scale)
 {
     double stretch = (double)traced.width / (double)(traced.width - 1);
     double half = .5 - .5 / (double)traced.width;

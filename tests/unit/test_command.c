@@ -87,13 +87,12 @@ static char seen[4096];
 
 static void describe(const struct arguments *a, char text[4096])
 {
-    int length = snprintf(text, 4096,
-                          "%d|%s|%s|%s|%s|%s|%zu|%llu|%g|%d|%zu|%s", a->loud,
-                          a->text ? a->text : "", a->input ? a->input : "",
+    int length = snprintf(text, 4096, "%d|%s|%s|%s|%s|%s|%zu|%llu|%g|%d|%zu|%s",
+                          a->loud, a->text ? a->text : "", a->input ? a->input : "",
                           a->output ? a->output : "", a->kept ? a->kept : "",
                           a->folder ? a->folder : "", a->count,
-                          (unsigned long long)a->clocks, a->number,
-                          (int)a->colour, a->length, a->first);
+                          (unsigned long long)a->clocks, a->number, (int)a->colour,
+                          a->length, a->first);
 
     for (size_t i = 0; i < a->words.count; i++)
         length += snprintf(text + length, 4096 - (size_t)length, "|%s",
@@ -119,8 +118,8 @@ static int run(int argc, char **argv)
     static const struct command other_command = { .name = "other",
                                                   .summary = "another",
                                                   .function = look };
-    static const struct command *const commands[] = { &look_command,
-                                                      &other_command, NULL };
+    static const struct command *const commands[] = { &look_command, &other_command,
+                                                      NULL };
     static const struct arguments arguments = { .clocks = 205 };
     static const struct command_program program = {
         .name = "test",
@@ -173,8 +172,7 @@ static void make_word(struct line *line, char text[WORD_SIZE])
 }
 
 /* The value of a row as text; what it should be goes to what is expected. */
-static const char *make_value(struct line *line,
-                              const struct command_option *option,
+static const char *make_value(struct line *line, const struct command_option *option,
                               char text[WORD_SIZE])
 {
     struct arguments *expected = &line->expected;
@@ -188,8 +186,7 @@ static const char *make_value(struct line *line,
         break;
     case COMMAND_CLOCKS:
         expected->clocks = xorshift(&line->random);
-        snprintf(text, WORD_SIZE, "%llu",
-                 (unsigned long long)expected->clocks);
+        snprintf(text, WORD_SIZE, "%llu", (unsigned long long)expected->clocks);
         break;
     case COMMAND_NUMBER:
         expected->number = (double)below(line, 3999) / 1000 - 1.999;
@@ -205,8 +202,8 @@ static const char *make_value(struct line *line,
     return NULL;
 }
 
-static void expect_text(struct line *line,
-                        const struct command_option *option, const char *text)
+static void expect_text(struct line *line, const struct command_option *option,
+                        const char *text)
 {
     struct arguments *expected = &line->expected;
 
@@ -230,8 +227,7 @@ static void add_option(struct line *line, const struct command_option *option)
     if (option->letter && below(line, 2))
         length = snprintf(word, WORD_SIZE, "-%c", option->letter);
     else
-        length = snprintf(word, WORD_SIZE, "--%s%s", option->name,
-                          apart ? "" : "=");
+        length = snprintf(word, WORD_SIZE, "--%s%s", option->name, apart ? "" : "=");
     if (flag) {
         line->expected.loud = true;
         return;
@@ -348,8 +344,8 @@ static void refused(const char *word, const char *value, const char *why)
         assert_int_equal(code, CMD_USAGE);
         assert_string_equal(seen, "");
         if (!strstr(caught.text, why))
-            fail_msg("%s %s: '%s' does not tell '%s'", word,
-                     value ? value : "", caught.text, why);
+            fail_msg("%s %s: '%s' does not tell '%s'", word, value ? value : "",
+                     caught.text, why);
     }
 }
 
@@ -400,8 +396,7 @@ TEST(bounds)
 TEST(missing_and_too_many)
 {
     char test[] = "test", look[] = "look", other[] = "other", loo[] = "lok";
-    char *none[] = { test, look, NULL },
-         *more[] = { test, other, look, NULL };
+    char *none[] = { test, look, NULL }, *more[] = { test, other, look, NULL };
     char *odd[] = { test, loo, NULL };
     char input[] = "--input=-", stream[] = "-";
     char *twice[] = { test, look, input, other, stream, NULL };
@@ -413,8 +408,7 @@ TEST(missing_and_too_many)
     assert_int_equal(run(2, odd), CMD_USAGE);
     assert_int_equal(run(5, twice), CMD_USAGE);
     release(&caught);
-    assert_non_null(
-        strstr(caught.text, "test look: FIRST is missing: a text"));
+    assert_non_null(strstr(caught.text, "test look: FIRST is missing: a text"));
     assert_non_null(strstr(caught.text, "too many arguments: look"));
     assert_non_null(strstr(caught.text, "no such command: lok (look?)"));
     assert_non_null(strstr(caught.text, "only one file can be -, stdin"));
@@ -426,8 +420,8 @@ TEST(missing_and_too_many)
  * that shares nothing is not. */
 TEST(nearest)
 {
-    static const char *const names[] = { "render", "profile", "speedup",
-                                         "sweep", "quartic" };
+    static const char *const names[] = { "render", "profile", "speedup", "sweep",
+                                         "quartic" };
     uint64_t random = RANDOM_SEED;
 
     for (int i = 0; i < 2000; i++) {

@@ -27,8 +27,7 @@ static void put(struct drawn_text *drawn, const char *format, ...)
 
     va_start(arguments, format);
     drawn->length += (size_t)vsnprintf(drawn->text + drawn->length,
-                                       TEXT - drawn->length, format,
-                                       arguments);
+                                       TEXT - drawn->length, format, arguments);
     va_end(arguments);
     assert_true(drawn->length < TEXT);
 }
@@ -81,8 +80,8 @@ static void put_vector(struct drawn_text *drawn, size_t i)
 
 static void put_labelled(struct drawn_text *drawn, size_t i)
 {
-    static const enum asm_contents kinds[] = { ASM_WORDS, ASM_HALF_WORDS,
-                                               ASM_BYTES, ASM_CODE };
+    static const enum asm_contents kinds[] = { ASM_WORDS, ASM_HALF_WORDS, ASM_BYTES,
+                                               ASM_CODE };
     enum asm_contents contents = kinds[below(&state, 4)];
 
     drawn->label[i] = (struct labelled){ contents, 0 };
@@ -109,11 +108,9 @@ static void check(const struct drawn_text *drawn)
         symbol = object_symbol(object, name);
         if (symbol->contents != drawn->label[i].contents
             || symbol->count != drawn->label[i].count) {
-            fail_msg("%s: %d, %" PRIu64 " of them; should be %d, %" PRIu64
-                     ", in\n%s",
+            fail_msg("%s: %d, %" PRIu64 " of them; should be %d, %" PRIu64 ", in\n%s",
                      name, (int)symbol->contents, symbol->count,
-                     (int)drawn->label[i].contents, drawn->label[i].count,
-                     drawn->text);
+                     (int)drawn->label[i].contents, drawn->label[i].count, drawn->text);
         }
     }
     object_free(object);

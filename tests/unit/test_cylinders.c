@@ -21,13 +21,10 @@ static void check_hit(const char *text, struct hit hit)
 
     assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), 1);
     for (int i = 0; i < 4; i++) {
-        double found = c205_to_double(
-            words->channel[CHANNEL_DEPTH + i][middle]);
+        double found = c205_to_double(words->channel[CHANNEL_DEPTH + i][middle]);
 
-        if (!(fabs(found - expected[i])
-              <= 5e-11 * (1 + fabs(expected[i]) / 100)))
-            fail_msg("%s: %d is %.15g, not %.15g", text, i, found,
-                     expected[i]);
+        if (!(fabs(found - expected[i]) <= 5e-11 * (1 + fabs(expected[i]) / 100)))
+            fail_msg("%s: %d is %.15g, not %.15g", text, i, found, expected[i]);
     }
     check_paper_stage(text, words);
     free(words);
@@ -76,10 +73,8 @@ static void check_scenes(void)
 static void check_solids(void)
 {
     check_hit(STRAIGHT SOLID "}", (struct hit){ 4, { 0, 0, -1 } });
-    check_hit(STRAIGHT SOLID "rotate 180*y }",
-              (struct hit){ 3, { 0, 0, -1 } });
-    check_hit(STRAIGHT SOLID "rotate 90*y }",
-              (struct hit){ 4.5, { 0, 0, -1 } });
+    check_hit(STRAIGHT SOLID "rotate 180*y }", (struct hit){ 3, { 0, 0, -1 } });
+    check_hit(STRAIGHT SOLID "rotate 90*y }", (struct hit){ 4.5, { 0, 0, -1 } });
     check_hit(STRAIGHT SOLID "rotate 90*x translate -.3*x }",
               (struct hit){ 4.6, { .6, 0, -.8 } });
     check_hit(STRAIGHT SOLID "translate <.2, .1, -5> }",
@@ -88,10 +83,8 @@ static void check_solids(void)
               (struct hit){ 1, { 0, 0, -1 } });
     check_hit(STRAIGHT SOLID "rotate 90*x translate -5*z }",
               (struct hit){ .5, { 0, 0, -1 } });
-    check_hit(STRAIGHT SLOPE "}",
-              (struct hit){ 5 - .5 / .6, { .8, 0, -.6 } });
-    check_hit(STRAIGHT SLOPE "translate .4*x }",
-              (struct hit){ 4.05, { -.6, 0, -.8 } });
+    check_hit(STRAIGHT SLOPE "}", (struct hit){ 5 - .5 / .6, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SLOPE "translate .4*x }", (struct hit){ 4.05, { -.6, 0, -.8 } });
     check_hit(STRAIGHT SLOPE "translate <.9, 0, 1.2> }",
               (struct hit){ 5.625, { -.6, 0, -.8 } });
     check_hit(STRAIGHT SLOPE "translate -5*z }",
@@ -117,10 +110,8 @@ static void check_tubes(void)
 {
     check_middle(STRAIGHT SOLID "open }", 0, 0);
     check_middle(STRAIGHT SOLID "open translate .6*x }", 0, 0);
-    check_hit(STRAIGHT SOLID "open rotate 90*y }",
-              (struct hit){ 4.5, { 0, 0, -1 } });
-    check_hit(STRAIGHT SLOPE "open }",
-              (struct hit){ 5 - .5 / .6, { .8, 0, -.6 } });
+    check_hit(STRAIGHT SOLID "open rotate 90*y }", (struct hit){ 4.5, { 0, 0, -1 } });
+    check_hit(STRAIGHT SLOPE "open }", (struct hit){ 5 - .5 / .6, { .8, 0, -.6 } });
     check_hit(STRAIGHT SLOPE "open translate .4*x }",
               (struct hit){ 5.3, { .8, 0, -.6 } });
     check_hit(STRAIGHT SLOPE "open translate -.4*x }",
@@ -152,10 +143,10 @@ TEST(formulations)
 /* In a tree and where it is clear it is that of today. */
 TEST(trees)
 {
-    static const char text[] = AHEAD
-        "difference { " SOLID "rotate 40*y } sphere { -z, .8 } }"
-        "cylinder { -2*y, 2*y, .4 translate 1.2*x"
-        " pigment { rgbf <1, .5, .5, .6> } }";
+    static const char text[] = AHEAD "difference { " SOLID
+                                     "rotate 40*y } sphere { -z, .8 } }"
+                                     "cylinder { -2*y, 2*y, .4 translate 1.2*x"
+                                     " pigment { rgbf <1, .5, .5, .6> } }";
     struct words *today = plain_frame(text), *then;
 
     traced.historical = true;

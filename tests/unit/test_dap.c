@@ -41,17 +41,14 @@ TEST(session)
     client_stopped(&client, "step");
     list = client_frames(&client); /* in a macro of the library */
     assert_int_equal(length_of(list), 3);
-    assert_string_equal(the_text(the(list->first, "source"), "name"),
-                        "core.s");
+    assert_string_equal(the_text(the(list->first, "source"), "name"), "core.s");
     assert_string_equal(the_text(list->first->next, "name"),
                         "call    double, link, place");
     assert_int_equal(the_whole(list->first->next, "line"), 10);
     client_ask(&client, "setBreakpoints",
-               "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": []}",
-               client_path);
+               "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": []}", client_path);
     client_ask(&client, "continue", "{\"threadId\": 1}");
-    assert_int_equal(the_whole(client_event(&client, "exited"), "exitCode"),
-                     3);
+    assert_int_equal(the_whole(client_event(&client, "exited"), "exitCode"), 3);
     client_event(&client, "terminated");
     assert_string_equal(client.output.text, "0\n");
     client_refused(&client, "has ended", "continue", "{\"threadId\": 1}");
@@ -114,8 +111,7 @@ static void try_hit_conditions(struct dap_client *client)
         client_stop_at(client, stop);
         for (size_t k = 0; k < 3 && tries[i].turns[k]; k++) {
             client_go(client, "continue", "breakpoint");
-            assert_int_equal(word_in(client_print(client, "turns")),
-                             tries[i].turns[k]);
+            assert_int_equal(word_in(client_print(client, "turns")), tries[i].turns[k]);
         }
         client_ask(client, "restart", NULL);
         client_stopped(client, "entry");
@@ -124,21 +120,21 @@ static void try_hit_conditions(struct dap_client *client)
     client_go(client, "continue", "breakpoint");
     client_go(client, "continue", "breakpoint");
     client_go(client, "reverseContinue", "breakpoint");
-    assert_non_null(strstr(
-        the_text(client_ask(client, "evaluate",
-                            "{\"expression\": \"info breaks\", \"context\": "
-                            "\"repl\"}"),
-                 "result"),
-        "met 2 times"));
+    assert_non_null(
+        strstr(the_text(client_ask(client, "evaluate",
+                                   "{\"expression\": \"info breaks\", \"context\": "
+                                   "\"repl\"}"),
+                        "result"),
+               "met 2 times"));
     client_event(client, "invalidated");
     client_stop_at(client, "");
 }
 
 static void try_evaluate(struct dap_client *client)
 {
-    const struct json_value *body =
-        client_ask(client, "evaluate",
-                   "{\"expression\": \"2 + 3\", \"context\": \"hover\"}");
+    const struct json_value
+        *body = client_ask(client, "evaluate",
+                           "{\"expression\": \"2 + 3\", \"context\": \"hover\"}");
 
     assert_non_null(strstr(the_text(body, "result"), "5"));
     client_refused(client, "nothing is called 'nobody'", "evaluate",
@@ -161,9 +157,9 @@ static void try_evaluate(struct dap_client *client)
 
 static void try_clipboard(struct dap_client *client)
 {
-    const struct json_value *body =
-        client_ask(client, "evaluate",
-                   "{\"expression\": \"pc\", \"context\": \"clipboard\"}");
+    const struct json_value
+        *body = client_ask(client, "evaluate",
+                           "{\"expression\": \"pc\", \"context\": \"clipboard\"}");
 
     assert_non_null(strstr(the_text(body, "result"), "400000"));
 }
@@ -183,8 +179,8 @@ static void try_step_back(struct dap_client *client)
     client_go(client, "stepBack", "entry");
 }
 
-static void set_variable(struct dap_client *client, int reference,
-                         const char *name, const char *value)
+static void set_variable(struct dap_client *client, int reference, const char *name,
+                         const char *value)
 {
     client_ask(client, "setVariable",
                "{\"variablesReference\": %d, \"name\": \"%s\", \"value\": "
@@ -209,15 +205,12 @@ static void try_set_variable(struct dap_client *client)
     set_variable(client, reference_of(scopes, "All registers"), "r18", "8");
     assert_int_equal(word_in(client_print(client, "turns")), 8);
     set_variable(client, vector, "[1]", "2.5");
-    assert_true(word_in(client_print(client, "[a.i + 64]"))
-                == c205_from_double(2.5));
+    assert_true(word_in(client_print(client, "[a.i + 64]")) == c205_from_double(2.5));
     set_variable(client, halves, "[3]", "X'12345678'");
     assert_true((word_in(client_print(client, "[a.i + 64]")) & UINT32_MAX)
                 == 0x12345678);
     set_variable(client, bits, "[3]", "1");
-    assert_true(word_in(value_of(client_inside(client, vector, ""), "[0]"))
-                    >> 60
-                & 1);
+    assert_true(word_in(value_of(client_inside(client, vector, ""), "[0]")) >> 60 & 1);
     client_refused(client, "no element", "setVariable",
                    "{\"variablesReference\": %d, \"name\": \"[4]\", "
                    "\"value\": \"1\"}",
@@ -236,8 +229,7 @@ static void try_set_expression(struct dap_client *client)
 {
     const struct json_value
         *body = client_ask(client, "setExpression",
-                           "{\"expression\": \"[%d]\", \"value\": \"2 * 3\"}",
-                           WORDS_B);
+                           "{\"expression\": \"[%d]\", \"value\": \"2 * 3\"}", WORDS_B);
 
     assert_int_equal(word_in(the_text(body, "value")), 6);
     assert_int_equal(word_in(client_print(client, "[b.words]")), 6);
@@ -250,8 +242,7 @@ static void try_goto(struct dap_client *client)
 {
     const struct json_value *target =
         the(client_ask(client, "gotoTargets",
-                       "{\"source\": {\"path\": \"%s\"}, \"line\": 15}",
-                       client_path),
+                       "{\"source\": {\"path\": \"%s\"}, \"line\": 15}", client_path),
             "targets");
 
     client_ask(client, "goto", "{\"threadId\": 1, \"targetId\": %d}",
@@ -262,8 +253,7 @@ static void try_goto(struct dap_client *client)
     client_refused(client, "no line of code", "goto",
                    "{\"threadId\": 1, \"targetId\": %d}", WORDS_A);
     client_ask(client, "continue", "{\"threadId\": 1}");
-    assert_int_equal(the_whole(client_event(client, "exited"), "exitCode"),
-                     3);
+    assert_int_equal(the_whole(client_event(client, "exited"), "exitCode"), 3);
     client_event(client, "terminated");
 }
 
@@ -287,14 +277,12 @@ static void try_exception_info(struct dap_client *client)
     const struct json_value *body;
 
     client_refused(client, "no trap", "exceptionInfo", NULL);
-    client_ask(
-        client, "setExpression",
-        "{\"expression\": \"r17\", \"value\": \"X'0004FFFF00000000'\"}");
+    client_ask(client, "setExpression",
+               "{\"expression\": \"r17\", \"value\": \"X'0004FFFF00000000'\"}");
     client_ask(client, "goto", "{\"threadId\": 1, \"targetId\": %d}", AGAIN);
     client_stopped(client, "goto");
-    client_ask(
-        client, "setExpression",
-        "{\"expression\": \"r16\", \"value\": \"X'0004FFFF00000000'\"}");
+    client_ask(client, "setExpression",
+               "{\"expression\": \"r16\", \"value\": \"X'0004FFFF00000000'\"}");
     body = client_ask(client, "continue", "{\"threadId\": 1}");
     body = client_stopped(client, "exception");
     assert_non_null(strstr(the_text(body, "text"), "trap unmapped-address"));
@@ -303,17 +291,16 @@ static void try_exception_info(struct dap_client *client)
     assert_non_null(strstr(the_text(body, "description"), "ADDNV"));
     client_ask(client, "setExceptionBreakpoints", "{\"filters\": []}");
     client_ask(client, "continue", "{\"threadId\": 1}");
-    assert_int_equal(the_whole(client_event(client, "exited"), "exitCode"),
-                     1);
+    assert_int_equal(the_whole(client_event(client, "exited"), "exitCode"), 1);
     client_event(client, "terminated");
     assert_non_null(strstr(client->output.text, "trap unmapped-address"));
 }
 
 static void try_some_frames(struct dap_client *client)
 {
-    const struct json_value *body =
-        client_ask(client, "stackTrace",
-                   "{\"threadId\": 1, \"startFrame\": 1, \"levels\": 1}");
+    const struct json_value
+        *body = client_ask(client, "stackTrace",
+                           "{\"threadId\": 1, \"startFrame\": 1, \"levels\": 1}");
 
     assert_int_equal(the_whole(body, "totalFrames"), 2);
     assert_int_equal(length_of(the(body, "stackFrames")), 1);
@@ -323,8 +310,7 @@ static void try_some_frames(struct dap_client *client)
 /* The library's have no path: their text is asked for. */
 static void try_sources(struct dap_client *client)
 {
-    const struct json_value *list = the(client_ask(client, "loadedSources",
-                                                   NULL),
+    const struct json_value *list = the(client_ask(client, "loadedSources", NULL),
                                         "sources");
     const struct json_value *core = element_with(list, "name", "core.s");
     const char *text;
@@ -336,13 +322,11 @@ static void try_sources(struct dap_client *client)
                                (int)the_whole(core, "sourceReference")),
                     "content");
     assert_non_null(strstr(text, ".macro  descriptor"));
-    text = the_text(client_ask(client, "source",
-                               "{\"source\": {\"path\": \"%s\"}}",
+    text = the_text(client_ask(client, "source", "{\"source\": {\"path\": \"%s\"}}",
                                client_path),
                     "content");
     assert_string_equal(text, client_program);
-    client_refused(client, "no such source", "source",
-                   "{\"sourceReference\": 99}");
+    client_refused(client, "no such source", "source", "{\"sourceReference\": 99}");
 }
 
 static void try_terminate(struct dap_client *client)
@@ -365,8 +349,7 @@ static void try_data_breakpoints(struct dap_client *client)
 
     client_go(client, "next", "step");
     client_go(client, "next", "step");
-    snprintf(text, sizeof text,
-             "{\"variablesReference\": %d, \"name\": \"[2]\"}",
+    snprintf(text, sizeof text, "{\"variablesReference\": %d, \"name\": \"[2]\"}",
              reference_of(client_variables(client, "Vectors"), "b"));
     client_ask(client, "setDataBreakpoints",
                "{\"breakpoints\": [{\"dataId\": \"%s\", \"accessType\": "
@@ -397,10 +380,10 @@ static void try_data_bytes(struct dap_client *client)
 
 static void try_read_memory(struct dap_client *client)
 {
-    const struct json_value *body = client_ask(
-        client, "readMemory",
-        "{\"memoryReference\": \"0x%X\", \"offset\": 1, \"count\": 8}",
-        WORDS_A);
+    const struct json_value *body =
+        client_ask(client, "readMemory",
+                   "{\"memoryReference\": \"0x%X\", \"offset\": 1, \"count\": 8}",
+                   WORDS_A);
 
     /* 1.5 is FFD2 6000 .., and FF of the next word ends it */
     assert_string_equal(the_text(body, "data"), "0mAAAAAAAP8=");
@@ -447,12 +430,12 @@ static void try_disassemble(struct dap_client *client)
 
 static void try_locations(struct dap_client *client)
 {
-    const struct json_value *list =
-        the(client_ask(client, "breakpointLocations",
-                       "{\"source\": {\"path\": \"%s\"}, \"line\": 1, "
-                       "\"endLine\": 12}",
-                       client_path),
-            "breakpoints");
+    const struct json_value
+        *list = the(client_ask(client, "breakpointLocations",
+                               "{\"source\": {\"path\": \"%s\"}, \"line\": 1, "
+                               "\"endLine\": 12}",
+                               client_path),
+                    "breakpoints");
     static const int lines[] = { 4, 5, 6, 7, 9, 10, 11 };
     const struct json_value *item = list->first;
 
@@ -503,8 +486,7 @@ static void try_instruction_breakpoints(struct dap_client *client)
 
 static const struct {
     const char *name;
-    void (*attempt)(
-        struct dap_client *client); /* from the first instruction */
+    void (*attempt)(struct dap_client *client); /* from the first instruction */
 } promises[] = {
     { "supportsConfigurationDoneRequest", try_configuration_done },
     { "supportsFunctionBreakpoints", try_function_breakpoints },
@@ -536,12 +518,10 @@ enum { PROMISES = COUNT(promises) };
 TEST(promises)
 {
     struct dap_client client;
-    const struct json_value *capabilities = client_launch(&client,
-                                                          client_program, "");
+    const struct json_value *capabilities = client_launch(&client, client_program, "");
     size_t promised = 0;
 
-    for (const struct json_value *item = capabilities->first; item;
-         item = item->next)
+    for (const struct json_value *item = capabilities->first; item; item = item->next)
         promised += item->kind == JSON_TRUTH && item->truth;
     assert_int_equal(promised, PROMISES);
     for (size_t i = 0; i < PROMISES; i++)

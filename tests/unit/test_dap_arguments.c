@@ -157,8 +157,7 @@ static void check_requests(struct dap_client *client, const char *only)
 
         if (only ? strcmp(arguments[i].request, only) != 0 : early)
             continue;
-        if (i == 0
-            || strcmp(arguments[i].request, arguments[i - 1].request) != 0)
+        if (i == 0 || strcmp(arguments[i].request, arguments[i - 1].request) != 0)
             check_no_object(client, arguments[i].request);
         check_argument(client, i);
     }
@@ -174,18 +173,18 @@ static void check_sources(struct dap_client *client)
             for (size_t k = 0; k < VALUES; k++)
                 if (!values[k].right[source_members[i].type])
                     client_refused(client, source_members[i].key, requests[r],
-                                   "{\"source\": {\"%s\": %s}}",
-                                   source_members[i].key, values[k].text);
+                                   "{\"source\": {\"%s\": %s}}", source_members[i].key,
+                                   values[k].text);
 }
 
 static void check_breakpoint(struct dap_client *client, const char *request,
                              const char *breakpoint, const char *said)
 {
-    const struct json_value *list = the(
-        client_ask(client, request,
-                   "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
-                   client_path, breakpoint),
-        "breakpoints");
+    const struct json_value *list =
+        the(client_ask(client, request,
+                       "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
+                       client_path, breakpoint),
+            "breakpoints");
 
     assert_int_equal(length_of(list), 1);
     if (json_member_truth(list->first, "verified", true)
@@ -202,10 +201,8 @@ static void check_breakpoints(struct dap_client *client)
         for (size_t k = 0; k < VALUES; k++) {
             if (values[k].right[members[i].type])
                 continue;
-            snprintf(text, sizeof text, "{\"%s\": %s}", members[i].key,
-                     values[k].text);
-            check_breakpoint(client, members[i].request, text,
-                             members[i].key);
+            snprintf(text, sizeof text, "{\"%s\": %s}", members[i].key, values[k].text);
+            check_breakpoint(client, members[i].request, text, members[i].key);
         }
     }
 }
@@ -242,8 +239,7 @@ TEST(defines)
         { "{\"N\": 1, \"r5\": 1}", "'r5' cannot be defined: it is a regis" },
         { "{\"N\": 1, \"a b\": 1}", "'a b' cannot be defined: it is no" },
         { "{\"N\": 1, \"\": 1}", "'' cannot be defined: it is no name" },
-        { "{\"N\": 1, \"SUMV\": 1}",
-          "'SUMV' cannot be defined: it is an in" },
+        { "{\"N\": 1, \"SUMV\": 1}", "'SUMV' cannot be defined: it is an in" },
         { "{\"N\": 1, \"M\": 1}", "'M' is defined, and not used" },
     };
     struct dap_client client;
@@ -255,8 +251,8 @@ TEST(defines)
         client_refused(&client, wrong[i].said, "launch",
                        "{\"program\": \"%s\", \"defines\": %s}", client_path,
                        wrong[i].defines);
-    client_ask(&client, "launch",
-               "{\"program\": \"%s\", \"defines\": {\"N\": 1}}", client_path);
+    client_ask(&client, "launch", "{\"program\": \"%s\", \"defines\": {\"N\": 1}}",
+               client_path);
     client_event(&client, "initialized");
     client_leave(&client);
 }

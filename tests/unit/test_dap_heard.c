@@ -25,15 +25,13 @@ TEST(running)
     client_stopped(&client, "pause");
     assert_int_equal(client_pc(&client), 0x400040);
     client_ask(&client, "continue", "{\"threadId\": 1}");
-    client_ask(
-        &client, "setBreakpoints",
-        "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [{\"line\": "
-        "2}]}",
-        client_path);
+    client_ask(&client, "setBreakpoints",
+               "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [{\"line\": "
+               "2}]}",
+               client_path);
     client_stopped(&client, "breakpoint");
     client_ask(&client, "setBreakpoints",
-               "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": []}",
-               client_path);
+               "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": []}", client_path);
     client_ask(&client, "reverseContinue", "{\"threadId\": 1}");
     client_stopped(&client, "entry");
     client_ask(&client, "continue", "{\"threadId\": 1}");
@@ -52,13 +50,11 @@ TEST(running_line)
     client_launch(&client, endless, ", \"stopOnEntry\": true");
     client_ask(&client, "configurationDone", NULL);
     client_stopped(&client, "entry");
-    client_tell(&client, "evaluate",
-                "{\"expression\": \"c\", \"context\": \"repl\"}");
+    client_tell(&client, "evaluate", "{\"expression\": \"c\", \"context\": \"repl\"}");
     client_ask(&client, "pause", "{\"threadId\": 1}");
     client.sent -= 3;
-    assert_non_null(
-        strstr(the_text(the(client_response(&client), "body"), "result"),
-               "interrupted"));
+    assert_non_null(strstr(the_text(the(client_response(&client), "body"), "result"),
+                           "interrupted"));
     client.sent += 3;
     client_stopped(&client, "goto");
     client_ask(&client, "continue", "{\"threadId\": 1}");
@@ -78,8 +74,7 @@ TEST(no_debug)
     client_launch(&client, "        STO [r0], r1\n",
                   ", \"noDebug\": true, \"stopOnEntry\": true");
     client_ask(&client, "configurationDone", NULL);
-    assert_int_equal(the_whole(client_event(&client, "exited"), "exitCode"),
-                     1);
+    assert_int_equal(the_whole(client_event(&client, "exited"), "exitCode"), 1);
     client_event(&client, "terminated");
     assert_non_null(strstr(client.output.text, "trap unmapped-address"));
     client_leave(&client);
@@ -106,8 +101,7 @@ TEST(wrong_order)
                    "{\"program\": \"x.s\", \"defines\": {\"N\": \"8\"}}");
     client_refused(&client, "no list of texts", "launch",
                    "{\"program\": \"x.s\", \"include\": [8]}");
-    client_refused(&client, "missing.s", "launch",
-                   "{\"program\": \"missing.s\"}");
+    client_refused(&client, "missing.s", "launch", "{\"program\": \"missing.s\"}");
     client_refused(&client, "no_such_model", "launch",
                    "{\"program\": \"asm/examples/dot.s\", \"model\": "
                    "\"no_such_model\"}");
@@ -118,19 +112,18 @@ TEST(wrong_order)
     client_write(client_program);
     client_ask(&client, "launch", "{\"program\": \"%s\"}", client_path);
     client_event(&client, "initialized");
-    client_refused(&client, "launched already", "launch",
-                   "{\"program\": \"%s\"}", client_path);
+    client_refused(&client, "launched already", "launch", "{\"program\": \"%s\"}",
+                   client_path);
     client_refused(&client, "configurationDone comes first", "continue",
                    "{\"threadId\": 1}");
-    assert_int_equal(
-        the_whole(the(client_ask(&client, "setBreakpoints",
-                                 "{\"source\": {\"path\": \"%s\"}, "
-                                 "\"breakpoints\": [{\"line\": 5}]}",
-                                 client_path),
-                      "breakpoints")
-                      ->first,
-                  "line"),
-        5); /* the sixth, counted from 0 */
+    assert_int_equal(the_whole(the(client_ask(&client, "setBreakpoints",
+                                              "{\"source\": {\"path\": \"%s\"}, "
+                                              "\"breakpoints\": [{\"line\": 5}]}",
+                                              client_path),
+                                   "breakpoints")
+                                   ->first,
+                               "line"),
+                     5); /* the sixth, counted from 0 */
     client_ask(&client, "configurationDone", NULL);
     client_stopped(&client, "breakpoint");
     assert_int_equal(the_whole(client_frames(&client)->first, "line"), 5);
@@ -138,14 +131,14 @@ TEST(wrong_order)
     client_leave(&client);
 }
 
-static void check_stop(struct dap_client *client, const char *request,
-                       const char *stop, const char *why)
+static void check_stop(struct dap_client *client, const char *request, const char *stop,
+                       const char *why)
 {
-    const struct json_value *list = the(
-        client_ask(client, request,
-                   "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
-                   client_path, stop),
-        "breakpoints");
+    const struct json_value *list =
+        the(client_ask(client, request,
+                       "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
+                       client_path, stop),
+            "breakpoints");
 
     assert_int_equal(length_of(list), 1);
     if (json_member_truth(list->first, "verified", true)
@@ -161,25 +154,18 @@ TEST(wrong_stops)
         { "setBreakpoints", "{\"line\": 1000}", "no code at line 1000" },
         { "setBreakpoints", "{\"line\": 9, \"condition\": \"1 +\"}",
           "expected a value" },
-        { "setBreakpoints", "{\"line\": 9, \"condition\": \"1 2\"}",
-          "to mean" },
-        { "setBreakpoints", "{\"line\": 9, \"hitCondition\": \"many\"}",
-          "to mean" },
-        { "setBreakpoints", "{\"line\": 9, \"logMessage\": \"x\"}",
-          "no log points" },
+        { "setBreakpoints", "{\"line\": 9, \"condition\": \"1 2\"}", "to mean" },
+        { "setBreakpoints", "{\"line\": 9, \"hitCondition\": \"many\"}", "to mean" },
+        { "setBreakpoints", "{\"line\": 9, \"logMessage\": \"x\"}", "no log points" },
         { "setBreakpoints", "{\"line\": \"x\"}", "no integer" },
-        { "setFunctionBreakpoints", "{\"name\": \"nobody\"}",
-          "nothing is called" },
+        { "setFunctionBreakpoints", "{\"name\": \"nobody\"}", "nothing is called" },
         { "setFunctionBreakpoints", "{}", "missing" },
         { "setInstructionBreakpoints", "{\"instructionReference\": \"x\"}",
           "no address" },
         { "setInstructionBreakpoints", "{}", "missing" },
-        { "setDataBreakpoints", "{\"dataId\": \"64, 1\"}",
-          "there are no words" },
-        { "setDataBreakpoints", "{\"dataId\": \"a.words, 65\"}",
-          "1 to 64 words" },
-        { "setDataBreakpoints",
-          "{\"dataId\": \"a.words\", \"accessType\": \"read\"}",
+        { "setDataBreakpoints", "{\"dataId\": \"64, 1\"}", "there are no words" },
+        { "setDataBreakpoints", "{\"dataId\": \"a.words, 65\"}", "1 to 64 words" },
+        { "setDataBreakpoints", "{\"dataId\": \"a.words\", \"accessType\": \"read\"}",
           "only what is written" },
     };
     struct dap_client client;
@@ -189,8 +175,7 @@ TEST(wrong_stops)
         check_stop(&client, wrong[i].request, wrong[i].stop, wrong[i].why);
     client_refused(&client, "no filter but", "setExceptionBreakpoints",
                    "{\"filters\": [\"all\"]}");
-    client_refused(&client, "no variables", "variables",
-                   "{\"variablesReference\": 0}");
+    client_refused(&client, "no variables", "variables", "{\"variablesReference\": 0}");
     client_refused(&client, "counted from 0", "variables",
                    "{\"variablesReference\": 262, \"start\": -1}");
     client_refused(&client, "'count' is", "readMemory",
@@ -238,20 +223,17 @@ TEST(broken)
 TEST(command_line)
 {
     static const char *const arguments[] = {
-        "--define",       "N=7",       "--warm", "--model",
-        "cyber205-1pipe", client_path, NULL
+        "--define", "N=7", "--warm", "--model", "cyber205-1pipe", client_path, NULL
     };
     struct dap_client client;
 
     client_write("        ES r10, N + M\n        EXIT r10, r0, 0\n");
     client_begin(&client, arguments);
     client_ask(&client, "initialize", NULL);
-    client_ask(&client, "launch",
-               "{\"defines\": {\"M\": 4}, \"include\": [\".\"]}");
+    client_ask(&client, "launch", "{\"defines\": {\"M\": 4}, \"include\": [\".\"]}");
     client_event(&client, "initialized");
     client_ask(&client, "configurationDone", NULL);
-    assert_int_equal(the_whole(client_event(&client, "exited"), "exitCode"),
-                     11);
+    assert_int_equal(the_whole(client_event(&client, "exited"), "exitCode"), 11);
     client_event(&client, "terminated");
     client_leave(&client);
 }

@@ -22,8 +22,7 @@ struct walk {
 static void check_moment(struct walk *walk, const char *request)
 {
     const struct moment *moment = &walk->plain.moments[walk->step];
-    const struct json_value *item,
-        *time = client_variables(&walk->client, "Time");
+    const struct json_value *item, *time = client_variables(&walk->client, "Time");
     char watched[40];
     size_t i = 0;
 
@@ -39,8 +38,7 @@ static void check_moment(struct walk *walk, const char *request)
     assert_int_equal(i, C205_REGISTERS);
     snprintf(watched, sizeof watched, "[%llu]",
              (unsigned long long)walk->plain.watched);
-    assert_true(word_in(client_print(&walk->client, watched))
-                == moment->watched);
+    assert_true(word_in(client_print(&walk->client, watched)) == moment->watched);
 }
 
 static bool is_stop(const struct walk *walk, size_t step)
@@ -70,8 +68,7 @@ static void choose_stops(struct walk *walk)
 }
 
 /* Why a motion ends where it does; of two stops the one that was set first is told. */
-static const char *reason_for(const struct walk *walk, const char *request,
-                              size_t from)
+static const char *reason_for(const struct walk *walk, const char *request, size_t from)
 {
     bool steps_back = strcmp(request, "stepBack") == 0;
 
@@ -81,8 +78,7 @@ static const char *reason_for(const struct walk *walk, const char *request,
         return steps_back && from > 0 ? "step" : "entry";
     if (steps_back || !is_stop(walk, walk->step))
         return "step";
-    return walk->has_place
-                   && walk->plain.moments[walk->step].pc == walk->place
+    return walk->has_place && walk->plain.moments[walk->step].pc == walk->place
                ? "instruction breakpoint"
                : "data breakpoint";
 }
@@ -124,8 +120,8 @@ static void move(struct walk *walk)
 static void check_disassembly(struct walk *walk)
 {
     enum { MOST = 60 };
-    const struct json_value *all = client_disassembled(&walk->client,
-                                                       0x400000, 0, MOST);
+    const struct json_value *all = client_disassembled(&walk->client, 0x400000, 0,
+                                                       MOST);
     int here = (int)below(MOST), before = (int)below((uint64_t)here + 1);
     const struct json_value *item = all->first, *from = all->first, *part;
 
@@ -134,12 +130,11 @@ static void check_disassembly(struct walk *walk)
     for (int i = 0; i < here - before; i++)
         from = from->next;
     part = client_disassembled(&walk->client,
-                               strtoull(the_text(item, "address"), NULL, 16),
-                               -before, before + 1)
+                               strtoull(the_text(item, "address"), NULL, 16), -before,
+                               before + 1)
                ->first;
     for (; part; part = part->next, from = from->next)
-        assert_string_equal(the_text(part, "address"),
-                            the_text(from, "address"));
+        assert_string_equal(the_text(part, "address"), the_text(from, "address"));
 }
 
 TEST(motions)
@@ -188,8 +183,7 @@ TEST(objects)
         client_launch_file(&walk.client, ", \"stopOnEntry\": true");
         client_ask(&walk.client, "configurationDone", NULL);
         client_stopped(&walk.client, "entry");
-        assert_null(
-            json_member(client_frames(&walk.client)->first, "source"));
+        assert_null(json_member(client_frames(&walk.client)->first, "source"));
         for (size_t k = 0; k < 20; k++)
             check_disassembly(&walk);
         client_leave(&walk.client);

@@ -22,8 +22,7 @@ TEST(paths)
     assert_non_null(getcwd(folder, 1000));
     client_begin(&client, NULL);
     client_ask(&client, "initialize", NULL);
-    client_ask(&client, "launch",
-               "{\"program\": \"asm/examples/saxpy_linked.s\"}");
+    client_ask(&client, "launch", "{\"program\": \"asm/examples/saxpy_linked.s\"}");
     client_event(&client, "initialized");
     for (size_t i = 0; i < COUNT(ways); i++) {
         stop = the(client_ask(&client, "setBreakpoints",
@@ -39,8 +38,7 @@ TEST(paths)
     stop = client_stopped(&client, "breakpoint");
     assert_int_equal(length_of(the(stop, "hitBreakpointIds")), 1);
     strcat(folder, "/asm/examples/saxpy_linked.s");
-    assert_string_equal(the_text(the(client_frames(&client)->first, "source"),
-                                 "path"),
+    assert_string_equal(the_text(the(client_frames(&client)->first, "source"), "path"),
                         folder);
     client_ask(&client, "disconnect", NULL);
     assert_int_equal(client_end(&client), 0);
@@ -53,8 +51,7 @@ TEST(library_lines)
     const struct json_value *core;
 
     client_enter(&client, client_program);
-    core = element_with(the(client_ask(&client, "loadedSources", NULL),
-                            "sources"),
+    core = element_with(the(client_ask(&client, "loadedSources", NULL), "sources"),
                         "name", "core.s");
     client_ask(&client, "setBreakpoints",
                "{\"source\": {\"name\": \"core.s\", \"sourceReference\": "
@@ -105,16 +102,11 @@ TEST(elements)
             item = client_inside(&client, reference, range)->first;
             for (; item; item = item->next, i++)
                 assert_string_equal(the_text(item, "value"), values[i]);
-            assert_int_equal(i, count == 0 || start + count > 4
-                                    ? 4
-                                    : start + count);
+            assert_int_equal(i, count == 0 || start + count > 4 ? 4 : start + count);
         }
-    assert_string_equal(value_of(list, "ADDNV [mask]"),
-                        "bits from 800200 on");
-    item = element_with(client_variables(&client, "Registers"), "name",
-                        "mask");
-    item = client_inside(&client, (int)the_whole(item, "variablesReference"),
-                         "");
+    assert_string_equal(value_of(list, "ADDNV [mask]"), "bits from 800200 on");
+    item = element_with(client_variables(&client, "Registers"), "name", "mask");
+    item = client_inside(&client, (int)the_whole(item, "variablesReference"), "");
     assert_int_equal(length_of(item), 2 + 4); /* it could be words, too */
     client_leave(&client);
 }
@@ -128,14 +120,12 @@ static void check_accounts(struct dap_client *client, const c205 *machine)
     for (size_t i = 0; i < c205_account_count(machine); i++) {
         const c205_account *account = c205_account_at(machine, i);
         const char *name = *account->name ? account->name : "outside regions";
-        const struct json_value *list = client_inside(client,
-                                                      reference_of(time,
-                                                                   name),
+        const struct json_value *list = client_inside(client, reference_of(time, name),
                                                       "");
 
         for (int cause = 0; cause < C205_CAUSES; cause++) {
-            uint64_t clocks = strtoull(value_of(list, c205_cause_name(
-                                                          (c205_cause)cause)),
+            uint64_t clocks = strtoull(value_of(list,
+                                                c205_cause_name((c205_cause)cause)),
                                        NULL, 10);
 
             assert_int_equal(clocks, account->clocks[cause]);
@@ -173,8 +163,7 @@ TEST(time)
 
 /* ---- The extension ----------------------------------------------------------------------------------- */
 
-static const struct json_value *read_file(struct arena *arena,
-                                          const char *name)
+static const struct json_value *read_file(struct arena *arena, const char *name)
 {
     char whole[100];
     c205_error error = { "" };
@@ -194,11 +183,9 @@ static const struct json_value *read_file(struct arena *arena,
 }
 
 /* Members with their defaults, as the editor proposes them, but for the program. */
-static void put_defaults(struct json *json,
-                         const struct json_value *properties)
+static void put_defaults(struct json *json, const struct json_value *properties)
 {
-    for (const struct json_value *item = properties->first; item;
-         item = item->next) {
+    for (const struct json_value *item = properties->first; item; item = item->next) {
         const char *type = the_text(item, "type");
         const struct json_value *value = the(item, "default");
 
@@ -209,8 +196,7 @@ static void put_defaults(struct json *json,
         else if (strcmp(type, "boolean") == 0)
             json_truth(json, item->key, value->truth);
         else {
-            (strcmp(type, "array") == 0 ? json_array
-                                        : json_object)(json, item->key);
+            (strcmp(type, "array") == 0 ? json_array : json_object)(json, item->key);
             json_end(json);
         }
     }
@@ -224,8 +210,8 @@ TEST(extension)
     struct arena arena = { 0 };
     c205_error error;
     const struct json_value *package = read_file(&arena, "package.json");
-    const struct json_value
-        *entry = the(the(package, "contributes"), "debuggers")->first;
+    const struct json_value *entry = the(the(package, "contributes"), "debuggers")
+                                         ->first;
     struct json *json = json_open_line(&launch_text, &error);
 
     read_file(&arena, "language-configuration.json");
@@ -235,9 +221,8 @@ TEST(extension)
     assert_string_equal(the(entry, "args")->first->text, "debug");
     assert_string_equal(the(entry, "args")->first->next->text, "--dap");
     client_write(client_program);
-    put_defaults(json,
-                 the(the(the(entry, "configurationAttributes"), "launch"),
-                     "properties"));
+    put_defaults(json, the(the(the(entry, "configurationAttributes"), "launch"),
+                           "properties"));
     assert_true(json_close(json, &error));
     client_begin(&client, NULL);
     client_ask(&client, "initialize", NULL);

@@ -6,10 +6,10 @@
 
 enum { LINES = 300, ROUNDS = 4 };
 
-static const char *const programs[] = {
-    "asm/examples/dot.s", "asm/examples/horner.s", "asm/examples/lookup.s",
-    "asm/examples/saxpy_scalar.s", "asm/examples/sieve.s"
-};
+static const char *const programs[] = { "asm/examples/dot.s", "asm/examples/horner.s",
+                                        "asm/examples/lookup.s",
+                                        "asm/examples/saxpy_scalar.s",
+                                        "asm/examples/sieve.s" };
 enum { PROGRAMS = COUNT(programs) };
 
 static struct plain run_file(const char *path)
@@ -34,35 +34,30 @@ struct told {
 static bool enters(const struct plain *plain, const char *region, size_t step)
 {
     return strcmp(plain_region(plain, plain->moments[step].pc), region) == 0
-           && strcmp(plain_region(plain, plain->moments[step - 1].pc), region)
-                  != 0;
+           && strcmp(plain_region(plain, plain->moments[step - 1].pc), region) != 0;
 }
 
-static bool stops_at(const struct plain *plain, const struct told *told,
-                     size_t step)
+static bool stops_at(const struct plain *plain, const struct told *told, size_t step)
 {
     const struct moment *now = &plain->moments[step];
 
     if (step == 0 || step == plain->end)
         return false;
-    return (told->by_place && now->pc == told->place
-            && step % told->every == 0)
+    return (told->by_place && now->pc == told->place && step % told->every == 0)
            || (told->region && enters(plain, told->region, step))
            || (told->by_watch && now->watched != now[-1].watched);
 }
 
-static bool begins_with_stop(const struct plain *plain,
-                             const struct told *told)
+static bool begins_with_stop(const struct plain *plain, const struct told *told)
 {
     uint64_t pc = plain->moments[0].pc;
 
     return (told->by_place && pc == told->place)
-           || (told->region
-               && strcmp(plain_region(plain, pc), told->region) == 0);
+           || (told->region && strcmp(plain_region(plain, pc), told->region) == 0);
 }
 
-static size_t on_from(const struct plain *plain, const struct told *told,
-                      size_t step, uint64_t count)
+static size_t on_from(const struct plain *plain, const struct told *told, size_t step,
+                      uint64_t count)
 {
     while (step < plain->end && count-- > 0)
         if (stops_at(plain, told, ++step))
@@ -70,8 +65,7 @@ static size_t on_from(const struct plain *plain, const struct told *told,
     return step;
 }
 
-static size_t back_from(const struct plain *plain, const struct told *told,
-                        size_t step)
+static size_t back_from(const struct plain *plain, const struct told *told, size_t step)
 {
     while (step > 0 && !stops_at(plain, told, --step))
         continue;
@@ -87,8 +81,8 @@ static size_t to_clock(const struct plain *plain, size_t step, uint64_t clock)
     return step;
 }
 
-static size_t to_place(const struct plain *plain, const struct told *told,
-                       size_t step, uint64_t place)
+static size_t to_place(const struct plain *plain, const struct told *told, size_t step,
+                       uint64_t place)
 {
     while (step < plain->end) {
         step++;
@@ -117,8 +111,7 @@ static void choose_place(struct session *session)
     char line[80];
 
     session->told.by_place = true;
-    session->told.place = session->plain->moments[below(session->plain->end)]
-                              .pc;
+    session->told.place = session->plain->moments[below(session->plain->end)].pc;
     session->told.every = 1 + below(below(2) ? 3 : 97);
     obey(session, "delete");
     session->told.by_watch = false;
@@ -135,8 +128,7 @@ static void choose_region(struct session *session)
 
     if (session->told.region || program->region_count == 0)
         return;
-    session->told.region = program->regions[below(program->region_count)]
-                               .name;
+    session->told.region = program->regions[below(program->region_count)].name;
     snprintf(line, sizeof line, "break region %s", session->told.region);
     obey(session, line);
 }
@@ -182,9 +174,7 @@ static size_t draw_line(struct session *session, char line[80])
         return to_clock(plain, step, number);
     case 6:
         strcpy(line, "run");
-        return begins_with_stop(plain, told)
-                   ? 0
-                   : on_from(plain, told, 0, UINT64_MAX);
+        return begins_with_stop(plain, told) ? 0 : on_from(plain, told, 0, UINT64_MAX);
     default:
         number = plain->moments[below(plain->end)].pc;
         snprintf(line, 80, "until *%llu", (unsigned long long)number);
@@ -202,11 +192,9 @@ static void check_place(const struct session *session, const char *line)
         || memcmp(&found, expected, sizeof found) != 0)
         fail_msg(
             "'%s' (watch %d, place %d every %zu, region %s): step %llu, not %zu, or another state; it said %s",
-            line, session->told.by_watch, session->told.by_place,
-            session->told.every,
+            line, session->told.by_watch, session->told.by_place, session->told.every,
             session->told.region ? session->told.region : "none",
-            (unsigned long long)c205_history_step(
-                session->debug.debugger->history),
+            (unsigned long long)c205_history_step(session->debug.debugger->history),
             session->step, session->debug.said.text);
 }
 
@@ -219,8 +207,7 @@ static void move(struct session *session)
     check_place(session, line);
 }
 
-static void begin(struct session *session, const struct plain *plain,
-                  const char *name)
+static void begin(struct session *session, const struct plain *plain, const char *name)
 {
     *session = (struct session){ .plain = plain };
     session_begin(&session->debug, plain->object, name);
@@ -270,8 +257,7 @@ TEST(far_back)
         obey(&session, line);
         check_place(&session, line);
         obey(&session, "rc");
-        assert_int_equal(c205_history_step(session.debug.debugger->history),
-                         STOP);
+        assert_int_equal(c205_history_step(session.debug.debugger->history), STOP);
     }
     end(&session);
 }

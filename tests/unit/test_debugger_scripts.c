@@ -32,8 +32,7 @@ static struct object *open_example(const char *path)
 static struct object *open_drawn(void)
 {
     char text[DRAWN_TEXT + LINE];
-    int length = sprintf(text, "        .equ    n, %d\n",
-                         1 + (int)below(200));
+    int length = sprintf(text, "        .equ    n, %d\n", 1 + (int)below(200));
 
     draw_program(&random_state, text + length);
     return good(text);
@@ -69,15 +68,12 @@ static uint64_t draw_address(const struct object *object, bool code)
 static void draw_place(const struct object *object, script_line place)
 {
     const c205_program *program = &object->program;
-    const struct asm_symbol
-        *symbol = &object->symbols[below(object->symbol_count)];
+    const struct asm_symbol *symbol = &object->symbols[below(object->symbol_count)];
     static const char *const insns[] = { "EXIT", "ADDN",  "LOD", "STO",
                                          "EX",   "MPYSV", "ES",  "LINKV" };
 
     switch (below(5)) {
-    case 0:
-        snprintf(place, LINE, "insn %s", pick(insns, COUNT(insns)));
-        break;
+    case 0: snprintf(place, LINE, "insn %s", pick(insns, COUNT(insns))); break;
     case 1:
         if (program->region_count > 0) {
             snprintf(place, LINE, "region %s", program->regions[0].name);
@@ -91,18 +87,16 @@ static void draw_place(const struct object *object, script_line place)
         }
         /* fall through */
     default:
-        snprintf(place, LINE, "*%llu",
-                 (unsigned long long)draw_address(object, true));
+        snprintf(place, LINE, "*%llu", (unsigned long long)draw_address(object, true));
     }
 }
 
 static void draw_value(const struct object *object, script_line value)
 {
     static const char *const values[] = {
-        "step",           "clock",      "pc",
-        "$step % 7 == 0", "r10",        "h21",
-        "r50.i",          "r14 + 1",    "clock / 3",
-        "r12 < 4 || r13", "!(r15 - 2)", "r50.length * 2",
+        "step",       "clock",          "pc",      "$step % 7 == 0", "r10",
+        "h21",        "r50.i",          "r14 + 1", "clock / 3",      "r12 < 4 || r13",
+        "!(r15 - 2)", "r50.length * 2",
     };
 
     if (below(3) == 0)
@@ -119,9 +113,8 @@ static void draw_motion(const struct object *object, script_line line)
         "",     "continue", "c 2", "reverse-continue", "rc", "run",
         "next", "step",     "rs",  "goto 0",
     };
-    static const char *const counted[] = { "step",         "next",
-                                           "reverse-step", "goto",
-                                           "goto clock",   "continue" };
+    static const char *const counted[] = { "step", "next",       "reverse-step",
+                                           "goto", "goto clock", "continue" };
 
     switch (below(5)) {
     case 0:
@@ -153,15 +146,12 @@ static void draw_view(const struct object *object, script_line line)
         snprintf(line, LINE, "print %.60s", value);
         break;
     case 1:
-        snprintf(line, LINE, "x/%d%c %llu", 1 + (int)below(8),
-                 formats[below(5)],
+        snprintf(line, LINE, "x/%d%c %llu", 1 + (int)below(8), formats[below(5)],
                  (unsigned long long)draw_address(object, below(2)));
         break;
     case 2:
-        snprintf(line, LINE, "%s *%llu, %d",
-                 below(2) ? "list" : "disassemble",
-                 (unsigned long long)draw_address(object, true),
-                 1 + (int)below(6));
+        snprintf(line, LINE, "%s *%llu, %d", below(2) ? "list" : "disassemble",
+                 (unsigned long long)draw_address(object, true), 1 + (int)below(6));
         break;
     default: snprintf(line, LINE, "%s", pick(plain, COUNT(plain)));
     }
@@ -176,8 +166,7 @@ static void draw_stop(const struct object *object, script_line line)
     draw_value(object, value);
     if (below(3) == 0)
         snprintf(line, LINE, "watch %llu, %d",
-                 (unsigned long long)draw_address(object, false),
-                 1 + (int)below(3));
+                 (unsigned long long)draw_address(object, false), 1 + (int)below(3));
     else if (below(3) == 0)
         snprintf(line, LINE, "break %.30s if %.30s", place, value);
     else
@@ -194,13 +183,11 @@ static void draw_change(const struct object *object, script_line line)
     case 0: snprintf(line, LINE, "tbreak %.60s", place); break;
     case 1: snprintf(line, LINE, "delete %d", 1 + (int)below(4)); break;
     case 2:
-        snprintf(line, LINE, "set r%d = %d", 10 + (int)below(50),
-                 (int)below(1000));
+        snprintf(line, LINE, "set r%d = %d", 10 + (int)below(50), (int)below(1000));
         break;
     case 3:
         snprintf(line, LINE, "set [%llu] = %d.5",
-                 (unsigned long long)draw_address(object, false),
-                 (int)below(100));
+                 (unsigned long long)draw_address(object, false), (int)below(100));
         break;
     default: strcpy(line, below(4) ? "info breaks" : "delete");
     }
@@ -243,8 +230,7 @@ static struct debugger *begin(const struct object *object, const char *name,
     return debugger;
 }
 
-static void obey(struct debugger *debugger, struct text_buffer *said,
-                 const char *line)
+static void obey(struct debugger *debugger, struct text_buffer *said, const char *line)
 {
     struct sink sink = text_buffer_sink(said);
 
@@ -266,8 +252,8 @@ static struct text_buffer play(const struct object *object, const char *name,
     return said;
 }
 
-static void check_same(const struct text_buffer *one,
-                       const struct text_buffer *other, const char *name)
+static void check_same(const struct text_buffer *one, const struct text_buffer *other,
+                       const char *name)
 {
     if (one->length != other->length
         || memcmp(one->text, other->text, one->length) != 0)
@@ -276,8 +262,7 @@ static void check_same(const struct text_buffer *one,
 
 /* Two in turn, line by line, know nothing of each other. */
 static void check_in_turn(const struct object *object, const char *name,
-                          script_line *lines,
-                          const struct text_buffer *expected)
+                          script_line *lines, const struct text_buffer *expected)
 {
     struct text_buffer said[2] = { { 0 }, { 0 } };
     struct debugger *debugger[2];
@@ -336,8 +321,7 @@ static void check_anew(const struct object *object, const char *name)
 {
     enum { STOPS = 3 };
     struct text_buffer before = { 0 }, said[2] = { { 0 }, { 0 } };
-    struct sink sink[2] = { text_buffer_sink(&said[0]),
-                            text_buffer_sink(&said[1]) };
+    struct sink sink[2] = { text_buffer_sink(&said[0]), text_buffer_sink(&said[1]) };
     static script_line lines[LINES];
     struct debugger *debugger = begin(object, name, &before);
 

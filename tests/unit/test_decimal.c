@@ -12,8 +12,7 @@ static c205_word draw_short(void)
 {
     double number = (double)xorshift_between(&state, -100000, 100000);
 
-    return c205_from_double(number
-                            / (double)(1 << xorshift_between(&state, 0, 12)));
+    return c205_from_double(number / (double)(1 << xorshift_between(&state, 0, 12)));
 }
 
 /* 9.99 .., of any size. */
@@ -23,8 +22,7 @@ static c205_word draw_below_power(void)
     char text[60];
     const char *end;
 
-    snprintf(text, sizeof text, "%.*se%d",
-             (int)xorshift_between(&state, 3, 16), nines,
+    snprintf(text, sizeof text, "%.*se%d", (int)xorshift_between(&state, 3, 16), nines,
              (int)xorshift_between(&state, -8000, 8000));
     return c205_from_text(text, &end);
 }
@@ -41,8 +39,7 @@ static c205_word draw(void)
         double ten = 1;
         for (int64_t i = xorshift_between(&state, 0, 13); i > 0; i--)
             ten *= 10;
-        return c205_from_double(ten)
-               + (c205_word)xorshift_between(&state, -2, 2);
+        return c205_from_double(ten) + (c205_word)xorshift_between(&state, -2, 2);
     }
     default: return xorshift_normalised(&state, -90, 0);
     }
@@ -94,8 +91,8 @@ static void check(c205_word word, c205_notation notation, unsigned digits)
     if (*exact == '-' && !strpbrk(exact, "123456789"))
         memmove(exact, exact + 1, strlen(exact));
     if (strcmp(text, exact) != 0)
-        fail_msg("%016llx, %u digits: %s should be %s",
-                 (unsigned long long)word, digits, text, exact);
+        fail_msg("%016llx, %u digits: %s should be %s", (unsigned long long)word,
+                 digits, text, exact);
 }
 
 TEST(digits)

@@ -9,8 +9,7 @@
 #include <mpfr.h>
 
 typedef int of_one(mpfr_t value, const mpfr_t x, mpfr_rnd_t rounding);
-typedef int of_two(mpfr_t value, const mpfr_t x, const mpfr_t y,
-                   mpfr_rnd_t rounding);
+typedef int of_two(mpfr_t value, const mpfr_t x, const mpfr_t y, mpfr_rnd_t rounding);
 
 static const struct {
     const char *name;
@@ -43,8 +42,7 @@ static uint64_t state = 205;
 static double draw(double least, double most)
 {
     double share = xorshift_real(&state, 0, 1);
-    double from = xorshift(&state) % 4 > 0 && least < -8 ? fmax(least, -8)
-                                                         : least;
+    double from = xorshift(&state) % 4 > 0 && least < -8 ? fmax(least, -8) : least;
     double to = xorshift(&state) % 4 > 0 && most > 5 ? fmin(most, 5) : most;
     double x = exp2(from + share * (to - from));
 
@@ -89,8 +87,7 @@ static double as_double2(of_two *exact, double x, double y)
     return rounded;
 }
 
-static void assert_same(const char *name, double x, double y, double ours,
-                        double exact)
+static void assert_same(const char *name, double x, double y, double ours, double exact)
 {
     if (ours == exact || (isnan(ours) && isnan(exact)))
         return;
@@ -116,8 +113,7 @@ TEST(near_one)
         double x = i % 2 == 0 ? 1 + off : 1 - off;
 
         assert_same("log", x, 0, elementary_log(x), as_double(mpfr_log, x));
-        assert_same("log10", x, 0, elementary_log10(x),
-                    as_double(mpfr_log10, x));
+        assert_same("log10", x, 0, elementary_log10(x), as_double(mpfr_log10, x));
         assert_same("acosh", 1 + off, 0, elementary_acosh(1 + off),
                     as_double(mpfr_acosh, 1 + off));
     }
@@ -145,8 +141,7 @@ TEST(of_two)
         assert_same("hypot", x, y, elementary_hypot(x, y),
                     as_double2(mpfr_hypot, x, y));
         if (fabs(log2(fabs(x)) * e) < 1000)
-            assert_same("pow", x, e, elementary_pow(x, e),
-                        as_double2(mpfr_pow, x, e));
+            assert_same("pow", x, e, elementary_pow(x, e), as_double2(mpfr_pow, x, e));
     }
 }
 
@@ -168,10 +163,9 @@ TEST(halfway)
 /* Where there is no value, or no finite one, C says what it is. */
 TEST(ends)
 {
-    static const double ends[] = { 0,      -0.,     1,        -1,
-                                   2,      -2,      1e308,    -1e308,
-                                   1e-320, -1e-320, INFINITY, -INFINITY,
-                                   NAN };
+    static const double ends[] = { 0,        -0.,       1,      -1,     2,
+                                   -2,       1e308,     -1e308, 1e-320, -1e-320,
+                                   INFINITY, -INFINITY, NAN };
     for (size_t i = 0; i < COUNT(ends); i++) {
         double x = ends[i];
 
@@ -182,8 +176,7 @@ TEST(ends)
         for (size_t k = 0; k < COUNT(ends); k++) {
             assert_same("atan2", x, ends[k], elementary_atan2(x, ends[k]),
                         atan2(x, ends[k]));
-            assert_same("pow", x, ends[k], elementary_pow(x, ends[k]),
-                        pow(x, ends[k]));
+            assert_same("pow", x, ends[k], elementary_pow(x, ends[k]), pow(x, ends[k]));
         }
     }
 }

@@ -48,8 +48,8 @@ struct emitted_point {
 };
 
 static void run(const struct emission *emission, size_t count,
-                const struct emission_choice *choice,
-                struct emitted_point *points, struct accounts *accounts)
+                const struct emission_choice *choice, struct emitted_point *points,
+                struct accounts *accounts)
 {
     static c205_word planes[EMITTED_PLANES * EMISSION_MOST];
     c205_error error = { "" };
@@ -68,8 +68,7 @@ static void run(const struct emission *emission, size_t count,
     }
 }
 
-static void emit(const struct primitive *primitive,
-                 struct emission_options options,
+static void emit(const struct primitive *primitive, struct emission_options options,
                  struct emission_choice choice, struct emitted_point *points)
 {
     struct emission *emission = begin(primitive, options);
@@ -168,12 +167,11 @@ static size_t count_astray(const struct primitive *primitive,
 static void check_surface(enum primitive_kind kind)
 {
     struct primitive primitive = draw_emitting(kind, &state);
-    struct emission_options options = { TRACE_VECTOR, 500, POINTS,
-                                        between(0, 1), NULL };
+    struct emission_options options = { TRACE_VECTOR, 500, POINTS, between(0, 1),
+                                        NULL };
 
     emit(&primitive, options, some_choice(), emitted[0]);
-    assert_in_range(count_astray(&primitive, emitted[0], POINTS), 0,
-                    POINTS / 1000);
+    assert_in_range(count_astray(&primitive, emitted[0], POINTS), 0, POINTS / 1000);
 }
 
 TEST(surfaces)
@@ -196,22 +194,20 @@ static void add_to(struct mean *mean, double value)
 }
 
 /* Within so many standard errors, and what else may be off. */
-static void assert_mean(const struct mean *mean, double expected,
-                        double sigmas, double more)
+static void assert_mean(const struct mean *mean, double expected, double sigmas,
+                        double more)
 {
     double found = mean->sum / mean->count;
     double variance = mean->squares / mean->count - found * found;
 
-    assert_near(found, expected,
-                sigmas * sqrt(fmax(variance, 0) / mean->count) + more);
+    assert_near(found, expected, sigmas * sqrt(fmax(variance, 0) / mean->count) + more);
 }
 
 /* Weights: the area; points by their weights: the middle of the surface. */
 static void check_area(enum primitive_kind kind)
 {
     struct primitive primitive = draw_emitting(kind, &state);
-    struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false,
-                                        NULL };
+    struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };
     struct plain_area expected = plain_area(&primitive);
     struct mean area = { 0 }, moments[3] = { { 0 } };
     double slack = 1e-5 * expected.area;
@@ -237,8 +233,7 @@ TEST(areas)
 }
 
 /* Where all parts of a surface are alike each weight is its area. */
-static void assert_every_weight(const struct primitive *primitive,
-                                double area)
+static void assert_every_weight(const struct primitive *primitive, double area)
 {
     struct emission_options options = { TRACE_VECTOR, 100, 100, false, NULL };
 
@@ -256,8 +251,7 @@ TEST(exact_areas)
                                   .shape.cylinder = {
                                       { 0, 0, 0 }, { 0, 2, 0 }, .5, false } };
     struct primitive box = { .kind = PRIMITIVE_BOX,
-                             .shape.box = {
-                                 { { -1, -.5, -.25 }, { 1, .5, .25 } } } };
+                             .shape.box = { { { -1, -.5, -.25 }, { 1, .5, .25 } } } };
     struct placement turned = placement_rotation((double[]){ 0, 0, 30 });
 
     move_shape(&sphere, &placement_none);
@@ -271,10 +265,8 @@ TEST(exact_areas)
 /* The torus of massprops.csv, whose weights are not the same. */
 TEST(torus_area)
 {
-    struct primitive torus = { .kind = PRIMITIVE_TORUS,
-                               .shape.torus = { 1, .25 } };
-    struct emission_options options = { TRACE_VECTOR, 2000, 16384, true,
-                                        NULL };
+    struct primitive torus = { .kind = PRIMITIVE_TORUS, .shape.torus = { 1, .25 } };
+    struct emission_options options = { TRACE_VECTOR, 2000, 16384, true, NULL };
     struct emission_choice choice = { .seed = 1, .m = 14 };
     struct mean area = { 0 };
 
@@ -292,8 +284,7 @@ TEST(accuracy)
 {
     struct primitive sphere = { .kind = PRIMITIVE_SPHERE,
                                 .shape.sphere = { { 0, 0, 0 }, 1 } };
-    struct emission_options options = { TRACE_VECTOR, 2000, 20000, false,
-                                        NULL };
+    struct emission_options options = { TRACE_VECTOR, 2000, 20000, false, NULL };
     struct emission_choice choice = some_choice();
     static const long double turn = 6.283185307179586476925286766559L;
     double most = 0;
@@ -301,22 +292,16 @@ TEST(accuracy)
     move_shape(&sphere, &placement_none);
     emit(&sphere, options, choice, emitted[0]);
     for (size_t i = 0; i < options.points; i++) {
-        long double u = stream_word(choice.seed, choice.first + i, 0)
-                        * 0x1p-47L;
-        long double t = stream_word(choice.seed, choice.first + i, 1)
-                        * 0x1p-47L;
+        long double u = stream_word(choice.seed, choice.first + i, 0) * 0x1p-47L;
+        long double t = stream_word(choice.seed, choice.first + i, 1) * 0x1p-47L;
         long double r = 2 * sqrtl(u * (1 - u));
         const c205_word *spot = emitted[0][i].spot;
 
-        most = fmax(most, (double)fabsl(c205_to_double(spot[0])
-                                        - r * cosl(turn * t)));
-        most = fmax(most,
-                    (double)fabsl(c205_to_double(spot[1]) - (1 - 2 * u)));
-        most = fmax(most, (double)fabsl(c205_to_double(spot[2])
-                                        - r * sinl(turn * t)));
+        most = fmax(most, (double)fabsl(c205_to_double(spot[0]) - r * cosl(turn * t)));
+        most = fmax(most, (double)fabsl(c205_to_double(spot[1]) - (1 - 2 * u)));
+        most = fmax(most, (double)fabsl(c205_to_double(spot[2]) - r * sinl(turn * t)));
     }
-    print_message("points of the unit circle: off by %.1e at the most\n",
-                  most);
+    print_message("points of the unit circle: off by %.1e at the most\n", most);
     assert_true(most < 3e-13);
 }
 
@@ -326,8 +311,7 @@ static void check_cosines(const struct emission_choice *choice,
 {
     for (size_t i = 0; i < count; i++) {
         double face[3], ray[3];
-        double u = (double)stream_word(choice->seed, choice->first + i, 2)
-                   * 0x1p-47;
+        double u = (double)stream_word(choice->seed, choice->first + i, 2) * 0x1p-47;
 
         read_vector(points[i].face, face);
         read_vector(points[i].ray, ray);
@@ -361,12 +345,11 @@ static void check_moments(const struct emitted_point *points, size_t count)
 
 TEST(cosine_law)
 {
-    struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false,
-                                        NULL };
+    struct emission_options options = { TRACE_VECTOR, 2000, 5 * POINTS, false, NULL };
 
     for (size_t i = 0; i < tries * EMITTING_KINDS; i++) {
-        struct primitive primitive =
-            draw_emitting(emitting_kinds[i % EMITTING_KINDS], &state);
+        struct primitive primitive = draw_emitting(emitting_kinds[i % EMITTING_KINDS],
+                                                   &state);
         struct emission_choice choice = some_choice();
 
         emit(&primitive, options, choice, emitted[0]);
@@ -382,8 +365,7 @@ static void compare_forms(enum primitive_kind kind)
 {
     struct primitive primitive = draw_emitting(kind, &state);
     size_t count = between(2, 3000), cut = between(1, count - 1);
-    struct emission_options options = { TRACE_SCALAR, 0, count, between(0, 1),
-                                        NULL };
+    struct emission_options options = { TRACE_SCALAR, 0, count, between(0, 1), NULL };
     struct emission_choice choice = some_choice();
 
     choice.first %= 1048576 - count;
@@ -412,8 +394,7 @@ TEST(forms)
 static double share_through(const struct primitive *primitive, double height,
                             bool (*within)(const double point[3]))
 {
-    struct emission_options options = { TRACE_VECTOR, 2000, 60000, false,
-                                        NULL };
+    struct emission_options options = { TRACE_VECTOR, 2000, 60000, false, NULL };
     size_t through = 0;
 
     emit(primitive, options, some_choice(), emitted[0]);
@@ -458,8 +439,7 @@ TEST(factors)
     struct primitive square = { .kind = PRIMITIVE_MESH,
                                 .shape.mesh.triangles = { 2, halves } };
     struct primitive disc = { .kind = PRIMITIVE_DISC,
-                              .shape.disc = {
-                                  { 0, 0, 0 }, { 0, 1, 0 }, 1, 0 } };
+                              .shape.disc = { { 0, 0, 0 }, { 0, 1, 0 }, 1, 0 } };
 
     move_shape(&square, &placement_none);
     move_shape(&disc, &placement_none);
@@ -471,8 +451,7 @@ TEST(factors)
 /* ---- What is refused -------------------------------------------------------- */
 
 static void assert_no_emission(const struct primitive *primitive,
-                               struct emission_options options,
-                               const char *message)
+                               struct emission_options options, const char *message)
 {
     c205_error error = { "" };
 
@@ -501,8 +480,7 @@ TEST(refused)
     assert_no_emission(&primitive, options,
                        "the torus of line 7: a torus that meets itself");
     primitive.kind = PRIMITIVE_PLANE;
-    assert_no_emission(&primitive, options,
-                       "the plane of line 7: a plane has no end");
+    assert_no_emission(&primitive, options, "the plane of line 7: a plane has no end");
     for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
         if (!emits((enum primitive_kind)kind) && kind != PRIMITIVE_PLANE) {
             primitive.kind = (enum primitive_kind)kind;
@@ -516,20 +494,16 @@ TEST(options)
     struct primitive primitive = draw_emitting(PRIMITIVE_SPHERE, &state);
 
     assert_no_emission(&primitive,
-                       (struct emission_options){ TRACE_KERNELS, 10, 10,
-                                                  false, NULL },
+                       (struct emission_options){ TRACE_KERNELS, 10, 10, false, NULL },
                        "scalar or vector");
     assert_no_emission(&primitive,
-                       (struct emission_options){ TRACE_SCALAR, 0, 0, false,
-                                                  NULL },
+                       (struct emission_options){ TRACE_SCALAR, 0, 0, false, NULL },
                        "0 points");
     assert_no_emission(&primitive,
-                       (struct emission_options){ TRACE_SCALAR, 0, 65536,
-                                                  false, NULL },
+                       (struct emission_options){ TRACE_SCALAR, 0, 65536, false, NULL },
                        "65536 points");
     assert_no_emission(&primitive,
-                       (struct emission_options){ TRACE_VECTOR, 0, 10, false,
-                                                  NULL },
+                       (struct emission_options){ TRACE_VECTOR, 0, 10, false, NULL },
                        "a queue of 0 points");
 }
 
@@ -563,8 +537,7 @@ TEST(alias)
 
 /* ---- What a point costs ----------------------------------------------------- */
 
-static double clocks_a_point(const struct accounts *accounts,
-                             const char *region)
+static double clocks_a_point(const struct accounts *accounts, const char *region)
 {
     c205_account account = region ? *accounts_find(accounts, region)
                                   : accounts_together(accounts);
@@ -575,25 +548,22 @@ static double clocks_a_point(const struct accounts *accounts,
 }
 
 /* Of a run of the longest, without what pages cost. */
-static double print_clocks(const struct primitive *primitive,
-                           enum trace_mode mode, size_t queue,
-                           c205_model *model)
+static double print_clocks(const struct primitive *primitive, enum trace_mode mode,
+                           size_t queue, c205_model *model)
 {
-    struct emission_options options = { mode, queue, EMISSION_MOST, false,
-                                        model };
+    struct emission_options options = { mode, queue, EMISSION_MOST, false, model };
     struct accounts accounts = { .model = model };
     c205_error error = { "" };
     struct emission *emission = emission_new(primitive, &options, &error);
     double all;
 
     assert_non_null(emission);
-    run(emission, EMISSION_MOST, &(struct emission_choice){ .seed = 1 },
-        emitted[0], &accounts);
+    run(emission, EMISSION_MOST, &(struct emission_choice){ .seed = 1 }, emitted[0],
+        &accounts);
     all = clocks_a_point(&accounts, NULL);
     print_message("%-13s  %-6s  %5zu  %5.1f  %5.1f  %9.1f  %5.1f\n",
                   primitive_kind_name(primitive->kind), trace_mode_name(mode),
-                  mode == TRACE_SCALAR ? 1 : queue,
-                  clocks_a_point(&accounts, "emit"),
+                  mode == TRACE_SCALAR ? 1 : queue, clocks_a_point(&accounts, "emit"),
                   clocks_a_point(&accounts, "carry"),
                   clocks_a_point(&accounts, "direction"), all);
     accounts_free(&accounts);
@@ -603,10 +573,9 @@ static double print_clocks(const struct primitive *primitive,
 
 TEST(clocks)
 {
-    static const enum primitive_kind kinds[] = {
-        PRIMITIVE_SPHERE, PRIMITIVE_CYLINDER, PRIMITIVE_BOX, PRIMITIVE_TORUS,
-        PRIMITIVE_STEINER_PATCH
-    };
+    static const enum primitive_kind kinds[] = { PRIMITIVE_SPHERE, PRIMITIVE_CYLINDER,
+                                                 PRIMITIVE_BOX, PRIMITIVE_TORUS,
+                                                 PRIMITIVE_STEINER_PATCH };
     c205_error error = { "" };
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
 
@@ -617,8 +586,7 @@ TEST(clocks)
 
         double scalar = print_clocks(&primitive, TRACE_SCALAR, 0, model);
 
-        assert_true(4 * print_clocks(&primitive, TRACE_VECTOR, 2000, model)
-                    < scalar);
+        assert_true(4 * print_clocks(&primitive, TRACE_VECTOR, 2000, model) < scalar);
         print_clocks(&primitive, TRACE_VECTOR, EMISSION_MOST, model);
     }
     c205_model_free(model);

@@ -22,8 +22,7 @@ TEST(about)
     assert_string_equal(text_of(about, "version"), C205_VERSION);
     item = json_member_first(about, "instructions");
     for (; item; item = item->next, i++) {
-        assert_string_equal(text_of(item, "mnemonic"),
-                            c205_insns[i].mnemonic);
+        assert_string_equal(text_of(item, "mnemonic"), c205_insns[i].mnemonic);
         assert_string_equal(text_of(item, "effect"), c205_insns[i].effect);
     }
     assert_int_equal(i, c205_insn_count);
@@ -55,8 +54,7 @@ TEST(load)
     assert_true(json_member_truth(talk.reply, "warm", false));
     assert_non_null(strstr(talk.text, "\"lines\": [2, 3]"));
     assert_non_null(
-        strstr(talk.text,
-               "{\"name\": \"m\", \"label\": false, \"value\": 8"));
+        strstr(talk.text, "{\"name\": \"m\", \"label\": false, \"value\": 8"));
     assert_non_null(strstr(talk.text, "\"contents\": \"words\", \"count\": "
                                       "3"));
     talk_ask(&talk, "{\"do\": \"breaks\", \"lines\": [0, 2]}");
@@ -98,8 +96,7 @@ TEST(instructions)
     assert_non_null(strstr(
         talk.text,
         "= 51 vector start-up + 30 translation miss + 1000 page fault + 2 vector stream, 4 elements"));
-    assert_non_null(
-        strstr(talk.text, "\"label\": \"b.words\", \"kind\": \"words\", "));
+    assert_non_null(strstr(talk.text, "\"label\": \"b.words\", \"kind\": \"words\", "));
     assert_non_null(strstr(
         talk.text,
         "\"values\": [\"2\", \"0\", \"0\", \"0\"], \"stored\": [{\"first\": 0, \"count\": 4}], \"changed\": true"));
@@ -146,14 +143,11 @@ TEST(bad)
         { "{\"do\": \"say\", \"line\": \"why\"}", "no program is loaded" },
         { "{\"do\": \"load\"}", "\"text\" is missing" },
         { "{\"do\": \"load\", \"text\": 1}", "\"text\" is no text" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"cray\"}",
-          "cray" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"a/b\"}",
-          "built in" },
+        { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"cray\"}", "cray" },
+        { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"a/b\"}", "built in" },
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"cdc6600\"}",
           "only tells times" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"warm\": 1}",
-          "true or false" },
+        { "{\"do\": \"load\", \"text\": \" EXIT\", \"warm\": 1}", "true or false" },
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": [1]}",
           "names with integers" },
         { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"n\": "
@@ -199,8 +193,7 @@ TEST(bad)
         { "{\"do\": \"sweep\", \"text\": \" EXIT\", \"constant\": \"n\", "
           "\"from\": 1, \"to\": 99999999, \"step\": 1}",
           "2 to 1000" },
-        { "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\"}]}",
-          "two programs" },
+        { "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\"}]}", "two programs" },
         { "{\"do\": \"compare\", \"texts\": [7, 8]}", "\"text\" is missing" },
         { "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\"}, "
           "{\"text\": \" LOD [r2], r3\\n EXIT\"}]}",
@@ -213,13 +206,10 @@ TEST(bad)
         { "{\"do\": \"go\"}", "\"how\" is missing" },
         { "{\"do\": \"go\", \"how\": \"up\"}", "no way to go \"up\"" },
         { "{\"do\": \"go\", \"how\": \"step-to\"}", "\"n\" is missing" },
-        { "{\"do\": \"go\", \"how\": \"step\", \"n\": -1}",
-          "\"n\" is no integer" },
-        { "{\"do\": \"go\", \"how\": \"end\", \"ms\": \"1\"}",
-          "\"ms\" is no integer" },
+        { "{\"do\": \"go\", \"how\": \"step\", \"n\": -1}", "\"n\" is no integer" },
+        { "{\"do\": \"go\", \"how\": \"end\", \"ms\": \"1\"}", "\"ms\" is no integer" },
         { "{\"do\": \"breaks\"}", "\"lines\" is a list" },
-        { "{\"do\": \"breaks\", \"lines\": [1, \"x\"]}",
-          "\"lines\" is a list" },
+        { "{\"do\": \"breaks\", \"lines\": [1, \"x\"]}", "\"lines\" is a list" },
         { "{\"do\": \"breaks\", \"lines\": [1e300]}", "\"lines\" is a list" },
         { "{\"do\": \"view\", \"elements\": 70000}", "65536 at the most" },
         { "{\"do\": \"view\", \"all-registers\": 1}",
@@ -227,8 +217,7 @@ TEST(bad)
         { "{\"do\": \"profile\", \"in-order\": \"yes\"}",
           "\"in-order\" is true or false" },
         { "{\"do\": \"view\", \"first\": 5}", "names with integers" },
-        { "{\"do\": \"view\", \"first\": {\"x\": -1}}",
-          "\"x\" is no integer" },
+        { "{\"do\": \"view\", \"first\": {\"x\": -1}}", "\"x\" is no integer" },
         { "{\"do\": \"timeline\", \"from\": 5, \"to\": 5}", "before" },
         { "{\"do\": \"timeline\", \"file\": \"x.png\"}", ".kanata" },
         { "{\"do\": \"say\", \"line\": \"step\\nstep\"}", "one line" },
@@ -240,8 +229,7 @@ TEST(bad)
         talk_refused(&talk, cases[i].why, "%s", cases[i].request);
     talk_load(&talk, " .data\nx: .space 4\n .code\n EXIT\n", "");
     for (size_t i = 0; i < COUNT(with_program); i++)
-        talk_refused(&talk, with_program[i].why, "%s",
-                     with_program[i].request);
+        talk_refused(&talk, with_program[i].why, "%s", with_program[i].request);
     talk_end(&talk);
 }
 

@@ -7,25 +7,23 @@
 #include "tests/unit/talking_engine.h"
 
 /* Some 200,000 steps, calls among them. */
-static const char long_program[] =
-    "        .include \"core.s\"\n"
-    "        .regs r16, turns, to, link, place\n"
-    "        .regs r24, inner, back, n\n"
-    "        ES turns, 6\n"
-    "        EX to, again\n"
-    "again:  call long, link, place\n"
-    "        IS n, 1\n"
-    "        EXIT n, r0, 2\n"
-    "        DBNZ turns, [to]\n"
-    "        EXIT\n"
-    "long:   EX inner, 16000\n"
-    "        EX back, here\n"
-    "here:   IS n, 3\n"
-    "        DBNZ inner, [back]\n"
-    "        return link\n";
+static const char long_program[] = "        .include \"core.s\"\n"
+                                   "        .regs r16, turns, to, link, place\n"
+                                   "        .regs r24, inner, back, n\n"
+                                   "        ES turns, 6\n"
+                                   "        EX to, again\n"
+                                   "again:  call long, link, place\n"
+                                   "        IS n, 1\n"
+                                   "        EXIT n, r0, 2\n"
+                                   "        DBNZ turns, [to]\n"
+                                   "        EXIT\n"
+                                   "long:   EX inner, 16000\n"
+                                   "        EX back, here\n"
+                                   "here:   IS n, 3\n"
+                                   "        DBNZ inner, [back]\n"
+                                   "        return link\n";
 
-static void ask_both(struct talk *whole, struct talk *sliced,
-                     const char *request)
+static void ask_both(struct talk *whole, struct talk *sliced, const char *request)
 {
     size_t slices = 0;
 
@@ -35,8 +33,7 @@ static void ask_both(struct talk *whole, struct talk *sliced,
         slices++;
         if (below(4) == 0)
             talk_ask(sliced, "{\"do\": \"about\"}");
-        talk_ask(sliced, "{\"do\": \"more\", \"clocks\": %d}",
-                 1 + (int)below(30000));
+        talk_ask(sliced, "{\"do\": \"more\", \"clocks\": %d}", 1 + (int)below(30000));
     }
     assert_string_equal(sliced->text, whole->text);
     talk_refused(sliced, "nothing is left", "{\"do\": \"more\"}");
@@ -115,8 +112,7 @@ TEST(limit)
     struct talk talk;
 
     talk_begin(&talk);
-    talk_load(&talk, " EX r10, on\non: IBNZ r11, [r10]\n EX r11, 1\n EXIT\n",
-              "");
+    talk_load(&talk, " EX r10, on\non: IBNZ r11, [r10]\n EX r11, 1\n EXIT\n", "");
     for (int i = 0; i < 2; i++) {
         talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\", "
                         "\"limit\": 100000}");

@@ -19,22 +19,19 @@ struct fresh {
     struct printer printer;
 };
 
-static void keep_last(void *context, const c205 *machine,
-                      const c205_event *event)
+static void keep_last(void *context, const c205 *machine, const c205_event *event)
 {
     struct fresh *fresh = context;
 
     (void)machine;
-    if (event->kind != C205_EVENT_INSTRUCTION
-        && event->kind != C205_EVENT_REQUEST)
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST)
         return;
     fresh->has_last = true;
     fresh->last = *event;
 }
 
 /* So many steps from the beginning. */
-static void fresh_run(struct fresh *fresh, const struct object *object,
-                      uint64_t steps)
+static void fresh_run(struct fresh *fresh, const struct object *object, uint64_t steps)
 {
     c205_error error;
     c205_stop stop;
@@ -54,8 +51,7 @@ static void fresh_end(struct fresh *fresh)
     text_buffer_free(&fresh->printed);
 }
 
-static void check_registers(const struct json_value *view,
-                            const struct fresh *fresh)
+static void check_registers(const struct json_value *view, const struct fresh *fresh)
 {
     const c205 *machine = fresh->machine;
     const struct json_value *item = json_member_first(view, "registers");
@@ -70,16 +66,14 @@ static void check_registers(const struct json_value *view,
         assert_true(number_of(item, "number") == i);
         assert_string_equal(text_of(item, "hex"), hex);
         assert_string_equal(text_of(item, "text"), text);
-        assert_true(number_of(item, "integer")
-                    == (double)c205_to_integer(word));
+        assert_true(number_of(item, "integer") == (double)c205_to_integer(word));
         assert_int_equal(json_member_truth(item, "changed", false),
                          fresh->last.written[i / 64] >> i % 64 & 1);
     }
     assert_int_equal(i, C205_REGISTERS);
 }
 
-static void check_last(const struct json_value *view,
-                       const struct fresh *fresh)
+static void check_last(const struct json_value *view, const struct fresh *fresh)
 {
     const struct json_value *last = json_member(view, "last");
     const struct json_value *piece = json_member_first(last, "pieces");
@@ -96,8 +90,7 @@ static void check_last(const struct json_value *view,
     assert_true(number_of(last, "clocks") == clocks);
     assert_true(number_of(last, "issued") == (double)fresh->last.issued);
     assert_true(number_of(last, "elements") == (double)fresh->last.elements);
-    assert_string_equal(text_of(last, "mnemonic"),
-                        fresh->last.insn->mnemonic);
+    assert_string_equal(text_of(last, "mnemonic"), fresh->last.insn->mnemonic);
 }
 
 static uint64_t clocks_of(const struct json_value *causes, const char *name)
@@ -111,18 +104,15 @@ static uint64_t clocks_of(const struct json_value *causes, const char *name)
     return sum;
 }
 
-static void check_causes(const struct json_value *owner,
-                         const c205_account *account)
+static void check_causes(const struct json_value *owner, const c205_account *account)
 {
     const struct json_value *causes = json_member(owner, "causes");
 
     for (int i = 0; i < C205_CAUSES; i++)
         assert_int_equal(clocks_of(causes, c205_cause_name((c205_cause)i)),
                          account->clocks[i]);
-    assert_true(number_of(owner, "clocks")
-                == (double)accounts_clocks(account));
-    assert_true(number_of(owner, "instructions")
-                == (double)account->instructions);
+    assert_true(number_of(owner, "clocks") == (double)accounts_clocks(account));
+    assert_true(number_of(owner, "instructions") == (double)account->instructions);
     assert_true(number_of(owner, "elements") == (double)account->elements);
 }
 
@@ -148,15 +138,14 @@ static void check_accounts(const struct json_value *view, const c205 *machine)
     accounts_free(&accounts);
 }
 
-static void check_vectors(const struct json_value *view,
-                          const struct object *object, const c205 *machine)
+static void check_vectors(const struct json_value *view, const struct object *object,
+                          const c205 *machine)
 {
     const struct json_value *vector = json_member_first(view, "vectors");
 
     for (; vector; vector = vector->next) {
         const struct asm_symbol *symbol = object_symbol(object,
-                                                        text_of(vector,
-                                                                "label"));
+                                                        text_of(vector, "label"));
         const struct json_value *value = json_member_first(vector, "values");
         uint64_t at = (uint64_t)symbol->value;
 
@@ -186,8 +175,8 @@ struct walk {
 
 static void check_place(struct walk *walk, const char *asked)
 {
-    const struct json_value *view =
-        talk_ask(&walk->talk, "{\"do\": \"view\", \"all-registers\": true}");
+    const struct json_value
+        *view = talk_ask(&walk->talk, "{\"do\": \"view\", \"all-registers\": true}");
     struct fresh fresh;
 
     fresh_run(&fresh, walk->plain.object, walk->step);
@@ -195,8 +184,7 @@ static void check_place(struct walk *walk, const char *asked)
         fail_msg("%s: step %g, not %llu", asked, number_of(view, "step"),
                  (unsigned long long)walk->step);
     assert_true(number_of(view, "steps") == (double)walk->known);
-    assert_true(number_of(view, "clock")
-                == (double)c205_clock(fresh.machine));
+    assert_true(number_of(view, "clock") == (double)c205_clock(fresh.machine));
     assert_true(number_of(view, "pc") == (double)c205_pc(fresh.machine));
     assert_int_equal(json_member_truth(view, "ended", false),
                      walk->step == walk->plain.end);
@@ -233,11 +221,9 @@ static void choose_stop(struct walk *walk)
             walk->place = each->address;
         }
     }
-    line =
-        json_member_first(talk_ask(&walk->talk,
-                                   "{\"do\": \"breaks\", \"lines\": [%zu]}",
-                                   wanted),
-                          "lines");
+    line = json_member_first(talk_ask(&walk->talk,
+                                      "{\"do\": \"breaks\", \"lines\": [%zu]}", wanted),
+                             "lines");
     assert_true(number_of(line, "wanted") == (double)wanted);
     if (walk->line > 0)
         assert_true(number_of(line, "line") == (double)walk->line);
@@ -249,16 +235,15 @@ static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
                const char *why)
 {
     const struct json_value
-        *reply = talk_ask(&walk->talk,
-                          "{\"do\": \"go\", \"how\": \"%s\", \"n\": %llu}",
+        *reply = talk_ask(&walk->talk, "{\"do\": \"go\", \"how\": \"%s\", \"n\": %llu}",
                           how, (unsigned long long)n);
 
     walk->step = step;
     walk->known = step > walk->known ? step : walk->known;
     assert_true(json_member_truth(reply, "done", false));
     if (strcmp(text_of(reply, "why"), why) != 0)
-        fail_msg("%s %llu: %s, not %s", how, (unsigned long long)n,
-                 walk->talk.text, why);
+        fail_msg("%s %llu: %s, not %s", how, (unsigned long long)n, walk->talk.text,
+                 why);
     check_place(walk, how);
 }
 
@@ -362,8 +347,7 @@ static void walk_begin(struct walk *walk)
 
     draw_walk(&random_state, &text);
     *walk = (struct walk){ .step = 0 };
-    walk->plain = run_plainly(assemble_text("program.s", text.text, NULL,
-                                            &said),
+    walk->plain = run_plainly(assemble_text("program.s", text.text, NULL, &said),
                               &random_state);
     talk_begin(&walk->talk);
     talk_load(&walk->talk, text.text, ON_PRIOR);
@@ -427,8 +411,7 @@ static void check_profile(struct walk *walk)
     const struct json_value *rows;
 
     fresh_run(&fresh, walk->plain.object, walk->step);
-    rows = json_member(talk_ask(&walk->talk, "{\"do\": \"profile\"}"),
-                       "lines");
+    rows = json_member(talk_ask(&walk->talk, "{\"do\": \"profile\"}"), "lines");
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         uint64_t sum = 0;
 
@@ -442,20 +425,18 @@ static void check_profile(struct walk *walk)
 /* What the clock was charged to lies side by side, up to the last step that is known. */
 static void check_timeline(struct walk *walk)
 {
-    const struct json_value *reply =
-        talk_ask(&walk->talk, "{\"do\": \"timeline\", \"most\": 50000}");
+    const struct json_value
+        *reply = talk_ask(&walk->talk, "{\"do\": \"timeline\", \"most\": 50000}");
     uint64_t clock = 0, by_cause[C205_CAUSES] = { 0 };
     struct fresh fresh;
 
     assert_false(json_member_truth(reply, "full", true));
-    for (const struct json_value *piece = json_member_first(reply, "charged");
-         piece; piece = piece->next) {
+    for (const struct json_value *piece = json_member_first(reply, "charged"); piece;
+         piece = piece->next) {
         int cause = 0;
 
         assert_true(number_of(piece, "begin") == (double)clock);
-        while (strcmp(c205_cause_name((c205_cause)cause),
-                      text_of(piece, "cause"))
-               != 0)
+        while (strcmp(c205_cause_name((c205_cause)cause), text_of(piece, "cause")) != 0)
             cause++;
         by_cause[cause] += (uint64_t)number_of(piece, "end") - clock;
         clock = (uint64_t)number_of(piece, "end");
@@ -464,13 +445,11 @@ static void check_timeline(struct walk *walk)
     assert_int_equal(clock, c205_clock(fresh.machine));
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         for (size_t i = 0; i < c205_account_count(fresh.machine); i++)
-            by_cause[cause] -= c205_account_at(fresh.machine, i)
-                                   ->clocks[cause];
+            by_cause[cause] -= c205_account_at(fresh.machine, i)->clocks[cause];
         assert_int_equal(by_cause[cause], 0);
     }
     fresh_end(&fresh);
-    reply = talk_ask(&walk->talk,
-                     "{\"do\": \"timeline\", \"file\": \"x.svg\"}");
+    reply = talk_ask(&walk->talk, "{\"do\": \"timeline\", \"file\": \"x.svg\"}");
     assert_non_null(strstr(text_of(reply, "file"), "<svg"));
 }
 
@@ -518,8 +497,7 @@ TEST(changed)
     talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
     account = json_member(talk_ask(&talk, "{\"do\": \"view\"}"), "accounts");
     clocks = number_of(account, "clocks");
-    rows = json_member_first(talk_ask(&talk, "{\"do\": \"profile\"}"),
-                             "lines");
+    rows = json_member_first(talk_ask(&talk, "{\"do\": \"profile\"}"), "lines");
     for (; rows; rows = rows->next)
         clocks -= number_of(rows, "clocks");
     assert_true(clocks == 0);
@@ -533,8 +511,7 @@ TEST(open_line)
     static const char text[] = "        ES r10, 9\n"
                                "        EXIT r10, r0, 2\n"
                                "        EXIT\n";
-    static const char *const lines[] = { "step 2", "account", "continue",
-                                         "where" };
+    static const char *const lines[] = { "step 2", "account", "continue", "where" };
     struct talk talk;
 
     talk_begin(&talk);

@@ -80,9 +80,8 @@ TEST(spheres)
 TEST(cube)
 {
     double beside = 0.2000437760754, opposite = 1 - 4 * beside;
-    static const double flows[] = { 36940.48878972, -9963.172602644,
-                                    -6744.32904677, -6744.32904677,
-                                    -6744.32904677, -6744.32904677 };
+    static const double flows[] = { 36940.48878972, -9963.172602644, -6744.32904677,
+                                    -6744.32904677, -6744.32904677,  -6744.32904677 };
     struct enclosure cube = { .count = 6 };
     struct exchange exchange;
 
@@ -91,9 +90,7 @@ TEST(cube)
         cube.emissivity[i] = i == 0 ? .9 : i == 1 ? .5 : .3;
         cube.temperature[i] = i == 0 ? 1000 : i == 1 ? 500 : 300;
         for (size_t j = 0; j < 6; j++)
-            cube.factors[7 * i + j] = i == j           ? 0
-                                      : i / 2 == j / 2 ? opposite
-                                                       : beside;
+            cube.factors[7 * i + j] = i == j ? 0 : i / 2 == j / 2 ? opposite : beside;
     }
     solve(&cube, &exchange);
     for (size_t i = 0; i < 6; i++)
@@ -157,19 +154,16 @@ static void draw(struct enclosure *enclosure, uint64_t *random)
         for (size_t j = 0; j <= n; j++)
             enclosure->area[i] += shared[i][j];
         for (size_t j = 0; j <= n; j++)
-            enclosure->factors[i * (n + 1) + j] = shared[i][j]
-                                                  / enclosure->area[i];
+            enclosure->factors[i * (n + 1) + j] = shared[i][j] / enclosure->area[i];
         enclosure->emissivity[i] = xorshift_between(random, 0, 4)
                                        ? xorshift_real(random, 0, 1)
-                                       : (double)xorshift_between(random, 0,
-                                                                  1);
+                                       : (double)xorshift_between(random, 0, 1);
         enclosure->temperature[i] = xorshift_real(random, 0, 2000);
     }
 }
 
 /* Radiosities by elimination with pivots, row by row. */
-static void eliminate(const struct enclosure *enclosure,
-                      long double radiosity[MOST])
+static void eliminate(const struct enclosure *enclosure, long double radiosity[MOST])
 {
     static long double rows[MOST][MOST + 1];
     size_t n = enclosure->count;
@@ -228,8 +222,7 @@ static void check_enclosure(const struct enclosure *enclosure)
         all += enclosure->area[i];
         assert_near(exchange.radiosity[i], (double)radiosity[i], scale);
         assert_near(exchange.irradiation[i], (double)meets, scale);
-        assert_near(exchange.flow[i], (double)flow,
-                    scale * enclosure->area[i]);
+        assert_near(exchange.flow[i], (double)flow, scale * enclosure->area[i]);
         if (enclosure->emissivity[i] == 0)
             assert_near(exchange.flow[i], 0, scale * enclosure->area[i]);
     }
@@ -259,8 +252,7 @@ static void refuses(const struct enclosure *enclosure, const char *message)
     c205_error error = { "" };
 
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
-        struct exchange_given given = given_of(enclosure,
-                                               (enum trace_mode)mode);
+        struct exchange_given given = given_of(enclosure, (enum trace_mode)mode);
 
         given.names = names;
         assert_false(exchange_find(&given, &exchange, &error));

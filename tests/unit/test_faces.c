@@ -27,8 +27,7 @@ static void check_other_ways(const struct scene *scene, const char *text,
     traced.visible = VISIBLE_DEFAULT;
     if (memcmp(stepping, expected, sizeof *stepping) != 0
         || memcmp(every, expected, sizeof *every) != 0)
-        fail_msg("another way to the nearest gives another frame of\n%s",
-                 text);
+        fail_msg("another way to the nearest gives another frame of\n%s", text);
     free(stepping);
     free(every);
 }
@@ -60,8 +59,7 @@ static void check_sight(const struct sight *sight)
     int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
     double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
     if (id != sight->id || !(fabs(depth - sight->depth) <= 1e-10))
-        fail_msg("%s: primitive %lld at %.12g", sight->text, (long long)id,
-                 depth);
+        fail_msg("%s: primitive %lld at %.12g", sight->text, (long long)id, depth);
     free(bounded);
     free(words);
 }
@@ -80,18 +78,13 @@ TEST(coincident)
     static const struct sight sights[] = {
         { "difference { box { -1, 1 } box { -1, 1 } }", 0, 0 },
         { "difference { box { -1, 1 } box { -1, <1, 1, 0> } }", 2, 5 },
-        { "difference { box { -1, 1 } box { -1.00000005, <1, 1, 0> } }", 2,
-          5 },
-        { "difference { box { -1, 1 } box { -.99999995, <1, 1, 0> } }", 2,
-          5 },
+        { "difference { box { -1, 1 } box { -1.00000005, <1, 1, 0> } }", 2, 5 },
+        { "difference { box { -1, 1 } box { -.99999995, <1, 1, 0> } }", 2, 5 },
         { "difference { box { -1, 1 } box { -.9999998, <1, 1, 0> } }", 1, 4 },
-        { "difference { box { -1, 1 } box { -2, <1, 1, .99999995> } }", 0,
-          0 },
-        { "difference { box { -1, 1 } box { -2, <1, 1, .9999998> } }", 2,
-          5.9999998 },
+        { "difference { box { -1, 1 } box { -2, <1, 1, .99999995> } }", 0, 0 },
+        { "difference { box { -1, 1 } box { -2, <1, 1, .9999998> } }", 2, 5.9999998 },
         { "intersection { box { -1, 1 } box { <-1, -1, 1>, 3 } }", 0, 0 },
-        { "intersection { box { -1, 1 } box { <-1, -1, .99999995>, 3 } }", 0,
-          0 },
+        { "intersection { box { -1, 1 } box { <-1, -1, .99999995>, 3 } }", 0, 0 },
         { "intersection { box { -1, 1 } box { <-1, -1, .9999998>, 3 } }", 2,
           5.9999998 },
         { "difference { box { -3, 3 } merge { box { -6, <1, 1, 0> } "
@@ -137,12 +130,10 @@ TEST(intersection)
     static const struct sight sights[] = {
         { "intersection { " ABOVE "box { <-1, -1, 0>, 2 } }", 2, 5 },
         { "intersection { " ABOVE BELOW "}", 1, 4 },
-        { "intersection { " ABOVE "box { <-1, -1, -.5>, <1, 0, 2> } }", 2,
-          4.5 },
+        { "intersection { " ABOVE "box { <-1, -1, -.5>, <1, 0, 2> } }", 2, 4.5 },
         { "intersection { plane { y, 0 } box { -1, 1 } }", 2, 4 },
         { "intersection { plane { -y, 0 } box { -1, 1 } }", 2, 4 },
-        { "intersection { plane { y, 0 } plane { -y, 0 } box { -1, 1 } }", 3,
-          4 },
+        { "intersection { plane { y, 0 } plane { -y, 0 } box { -1, 1 } }", 3, 4 },
         { "intersection { plane { y, -1e-9 } box { -1, 1 } }", 0, 0 },
         { "intersection { cylinder { -y, 0, 1 } box { -.5, 1 } }", 2, 4.5 },
     };
@@ -154,16 +145,11 @@ TEST(intersection)
 TEST(difference)
 {
     static const struct sight sights[] = {
-        { "difference { " ABOVE "box { <-.5, -1, -2>, <.5, 1, .5> } }", 2,
-          5.5 },
-        { "difference { box { -1, 1 } box { <-.5, 0, -2>, <.5, 2, .5> } }", 2,
-          5.5 },
-        { "difference { box { -1, 1 } box { <-.5, -2, -2>, <.5, 0, .5> } }",
-          2, 5.5 },
-        { "difference { " ABOVE "box { <-1, -1, -2>, <1, 0, .5> } }", 2,
-          5.5 },
-        { "difference { " BELOW "box { <-.5, -1, -2>, <.5, 0, .5> } }", 2,
-          5.5 },
+        { "difference { " ABOVE "box { <-.5, -1, -2>, <.5, 1, .5> } }", 2, 5.5 },
+        { "difference { box { -1, 1 } box { <-.5, 0, -2>, <.5, 2, .5> } }", 2, 5.5 },
+        { "difference { box { -1, 1 } box { <-.5, -2, -2>, <.5, 0, .5> } }", 2, 5.5 },
+        { "difference { " ABOVE "box { <-1, -1, -2>, <1, 0, .5> } }", 2, 5.5 },
+        { "difference { " BELOW "box { <-.5, -1, -2>, <.5, 0, .5> } }", 2, 5.5 },
         { "difference { " BELOW "box { <-.5, -1, 0>, <.5, 0, 2> } }", 1, 4 },
         { "difference { " ABOVE BELOW "}", 0, 0 },
         { "difference { box { -1, 1 } plane { y, 0 } }", 0, 0 },
@@ -213,20 +199,14 @@ TEST(nearly_parallel)
         { "intersection { " SLANTED("-1e-11") "plane { -z, -1 } }", 2, 6 },
         { "intersection { " SLANTED("1e-13") "plane { -z, -1 } }", 2, 6 },
         { "intersection { " SLANTED("-1e-13") "plane { -z, -1 } }", 0, 0 },
-        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("1e-11") "}", 2,
-          5 },
-        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("-1e-11") "}", 1,
-          4 },
-        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("1e-13") "}", 0,
-          0 },
-        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("-1e-13") "}", 1,
-          4 },
+        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("1e-11") "}", 2, 5 },
+        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("-1e-11") "}", 1, 4 },
+        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("1e-13") "}", 0, 0 },
+        { "difference { box { <-.5, -1, -1>, 1 } " SLANTED("-1e-13") "}", 1, 4 },
         { "intersection { plane { <0, 1, 1e-11>, 0 } box { -1, 1 } }", 2, 4 },
-        { "intersection { plane { <0, 1, -1e-11>, 0 } box { -1, 1 } }", 1,
-          5 },
+        { "intersection { plane { <0, 1, -1e-11>, 0 } box { -1, 1 } }", 1, 5 },
         { "intersection { plane { <0, 1, 1e-13>, 0 } box { -1, 1 } }", 2, 4 },
-        { "intersection { plane { <0, 1, -1e-13>, 0 } box { -1, 1 } }", 0,
-          0 },
+        { "intersection { plane { <0, 1, -1e-13>, 0 } box { -1, 1 } }", 0, 0 },
         { "difference { box { -1, 1 } plane { <0, 1, 1e-11>, 0 } }", 2, 5 },
         { "difference { box { -1, 1 } plane { <0, 1, 1e-13>, 0 } }", 0, 0 },
     };

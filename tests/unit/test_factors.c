@@ -13,14 +13,11 @@
 
 static uint64_t seed = 1;
 
-static const struct factors_options usual = { .mode = TRACE_VECTOR,
-                                              .queue = 2000,
-                                              .points = 1024,
-                                              .repeats = 16,
-                                              .lattice = true };
+static const struct factors_options usual = {
+    .mode = TRACE_VECTOR, .queue = 2000, .points = 1024, .repeats = 16, .lattice = true
+};
 
-static struct factors *begin(const struct scene *scene,
-                             struct factors_options options)
+static struct factors *begin(const struct scene *scene, struct factors_options options)
 {
     c205_error error = { "" };
     struct factors *factors;
@@ -48,13 +45,10 @@ static struct factor_row find(const struct factors *factors, size_t primitive)
 }
 
 /* Errors come of 16 repeats: 4.6 of them are as rare as 4 of a normal law's. */
-static void assert_estimate(const char *what, struct estimate found,
-                            double expected)
+static void assert_estimate(const char *what, struct estimate found, double expected)
 {
-    if (!(fabs(found.value - expected)
-          <= 4.6 * found.error + 1e-9 * fabs(expected)))
-        fail_msg("%s: %g +- %g is not %g", what, found.value, found.error,
-                 expected);
+    if (!(fabs(found.value - expected) <= 4.6 * found.error + 1e-9 * fabs(expected)))
+        fail_msg("%s: %g +- %g is not %g", what, found.value, found.error, expected);
 }
 
 /* ---- Areas ------------------------------------------------------------------ */
@@ -71,16 +65,14 @@ static const struct {
       " cylinder { -2*z, 2*z, 1 } }",
       14.0588745030457 },
     { "merge { sphere { -.5*x, 1 } sphere { .5*x, 1 } }", 18.8495559215388 },
-    { "difference { sphere { 0, 1 } cylinder { -2*y, 2*y, .6 } }",
-      16.0849543863797 },
+    { "difference { sphere { 0, 1 } cylinder { -2*y, 2*y, .6 } }", 16.0849543863797 },
     { "difference { box { -.5, .5 } box { <-1,-1/6,-1/6>, <1,1/6,1/6> }"
       " box { <-1/6,-1,-1/6>, <1/6,1,1/6> }"
       " box { <-1/6,-1/6,-1>, <1/6,1/6,1> } }",
       8 },
     { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
     /* By lines, for they have no emission. */
-    { "prism { -1, 1, 4, <-1,-1>, <1,-1>, <1,1>, <-1,1> scale <1,2,.5> }",
-      28 },
+    { "prism { -1, 1, 4, <-1,-1>, <1,-1>, <1,1>, <-1,1> scale <1,2,.5> }", 28 },
     { "intersection { sphere { 0, 1 } plane { x, .5 } }", 11.7809724509617 },
     { "lathe { 4, <.5,-1>, <1,0>, <.5,1>, <.5,-1> }", 16.8204074037407 },
     { "intersection { quadric { <1,1,0>, 0, 0, -1 } box { -1, 1 } }",
@@ -115,8 +107,8 @@ TEST(areas)
 /* A body of triangles radiates outward, in whatever order their corners are. */
 TEST(meshes)
 {
-    static const char corners[][20] = { "<1, 1, 1>", "<1, -1, -1>",
-                                        "<-1, 1, -1>", "<-1, -1, 1>" };
+    static const char corners[][20] = { "<1, 1, 1>", "<1, -1, -1>", "<-1, 1, -1>",
+                                        "<-1, -1, 1>" };
     struct factors_options few = usual;
 
     few.points = 64;
@@ -131,8 +123,7 @@ TEST(meshes)
 
             snprintf(text + strlen(text), sizeof text - strlen(text),
                      " triangle { %s, %s, %s }", corners[(i + 1) % 4],
-                     corners[(i + 2 + turn) % 4],
-                     corners[(i + 3 - turn) % 4]);
+                     corners[(i + 2 + turn) % 4], corners[(i + 3 - turn) % 4]);
         }
         strcat(text, " inside_vector <.2, .9, .1> }");
         scene = read_scene(text);
@@ -140,8 +131,7 @@ TEST(meshes)
         row = find(factors, 0);
         assert_estimate(text, row.area, 8 * sqrt(3));
         assert_int_equal(row.sent, row.tried);
-        assert_int_equal(row.count[1],
-                         row.sent); /* it sees nothing of itself */
+        assert_int_equal(row.count[1], row.sent); /* it sees nothing of itself */
         factor_row_free(&row);
         factors_free(factors);
         scene_free(scene);
@@ -179,8 +169,7 @@ static void count_faces(const struct grid_box *boxes, double faces[BOXES])
 {
     for (int i = 0; i < SIDE * SIDE * SIDE; i++)
         for (int face = 0; face < 6; face++) {
-            const int cell[3] = { i % SIDE, i / SIDE % SIDE,
-                                  i / SIDE / SIDE };
+            const int cell[3] = { i % SIDE, i / SIDE % SIDE, i / SIDE / SIDE };
             int next[3] = { cell[0], cell[1], cell[2] };
             size_t owner = first_with(boxes, cell);
 
@@ -205,8 +194,8 @@ static char *draw_crowd(struct grid_box *boxes, uint64_t *random)
             boxes[i].high[k] = (a < b ? b : a) + 1;
         }
         fprintf(file, "box { <%d, %d, %d>, <%d, %d, %d> }\n", boxes[i].low[0],
-                boxes[i].low[1], boxes[i].low[2], boxes[i].high[0],
-                boxes[i].high[1], boxes[i].high[2]);
+                boxes[i].low[1], boxes[i].low[2], boxes[i].high[0], boxes[i].high[1],
+                boxes[i].high[2]);
     }
     fclose(file);
     return text;
@@ -228,8 +217,8 @@ static void check_crowd(uint64_t *random)
         struct factor_row row = find(factors, i);
 
         if (fabs(row.area.value - faces[i]) > 8 * row.area.error + 1e-9)
-            fail_msg("%sbox %zu shows %g +- %g, not %g", text, i + 1,
-                     row.area.value, row.area.error, faces[i]);
+            fail_msg("%sbox %zu shows %g +- %g, not %g", text, i + 1, row.area.value,
+                     row.area.error, faces[i]);
         factor_row_free(&row);
     }
     factors_free(factors);
@@ -274,15 +263,13 @@ static void check_factors(const char *text, const struct known_factor *known,
  * shell around a ball. */
 TEST(known_factors)
 {
-    static const struct known_factor parallel[] = {
-        { 0, 1, 0.1998248956984 }, { 1, 0, 0.1998248956984 }
-    };
+    static const struct known_factor parallel[] = { { 0, 1, 0.1998248956984 },
+                                                    { 1, 0, 0.1998248956984 } };
     static const struct known_factor across[] = { { 0, 1, 0.2000437760754 } };
     static const struct known_factor disks[] = { { 0, 1, 0.1809950221376 } };
     static const struct known_factor bay[] = {
-        { 0, 3, 0.4188671252009 }, { 0, 1, 0.2905664373995 },
-        { 1, 3, 0.3732069283742 }, { 1, 0, 0.1816040233747 },
-        { 1, 2, 0.4451890482511 }, { 1, 1, 0 }
+        { 0, 3, 0.4188671252009 }, { 0, 1, 0.2905664373995 }, { 1, 3, 0.3732069283742 },
+        { 1, 0, 0.1816040233747 }, { 1, 2, 0.4451890482511 }, { 1, 1, 0 }
     };
     static const struct known_factor shell[] = {
         { 2, 1, 1 }, { 1, 2, .25 }, { 1, 1, .75 }, { 0, 3, 1 }
@@ -292,12 +279,10 @@ TEST(known_factors)
                   "mesh { triangle { y, x + y + z, y + z }"
                   " triangle { y, x + y, x + y + z } }",
                   parallel, COUNT(parallel));
-    check_factors(
-        "mesh { triangle { 0, z, x + z } triangle { 0, x + z, x } }"
-        "mesh { triangle { 0, x, x + y } triangle { 0, x + y, y } }",
-        across, COUNT(across));
-    check_factors("disc { 0, y, 1 } disc { .9*y, -y, .6 }", disks,
-                  COUNT(disks));
+    check_factors("mesh { triangle { 0, z, x + z } triangle { 0, x + z, x } }"
+                  "mesh { triangle { 0, x, x + y } triangle { 0, x + y, y } }",
+                  across, COUNT(across));
+    check_factors("disc { 0, y, 1 } disc { .9*y, -y, .6 }", disks, COUNT(disks));
     check_factors("cylinder { 0, .7*y, 1 open } disc { 0, y, 1.8, 1 }"
                   "disc { .7*y, -y, 1.8, 1 }",
                   bay, COUNT(bay));
@@ -338,8 +323,7 @@ static void check_bias(const struct scene *scene, bool lattice)
 
 TEST(bias)
 {
-    struct scene *scene = read_scene(
-        "disc { 0, y, 1 } disc { .9*y, -y, .6 }");
+    struct scene *scene = read_scene("disc { 0, y, 1 } disc { .9*y, -y, .6 }");
 
     check_bias(scene, true);
     check_bias(scene, false);
@@ -348,8 +332,7 @@ TEST(bias)
 
 /* ---- Both forms ---------------------------------------------------------------- */
 
-static void compare_rows(const struct scene *scene,
-                         struct factors_options options,
+static void compare_rows(const struct scene *scene, struct factors_options options,
                          const struct factor_row *expected)
 {
     struct factors *factors = begin(scene, options);
@@ -357,8 +340,7 @@ static void compare_rows(const struct scene *scene,
 
     assert_true(are_steps(row.clocks, &row.accounts));
     assert_int_equal(row.sent, expected->sent);
-    assert_memory_equal(row.count, expected->count,
-                        row.receivers * sizeof *row.count);
+    assert_memory_equal(row.count, expected->count, row.receivers * sizeof *row.count);
     assert_memory_equal(row.factor, expected->factor,
                         row.receivers * sizeof *row.factor);
     assert_memory_equal(&row.area, &expected->area, sizeof row.area);
@@ -421,8 +403,8 @@ static void count_halves(const struct packet_programs *programs,
                                             .lattice = half.lattice,
                                             .model = half.model };
     c205_error error = { "" };
-    struct heat_source *source = source_new(programs->scene, choice.primitive,
-                                            &emits, &error);
+    struct heat_source *source = source_new(programs->scene, choice.primitive, &emits,
+                                            &error);
     struct packet packet;
 
     assert_non_null(source);

@@ -32,14 +32,12 @@ static void add_place(double size)
 
 static void add_light(void)
 {
-    static const char *const kinds[] = {
-        "",
-        "parallel",
-        "spotlight radius %g falloff %g tightness 2",
-        "cylinder radius %g falloff %g",
-        "area_light",
-        "shadowless"
-    };
+    static const char *const kinds[] = { "",
+                                         "parallel",
+                                         "spotlight radius %g falloff %g tightness 2",
+                                         "cylinder radius %g falloff %g",
+                                         "area_light",
+                                         "shadowless" };
     size_t kind = among(0, 5);
     double size = any_size();
 
@@ -77,8 +75,8 @@ static void add_texture(void)
         "checker rgbt .9, rgb .6",
     };
 
-    add("pigment { %s scale %.4g translate %.4g } ", pigments[among(0, 7)],
-        any_size(), any_size() - 1);
+    add("pigment { %s scale %.4g translate %.4g } ", pigments[among(0, 7)], any_size(),
+        any_size() - 1);
     if (!among(0, 2))
         add("normal { leopard .5 scale %.4g } ", any_size());
     add("finish { reflection %.1f phong .4 } interior { ior 1.4 } ",

@@ -33,8 +33,8 @@ static uint64_t worth(size_t unit)
     return xorshift(&one);
 }
 
-static bool run(void *context, size_t job, size_t unit,
-                struct unit_words *words, c205_error *error)
+static bool run(void *context, size_t job, size_t unit, struct unit_words *words,
+                c205_error *error)
 {
     const struct timespec moment = { 0, 300000 };
     struct bench *bench = context;
@@ -137,10 +137,9 @@ TEST(shares)
 
         for (size_t k = 0; k < parts; k++) {
             size_t part = (first + k) % parts;
-            struct farm farm = { .part = part + 1,
-                                 .parts = parts,
-                                 .paths = &paths[part],
-                                 .path_count = 1 };
+            struct farm farm = {
+                .part = part + 1, .parts = parts, .paths = &paths[part], .path_count = 1
+            };
 
             assert_false(farm_collects(&farm));
             assert_true(do_farm(&farm, &bench, between(1, 3), &error));

@@ -88,8 +88,7 @@ TEST(fewer_rays)
         assert_int_equal(run->rays, 640);
         scaled = clocks_of_rows(run) * 25000 / 640;
         if (fabs(scaled / (double)all.total - 1) > .01)
-            fail_msg("%s: %g clocks, scaled %g", program, (double)all.total,
-                     scaled);
+            fail_msg("%s: %g clocks, scaled %g", program, (double)all.total, scaled);
         run_free(run);
     }
 }
@@ -115,8 +114,8 @@ static double predicted(const char *row)
     clocks = calloc(all.timing_count, sizeof *clocks);
     assert_non_null(clocks);
     for (size_t i = 0; i < all.timing_count; i++)
-        assert_true(run_time(all.timings[i].run, all.timings[i].model, NULL,
-                             0, RUN_FINE, clocks[i], &error));
+        assert_true(run_time(all.timings[i].run, all.timings[i].model, NULL, 0,
+                             RUN_FINE, clocks[i], &error));
     value = observation_predict(&all, &all.items[0], clocks);
     free(clocks);
     observations_free(&all);
@@ -160,8 +159,7 @@ static void check_found(struct diagnostics *found, const char *message)
 
     assert_int_equal(found->count, 1);
     snprintf(text, sizeof text, "%s:%zu:%zu: %s", found->items[0].file,
-             found->items[0].line, found->items[0].column,
-             found->items[0].message);
+             found->items[0].line, found->items[0].column, found->items[0].message);
     assert_string_equal(text, message);
     diagnostics_free(found);
 }
@@ -184,8 +182,7 @@ TEST(refused)
     assert_refused("a,b,c,d,e,f,g,h,i\n",
                    "test_fit.csv:1:1: another column is expected");
     assert_refused(HEAD "a,b\n", "test_fit.csv:2:1: fields are missing");
-    assert_refused(HEAD "a,b,c,d,e,f,g,h,i,j\n",
-                   "test_fit.csv:2:19: too many fields");
+    assert_refused(HEAD "a,b,c,d,e,f,g,h,i,j\n", "test_fit.csv:2:19: too many fields");
     assert_refused(HEAD "a,b,c,d,e,f,g,h,i\n",
                    "test_fit.csv:2:17: fit, compare or range is expected");
     assert_refused(HEAD "a,b,c,d,e,f,g,h,fit\n",
@@ -198,8 +195,7 @@ TEST(refused)
                    "expected");
     assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,,s,fit\n",
                    "test_fit.csv:2:33: vector_add.s has no rays");
-    assert_refused(HEAD
-                   "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
+    assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
                    "test_fit.csv:2:3: there is no region sub");
     assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,,s,fit\n",
                    "test_fit.csv:2:3: there is no machine model "
@@ -259,8 +255,7 @@ static double slower_swaps(const struct fit_run *run, const char *form)
     static const c205_setting swaps[] = { { "latency.swap", 15 },
                                           { "latency.swap", 16 } };
 
-    return region_clocks(run, form, &swaps[1])
-           - region_clocks(run, form, &swaps[0]);
+    return region_clocks(run, form, &swaps[1]) - region_clocks(run, form, &swaps[0]);
 }
 
 static struct fit_run *photons(const char *program)
@@ -308,12 +303,13 @@ TEST(groups)
     assert_group("start-up", "start-up");
     assert_group("photons, in registers", "photons");
     assert_group("720 to 6600, sphere", "720 to 6600");
-    assert_true(observation_same_group(
-        &(const struct observation){ .name = "sphere scalar" },
-        &(const struct observation){ .name = "sphere 720" }));
-    assert_false(observation_same_group(
-        &(const struct observation){ .name = "sphere scalar" },
-        &(const struct observation){ .name = "spheres, scalar" }));
+    assert_true(
+        observation_same_group(&(const struct observation){ .name = "sphere scalar" },
+                               &(const struct observation){ .name = "sphere 720" }));
+    assert_false(
+        observation_same_group(&(const struct observation){ .name = "sphere scalar" },
+                               &(const struct observation){
+                                   .name = "spheres, scalar" }));
 }
 
 TEST(ranges)
@@ -322,22 +318,20 @@ TEST(ranges)
     struct run_options how = small();
     struct diagnostics found = { 0 };
 
-    assert_true(observations_read(
-        &all,
-        file_of(HEAD "a,vector_add.s,cyber205-2pipe,1.5 to 3,clk,,,s,"
-                     "range\n"
-                     "b,vector_add.s,cyber205-2pipe,4,clk,,,s,range\n"
-                     "c,vector_add.s,cyber205-2pipe,5,clk,.3,.4,s,fit\n"),
-        &how, &found));
+    assert_true(
+        observations_read(&all,
+                          file_of(HEAD
+                                  "a,vector_add.s,cyber205-2pipe,1.5 to 3,clk,,,s,"
+                                  "range\n"
+                                  "b,vector_add.s,cyber205-2pipe,4,clk,,,s,range\n"
+                                  "c,vector_add.s,cyber205-2pipe,5,clk,.3,.4,s,fit\n"),
+                          &how, &found));
     for (size_t i = 0; i < all.count; i++) {
-        static const double expected[][2] = { { 1.5, 3 },
-                                              { 4, 4 },
-                                              { 5, 5 } };
+        static const double expected[][2] = { { 1.5, 3 }, { 4, 4 }, { 5, 5 } };
 
         assert_near(all.items[i].least, expected[i][0]);
         assert_near(all.items[i].most, expected[i][1]);
-        assert_int_equal(all.items[i].use,
-                         i < 2 ? OBSERVATION_RANGE : OBSERVATION_FIT);
+        assert_int_equal(all.items[i].use, i < 2 ? OBSERVATION_RANGE : OBSERVATION_FIT);
     }
     assert_near(all.items[2].uncertainty, .3);
     assert_near(all.items[2].shared, .4);
@@ -371,14 +365,12 @@ TEST(constants)
     assert_false(constant_is_of(&constants.items[1], model));
     assert_true(constant_is_of(first, like));
     assert_false(constant_is_of(&constants.items[1], like));
-    assert_string_equal(c205_model_name(
-                            constants_prior(&constants, "cyber720")),
+    assert_string_equal(c205_model_name(constants_prior(&constants, "cyber720")),
                         "cyber720-prior");
     assert_null(constants_prior(&constants, "eta10g"));
     assert_near(constant_value(first, .5), 15 * 1.2);
     assert_near(constant_place(first, 15 * 1.2), .5);
-    assert_int_equal(constants_settings(&constants, places, model, settings),
-                     2);
+    assert_int_equal(constants_settings(&constants, places, model, settings), 2);
     assert_string_equal(settings[1].name, "swap.word");
     assert_near(settings[1].value, 1.2);
     constants_free(&constants);
@@ -413,19 +405,18 @@ TEST(untouched)
     c205_error error = { "" };
     const char *moved_by;
 
-    assert_true(observations_read(
-        &all,
-        file_of(HEAD "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,"
-                     "clk,1,,s,fit\n"
-                     "b,stride.s:gather,cyber205-2pipe,1,clk,1,,s,"
-                     "compare\n"),
-        &how, &found));
+    assert_true(
+        observations_read(&all,
+                          file_of(HEAD "a,vector_add.s:add LENGTH=100,cyber205-2pipe,1,"
+                                       "clk,1,,s,fit\n"
+                                       "b,stride.s:gather,cyber205-2pipe,1,clk,1,,s,"
+                                       "compare\n"),
+                          &how, &found));
     assert_true(
         constants_read(&constants,
-                       file_of(
-                           "name,machine,constants,source,least,most,why\n"
-                           "start-ups,cyber205,startup.vadd startup.vdivide,"
-                           "R,5,90,?\n"),
+                       file_of("name,machine,constants,source,least,most,why\n"
+                               "start-ups,cyber205,startup.vadd startup.vdivide,"
+                               "R,5,90,?\n"),
                        &found));
     assert_true(untouched_find(&fit, &none, &untouched, &error));
     assert_false(is_among(&untouched, "startup.vadd", &moved_by));

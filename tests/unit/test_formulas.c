@@ -27,15 +27,13 @@ static void put_formula(FILE *text, uint64_t *random, int depth)
                                          "select(#, #, #, #)",
                                          "pow(2, sin(#))",
                                          "(# = # | #)" };
-    static const char *const leaves[] = { "a", "b",   "K", "1.5",
-                                          "c", ".25", "pi" };
+    static const char *const leaves[] = { "a", "b", "K", "1.5", "c", ".25", "pi" };
 
     if (depth == 0) {
         fputs(leaves[xorshift(random) % COUNT(leaves)], text);
         return;
     }
-    for (const char *form = forms[xorshift(random) % COUNT(forms)]; *form;
-         form++)
+    for (const char *form = forms[xorshift(random) % COUNT(forms)]; *form; form++)
         if (*form == '#')
             put_formula(text, random, depth - 1);
         else
@@ -93,10 +91,9 @@ TEST(long_ones)
                                      "#declare F0 = function(x) { x + 1 }\n");
 
     for (int i = 1; i < 100; i++)
-        length += (size_t)
-            snprintf(text + length, sizeof text - length,
-                     "#declare F%d = function(x) { F%d(x) + F%d(x) }\n", i,
-                     i - 1, i - 1);
+        length += (size_t)snprintf(text + length, sizeof text - length,
+                                   "#declare F%d = function(x) { F%d(x) + F%d(x) }\n",
+                                   i, i - 1, i - 1);
     snprintf(text + length, sizeof text - length, "sphere { 0, F99(1) }");
     assert_refused(text, 1, "too long to read");
 }

@@ -16,8 +16,7 @@ static uint64_t random_state = RANDOM_SEED;
 
 static size_t some(size_t least, size_t most)
 {
-    return (size_t)xorshift_between(&random_state, (int64_t)least,
-                                    (int64_t)most);
+    return (size_t)xorshift_between(&random_state, (int64_t)least, (int64_t)most);
 }
 
 static struct trace_options some_options(enum trace_mode mode)
@@ -56,12 +55,11 @@ static struct scene *some_scene(void)
              "    finish { reflection .2 } } #end #end "
              "box { <-3, -3, 3>, <3, .5, 4> } box { <-4, -3, 0>, <-3, 3, 2> }"
              "light_source { <9, 9, -9>, 1 }",
-        HEAD
-        "camera { location -6*z look_at 0 }"
-        "intersection { box { -1, 1 rotate 30*y } sphere { 0, 1.3 }"
-        "  torus { 1, .6 } } cone { <2, -1, 0>, 1, <2, 1, 0>, 0 }"
-        "quadric { 1, 0, 0, -.2 translate <-1, 1, -1> } plane { y, -1.2 }"
-        "light_source { <9, 9, -9>, 1 }",
+        HEAD "camera { location -6*z look_at 0 }"
+             "intersection { box { -1, 1 rotate 30*y } sphere { 0, 1.3 }"
+             "  torus { 1, .6 } } cone { <2, -1, 0>, 1, <2, 1, 0>, 0 }"
+             "quadric { 1, 0, 0, -.2 translate <-1, 1, -1> } plane { y, -1.2 }"
+             "light_source { <9, 9, -9>, 1 }",
     };
 
     return read_text(texts[next++ % (COUNT(texts))]);
@@ -90,14 +88,12 @@ static c205_word sample(const struct frame_pixel *pixel, const c205 *machine,
     c205_word word, values[2];
 
     for (size_t i = 0; i < 2; i++)
-        assert_true(
-            c205_read(machine,
-                      (uint64_t)object_symbol(program, names[i])->value,
-                      &values[i], 1));
+        assert_true(c205_read(machine,
+                              (uint64_t)object_symbol(program, names[i])->value,
+                              &values[i], 1));
     assert_true(
         c205_read(machine,
-                  values[0]
-                      + 64 * ((uint64_t)channel * values[1] + pixel->place),
+                  values[0] + 64 * ((uint64_t)channel * values[1] + pixel->place),
                   &word, 1));
     return word;
 }
@@ -107,9 +103,8 @@ static void check_depth(const struct frame_pixel *pixel,
                         const struct clock_stretch *stretch)
 {
     const struct trace_options *how = trace_how(pixel->trace);
-    c205_word depth =
-        trace_channel(pixel->trace,
-                      CHANNEL_DEPTH)[pixel->y * how->width + pixel->x];
+    c205_word depth = trace_channel(pixel->trace,
+                                    CHANNEL_DEPTH)[pixel->y * how->width + pixel->x];
     c205 *before = machine_at(pixel, stretch->from);
     c205 *after = machine_at(pixel, stretch->to);
 
@@ -120,14 +115,11 @@ static void check_depth(const struct frame_pixel *pixel,
     c205_free(after);
 }
 
-static void add_causes(const c205 *machine, int64_t sign,
-                       int64_t clocks[C205_CAUSES])
+static void add_causes(const c205 *machine, int64_t sign, int64_t clocks[C205_CAUSES])
 {
     for (size_t i = 0; i < c205_account_count(machine); i++)
         for (int cause = 0; cause < C205_CAUSES; cause++)
-            clocks[cause] += sign
-                             * (int64_t)c205_account_at(machine, i)
-                                   ->clocks[cause];
+            clocks[cause] += sign * (int64_t)c205_account_at(machine, i)->clocks[cause];
 }
 
 static void check_sums(const struct frame_pixel *pixel,
@@ -179,15 +171,13 @@ static void check_region(const struct frame_pixel *pixel,
     assert_true(stretch.to <= queue->to && stretch.from < stretch.to);
     machine = machine_at(pixel, queue->from);
     while (c205_clock(machine) < stretch.to) {
-        bool there = strcmp(object_region(program, c205_pc(machine)), region)
-                     == 0;
+        bool there = strcmp(object_region(program, c205_pc(machine)), region) == 0;
 
         assert_int_equal(there, c205_clock(machine) >= stretch.from);
         assert_true(c205_step(machine, &stop));
     }
     if (stretch.to < queue->to)
-        assert_string_not_equal(object_region(program, c205_pc(machine)),
-                                region);
+        assert_string_not_equal(object_region(program, c205_pc(machine)), region);
     c205_free(machine);
 }
 
@@ -202,8 +192,7 @@ static void check_pixels(enum trace_mode mode)
         struct clock_stretch stretch;
         c205_error error;
 
-        assert_true(frame_pixel_find(&pixel, trace,
-                                     some(0, options.width - 1),
+        assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
                                      some(0, options.height - 1), &error));
         if (!pixel_queue_clocks(&pixel, &stretch, &error))
             fail_msg("%s", error.message);
@@ -234,12 +223,10 @@ struct following {
     size_t lists[3], near, hits; /* so much has been told of */
     c205_word points[POINTS_MOST][3], colour[3];
     size_t point_count;
-    bool
-        crossed; /* a kernel has found a crossing where the picture has the hit */
+    bool crossed; /* a kernel has found a crossing where the picture has the hit */
 };
 
-static c205_word ray_word(const struct following *following,
-                          const char *vector)
+static c205_word ray_word(const struct following *following, const char *vector)
 {
     for (size_t i = 0; i < following->ray_count; i++)
         if (strcmp(following->ray[i].vector, vector) == 0)
@@ -248,17 +235,14 @@ static c205_word ray_word(const struct following *following,
     return 0;
 }
 
-static c205_word channel_of(const struct frame_pixel *pixel,
-                            enum frame_channel channel)
+static c205_word channel_of(const struct frame_pixel *pixel, enum frame_channel channel)
 {
     return trace_channel(pixel->trace,
-                         channel)[pixel->y * trace_how(pixel->trace)->width
-                                  + pixel->x];
+                         channel)[pixel->y * trace_how(pixel->trace)->width + pixel->x];
 }
 
 /* A vector of other rays, and the queue's that has the same of them. */
-static void check_same(struct following *following,
-                       const struct pixel_element *element)
+static void check_same(struct following *following, const struct pixel_element *element)
 {
     static const char *const same[][2] = {
         { "wox", "aox" }, { "woy", "aoy" }, { "woz", "aoz" },
@@ -276,13 +260,11 @@ static void check_same(struct following *following,
             || strcmp(element->vector, "tout") == 0))
         following->crossed |= element->word
                               == channel_of(following->pixel, CHANNEL_DEPTH);
-    if (strcmp(element->vector, "place") == 0
-        || strcmp(element->vector, "at") == 0)
+    if (strcmp(element->vector, "place") == 0 || strcmp(element->vector, "at") == 0)
         assert_int_equal(c205_to_integer(element->word), lane);
 }
 
-static void keep_point(struct following *following,
-                       const struct pixel_element *element)
+static void keep_point(struct following *following, const struct pixel_element *element)
 {
     static const char *const names[] = { "px", "py", "pz" };
     static const char *const colours[] = { "red", "green", "blue" };
@@ -302,8 +284,7 @@ static void keep_point(struct following *following,
 /* What is reflected begins where something was hit. */
 static void check_origin(const struct following *following)
 {
-    const c205_word origin[] = { ray_word(following, "aox"),
-                                 ray_word(following, "aoy"),
+    const c205_word origin[] = { ray_word(following, "aox"), ray_word(following, "aoy"),
                                  ray_word(following, "aoz") };
     bool found = false;
 
@@ -318,8 +299,7 @@ static void follow(void *context, const struct pixel_element *element)
 
     assert_true(element->lane < element->length);
     if (element->group == PIXEL_QUEUE) {
-        if (following->ray_count > 0
-            && following->ray[0].lane != element->lane)
+        if (following->ray_count > 0 && following->ray[0].lane != element->lane)
             following->ray_count = 0;
         following->ray[following->ray_count++] = *element;
         following->lists[element->list < 2 ? element->list : 2]++;
@@ -328,8 +308,7 @@ static void follow(void *context, const struct pixel_element *element)
             check_origin(following);
         return;
     }
-    *(element->group == PIXEL_NEAR ? &following->near
-                                   : &following->hits) += 1;
+    *(element->group == PIXEL_NEAR ? &following->near : &following->hits) += 1;
     check_same(following, element);
     if (element->group == PIXEL_HITS) {
         assert_true(c205_to_double(ray_word(following, "met")) != 0);
@@ -339,9 +318,7 @@ static void follow(void *context, const struct pixel_element *element)
 
 static uint64_t label(const struct frame_pixel *pixel, const char *name)
 {
-    const struct asm_symbol *symbol = object_symbol(trace_program(
-                                                        pixel->trace),
-                                                    name);
+    const struct asm_symbol *symbol = object_symbol(trace_program(pixel->trace), name);
 
     return symbol ? (uint64_t)symbol->value : 0;
 }
@@ -352,8 +329,7 @@ static void check_met(const struct following *following)
     const struct frame_pixel *pixel = following->pixel;
     bool hit = c205_to_double(ray_word(following, "met")) != 0;
 
-    assert_int_equal(hit,
-                     c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
+    assert_int_equal(hit, c205_to_integer(channel_of(pixel, CHANNEL_ID)) != 0);
     if (hit)
         assert_int_equal(ray_word(following, "nearest"),
                          channel_of(pixel, CHANNEL_DEPTH));
@@ -424,15 +400,13 @@ TEST(rays)
 
     for (size_t i = 0; i < 15 * TRACE_MODES; i++) {
         struct scene *scene = some_scene();
-        struct trace_options options = some_options(
-            (enum trace_mode)(i % TRACE_MODES));
+        struct trace_options options = some_options((enum trace_mode)(i % TRACE_MODES));
         struct trace *trace = run_trace(scene, &options);
         struct frame_pixel pixel;
         struct following following = { .pixel = &pixel };
         c205_error error;
 
-        assert_true(frame_pixel_find(&pixel, trace,
-                                     some(0, options.width - 1),
+        assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
                                      some(0, options.height - 1), &error));
         check_rays(&following);
         assert_true(following.lists[0] > 0);
@@ -451,16 +425,14 @@ TEST(rays)
 
 /* ---- Under a debugger ---------------------------------------------------- */
 
-static void obey(struct debugger *debugger, struct text_buffer *said,
-                 const char *line)
+static void obey(struct debugger *debugger, struct text_buffer *said, const char *line)
 {
     text_buffer_free(said);
     *said = (struct text_buffer){ 0 };
     assert_true(debugger_obey(debugger, line));
 }
 
-static void check_accounts(const struct frame_pixel *pixel,
-                           const c205 *machine)
+static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
 {
     c205_error error;
     c205 *plain = trace_machine(pixel->trace, pixel->band, &error);
@@ -472,8 +444,7 @@ static void check_accounts(const struct frame_pixel *pixel,
                             c205_account_at(machine, i)->clocks,
                             sizeof c205_account_at(plain, i)->clocks);
     if (trace_bands(pixel->trace) == 1)
-        assert_int_equal(c205_clock(machine),
-                         trace_accounts(pixel->trace)->clocks);
+        assert_int_equal(c205_clock(machine), trace_accounts(pixel->trace)->clocks);
     c205_free(plain);
 }
 

@@ -53,16 +53,14 @@ static struct trace_options some_options(enum trace_mode mode)
         .queue = (size_t)xorshift_between(&random_state, 1, 150),
         .band = (size_t)xorshift_between(&random_state, 20, 120),
         .jobs = (size_t)xorshift_between(&random_state, 1, 4),
-        .order = (enum trace_order)xorshift_between(&random_state, 0,
-                                                    ORDERS - 1),
+        .order = (enum trace_order)xorshift_between(&random_state, 0, ORDERS - 1),
         .model = models.list[model]
     };
 }
 
 /* ---- Sums ---------------------------------------------------------------- */
 
-static c205_account sum_of(const struct line_profile *profile,
-                           const char *region)
+static c205_account sum_of(const struct line_profile *profile, const char *region)
 {
     c205_account sum = { .name = region };
 
@@ -110,8 +108,7 @@ static void check_sums(const struct line_profile *profile,
 
 /* ---- Frames -------------------------------------------------------------- */
 
-static char *table_text_of(const struct line_profile *profile,
-                           struct profile_view view)
+static char *table_text_of(const struct line_profile *profile, struct profile_view view)
 {
     struct table *table = line_profile_table(profile, view, false);
     char *text = NULL;
@@ -125,8 +122,8 @@ static char *table_text_of(const struct line_profile *profile,
 }
 
 /* The listing, which the caller frees. */
-static char *check_frame(const struct scene *scene,
-                         struct trace_options options, const char *what)
+static char *check_frame(const struct scene *scene, struct trace_options options,
+                         const char *what)
 {
     struct line_profile *profile = NULL;
     struct observer observer = frame_profile_observer(&profile);
@@ -137,8 +134,7 @@ static char *check_frame(const struct scene *scene,
     options.observers = observers;
     trace = run_trace(scene, &options);
     check_sums(profile, trace_accounts(trace), what);
-    text = table_text_of(profile,
-                         (struct profile_view){ PROFILE_HOTTEST, true });
+    text = table_text_of(profile, (struct profile_view){ PROFILE_HOTTEST, true });
     line_profile_free(profile);
     trace_free(trace);
     return text;
@@ -146,9 +142,9 @@ static char *check_frame(const struct scene *scene,
 
 static struct scene *read_file(const char *path)
 {
-    const struct scene_options reading = {
-        .width = WIDTH, .height = HEIGHT, .read_raster = picture_read_raster
-    };
+    const struct scene_options reading = { .width = WIDTH,
+                                           .height = HEIGHT,
+                                           .read_raster = picture_read_raster };
     struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(path, &reading, &reports);
 
@@ -169,8 +165,7 @@ static void check_scene(const char *path, enum trace_mode mode)
 /* Each scene in one of the stages, or in all (PROFILED=all). */
 TEST(scenes)
 {
-    static const char *const patterns[] = { "scenes/*.pov",
-                                            "tests/scenes/*.pov" };
+    static const char *const patterns[] = { "scenes/*.pov", "tests/scenes/*.pov" };
     const char *profiled = getenv("PROFILED");
     bool all = profiled && strcmp(profiled, "all") == 0;
     size_t count = 0;
@@ -192,15 +187,13 @@ TEST(scenes)
 /* In all stages, whatever the number of bands at a time. */
 TEST(jobs)
 {
-    static const char *const paths[] = { "scenes/first.pov",
-                                         "scenes/rings.pov",
+    static const char *const paths[] = { "scenes/first.pov", "scenes/rings.pov",
                                          "tests/scenes/glass.pov" };
 
     for (size_t i = 0; i < 3 * TRACE_MODES; i++) {
         const char *path = paths[i / TRACE_MODES];
         struct scene *scene = read_file(path);
-        struct trace_options options = some_options(
-            (enum trace_mode)(i % TRACE_MODES));
+        struct trace_options options = some_options((enum trace_mode)(i % TRACE_MODES));
         char *alone, *several;
 
         options.band = 3 * options.width;
@@ -221,13 +214,11 @@ TEST(order)
     struct scene *scene = read_file("scenes/first.pov");
     char *text = check_frame(scene, some_options(TRACE_VECTOR), "order");
     char *line = strchr(text, '\n') + 1, region[40] = "", last[40] = "";
-    unsigned long long clocks, before = 0, in_region = 0,
-                               in_last = UINT64_MAX;
+    unsigned long long clocks, before = 0, in_region = 0, in_last = UINT64_MAX;
     size_t regions = 0;
 
     for (; *line; line = strchr(line, '\n') + 1) {
-        assert_int_equal(sscanf(line, "%39[^,],%*[^,],%llu", region, &clocks),
-                         2);
+        assert_int_equal(sscanf(line, "%39[^,],%*[^,],%llu", region, &clocks), 2);
         if (strcmp(region, last) != 0) {
             if (regions++ > 1)
                 assert_true(in_region <= in_last);

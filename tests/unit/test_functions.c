@@ -13,13 +13,7 @@
 #include <limits.h>
 #include <math.h>
 
-enum {
-    STRIP = 48,
-    MOST = 60000,
-    DIGITS = 200,
-    EXPONENTS = 28672,
-    AT_END = 60
-};
+enum { STRIP = 48, MOST = 60000, DIGITS = 200, EXPONENTS = 28672, AT_END = 60 };
 
 static size_t tries = 6000;
 static uint64_t state = RANDOM_SEED;
@@ -28,8 +22,7 @@ static const struct function {
     const char *name;
     int arguments;
     exact_function *exact;
-    double
-        units; /* of the last place, that a result is off at most; of a power for
+    double units;   /* of the last place, that a result is off at most; of a power for
                      each of 1 + |y| / 32 */
     double near[3]; /* about multiples of these it is delicate */
 } functions[] = {
@@ -70,8 +63,7 @@ static c205_word beside(double near)
     if (one_in(&state, 3)) {
         number *= (double)xorshift_between(&state, 1, 1 << 20);
     }
-    return c205_from_double(number)
-           + (c205_word)xorshift_between(&state, -2, 2);
+    return c205_from_double(number) + (c205_word)xorshift_between(&state, -2, 2);
 }
 
 static c205_word draw(const struct function *function)
@@ -101,8 +93,7 @@ static c205_word draw_second(const struct function *function, c205_word first)
     case 1: return arith_subtract_normalised(0, first, &flags);
     case 2: return C205_MACHINE_ZERO;
     case 3:
-        return arith_multiply_significant(first,
-                                          c205_from_double(function->near[0]),
+        return arith_multiply_significant(first, c205_from_double(function->near[0]),
                                           &flags);
     default: return draw(function);
     }
@@ -152,8 +143,8 @@ struct both {
 
 static struct both both;
 
-static void copy_words(c205 *machine, const struct object *object,
-                       const char *label, c205_word *words, bool in)
+static void copy_words(c205 *machine, const struct object *object, const char *label,
+                       c205_word *words, bool in)
 {
     uint64_t address = (uint64_t)object_symbol(object, label)->value;
     bool done = in ? c205_write(machine, address, words, both.count)
@@ -170,8 +161,8 @@ static void compute(const char *name, const char *file, const char *result)
     c205_error error;
     c205 *machine = c205_new(prior_model, &error);
 
-    snprintf(program, sizeof program, text, STRIP, file, n, n, n, n, n, n, n,
-             name, n, n, result, n, n, name);
+    snprintf(program, sizeof program, text, STRIP, file, n, n, n, n, n, n, n, name, n,
+             n, result, n, n, name);
     object = good(program);
     assert_true(c205_load(machine, &object->program, &error));
     copy_words(machine, object, "xs", both.x, true);
@@ -196,8 +187,7 @@ static void check_forms(const char *name)
         if (both.number[i] != both.vector[i]) {
             fail_msg("%s of %016" PRIX64 ", %016" PRIX64 ": %016" PRIX64
                      " of numbers, %016" PRIX64 " of vectors",
-                     name, both.x[i], both.y[i], both.number[i],
-                     both.vector[i]);
+                     name, both.x[i], both.y[i], both.number[i], both.vector[i]);
         }
     }
 }
@@ -210,8 +200,7 @@ struct errors {
 };
 
 /* Whether a result must be indefinite, whatever its exact value. */
-static bool has_none(const struct function *function, const mpfr_t x,
-                     const mpfr_t y)
+static bool has_none(const struct function *function, const mpfr_t x, const mpfr_t y)
 {
     if (mpfr_nan_p(x) || (function->arguments == 2 && mpfr_nan_p(y))) {
         return true;
@@ -234,9 +223,7 @@ static bool has_none(const struct function *function, const mpfr_t x,
 /* What the errors of a power grow with. */
 static double factor_of(const struct function *function, const mpfr_t y)
 {
-    return function->exact == exact_power
-               ? 1 + fabs(mpfr_get_d(y, MPFR_RNDN)) / 32
-               : 1;
+    return function->exact == exact_power ? 1 + fabs(mpfr_get_d(y, MPFR_RNDN)) / 32 : 1;
 }
 
 /* As a word has it; of zero less than all. */
@@ -245,9 +232,8 @@ static long exponent_of(const mpfr_t exact)
     return mpfr_zero_p(exact) ? LONG_MIN / 2 : (long)mpfr_get_exp(exact) - 47;
 }
 
-static void check_value(const struct function *function, size_t i,
-                        const mpfr_t exact, double factor,
-                        struct errors *errors)
+static void check_value(const struct function *function, size_t i, const mpfr_t exact,
+                        double factor, struct errors *errors)
 {
     c205_word word = both.number[i];
     double error;
@@ -256,8 +242,7 @@ static void check_value(const struct function *function, size_t i,
     mpfr_init2(difference, DIGITS);
     oracle_value(&oracle_full, difference, word);
     mpfr_sub(difference, difference, exact, MPFR_RNDN);
-    mpfr_mul_2si(difference, difference, 47 - (long)mpfr_get_exp(exact),
-                 MPFR_RNDN);
+    mpfr_mul_2si(difference, difference, 47 - (long)mpfr_get_exp(exact), MPFR_RNDN);
     error = mpfr_get_d(difference, MPFR_RNDN) / factor;
     mpfr_clear(difference);
     if (!(fabs(error) <= function->units)) {
@@ -276,13 +261,11 @@ static void value_of(mpfr_t value, c205_word word)
     uint64_t flags = 0;
 
     oracle_value(&oracle_full, value,
-                 oracle_add_normalised(&oracle_full, word, C205_MACHINE_ZERO,
-                                       &flags));
+                 oracle_add_normalised(&oracle_full, word, C205_MACHINE_ZERO, &flags));
 }
 
 /* What atan2 adds and subtracts, and power multiplies, may be out of range. */
-static bool overflows(const struct function *function, const mpfr_t x,
-                      const mpfr_t y)
+static bool overflows(const struct function *function, const mpfr_t x, const mpfr_t y)
 {
     long least = EXPONENTS - AT_END;
 
@@ -309,8 +292,7 @@ static void check_result(const struct function *function, size_t i,
         function->exact(exact, x, y);
         if (overflows(function, x, y)) {
             good = true;
-        } else if (mpfr_inf_p(exact)
-                   || exponent_of(exact) > EXPONENTS + AT_END) {
+        } else if (mpfr_inf_p(exact) || exponent_of(exact) > EXPONENTS + AT_END) {
             good = word == C205_INDEFINITE;
         } else if (exponent_of(exact) < -EXPONENTS - AT_END) {
             good = word == C205_MACHINE_ZERO;
@@ -322,8 +304,8 @@ static void check_result(const struct function *function, size_t i,
     }
     mpfr_clears(x, y, exact, (mpfr_ptr)NULL);
     if (!good) {
-        fail_msg("%s of %016" PRIX64 ", %016" PRIX64 " is %016" PRIX64,
-                 function->name, both.x[i], both.y[i], word);
+        fail_msg("%s of %016" PRIX64 ", %016" PRIX64 " is %016" PRIX64, function->name,
+                 both.x[i], both.y[i], word);
     }
 }
 
@@ -341,16 +323,15 @@ TEST(errors)
             both.y[i] = draw_second(&functions[f], both.x[i]);
         }
         for (size_t k = 0; k < 3; k++) {
-            compute(functions[f].name, f == 3 ? "sin" : functions[f].name,
-                    results[k]);
+            compute(functions[f].name, f == 3 ? "sin" : functions[f].name, results[k]);
             check_forms(functions[f].name);
         }
         for (size_t i = 0; i < tries; i++) {
             check_result(&functions[f], i, &errors);
         }
         assert_true(errors.count > tries / 20);
-        printf("%-8s %9zu   %5.2f to %4.2f\n", functions[f].name,
-               errors.count, errors.least, errors.most);
+        printf("%-8s %9zu   %5.2f to %4.2f\n", functions[f].name, errors.count,
+               errors.least, errors.most);
     }
 }
 
@@ -358,16 +339,14 @@ TEST(errors)
 TEST(lengths)
 {
     for (size_t count = 0; count < 3 * STRIP; count += count % 7 + 1) {
-        const struct function
-            *function = &functions[below(&state, FUNCTIONS)];
+        const struct function *function = &functions[below(&state, FUNCTIONS)];
 
         both.count = count;
         for (size_t i = 0; i < count; i++) {
             both.x[i] = draw(function);
             both.y[i] = draw_second(function, both.x[i]);
         }
-        compute(function->name,
-                function->exact == exact_cos ? "sin" : function->name,
+        compute(function->name, function->exact == exact_cos ? "sin" : function->name,
                 "vectors");
         check_forms(function->name);
     }
@@ -378,8 +357,7 @@ TEST(powers_of_two)
 {
     both.count = 500;
     for (size_t i = 0; i < both.count; i++) {
-        both.x[i] = c205_from_double(
-            ldexp(1, (int)xorshift_between(&state, -20, 20)));
+        both.x[i] = c205_from_double(ldexp(1, (int)xorshift_between(&state, -20, 20)));
         both.y[i] = c205_from_integer(xorshift_between(&state, -40, 40));
     }
     compute("power", "power", "vectors");
@@ -406,8 +384,7 @@ static bool is_integer(c205_word word, int64_t *integer)
     uint64_t flags = 0;
     c205_word cut = oracle_truncate(&oracle_full,
                                     oracle_add_normalised(&oracle_full, word,
-                                                          C205_MACHINE_ZERO,
-                                                          &flags),
+                                                          C205_MACHINE_ZERO, &flags),
                                     0, &flags);
 
     *integer = 0;
@@ -422,15 +399,12 @@ static void check_quotient(size_t i)
 {
     int64_t x, y;
     bool good = is_integer(both.x[i], &x) & is_integer(both.y[i], &y);
-    c205_word quotient = good && y ? c205_from_integer(x / y)
-                                   : C205_INDEFINITE;
+    c205_word quotient = good && y ? c205_from_integer(x / y) : C205_INDEFINITE;
     c205_word rest = good && y ? c205_from_integer(x % y) : C205_INDEFINITE;
 
-    if (both.number[i] != quotient || both.rest[i] != rest
-        || both.other[i] != rest) {
-        fail_msg("%" PRId64 " / %" PRId64 " is %016" PRIX64
-                 ", remains %016" PRIX64 " of numbers, %016" PRIX64
-                 " of vectors",
+    if (both.number[i] != quotient || both.rest[i] != rest || both.other[i] != rest) {
+        fail_msg("%" PRId64 " / %" PRId64 " is %016" PRIX64 ", remains %016" PRIX64
+                 " of numbers, %016" PRIX64 " of vectors",
                  x, y, both.number[i], both.rest[i], both.other[i]);
     }
 }
@@ -493,8 +467,7 @@ TEST(polynomials)
 
     for (size_t i = 0; (polynomial = exact_polynomial_at(i)) != NULL; i++) {
         mpfr_t exact[EXACT_COEFFICIENTS];
-        uint64_t at = (uint64_t)object_symbol(object, polynomial->label)
-                          ->value;
+        uint64_t at = (uint64_t)object_symbol(object, polynomial->label)->value;
 
         exact_coefficients(polynomial, exact);
         for (size_t k = 0; k < polynomial->count; k++) {
@@ -515,8 +488,7 @@ TEST(polynomials)
 TEST(factors)
 {
     enum { FACTORS = 33 };
-    struct object *object = good(
-        "        .include \"power.s\"\n        EXIT\n");
+    struct object *object = good("        .include \"power.s\"\n        EXIT\n");
     const c205_program *program = &object->program;
     uint64_t c = (uint64_t)object_symbol(object, "power.factors")->value;
     uint64_t high = (uint64_t)object_symbol(object, "power.high")->value;
@@ -527,8 +499,7 @@ TEST(factors)
     for (uint64_t j = 0; j < FACTORS; j++) {
         double factor = floor(64 * 32 / (32.0 + (double)j) + 0.5) / 64;
 
-        assert_int_equal(word_of(program, c + 64 * j),
-                         c205_from_double(factor));
+        assert_int_equal(word_of(program, c + 64 * j), c205_from_double(factor));
         mpfr_set_ui(exact, 1, MPFR_RNDN);
         mpfr_div_d(exact, exact, factor, MPFR_RNDN);
         mpfr_log2(exact, exact, MPFR_RNDN);

@@ -14,14 +14,11 @@
 
 static uint64_t seed = 1;
 
-static const struct global_lines_options usual = { .mode = TRACE_VECTOR,
-                                                   .queue = 2000,
-                                                   .lines_log = 10,
-                                                   .repeats = 16,
-                                                   .lattice = true };
+static const struct global_lines_options usual = {
+    .mode = TRACE_VECTOR, .queue = 2000, .lines_log = 10, .repeats = 16, .lattice = true
+};
 
-static struct global_lines find(const char *text,
-                                struct global_lines_options options)
+static struct global_lines find(const char *text, struct global_lines_options options)
 {
     struct scene *scene = read_scene(text);
     struct global_lines found;
@@ -36,13 +33,10 @@ static struct global_lines find(const char *text,
 }
 
 /* Errors come of 16 repeats: 4.6 of them are as rare as 4 of a normal law's. */
-static void assert_estimate(const char *what, struct estimate found,
-                            double expected)
+static void assert_estimate(const char *what, struct estimate found, double expected)
 {
-    if (!(fabs(found.value - expected)
-          <= 4.6 * found.error + 1e-9 * fabs(expected)))
-        fail_msg("%s: %g +- %g is not %g", what, found.value, found.error,
-                 expected);
+    if (!(fabs(found.value - expected) <= 4.6 * found.error + 1e-9 * fabs(expected)))
+        fail_msg("%s: %g +- %g is not %g", what, found.value, found.error, expected);
 }
 
 static void assert_exact(const struct global_lines *found)
@@ -82,8 +76,7 @@ TEST(shell)
 /* Two sides of each disc: half of what is known for those that face each other. */
 TEST(discs)
 {
-    struct global_lines found = find("disc { 0, z, 1 } disc { z, z, 1 }",
-                                     usual);
+    struct global_lines found = find("disc { 0, z, 1 } disc { z, z, 1 }", usual);
     double factor = (3 - sqrt(5)) / 2;
 
     assert_exact(&found);
@@ -103,8 +96,7 @@ TEST(areas)
         { "difference { box { <-1,-.5,-.25>, <1,.5,.25> }"
           " cylinder { <.4,0,-1>, <.4,0,1>, .3 } }",
           7.37699111843078 },
-        { "merge { sphere { -.5*x, 1 } sphere { .5*x, 1 } }",
-          18.8495559215388 },
+        { "merge { sphere { -.5*x, 1 } sphere { .5*x, 1 } }", 18.8495559215388 },
         { "torus { 1, .25 rotate 30*x }", 9.86960440108936 },
         { "box { 0, 1 } box { x, <2,1,1> }", 10 }, /* they touch */
     };
@@ -144,14 +136,11 @@ TEST(forms)
     for (int i = 0; i < 4; i++) {
         size_t width = one.surfaces + 1;
 
-        options.mode = i == 0   ? TRACE_SCALAR
-                       : i == 3 ? TRACE_KERNELS
-                                : TRACE_VECTOR;
+        options.mode = i == 0 ? TRACE_SCALAR : i == 3 ? TRACE_KERNELS : TRACE_VECTOR;
         options.queue = i == 1 ? 37 : 2000;
         options.jobs = i == 2 ? 2 : 1;
         other = find(text, options);
-        assert_memory_equal(one.ends, other.ends,
-                            2 * width * width * sizeof *one.ends);
+        assert_memory_equal(one.ends, other.ends, 2 * width * width * sizeof *one.ends);
         global_lines_free(&other);
     }
     global_lines_free(&one);
@@ -159,8 +148,7 @@ TEST(forms)
 
 /* ---- What cannot be ------------------------------------------------------------ */
 
-static void assert_fails(const char *text,
-                         struct global_lines_options options,
+static void assert_fails(const char *text, struct global_lines_options options,
                          const char *message)
 {
     struct scene *scene = read_scene(text);

@@ -21,8 +21,7 @@ double fit_error(const struct observation *observation, double predicted)
 }
 
 double study_speedup(const struct study *study, const double *predicted,
-                     const struct speedup_subject *subject, bool other,
-                     double *told)
+                     const struct speedup_subject *subject, bool other, double *told)
 {
     (void)study;
     (void)predicted;
@@ -52,9 +51,8 @@ static const struct observation rows[ROWS] = {
     { .name = "equal", .unit = "s", .value = 1 },
 };
 
-static const double times[ROWS] = { 1.0499, 1.0999, .9501, .9001,
-                                    1.1001, .8999,  .9001, .8999,
-                                    1.0999, 1.1001, 2,     1 };
+static const double times[ROWS] = { 1.0499, 1.0999, .9501,  .9001,  1.1001, .8999,
+                                    .9001,  .8999,  1.0999, 1.1001, 2,      1 };
 static const double left_out[ROWS] = { 1.2499, 1.2501, .7501, .7499, 1, 1,
                                        1,      1,      1,     1,     2, 1 };
 static const double places[] = { 2, 2.01, -2, -2.01, 0, 5, -5 };
@@ -67,8 +65,7 @@ TEST(limits)
     const struct observations all = { .count = ROWS,
                                       .items = (struct observation *)rows };
     char text[1000] = "";
-    const struct results results = { .format = RESULTS_TEXT,
-                                     .file = tmpfile() };
+    const struct results results = { .format = RESULTS_TEXT, .file = tmpfile() };
 
     assert_non_null(results.file);
     study.fit.observations = &all;
@@ -82,21 +79,20 @@ TEST(limits)
     rewind(results.file);
     text[fread(text, 1, sizeof text - 1, results.file)] = '\0';
     fclose(results.file);
-    assert_string_equal(text,
-                        "\nThe goal:\n\n"
-                        "Times of Table 1 within 10 %: 5 of 7; not\n"
-                        "    too high +10.0 %,\n    too low -10.0 %.\n"
-                        "Speedups within 10 %: 2 of 4.\n"
-                        "Times of Table 1 within 5 %: 3 of 7; not\n"
-                        "    higher +10.0 %,\n    lower -10.0 %,\n"
-                        "    too high +10.0 %,\n    too low -10.0 %.\n"
-                        "Speedups within 5 %: 2 of 4.\n"
-                        "Livermore kernels within 10 %: 2 of 4; not\n"
-                        "    Livermore 2 -10.0 %,\n"
-                        "    Livermore 4 +10.0 %.\n"
-                        "Rows left out within 25 %: 9 of 12; not\n"
-                        "    higher +25.0 %,\n    lower -25.0 %,\n"
-                        "    no row +100.0 %.\n"
-                        "Constants inside their bounds: 5 of 7; within 2 "
-                        "prior widths: 3.\n");
+    assert_string_equal(text, "\nThe goal:\n\n"
+                              "Times of Table 1 within 10 %: 5 of 7; not\n"
+                              "    too high +10.0 %,\n    too low -10.0 %.\n"
+                              "Speedups within 10 %: 2 of 4.\n"
+                              "Times of Table 1 within 5 %: 3 of 7; not\n"
+                              "    higher +10.0 %,\n    lower -10.0 %,\n"
+                              "    too high +10.0 %,\n    too low -10.0 %.\n"
+                              "Speedups within 5 %: 2 of 4.\n"
+                              "Livermore kernels within 10 %: 2 of 4; not\n"
+                              "    Livermore 2 -10.0 %,\n"
+                              "    Livermore 4 +10.0 %.\n"
+                              "Rows left out within 25 %: 9 of 12; not\n"
+                              "    higher +25.0 %,\n    lower -25.0 %,\n"
+                              "    no row +100.0 %.\n"
+                              "Constants inside their bounds: 5 of 7; within 2 "
+                              "prior widths: 3.\n");
 }

@@ -6,27 +6,18 @@
 #define ONE C205_HALF_ONE
 #define HALF (INT64_C(1) << 22)
 
-enum {
-    MAX = 0x7FFFFF,
-    MIN = -0x800000,
-    TOP = 111,
-    BOTTOM = -112,
-    ROUNDS = 20000
-};
+enum { MAX = 0x7FFFFF, MIN = -0x800000, TOP = 111, BOTTOM = -112, ROUNDS = 20000 };
 
 /* A half word. */
 #define H(exponent, coefficient) \
-    ((c205_word)(int64_t)(exponent) << 56 \
-     | ((c205_word)(coefficient)&0xFFFFFF) << 32)
+    ((c205_word)(int64_t)(exponent) << 56 | ((c205_word)(coefficient)&0xFFFFFF) << 32)
 /* A word. */
 #define W(exponent, coefficient) word_make(exponent, coefficient)
 /* Coefficients in words that are special for their exponents. */
 #define ANY H(0, 0x923456)
 
-#define BINARY(op, a, b, expected, flags) \
-    BINARY_GIVES(half_##op, a, b, expected, flags)
-#define UNARY(op, a, expected, flags) \
-    UNARY_GIVES(half_##op, a, expected, flags)
+#define BINARY(op, a, b, expected, flags) BINARY_GIVES(half_##op, a, b, expected, flags)
+#define UNARY(op, a, expected, flags) UNARY_GIVES(half_##op, a, expected, flags)
 
 TEST(format)
 {
@@ -91,8 +82,7 @@ TEST(add_normalises)
     BINARY(add_normalised, H(0, 0), H(0, -1), H(-23, MIN), 0);
     BINARY(add_normalised, H(9, 5), H(9, -5), MZ, ZERO_FLAG);
     BINARY(subtract_normalised, H(23, 1), H(0, 1), H(0, MAX), 0);
-    BINARY(add_normalised, H(BOTTOM, HALF), H(BOTTOM, -HALF - 1), MZ,
-           ZERO_FLAG);
+    BINARY(add_normalised, H(BOTTOM, HALF), H(BOTTOM, -HALF - 1), MZ, ZERO_FLAG);
     BINARY(add_normalised, H(TOP, MAX), H(TOP, 1), IND, OVERFLOW_FLAGS);
     BINARY(average, H(0, HALF), H(0, HALF + 1), H(0, HALF), 0);
     BINARY(average, H(BOTTOM, HALF), MZ, MZ, ZERO_FLAG);
@@ -130,11 +120,9 @@ TEST(multiply_significant)
     BINARY(multiply_significant, H(0, 1), H(0, MAX), H(22, 1), 0);
     BINARY(multiply_significant, H(0, -1), H(0, 1), H(-1, -2), 0);
     BINARY(multiply_significant, H(3, 0), ONE, MZ, ZERO_FLAG);
-    BINARY(multiply_significant, H(TOP, HALF), H(-21, HALF), IND,
-           OVERFLOW_FLAGS);
+    BINARY(multiply_significant, H(TOP, HALF), H(-21, HALF), IND, OVERFLOW_FLAGS);
     BINARY(multiply_significant, H(TOP, HALF), H(-22, HALF), H(TOP, HALF), 0);
-    BINARY(multiply_significant, H(BOTTOM, HALF), H(-23, HALF), MZ,
-           ZERO_FLAG);
+    BINARY(multiply_significant, H(BOTTOM, HALF), H(-23, HALF), MZ, ZERO_FLAG);
 }
 
 /* ---- Divide, square root ------------------------------------------------ */
@@ -162,10 +150,8 @@ TEST(divide_significant)
     BINARY(divide_significant, H(0, 7), H(0, 3), H(0, 2), 0);
     BINARY(divide_significant, H(0, -7), H(0, 3), H(0, -3), 0);
     BINARY(divide_significant, H(0, 0), H(0, 3), MZ, ZERO_FLAG);
-    BINARY(divide_significant, H(TOP, MAX), H(-23, HALF), IND,
-           OVERFLOW_FLAGS);
-    BINARY(divide_significant, H(BOTTOM, HALF), H(-22, HALF + 1), MZ,
-           ZERO_FLAG);
+    BINARY(divide_significant, H(TOP, MAX), H(-23, HALF), IND, OVERFLOW_FLAGS);
+    BINARY(divide_significant, H(BOTTOM, HALF), H(-22, HALF + 1), MZ, ZERO_FLAG);
 }
 
 TEST(square_root)
@@ -251,11 +237,9 @@ static const c205_word ladder[][4] = {
     { H(BOTTOM, -1), H(BOTTOM, -1), H(BOTTOM, -1), H(BOTTOM, -1) },
     { MZ, H(TOP, 0), H(BOTTOM, 0), H(-113, -1) },
     { H(BOTTOM, 1), H(BOTTOM, 1), H(BOTTOM, 1), H(BOTTOM, 1) },
-    { H(BOTTOM, HALF), H(BOTTOM + 22, 1), H(BOTTOM + 21, 2),
-      H(BOTTOM, HALF) },
+    { H(BOTTOM, HALF), H(BOTTOM + 22, 1), H(BOTTOM + 21, 2), H(BOTTOM, HALF) },
     { ONE, H(0, 1), H(-1, 2), H(-21, HALF / 2) },
-    { H(-22, HALF + 1), H(-22, HALF + 1), H(-22, HALF + 1),
-      H(-22, HALF + 1) },
+    { H(-22, HALF + 1), H(-22, HALF + 1), H(-22, HALF + 1), H(-22, HALF + 1) },
     { H(TOP, MAX), H(TOP, MAX), H(TOP, MAX), H(TOP, MAX) },
 };
 
@@ -333,10 +317,9 @@ TEST(contract_rounded)
     UNARY_GIVES(arith_contract_rounded, W(0, 0x800000), H(24, 1), 0);
     UNARY_GIVES(arith_contract_rounded, W(0, -0x800000), H(24, 0), 0);
     UNARY_GIVES(arith_contract_rounded, W(0, -0x800001), H(24, -1), 0);
-    UNARY_GIVES(arith_contract_rounded, W(0, WORD_COEFFICIENT_MAX),
-                H(25, HALF), 0);
-    UNARY_GIVES(arith_contract_rounded, W(TOP - 24, WORD_COEFFICIENT_MAX),
-                IND, OVERFLOW_FLAGS);
+    UNARY_GIVES(arith_contract_rounded, W(0, WORD_COEFFICIENT_MAX), H(25, HALF), 0);
+    UNARY_GIVES(arith_contract_rounded, W(TOP - 24, WORD_COEFFICIENT_MAX), IND,
+                OVERFLOW_FLAGS);
     UNARY_GIVES(arith_contract_rounded, W(BOTTOM - 25, WORD_COEFFICIENT_MAX),
                 H(BOTTOM, HALF), 0);
     UNARY_GIVES(arith_contract_rounded, MZ | 77, MZ, ZERO_FLAG);
@@ -366,8 +349,7 @@ TEST(extended_come_back)
     uint64_t seed = RANDOM_SEED, flags = 0;
 
     for (int i = 0; i < ROUNDS; i++) {
-        c205_word a = xorshift_unnormalised_of(half_words, &seed, BOTTOM,
-                                               TOP);
+        c205_word a = xorshift_unnormalised_of(half_words, &seed, BOTTOM, TOP);
         c205_word word = extended(a);
         assert_int_equal(arith_contract(word, &flags), a);
         assert_int_equal(arith_contract_rounded(word, &flags), a);
@@ -382,8 +364,7 @@ TEST(half_results_are_cut)
     uint64_t seed = RANDOM_SEED, flags = 0;
 
     for (int i = 0; i < ROUNDS; i++) {
-        c205_word a = half_absolute(xorshift_normalised_of(half_words, &seed,
-                                                           -40, 30),
+        c205_word a = half_absolute(xorshift_normalised_of(half_words, &seed, -40, 30),
                                     &flags);
         c205_word b = xorshift_normalised_of(half_words, &seed, -40, 30);
         c205_word x = extended(a), y = extended(b);
@@ -394,8 +375,7 @@ TEST(half_results_are_cut)
                          arith_contract(sum, &flags));
         assert_int_equal(half_multiply_significant(a, b, &flags),
                          arith_contract(product, &flags));
-        assert_int_equal(half_square_root(a, &flags),
-                         arith_contract(root, &flags));
+        assert_int_equal(half_square_root(a, &flags), arith_contract(root, &flags));
         assert_int_equal(half_less(a, b), arith_less(x, y));
     }
 }

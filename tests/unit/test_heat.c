@@ -18,8 +18,8 @@ static struct heat_request usual(void)
                                   .model = prior_model };
 }
 
-static void find(const struct scene *scene,
-                 const struct heat_request *request, struct heat *heat)
+static void find(const struct scene *scene, const struct heat_request *request,
+                 struct heat *heat)
 {
     c205_error error = { "" };
 

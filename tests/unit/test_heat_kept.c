@@ -11,12 +11,7 @@
 #include "tests/unit/prior_model.h"
 #include "tests/unit/scene_reading.h"
 
-enum {
-    SHARES = 3,
-    REPEATS = 6,
-    PRIMITIVES = 3,
-    UNITS = REPEATS * PRIMITIVES
-};
+enum { SHARES = 3, REPEATS = 6, PRIMITIVES = 3, UNITS = REPEATS * PRIMITIVES };
 enum { WORDS = 256 };
 
 static uint64_t seed = 1;
@@ -76,8 +71,7 @@ static bool run_rays(struct run *run, const struct scene *scene)
                                              .model = prior_model };
     struct factors *factors = factors_new(scene, &options, &run->error);
     struct factor_row rows[PRIMITIVES];
-    bool good = factors
-                && factors_find(factors, all, PRIMITIVES, rows, &run->error);
+    bool good = factors && factors_find(factors, all, PRIMITIVES, rows, &run->error);
 
     assert_int_equal(factors_units(factors, PRIMITIVES), UNITS);
     for (size_t i = 0; good && i < PRIMITIVES; i++) {
@@ -147,8 +141,7 @@ static struct run begin(bool lines, struct farm *farm)
 static void assert_same(const struct run *run, const struct run *other)
 {
     assert_int_equal(run->count, other->count);
-    assert_memory_equal(run->words, other->words,
-                        run->count * sizeof run->words[0]);
+    assert_memory_equal(run->words, other->words, run->count * sizeof run->words[0]);
 }
 
 static struct run find_alone(bool lines)
@@ -196,10 +189,9 @@ TEST(shares)
         struct farm all = { .paths = paths, .path_count = SHARES };
 
         for (size_t i = 0; i < SHARES; i++) {
-            struct farm farm = { .part = i + 1,
-                                 .parts = SHARES,
-                                 .paths = &paths[i],
-                                 .path_count = 1 };
+            struct farm farm = {
+                .part = i + 1, .parts = SHARES, .paths = &paths[i], .path_count = 1
+            };
             struct run share = begin(lines, &farm);
 
             assert_true(do_run(&share));

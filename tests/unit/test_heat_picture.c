@@ -13,13 +13,12 @@
 enum { WIDTH = 40, HEIGHT = 30 };
 static char folder[] = "/tmp/heatXXXXXX", path[sizeof folder + 10];
 
-static const char text[] =
-    "camera { location <0, 1, -6> look_at 0 }\n"
-    "#declare Ball = sphere { -1.2*x, .8 }\n"
-    "#declare Block = box { <.3, -.6, -.6>, <1.5, .6, .6> }\n"
-    "#declare Sheet = disc { -y, y, 3 }\n"
-    "object { Ball } object { Block } object { Sheet }\n"
-    "object { Ball translate 30*z }\n";
+static const char text[] = "camera { location <0, 1, -6> look_at 0 }\n"
+                           "#declare Ball = sphere { -1.2*x, .8 }\n"
+                           "#declare Block = box { <.3, -.6, -.6>, <1.5, .6, .6> }\n"
+                           "#declare Sheet = disc { -y, y, 3 }\n"
+                           "object { Ball } object { Block } object { Sheet }\n"
+                           "object { Ball translate 30*z }\n";
 
 static struct scene *read_scene(void)
 {
@@ -32,8 +31,7 @@ static struct scene *read_scene(void)
     return scene;
 }
 
-static const char *const warm[] = { "default=300", "Ball=500",
-                                    "Sheet=adiabatic" };
+static const char *const warm[] = { "default=300", "Ball=500", "Sheet=adiabatic" };
 
 static struct heat_request usual(void)
 {
@@ -62,8 +60,8 @@ static struct heat_look look_of(enum heat_shown shown, const char *from)
                                .path = path };
 }
 
-static double value_of(const struct heat *heat, enum heat_shown shown,
-                       size_t from, size_t surface)
+static double value_of(const struct heat *heat, enum heat_shown shown, size_t from,
+                       size_t surface)
 {
     if (shown == SHOWN_FACTOR)
         return heat->surfaces.list[from].factor[surface].value;
@@ -75,9 +73,8 @@ static void check_color(const struct frame *frame, size_t row, size_t column,
                         const double color[3])
 {
     for (int k = 0; k < 3; k++)
-        assert_true(
-            fabs(frame->channel[k][row * frame->width + column] - color[k])
-            < .05);
+        assert_true(fabs(frame->channel[k][row * frame->width + column] - color[k])
+                    < .05);
 }
 
 /* Below the frame is the scale, which is no part of the scene.  Its ends have the
@@ -94,8 +91,7 @@ static void check_scale(const struct frame *frame, enum heat_shown shown,
     assert_int_equal(frame->width, WIDTH);
     assert_true(frame->height > HEIGHT + 20);
     for (size_t i = WIDTH * HEIGHT; i < WIDTH * frame->height; i++) {
-        assert_true(frame->channel[CHANNEL_ID][i] == 0
-                    && frame->value[i] == 0);
+        assert_true(frame->channel[CHANNEL_ID][i] == 0 && frame->value[i] == 0);
         dots += frame->channel[CHANNEL_GREEN][i] > .85;
         if (bar == 0 && frame->channel[CHANNEL_BLUE][i] > .015)
             bar = i / WIDTH;
@@ -118,14 +114,12 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
 
     if (!heat_draw(heat, &look, &drawn, &error))
         fail_msg("%s", error.message);
-    assert_true(
-        picture_read_layer(path, heat_shown_name(shown), &frame, &why));
+    assert_true(picture_read_layer(path, heat_shown_name(shown), &frame, &why));
     for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
         size_t id = (size_t)frame.channel[CHANNEL_ID][i];
-        double expected = id == 0
-                              ? 0
-                              : value_of(heat, shown, number,
-                                         heat->surfaces.surface_of[id - 1]);
+        double expected = id == 0 ? 0
+                                  : value_of(heat, shown, number,
+                                             heat->surfaces.surface_of[id - 1]);
 
         seen[id] = true;
         assert_true(frame.value[i] == (double)(float)expected);
@@ -136,8 +130,7 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
         least = fmin(least, value_of(heat, shown, number, i));
         most = fmax(most, value_of(heat, shown, number, i));
     }
-    assert_true(drawn.least == least && drawn.most == most
-                && drawn.clocks > 0);
+    assert_true(drawn.least == least && drawn.most == most && drawn.clocks > 0);
     free(frame.value);
     frame_free(&frame);
     remove(path);
@@ -150,8 +143,7 @@ TEST(values)
     struct heat heat;
     c205_error error = { "" };
 
-    if (!heat_begin(scene, &request, &heat, &error)
-        || !heat_find(&heat, &error))
+    if (!heat_begin(scene, &request, &heat, &error) || !heat_find(&heat, &error))
         fail_msg("%s", error.message);
     check_picture(&heat, SHOWN_FLOW, NULL, 0);
     check_picture(&heat, SHOWN_FACTOR, "Block", 1);
@@ -168,8 +160,7 @@ static void grey(const void *context, double share, double color[3])
 }
 
 /* Pixels of text that a title adds to a scale. */
-static size_t drawn_by(const char *title, double least, double most,
-                       size_t width)
+static size_t drawn_by(const char *title, double least, double most, size_t width)
 {
     const struct color_scale scale = {
         .title = title, .least = least, .most = most, .color = grey
@@ -217,8 +208,7 @@ TEST(refused)
     c205_error error = { "" };
 
     request.exchange = false;
-    assert_true(heat_begin(scene, &request, &heat, &error)
-                && heat_find(&heat, &error));
+    assert_true(heat_begin(scene, &request, &heat, &error) && heat_find(&heat, &error));
     assert_false(heat_draw(&heat, &look, &drawn, &error));
     assert_string_equal(error.message,
                         "no surface is called 'Lid', or nothing comes from "

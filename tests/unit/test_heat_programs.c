@@ -35,8 +35,7 @@ static struct object *assemble(const char *name)
     return program;
 }
 
-static void end(struct single_run *run, uint64_t from, c205_word *words,
-                size_t count)
+static void end(struct single_run *run, uint64_t from, c205_word *words, size_t count)
 {
     uint64_t clocks = 0;
 
@@ -52,8 +51,8 @@ struct receiving {
     c205_word *weights, *list;
 };
 
-static void receive(const struct object *program,
-                    const struct receiving *given, c205_word *words)
+static void receive(const struct object *program, const struct receiving *given,
+                    c205_word *words)
 {
     size_t receivers = given->receivers;
     struct single_run run;
@@ -72,8 +71,7 @@ static void receive(const struct object *program,
     end(&run, sums, words, 2 * receivers + 1);
 }
 
-static void check_received(const struct receiving *given,
-                           const c205_word *words)
+static void check_received(const struct receiving *given, const c205_word *words)
 {
     double all = 0;
 
@@ -86,15 +84,13 @@ static void check_received(const struct receiving *given,
                 sum += c205_to_double(given->weights[i]);
                 count++;
             }
-        assert_int_equal(c205_to_integer(words[given->receivers + 1 + r]),
-                         count);
+        assert_int_equal(c205_to_integer(words[given->receivers + 1 + r]), count);
         if (!(fabs(c205_to_double(words[r]) - sum) <= 1e-12 * sum))
-            fail_msg("receiver %zu gets %.15g, not %.15g", r,
-                     c205_to_double(words[r]), sum);
+            fail_msg("receiver %zu gets %.15g, not %.15g", r, c205_to_double(words[r]),
+                     sum);
         all += sum;
     }
-    assert_true(fabs(c205_to_double(words[given->receivers]) - all)
-                <= 1e-12 * all);
+    assert_true(fabs(c205_to_double(words[given->receivers]) - all) <= 1e-12 * all);
 }
 
 TEST(received)
@@ -111,10 +107,9 @@ TEST(received)
         given.weights = calloc(given.rays, sizeof *given.weights);
         given.list = calloc(given.rays, sizeof *given.list);
         for (size_t k = 0; k < given.rays; k++) {
-            given.weights[k] = c205_from_double(
-                xorshift_real(&random_state, .1, 7));
-            given.list[k] = c205_from_integer((int64_t)below(
-                below(2) ? given.receivers : 1 + given.receivers / 9));
+            given.weights[k] = c205_from_double(xorshift_real(&random_state, .1, 7));
+            given.list[k] = c205_from_integer(
+                (int64_t)below(below(2) ? given.receivers : 1 + given.receivers / 9));
         }
         for (int form = 0; form < 2; form++) {
             words[form] = calloc(width, sizeof **words);
@@ -154,8 +149,7 @@ static void stay(const struct object *program, const struct staying *given,
     single_run_room(&run, "faces_from", given->planes, count);
     made = single_run_room(&run, "faces_made", NULL, count + 1);
     single_run_word(&run, "faces_crossings", given->crossings);
-    single_run_room(&run, "faces_list", given->list,
-                    LIST_PLANES * given->crossings);
+    single_run_room(&run, "faces_list", given->list, LIST_PLANES * given->crossings);
     single_run_word(&run, "faces_primitive", OWN);
     single_run_room(&run, "faces_kept", NULL, given->points);
     end(&run, made, words, count + 1);
@@ -180,8 +174,7 @@ static void draw_crossings(const struct staying *given)
 static bool is_near(const struct staying *given, size_t i, size_t point)
 {
     return fabs(c205_to_double(given->list[i])) < 1e-7
-           && c205_to_integer(given->list[2 * given->crossings + i])
-                  == (int64_t)point;
+           && c205_to_integer(given->list[2 * given->crossings + i]) == (int64_t)point;
 }
 
 static int64_t primitive_of(const struct staying *given, size_t i)
@@ -206,8 +199,7 @@ static bool stays(const struct staying *given, size_t point)
 
     for (size_t i = 0; i < given->crossings; i++)
         if (is_near(given, i, point) && primitive_of(given, i) < OWN
-            && c205_to_integer(given->list[3 * given->crossings + i])
-                   == sense)
+            && c205_to_integer(given->list[3 * given->crossings + i]) == sense)
             return false;
     return sense > 0;
 }
@@ -241,8 +233,7 @@ TEST(staying)
                                           : some_length(5000);
         words = PLANES * given.points;
         given.planes = calloc(words, sizeof *given.planes);
-        given.list = calloc(LIST_PLANES * given.crossings + 1,
-                            sizeof *given.list);
+        given.list = calloc(LIST_PLANES * given.crossings + 1, sizeof *given.list);
         for (size_t k = 0; k < words; k++)
             given.planes[k] = xorshift(&random_state);
         draw_crossings(&given);
@@ -276,15 +267,14 @@ static void make_ends(struct gap_ends *given)
     assert_non_null(given->planes);
     for (size_t k = 0; k < ends; k++) {
         given->planes[k] = c205_from_double((double)below(5) / 4 - .5);
-        given->planes[ends + k] = c205_from_integer(
-            (int64_t)below(given->surfaces));
+        given->planes[ends + k] = c205_from_integer((int64_t)below(given->surfaces));
         given->planes[2 * ends + k] = c205_from_integer(
             below(2) ? 0 : (int64_t)below(4) - 1);
     }
 }
 
-static void count_gaps(const struct object *program,
-                       const struct gap_ends *given, c205_word *counts)
+static void count_gaps(const struct object *program, const struct gap_ends *given,
+                       c205_word *counts)
 {
     size_t cells = given->surfaces * given->surfaces;
     struct single_run run;
@@ -331,8 +321,7 @@ TEST(gaps)
     for (int i = 0; i < 60; i++) {
         struct gap_ends given = { .gaps = i ? some_length(65534) : 65534,
                                   .surfaces = 1 + below(40) };
-        c205_word *counts = calloc(given.surfaces * given.surfaces,
-                                   sizeof *counts);
+        c205_word *counts = calloc(given.surfaces * given.surfaces, sizeof *counts);
 
         assert_non_null(counts);
         make_ends(&given);

@@ -34,8 +34,7 @@ static struct grid random_grid(void)
 static void keep_grid(const struct grid *grid)
 {
     char text[2000];
-    int end = sprintf(text, "P2\n# by chance\n%d %d 65535", grid->columns,
-                      grid->rows);
+    int end = sprintf(text, "P2\n# by chance\n%d %d 65535", grid->columns, grid->rows);
 
     for (int z = grid->rows - 1; z >= 0; z--)
         for (int x = 0; x < grid->columns; x++)
@@ -63,8 +62,8 @@ static double surface(const struct grid *grid, double x, double z)
     return d + (1 - u) * (c - d) + (1 - v) * (b - d);
 }
 
-static void check_surface(const struct grid *grid,
-                          const struct triangles *triangles, double water)
+static void check_surface(const struct grid *grid, const struct triangles *triangles,
+                          double water)
 {
     for (int i = 0; i < SAMPLES; i++) {
         double x = between(0, 1), z = between(0, 1), met = -1;
@@ -110,11 +109,9 @@ static void normal_at(const struct grid *grid, int x, int z, double normal[3])
     double sum[3] = { 0, 0, 0 }, length;
 
     for (int corner = 0; corner < 4; corner++) {
-        int to_x = x + (corner & 1 ? 1 : -1),
-            to_z = z + (corner & 2 ? 1 : -1);
+        int to_x = x + (corner & 1 ? 1 : -1), to_z = z + (corner & 2 ? 1 : -1);
         double along, up;
-        if (to_x < 0 || to_x >= grid->columns || to_z < 0
-            || to_z >= grid->rows)
+        if (to_x < 0 || to_x >= grid->columns || to_z < 0 || to_z >= grid->rows)
             continue;
         along = (to_x - x) * slope(grid, x, z, to_x, z);
         up = (to_z - z) * slope(grid, x, z, x, to_z);
@@ -167,17 +164,15 @@ TEST(normals)
         char words[80];
 
         keep_grid(&grid);
-        snprintf(words, sizeof words, "smooth scale <%.17g, %.17g, 1>", wide,
-                 high);
+        snprintf(words, sizeof words, "smooth scale <%.17g, %.17g, 1>", wide, high);
         scene = field_expect("", words);
         triangles = triangles_of(scene);
-        assert_int_equal(triangles->count,
-                         2 * (grid.columns - 1) * (grid.rows - 1));
+        assert_int_equal(triangles->count, 2 * (grid.columns - 1) * (grid.rows - 1));
         for (size_t k = 0; k < 3 * triangles->count; k++) {
             const struct triangle *triangle = &triangles->list[k / 3];
             assert_true(triangle->smooth);
-            check_corner(&grid, triangle->corners[k % 3],
-                         triangle->normals[k % 3], wide, high);
+            check_corner(&grid, triangle->corners[k % 3], triangle->normals[k % 3],
+                         wide, high);
         }
         scene_free(scene);
     }
@@ -206,8 +201,7 @@ TEST(known_normals)
                 || fabs(corner[2] - known[i][0][2]) > 1e-9)
                 continue;
             for (int j = 0; j < 3; j++)
-                assert_close(triangle->normals[k % 3][j], known[i][1][j],
-                             1e-8);
+                assert_close(triangle->normals[k % 3][j], known[i][1][j], 1e-8);
             found++;
         }
     }
@@ -237,15 +231,14 @@ TEST(functions)
     expect_height(slanted, 1 - 1e-9, 1e-9, 49151);
     expect_height(slanted, .5 - 1e-9, .5 - 1e-9, 24575);
     expect_height(slanted, 1 - 1e-9, 1 - 1e-9, 32767);
-    expect_height("height_field { function 3, 3 { z + .123456 } }", .3, .3,
-                  8090);
+    expect_height("height_field { function 3, 3 { z + .123456 } }", .3, .3, 8090);
     scene_free(read_with("height_field { function 3, 3 { 3*x - 1 } }", 1));
 }
 
 TEST(below_water)
 {
-    struct scene *scene =
-        read_with("height_field { function 3, 3 { x } water_level 1 }", 1);
+    struct scene
+        *scene = read_with("height_field { function 3, 3 { x } water_level 1 }", 1);
 
     assert_int_equal(scene->primitive_count, 0);
     scene_free(scene);
@@ -277,8 +270,7 @@ static void assert_is_closed(const struct triangles *triangles)
         memcpy(there + 3, triangle->corners[(i + 1) % 3], sizeof there / 2);
         memcpy(back, there + 3, sizeof back / 2);
         memcpy(back + 3, there, sizeof back / 2);
-        memcpy(edges[i], compare_ends(there, back) < 0 ? there : back,
-               sizeof there);
+        memcpy(edges[i], compare_ends(there, back) < 0 ? there : back, sizeof there);
     }
     qsort(edges, count, sizeof *edges, compare_ends);
     for (size_t i = 0; i < count; i += same) {

@@ -18,8 +18,7 @@ struct known_file {
 #define GREYS "\x00\x32\x64\x96\xc8\xfa"
 #define COLORS \
     "\xff\x00\x00\x00\xff\x00\x00\x00\xff\x0a\x14\x1e\xc8\x64\x32\xff\xff\xff"
-#define BGRS \
-    "\x00\x00\xff\x00\xff\x00\xff\x00\x00\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff"
+#define BGRS "\x00\x00\xff\x00\xff\x00\xff\x00\x00\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff"
 
 static const struct known_file known_files[] = {
     { FILE_OF("pgm", "P5\n3 2\n255\n" GREYS),
@@ -31,15 +30,12 @@ static const struct known_file known_files[] = {
     { FILE_OF("pgm", "P5 3 2 65535\n\0\0\x27\x10\x4e\x20\x75\x30\x9c\x40"
                      "\xc3\x50"),
       { 0, 10000, 20000, 30000, 40000, 50000 } },
-    { FILE_OF("ppm", "P6\n3 2\n255\n" COLORS),
-      { 65280, 255, 0, 2580, 51300, 65535 } },
-    { FILE_OF("ppm",
-              "P3\n3 2\n100\n0 10 33 50 77 100 100 0 0 0 100 0 0 0 100 "
-              "99 98 97\n"),
+    { FILE_OF("ppm", "P6\n3 2\n255\n" COLORS), { 65280, 255, 0, 2580, 51300, 65535 } },
+    { FILE_OF("ppm", "P3\n3 2\n100\n0 10 33 50 77 100 100 0 0 0 100 0 0 0 100 "
+                     "99 98 97\n"),
       { 25, 32836, 65280, 255, 0, 64877 } },
-    { FILE_OF("ppm",
-              "P3\n3 2\n65535\n65535 0 0 0 65535 0 0 0 65535 2570 5140 "
-              "7710 51400 25700 12850 65535 65535 65535"),
+    { FILE_OF("ppm", "P3\n3 2\n65535\n65535 0 0 0 65535 0 0 0 65535 2570 5140 "
+                     "7710 51400 25700 12850 65535 65535 65535"),
       { 19463, 38600, 7470, 4669, 31868, 65534 } },
     { FILE_OF("tga", "\0\0\x02\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x18\x20" BGRS),
       { 65280, 255, 0, 2580, 51300, 65535 } },
@@ -50,21 +46,18 @@ static const struct known_file known_files[] = {
       { 63488, 248, 0, 2064, 51296, 63736 } },
     { FILE_OF("tga", "\0\0\x03\0\0\0\0\0\0\0\0\0\x03\0\x02\0\x08\x20" GREYS),
       { 0, 12850, 25700, 38550, 51400, 64250 } },
-    { FILE_OF("tga",
-              "\0\x01\x01\0\0\x06\0\x18\0\0\0\0\x03\0\x02\0\x08\x20" BGRS
-              "\0\x01\x02\x03\x04\x05"),
+    { FILE_OF("tga", "\0\x01\x01\0\0\x06\0\x18\0\0\0\0\x03\0\x02\0\x08\x20" BGRS
+                     "\0\x01\x02\x03\x04\x05"),
       { 0, 256, 512, 768, 1024, 1280 } },
-    { FILE_OF("gif",
-              "GIF89a\x03\0\x02\0\xf2\0\0" COLORS "\x01\x02\x03\x04\x05"
-              "\x06,\0\0\0\0\x03\0\x02\0\0\x03\x05\x08\x21\x38\x54\x09"
-              "\0;"),
+    { FILE_OF("gif", "GIF89a\x03\0\x02\0\xf2\0\0" COLORS "\x01\x02\x03\x04\x05"
+                     "\x06,\0\0\0\0\x03\0\x02\0\0\x03\x05\x08\x21\x38\x54\x09"
+                     "\0;"),
       { 0, 256, 512, 768, 1024, 1280 } },
-    { FILE_OF("png",
-              "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
-              "\x03\x00\x00\x00\x02\x08\x00\x00\x00\x00\xb8\x1f\x39"
-              "\xc6\x00\x00\x00\x13IDATx\x01\x01\x08\x00\xf7\xff\x00"
-              "\x00\x32\x64\x00\x96\xc8\xfa\x07t\x02\xef\x03\x12^\x0b\x00"
-              "\x00\x00\x00IEND\xae\x42`\x82"),
+    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
+                     "\x03\x00\x00\x00\x02\x08\x00\x00\x00\x00\xb8\x1f\x39"
+                     "\xc6\x00\x00\x00\x13IDATx\x01\x01\x08\x00\xf7\xff\x00"
+                     "\x00\x32\x64\x00\x96\xc8\xfa\x07t\x02\xef\x03\x12^\x0b\x00"
+                     "\x00\x00\x00IEND\xae\x42`\x82"),
       { 0, 12593, 25443, 38293, 51143, 64250 } },
     { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
                      "\x03\x00\x00\x00\x02\x10\x00\x00\x00\x00\xe8\x8f\xe5"
@@ -72,13 +65,12 @@ static const struct known_file known_files[] = {
                      "\x00\x00'\x10N \x00u0\x9c@\xc3P\x0e\xcd\x03:\x8e\xf5Y"
                      "\xa5\x00\x00\x00\x00IEND\xae\x42`\x82"),
       { 0, 10000, 20000, 30000, 40000, 50000 } },
-    { FILE_OF("png",
-              "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
-              "\x03\x00\x00\x00\x02\x08\x02\x00\x00\x00\x12\x16\xf1M"
-              "\x00\x00\x00\x1fIDATx\x01\x01\x14\x00\xeb\xff\x00\xff"
-              "\x00\x00\x00\xff\x00\x00\x00\xff\x00\x0a\x14\x1e\xc8"
-              "\x64\x32\xff\xff\xff<\x19\x07\x95\x1b\xa7\xeb\xb9\x00\x00"
-              "\x00\x00IEND\xae\x42`\x82"),
+    { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
+                     "\x03\x00\x00\x00\x02\x08\x02\x00\x00\x00\x12\x16\xf1M"
+                     "\x00\x00\x00\x1fIDATx\x01\x01\x14\x00\xeb\xff\x00\xff"
+                     "\x00\x00\x00\xff\x00\x00\x00\xff\x00\x0a\x14\x1e\xc8"
+                     "\x64\x32\xff\xff\xff<\x19\x07\x95\x1b\xa7\xeb\xb9\x00\x00"
+                     "\x00\x00IEND\xae\x42`\x82"),
       { 65280, 255, 0, 2580, 51300, 65535 } },
     { FILE_OF("png", "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00\x00"
                      "\x03\x00\x00\x00\x02\x08\x06\x00\x00\x00\x9dtf\x1a\x00"
@@ -103,11 +95,10 @@ static const struct known_file known_files[] = {
                      "\x43\x00\xa6\x63~\xb7\x9a\x00\x00\x00\x00IEND\xae\x42`"
                      "\x82"),
       { 0, 256, 512, 768, 1024, 1280 } },
-    { FILE_OF("bmp",
-              "BM\x4e\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x03\0\0\0\x02\0\0"
-              "\0\x01\0\x18\0\0\0\0\0\x18\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
-              "\0\0\0\0\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff\0\0\0"
-              "\0\0\xff\0\xff\0\xff\0\0\0\0\0"),
+    { FILE_OF("bmp", "BM\x4e\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x03\0\0\0\x02\0\0"
+                     "\0\x01\0\x18\0\0\0\0\0\x18\0\0\0\0\0\0\0\0\0\0\0\0\0\0\0"
+                     "\0\0\0\0\x1e\x14\x0a\x32\x64\xc8\xff\xff\xff\0\0\0"
+                     "\0\0\xff\0\xff\0\xff\0\0\0\0\0"),
       { 65280, 255, 0, 2580, 51300, 65535 } },
 };
 
@@ -120,8 +111,8 @@ static void check_file(const struct known_file *file)
     for (int i = 0; i < 6; i++) {
         double x = i % 3 / 2., z = i < 3;
         double height = -1, x_in = x + (x < .5 ? 1 : -1) * 1e-9;
-        if (!field_meet(triangles_of(scene), x_in,
-                        z + (i < 3 ? -1 : 1) * 1e-9, &height))
+        if (!field_meet(triangles_of(scene), x_in, z + (i < 3 ? -1 : 1) * 1e-9,
+                        &height))
             fail_msg("%s %d: nothing is met", file->word, i);
         if (fabs(height * 65536 - file->heights[i]) > .01)
             fail_msg("%s %d: %.3f, not %d", file->word, i, height * 65536,
@@ -140,11 +131,10 @@ TEST(kinds)
 TEST(tables)
 {
     static const struct known_file own_table = {
-        FILE_OF("gif",
-                "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
-                "\x02\0\x82"
-                "aaaaaabbbbbbccccccdddddd"
-                "\x03\x05\x08\x21\x38\x54\x09\0;"),
+        FILE_OF("gif", "GIF89a\x03\0\x02\0\x72\0\0!\xfe\x02yo\0,\0\0\0\0\x03\0"
+                       "\x02\0\x82"
+                       "aaaaaabbbbbbccccccdddddd"
+                       "\x03\x05\x08\x21\x38\x54\x09\0;"),
         { 0, 256, 512, 768, 1024, 1280 }
     };
 
@@ -170,8 +160,7 @@ TEST(broken)
 
 /* ---- What is none -------------------------------------------------------- */
 
-static void expect_file_fault(const char *word, const char *bytes,
-                              const char *message)
+static void expect_file_fault(const char *word, const char *bytes, const char *message)
 {
     field_keep(bytes, strlen(bytes));
     field_expect_fault(word, "", 17 + strlen(word), message);
@@ -223,8 +212,7 @@ TEST(no_adapter)
         assert_int_equal(!scene, !own);
         assert_int_equal(reports.errors, !own);
         if (!own)
-            assert_non_null(
-                strstr(reports.items->message, "cannot be read here"));
+            assert_non_null(strstr(reports.items->message, "cannot be read here"));
         scene_free(scene);
         diagnostics_free(&reports);
         memset(&reports, 0, sizeof reports);

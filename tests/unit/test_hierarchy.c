@@ -20,8 +20,7 @@ static struct bound ball(double x, double y, double z, double radius)
 static struct bound anywhere(size_t i)
 {
     (void)i;
-    return ball(between(-9, 9), between(-9, 9), between(-9, 9),
-                between(1e-3, 2));
+    return ball(between(-9, 9), between(-9, 9), between(-9, 9), between(1e-3, 2));
 }
 
 static struct bound in_one_point(size_t i)
@@ -84,8 +83,7 @@ static void check_order(const struct hierarchy *hierarchy, size_t count)
 }
 
 /* Loose are those without a bound, or all, those first; in the scene's order. */
-static void check_loose(const struct hierarchy *hierarchy,
-                        const struct bound *bounds)
+static void check_loose(const struct hierarchy *hierarchy, const struct bound *bounds)
 {
     bool all = hierarchy->loose == hierarchy->count;
 
@@ -104,21 +102,17 @@ static void check_loose(const struct hierarchy *hierarchy,
     }
 }
 
-static void check_encloses(const struct bound *whole,
-                           const struct bound *part)
+static void check_encloses(const struct bound *whole, const struct bound *part)
 {
-    assert_true(bound_reach(part, whole->center)
-                <= whole->radius * (1 + 1e-12));
+    assert_true(bound_reach(part, whole->center) <= whole->radius * (1 + 1e-12));
     for (int k = 0; k < 3; k++)
-        assert_true(whole->low[k] <= part->low[k]
-                    && part->high[k] <= whole->high[k]);
+        assert_true(whole->low[k] <= part->low[k] && part->high[k] <= whole->high[k]);
 }
 
 /* The node and all below it, from the region at a place of the order on;
  * returns the place behind its last. */
-static size_t check_node(const struct hierarchy *hierarchy,
-                         const struct bound *bounds, size_t i, size_t place,
-                         size_t depth)
+static size_t check_node(const struct hierarchy *hierarchy, const struct bound *bounds,
+                         size_t i, size_t place, size_t depth)
 {
     const struct hierarchy_node *node = &hierarchy->nodes[i];
     size_t end = place;
@@ -156,9 +150,7 @@ static size_t check(const struct bound *bounds, size_t count)
     check_order(&hierarchy, count);
     check_loose(&hierarchy, bounds);
     if (hierarchy.node_count > 0) {
-        assert_int_equal(check_node(&hierarchy, bounds, 0, hierarchy.loose,
-                                    1),
-                         count);
+        assert_int_equal(check_node(&hierarchy, bounds, 0, hierarchy.loose, 1), count);
         assert_int_equal(hierarchy.nodes[0].next, hierarchy.node_count);
     }
     nodes = hierarchy.node_count;

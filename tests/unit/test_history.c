@@ -21,7 +21,7 @@ struct story {
     c205_model *model;
     size_t change_count;
     struct change change[CHANGES]; /* by step */
-    uint64_t steps_before, steps; /* the program has so many, or more, without
+    uint64_t steps_before, steps;  /* the program has so many, or more, without
                                       changes and with them */
     uint64_t target[TARGETS], hash[TARGETS];
 };
@@ -53,8 +53,7 @@ static c205 *begin(const struct story *story)
 static c205_model *model_of(size_t number)
 {
     c205_error error;
-    c205_model *model = c205_model_parse("random", random_models[number],
-                                         &error);
+    c205_model *model = c205_model_parse("random", random_models[number], &error);
     assert_non_null(model);
     return model;
 }
@@ -64,8 +63,7 @@ static bool change_at(const struct story *story, c205 *machine, uint64_t step)
     bool changed = false;
     for (size_t i = 0; i < story->change_count; i++)
         if (story->change[i].step == step) {
-            c205_set_register(machine, story->change[i].number,
-                              story->change[i].word);
+            c205_set_register(machine, story->change[i].number, story->change[i].word);
             changed = true;
         }
     return changed;
@@ -146,8 +144,7 @@ static void go_through(const struct story *story, c205_history *history)
     }
 }
 
-static void jump(const struct story *story, c205_history *history,
-                 size_t target)
+static void jump(const struct story *story, c205_history *history, size_t target)
 {
     uint64_t step = story->target[target];
     c205_error error;
@@ -158,8 +155,7 @@ static void jump(const struct story *story, c205_history *history,
     assert_int_equal(c205_history_step(history), step);
     if (hash_of(c205_history_machine(history)) != story->hash[target])
         fail_msg("seed %llu: step %llu is another one",
-                 (unsigned long long)story->program.seed,
-                 (unsigned long long)step);
+                 (unsigned long long)story->program.seed, (unsigned long long)step);
 }
 
 TEST(jumps)
@@ -169,8 +165,7 @@ TEST(jumps)
         c205_error error;
         c205_history *history;
         make_story(&story, number);
-        history = c205_history_new(begin(&story), below(2) * below(1 << 20),
-                                   &error);
+        history = c205_history_new(begin(&story), below(2) * below(1 << 20), &error);
         assert_non_null(history);
         go_through(&story, history);
         for (size_t i = 0; i < jumps; i++)
@@ -244,8 +239,7 @@ static uint64_t constant_of(const c205 *machine, const char *kind,
 {
     char name[80];
     const c205_constant *constant;
-    snprintf(name, sizeof name, "%s.%s", kind,
-             c205_timing_name(insn->timing));
+    snprintf(name, sizeof name, "%s.%s", kind, c205_timing_name(insn->timing));
     constant = c205_model_lookup(c205_machine_model(machine), name);
     assert_non_null(constant);
     return (uint64_t)constant->value;
@@ -255,22 +249,18 @@ static uint64_t constant_of(const c205 *machine, const char *kind,
 static void check_constants(const c205 *machine, const c205_event *event)
 {
     const c205_times *times = event->record;
-    uint64_t ready = times->issued
-                     + constant_of(machine, "latency", event->insn);
-    assert_true(event->insn->timing == C205_TIMING_swap
-                    ? times->ready >= ready
-                    : times->ready == ready);
+    uint64_t ready = times->issued + constant_of(machine, "latency", event->insn);
+    assert_true(event->insn->timing == C205_TIMING_swap ? times->ready >= ready
+                                                        : times->ready == ready);
     assert_int_equal(times->unit_free,
-                     times->issued
-                         + constant_of(machine, "busy", event->insn));
+                     times->issued + constant_of(machine, "busy", event->insn));
 }
 
 static void hear(void *context, const c205 *machine, const c205_event *event)
 {
     struct heard *heard = context;
     const c205_times *times = event->record;
-    if (event->kind != C205_EVENT_INSTRUCTION
-        && event->kind != C205_EVENT_REQUEST) {
+    if (event->kind != C205_EVENT_INSTRUCTION && event->kind != C205_EVENT_REQUEST) {
         assert_int_equal(sum_of(times), event->clocks);
         heard->ended = true;
         return;
@@ -278,10 +268,8 @@ static void hear(void *context, const c205 *machine, const c205_event *event)
     assert_int_equal(times->arrived, heard->clock);
     assert_int_equal(sum_of(times), event->clocks);
     assert_int_equal(times->issued, event->issued);
-    assert_in_range(times->issued, times->arrived,
-                    times->arrived + event->clocks);
-    assert_true(times->ready >= times->issued
-                && times->unit_free >= times->issued);
+    assert_in_range(times->issued, times->arrived, times->arrived + event->clocks);
+    assert_true(times->ready >= times->issued && times->unit_free >= times->issued);
     if (c205_unit_is_vector(event->insn->unit)) {
         check_phases(times);
         heard->vectors++;
@@ -298,8 +286,7 @@ struct summed {
     uint64_t clocks[64][C205_CAUSES];
 };
 
-static void add_up(void *context, const c205 *machine,
-                   const c205_event *event)
+static void add_up(void *context, const c205 *machine, const c205_event *event)
 {
     struct summed *summed = context;
     (void)machine;
@@ -322,8 +309,8 @@ static uint64_t check_times(c205 *machine)
         if (i % 64 != 0)
             continue;
         for (size_t k = 0; k < c205_account_count(machine); k++)
-            assert_memory_equal(c205_account_at(machine, k)->clocks,
-                                summed.clocks[k], sizeof summed.clocks[k]);
+            assert_memory_equal(c205_account_at(machine, k)->clocks, summed.clocks[k],
+                                sizeof summed.clocks[k]);
     }
     c205_free(machine);
     return heard.vectors;
@@ -344,8 +331,7 @@ TEST(times)
         vectors += check_times(machine_from(paths[i], model));
     c205_model_free(model);
     for (size_t number = 0; number < 400; number++) {
-        struct story story = { .program = random_program(RANDOM_SEED
-                                                         ^ number << 20) };
+        struct story story = { .program = random_program(RANDOM_SEED ^ number << 20) };
         story.model = model_of(story.program.model);
         vectors += check_times(begin(&story));
         c205_model_free(story.model);
@@ -369,8 +355,7 @@ TEST(pages)
         bool known = false;
         for (size_t i = 0; i < RANDOM_PAGES; i++)
             known |= random_pages[i].address == page.address
-                     && (random_pages[i].access != C205_READ_ONLY)
-                            == page.writable;
+                     && (random_pages[i].access != C205_READ_ONLY) == page.writable;
         assert_true(known);
         from = page.address + UINT64_C(64) * C205_PAGE_WORDS;
         count++;

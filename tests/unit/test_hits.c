@@ -67,8 +67,7 @@ static double dot(const double a[3], const double b[3])
 
 /* Where it is within the side, cut by the slab of the discs: 1 it strikes, 0 not, -1 it
  * nearly does. */
-static int strikes(const double o[3], const double d[3],
-                   const double words[WORDS])
+static int strikes(const double o[3], const double d[3], const double words[WORDS])
 {
     const double *axis = words + 3;
     double w[3], a, b, across, half, middle, from, to, low, high;
@@ -106,17 +105,15 @@ static void check(const struct bundle *bundle, const c205_word *told)
             expected = one == 0 ? expected : one;
         }
         if (expected >= 0 && c205_to_integer(told[i]) != expected)
-            fail_msg("ray %zu of %zu, %zu cylinders: told %d, not %d", i,
-                     bundle->rays, bundle->cylinders,
-                     (int)c205_to_integer(told[i]), expected);
+            fail_msg("ray %zu of %zu, %zu cylinders: told %d, not %d", i, bundle->rays,
+                     bundle->cylinders, (int)c205_to_integer(told[i]), expected);
     }
 }
 
 static void run(const struct bundle *bundle, const char *form, size_t queue,
                 c205_word *told)
 {
-    const struct asm_define defines[] = { { "QUEUE", (int64_t)queue },
-                                          { NULL, 0 } };
+    const struct asm_define defines[] = { { "QUEUE", (int64_t)queue }, { NULL, 0 } };
     static c205_word planes[6 * RAYS_MOST], words[WORDS * CYLINDERS_MOST];
     size_t n = bundle->rays;
     struct single_run run;
@@ -128,8 +125,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     for (size_t i = 0; i < n; i++)
         for (size_t k = 0; k < 3; k++) {
             planes[k * n + i] = c205_from_double(bundle->origin[i][k]);
-            planes[(3 + k) * n + i] = c205_from_double(
-                bundle->direction[i][k]);
+            planes[(3 + k) * n + i] = c205_from_double(bundle->direction[i][k]);
         }
     put_numbers(words, bundle->words[0], WORDS * bundle->cylinders);
     single_run_begin(&run, program, prior_model, &error);
@@ -154,8 +150,7 @@ TEST(rays)
         draw(&bundle);
         run(&bundle, "heat/hits_scalar.s", 1, scalar);
         check(&bundle, scalar);
-        run(&bundle, "heat/hits_vector.s", queues[(size_t)i % COUNT(queues)],
-            vector);
+        run(&bundle, "heat/hits_vector.s", queues[(size_t)i % COUNT(queues)], vector);
         assert_memory_equal(scalar, vector, bundle.rays * sizeof *scalar);
     }
 }
@@ -169,8 +164,8 @@ static const char tubes[] =
     "object { Tube translate y } object { Tube scale .5 rotate 30*y"
     " translate <0, .5, 1> }\n";
 
-static void find(const struct scene *scene, const char *from,
-                 enum trace_mode mode, size_t queue, struct hits *hits)
+static void find(const struct scene *scene, const char *from, enum trace_mode mode,
+                 size_t queue, struct hits *hits)
 {
     struct hits_options options = { .mode = mode,
                                     .queue = queue,
@@ -212,8 +207,7 @@ TEST(scene)
     assert_int_equal(vector.cylinders, 4);
     assert_int_equal(vector.rays, row.sent);
     assert_int_equal(vector.struck, row.sent - row.count[row.receivers - 1]);
-    assert_close(vector.factor.value, 1 - row.factor[row.receivers - 1].value,
-                 1e-12);
+    assert_close(vector.factor.value, 1 - row.factor[row.receivers - 1].value, 1e-12);
     assert_int_equal(vector.struck, scalar.struck);
     assert_memory_equal(&vector.factor, &scalar.factor, sizeof vector.factor);
     assert_true(scalar.accounts.clocks > vector.accounts.clocks);
@@ -248,8 +242,8 @@ static void refuses(const char *text, const char *from, const char *message)
 TEST(refused)
 {
     refuses(tubes, "Burners", "no part and no material is called 'Burners'");
-    refuses("#declare A = sphere { 0, 1 } object { A } sphere { 3*x, 1 }",
-            "A", "the sphere of line 1 is no solid cylinder by itself");
+    refuses("#declare A = sphere { 0, 1 } object { A } sphere { 3*x, 1 }", "A",
+            "the sphere of line 1 is no solid cylinder by itself");
     refuses("#declare A = sphere { 0, 1 } object { A }"
             " cylinder { 3*x, 4*x, 1 scale <1, 2, 1> }",
             "A", "no solid cylinder");

@@ -24,16 +24,15 @@ static struct scene *read_image(const char *before, const char *words,
 {
     char text[1000];
 
-    snprintf(text, sizeof text, "%s sphere { 0, 1 pigment { image_map { ",
-             before);
+    snprintf(text, sizeof text, "%s sphere { 0, 1 pigment { image_map { ", before);
     snprintf(text + strlen(text), sizeof text - strlen(text), words, path);
     strcat(text, " } } }");
     return read_versioned("test.pov", text, &with_images, reports);
 }
 
 /* With so many reports, of which one says so. */
-static struct scene *expect_reports(const char *before, const char *words,
-                                    size_t count, const char *message)
+static struct scene *expect_reports(const char *before, const char *words, size_t count,
+                                    const char *message)
 {
     struct diagnostics reports = { 0 };
     struct scene *scene = read_image(before, words, &reports);
@@ -48,8 +47,7 @@ static struct scene *expect_reports(const char *before, const char *words,
     return scene;
 }
 
-static void expect_fault(const char *words, size_t column,
-                         const char *message)
+static void expect_fault(const char *words, size_t column, const char *message)
 {
     struct diagnostics reports = { 0 };
     struct scene *scene = read_image("", words, &reports);
@@ -84,16 +82,15 @@ enum { SHADES = 8 };
 /* What POV-Ray shows them as. */
 static const double as_they_are[SHADES] = { 0,     .0392, .0431, .2510,
                                             .5020, .7843, .9804, 1 };
-static const double as_srgb[SHADES] = { 0,     .0030, .0033, .0513,
-                                        .2159, .5776, .9560, 1 };
+static const double as_srgb[SHADES] = {
+    0, .0030, .0033, .0513, .2159, .5776, .9560, 1
+};
 static const double to_the_2_2[SHADES] = { 0,     .0008, .0010, .0478,
                                            .2195, .5860, .9574, 1 };
-static const double grey_png[SHADES] = { 0,     0,     0,     .0510,
-                                         .2157, .5765, .9529, 1 };
+static const double grey_png[SHADES] = { 0, 0, 0, .0510, .2157, .5765, .9529, 1 };
 static const double grey_png_1[SHADES] = { 0,     .0353, .0431, .2510,
                                            .5020, .7804, .9804, 1 };
-static const double grey_png_2_2[SHADES] = { 0,     0,     0,     .0471,
-                                             .2157, .5843, .9569, 1 };
+static const double grey_png_2_2[SHADES] = { 0, 0, 0, .0471, .2157, .5843, .9569, 1 };
 
 #define GREY_PNG \
     "\x89PNG\x0d\x0a\x1a\x0a\x00\x00\x00\x0dIHDR\x00\x00" \
@@ -190,8 +187,7 @@ static const struct known_file {
     { "tiff", FILE_OF(COLOR_TIFF), as_they_are },
     { "tga", FILE_OF("\0\0\x02\0\0\0\0\0\0\0\0\0\x08\0\x01\0\x18\x20" COLORS),
       as_srgb },
-    { "tga", FILE_OF("\0\0\x03\0\0\0\0\0\0\0\0\0\x08\0\x01\0\x08\x20" GREYS),
-      as_srgb },
+    { "tga", FILE_OF("\0\0\x03\0\0\0\0\0\0\0\0\0\x08\0\x01\0\x08\x20" GREYS), as_srgb },
     { "bmp", FILE_OF(COLOR_BMP), as_srgb },
     { "gif", FILE_OF(TABLE_GIF), as_srgb },
     { "png", FILE_OF(COLOR_PNG), as_srgb },
@@ -213,8 +209,7 @@ static void check_light(const struct scene *scene, const char *what,
     for (size_t i = 0; i < 3 * SHADES; i++) {
         double found = table->light[table->samples[i]];
         if (fabs(found - light[i / 3]) > SEEN)
-            fail_msg("%s, sample %zu: %.6f, not %.4f", what, i, found,
-                     light[i / 3]);
+            fail_msg("%s, sample %zu: %.6f, not %.4f", what, i, found, light[i / 3]);
     }
 }
 
@@ -248,8 +243,7 @@ TEST(gammas)
     keep(FILE_OF("P5\n8 1\n255\n" GREYS));
     expect_light("", "\"%s\" gamma srgb", as_srgb);
     expect_light("", "\"%s\" gamma 2.2", to_the_2_2);
-    expect_light("global_settings { assumed_gamma 2.2 }", "\"%s\"",
-                 as_they_are);
+    expect_light("global_settings { assumed_gamma 2.2 }", "\"%s\"", as_they_are);
     keep(FILE_OF(GREY_PNG_1));
     expect_light("", "\"%s\" gamma 2.2", grey_png_2_2);
     expect_light("", "\"%s\" gamma srgb", grey_png);
@@ -280,16 +274,15 @@ TEST(words)
 {
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     expect_map("\"%s\"", IMAGE_PLANAR, IMAGE_NEAREST, false, false);
-    expect_map("ppm \"%s\" map_type 0 once", IMAGE_PLANAR, IMAGE_NEAREST,
-               true, true);
-    expect_map("<1, -1, 0> ppm \"%s\" map_type 1 once interpolate 2",
-               IMAGE_SPHERICAL, IMAGE_BILINEAR, true, false);
+    expect_map("ppm \"%s\" map_type 0 once", IMAGE_PLANAR, IMAGE_NEAREST, true, true);
+    expect_map("<1, -1, 0> ppm \"%s\" map_type 1 once interpolate 2", IMAGE_SPHERICAL,
+               IMAGE_BILINEAR, true, false);
     expect_map("\"%s\" once map_type 2 interpolate 4", IMAGE_CYLINDRICAL,
                IMAGE_BY_DISTANCE, true, true);
-    expect_map("\"%s\" interpolate 2.7 map_type 5 once use_color",
-               IMAGE_TORUS, IMAGE_BILINEAR, true, false);
-    expect_map("\"%s\" map_type 2 use_alpha premultiplied off",
-               IMAGE_CYLINDRICAL, IMAGE_NEAREST, false, false);
+    expect_map("\"%s\" interpolate 2.7 map_type 5 once use_color", IMAGE_TORUS,
+               IMAGE_BILINEAR, true, false);
+    expect_map("\"%s\" map_type 2 use_alpha premultiplied off", IMAGE_CYLINDRICAL,
+               IMAGE_NEAREST, false, false);
 }
 
 /* One table of a file and a gamma. */
@@ -309,8 +302,7 @@ TEST(tables)
     scene = read_scene(text);
     assert_int_equal(scene->image_count, 2);
     for (size_t i = 0; i < 4; i++)
-        assert_int_equal(scene->primitives[i].pigment.image.table->number,
-                         i / 2);
+        assert_int_equal(scene->primitives[i].pigment.image.table->number, i / 2);
     scene_free(scene);
 }
 
@@ -337,8 +329,7 @@ TEST(reports)
 /* Drawn black. */
 TEST(kinds_left_out)
 {
-    static const char *const words[] = { "hdr \"a.hdr\" once",
-                                         "exr \"a.exr\" gamma 2",
+    static const char *const words[] = { "hdr \"a.hdr\" once", "exr \"a.exr\" gamma 2",
                                          "function 9, 9 { x }",
                                          "pigment 9, 9 { rgb 1 }" };
 
@@ -346,8 +337,7 @@ TEST(kinds_left_out)
         char text[200];
         struct scene *scene;
         snprintf(text, sizeof text,
-                 "sphere { 0, 1 pigment { image_map { %s } scale 2 } }",
-                 words[i]);
+                 "sphere { 0, 1 pigment { image_map { %s } scale 2 } }", words[i]);
         scene = read_with(text, 1);
         assert_int_equal(scene->primitives->pigment.kind, PIGMENT_COLOR);
         assert_vector(scene->primitives->pigment.color[0], 0, 0, 0);
@@ -362,16 +352,14 @@ TEST(sky)
     struct scene *scene;
 
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
-    snprintf(
-        text, sizeof text,
-        "sky_sphere { pigment { image_map { \"%s\" map_type 1 once } } }",
-        path);
+    snprintf(text, sizeof text,
+             "sky_sphere { pigment { image_map { \"%s\" map_type 1 once } } }", path);
     scene = read_scene(text);
     assert_int_equal(scene->sky.kind, PIGMENT_IMAGE);
     assert_true(scene->sky.image.once);
     scene_free(scene);
-    snprintf(text, sizeof text,
-             "sky_sphere { pigment { image_map { \"%s\" once } } }", path);
+    snprintf(text, sizeof text, "sky_sphere { pigment { image_map { \"%s\" once } } }",
+             path);
     scene = read_with(text, 1);
     assert_false(scene->sky.image.once);
     scene_free(scene);
@@ -380,8 +368,7 @@ TEST(sky)
 TEST(faults)
 {
     static const struct line_error errors[] = {
-        { "sphere { 0, 1 pigment { image_map { \"no.png\" } } }", 37,
-          "no such file" },
+        { "sphere { 0, 1 pigment { image_map { \"no.png\" } } }", 37, "no such file" },
         { "sphere { 0, 1 pigment { image_map { png \"no.png\" } } }", 41,
           "no such file" },
         { "sphere { 0, 1 pigment { image_map { once } } }", 37,
@@ -396,8 +383,7 @@ TEST(faults)
     expect_fault("\"%s\" interpolate 1", 4 + strlen(path),
                  "'interpolate' is 2, 3 or 4");
     expect_fault("\"%s\" gamma 0", 4 + strlen(path), "not above 0");
-    expect_fault("\"%s\" wibble", 4 + strlen(path),
-                 "expected a word of image_map");
+    expect_fault("\"%s\" wibble", 4 + strlen(path), "expected a word of image_map");
     keep("", 0);
     expect_fault("\"%s\"", 1, "the file is empty");
     keep(FILE_OF("P6\n8 1\n255\n"));
@@ -444,8 +430,7 @@ TEST(many)
     scene_free(read_scene(text));
     snprintf(text + strlen(text), sizeof text - strlen(text),
              " box { 0, 1 pigment { image_map { \"%s\" gamma .5 } } }", path);
-    assert_error(text, &with_images, 2, 87 + strlen(path),
-                 "more than 1000 images");
+    assert_error(text, &with_images, 2, 87 + strlen(path), "more than 1000 images");
 }
 
 FIXTURE(name_path)

@@ -45,8 +45,8 @@ static void draw_number(struct drawn_table *table, c205_word *word)
     if (table->integers) {
         int64_t integer = xorshift_between(&state, -1000000, 1000000);
 
-        snprintf(text, sizeof text,
-                 one_in(&state, 4) ? "%" PRId64 ".0" : "%" PRId64, integer);
+        snprintf(text, sizeof text, one_in(&state, 4) ? "%" PRId64 ".0" : "%" PRId64,
+                 integer);
         *word = c205_from_integer(integer);
     } else {
         snprintf(text, sizeof text, "%.*g", (int)below(&state, 17) + 1,
@@ -58,9 +58,8 @@ static void draw_number(struct drawn_table *table, c205_word *word)
 
 static void end_line(struct drawn_table *table)
 {
-    static const char *const ends[] = { "\n",        "\n",   "\r\n",
-                                        " # 1, 2\n", "\n\n", "\n  \n",
-                                        "\n# a, b\n" };
+    static const char *const ends[] = { "\n",   "\n",     "\r\n",      " # 1, 2\n",
+                                        "\n\n", "\n  \n", "\n# a, b\n" };
 
     add_blanks(table);
     add(table, ends[below(&state, 7)]);
@@ -114,8 +113,7 @@ static void write_file(const char *text)
     assert_int_equal(fclose(file), 0);
 }
 
-static struct object *include_file(const char *wishes,
-                                   struct diagnostics *errors)
+static struct object *include_file(const char *wishes, struct diagnostics *errors)
 {
     char program[300];
 
@@ -150,8 +148,7 @@ static void check_words(const struct drawn_table *table, const char *wishes,
             at += 64;
         }
     }
-    assert_int_equal(object_symbol(object, "count")->value,
-                     (at - 0x800000) / 64);
+    assert_int_equal(object_symbol(object, "count")->value, (at - 0x800000) / 64);
     object_free(object);
 }
 
@@ -199,8 +196,7 @@ TEST(faults)
         { "1\n", ", 0", 2, 38, "expected a column" },
         { "1.5.2\n2\n", ", 1, 2", 2, 41, "one column is taken" },
         { "", ", \"b\"", 2, 1, "has no heading" },
-        { "max load,place\n1,2\n", ", \"load\"", 1, 1,
-          "no column of that name" },
+        { "max load,place\n1,2\n", ", \"load\"", 1, 1, "no column of that name" },
         { "a b\n1.5.2 1\n", "", 2, 1, "not a number" },
         { "1.5 a\n", "", 1, 5, "not a number" },
     };

@@ -33,8 +33,8 @@ TEST(round_trip)
         c205_fields back = c205_decode(insn, word);
         assert_int_equal(back.f, insn->opcode);
         assert_true(c205_encode(insn, &back) == word);
-        assert_ptr_equal(insn, c205_insn_coded((uint8_t)(word >> 56),
-                                               (uint8_t)(word >> 48)));
+        assert_ptr_equal(insn,
+                         c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48)));
         if (c205_format_halves(insn->format) == 1)
             assert_int_equal(word & 0xFFFFFFFF, 0);
     }
@@ -168,8 +168,8 @@ TEST(operand_letters)
         bool bracket = false;
         while ((letters = allowed_letters(&syntax, &bracket)) != NULL) {
             if (!*operand || !strchr(letters, *operand))
-                fail_msg("%s: operand %s is not one of %s", insn->mnemonic,
-                         operand, letters);
+                fail_msg("%s: operand %s is not one of %s", insn->mnemonic, operand,
+                         letters);
             operand++;
         }
         assert_int_equal(*operand, '\0');

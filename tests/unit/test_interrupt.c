@@ -27,8 +27,7 @@ static void assert_sum(const c205 *machine)
     assert_int_equal(sum, c205_clock(machine));
 }
 
-static void check_stop(const c205 *machine, const c205_stop *stop,
-                       uint64_t limit)
+static void check_stop(const c205 *machine, const c205_stop *stop, uint64_t limit)
 {
     assert_sum(machine);
     assert_int_equal(stop->pc, c205_pc(machine));
@@ -203,14 +202,13 @@ static const char *const long_programs[] = {
     "        CNTOB   [bits], z\n",
 };
 
-static void compare_text(const char *text, const c205_model *on,
-                         uint64_t clocks)
+static void compare_text(const char *text, const c205_model *on, uint64_t clocks)
 {
     char whole[4000];
     snprintf(whole, sizeof whole, "%s%s        EXIT\n", preamble, text);
     struct object *object = good(whole);
-    compare_ends(machine_with(&object->program, on),
-                 machine_with(&object->program, on), clocks);
+    compare_ends(machine_with(&object->program, on), machine_with(&object->program, on),
+                 clocks);
     object_free(object);
 }
 
@@ -372,8 +370,7 @@ TEST(in_the_middle_of_a_recurrence)
     assert_int_equal(word_at(&little, DATA + 41 * 64), 0);
     stop = run(&little);
     assert_int_equal(stop.trap, C205_TRAP_NONE);
-    assert_int_equal(word_at(&little, DATA + 100 * 64),
-                     c205_from_double(100));
+    assert_int_equal(word_at(&little, DATA + 100 * 64), c205_from_double(100));
     assert_int_equal(c205_clock(little.machine), 51 + fault + 50 + 99 * 51);
     free_little(&little);
 }

@@ -71,8 +71,7 @@ static void write_value(struct json *json, const char *key, unsigned depth)
 
 static void check_value(const struct json_value *value, unsigned depth);
 
-static void check_items(const struct json_value *value, bool has_keys,
-                        unsigned depth)
+static void check_items(const struct json_value *value, bool has_keys, unsigned depth)
 {
     const struct json_value *item = value->first;
     char text[40];
@@ -220,8 +219,7 @@ TEST(right_and_wrong)
         if (!strstr(error.message, wrong[i].error))
             fail_msg("%s: %s", wrong[i].text, error.message);
     }
-    assert_string_equal(read_in(&arena, "\"\\ud83d\\ude00\\u00e4\"", &error)
-                            ->text,
+    assert_string_equal(read_in(&arena, "\"\\ud83d\\ude00\\u00e4\"", &error)->text,
                         "\xf0\x9f\x98\x80\xc3\xa4");
     arena_free(&arena);
 }
@@ -243,11 +241,11 @@ TEST(members)
 {
     struct arena arena = { 0 };
     c205_error error;
-    const struct json_value *tree =
-        read_in(&arena,
-                "{\"a\": 1, \"a\": 2, \"b\": null, \"c\": [5], \"d\": 1.5, "
-                "\"e\": \"x\", \"f\": false, \"g\": 9007199254740992}",
-                &error);
+    const struct json_value
+        *tree = read_in(&arena,
+                        "{\"a\": 1, \"a\": 2, \"b\": null, \"c\": [5], \"d\": 1.5, "
+                        "\"e\": \"x\", \"f\": false, \"g\": 9007199254740992}",
+                        &error);
     int64_t value = 7;
 
     assert_true(json_member_whole(tree, "a", &value) && value == 1);
@@ -297,8 +295,7 @@ TEST(utf8)
         size_t length = utf8_put(text, code);
         bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
 
-        assert_int_equal(utf8_length(text, length),
-                         is_surrogate ? 0 : length);
+        assert_int_equal(utf8_length(text, length), is_surrogate ? 0 : length);
         assert_int_equal(utf8_length(text, length - 1), 0);
     }
     assert_int_equal(utf8_length("\xf4\x90\x80\x80", 4), 0);

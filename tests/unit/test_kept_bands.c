@@ -11,14 +11,12 @@
 
 enum { TALL = 120, ROWS = 40, BANDS = TALL / ROWS };
 
-#define BEFORE \
-    "camera { location -5*z look_at 0 } light_source { <3, 5, -9>, 1 }\n"
+#define BEFORE "camera { location -5*z look_at 0 } light_source { <3, 5, -9>, 1 }\n"
 #define TORI \
     "#for (I, 1, 30) torus { 1 + I / 20, .1 rotate I*21*x\n" \
     "  pigment { rgb <1, I / 30, 0> } } #end "
 static const char plain[] = BEFORE TORI;
-static const char mirrors[] = "#default { finish { reflection .3 } }" BEFORE
-    TORI;
+static const char mirrors[] = "#default { finish { reflection .3 } }" BEFORE TORI;
 
 static char path[] = "/tmp/test_kept_bands.XXXXXX";
 
@@ -95,9 +93,8 @@ static bool is_zero(const struct trace *trace, size_t row)
 }
 
 /* Every row is that of the whole frame, or nothing; how many are done. */
-static size_t check_stopped(const struct scene *scene,
-                            const struct trace *whole, enum trace_mode mode,
-                            size_t jobs, size_t patience)
+static size_t check_stopped(const struct scene *scene, const struct trace *whole,
+                            enum trace_mode mode, size_t jobs, size_t patience)
 {
     struct patience waiting = { patience };
     struct trace_options options = how(mode);
@@ -139,8 +136,7 @@ static void check_stops(const char *text, bool rows)
         for (size_t patience = 1; patience < 6; patience += 2) {
             /* how far two come hangs on when they run */
             check_stopped(scene, whole, (enum trace_mode)mode, 2, patience);
-            done += check_stopped(scene, whole, (enum trace_mode)mode, 1,
-                                  patience);
+            done += check_stopped(scene, whole, (enum trace_mode)mode, 1, patience);
         }
         if (rows || mode == TRACE_SCALAR)
             assert_true(done > 0 && done % ROWS > 0);
@@ -163,8 +159,7 @@ TEST_CALL(stopped_with_mirrors, check_stops(mirrors, false))
 
 /* A unit as a run would have kept it, but with samples that are nowhere in the
  * frame, and of other rows perhaps. */
-static void plant(struct trace *trace, struct farm *farm, uint64_t unit,
-                  size_t rows)
+static void plant(struct trace *trace, struct farm *farm, uint64_t unit, size_t rows)
 {
     c205_error error = { "" };
     struct band band = { .rows = rows };
@@ -184,9 +179,8 @@ static void plant(struct trace *trace, struct farm *farm, uint64_t unit,
 
 /* A file with such a unit alone: it is taken, or the frame becomes the same as
  * without it. */
-static void check_planted(const struct scene *scene,
-                          const struct trace *whole, uint64_t unit,
-                          size_t rows, bool taken)
+static void check_planted(const struct scene *scene, const struct trace *whole,
+                          uint64_t unit, size_t rows, bool taken)
 {
     const char *const paths[] = { path };
     struct farm farm = { .paths = paths, .path_count = 1 };
@@ -200,8 +194,7 @@ static void check_planted(const struct scene *scene,
     assert_true(trace_run(trace, &error));
     assert_int_equal(trace_rows_done(trace), TALL);
     assert_int_equal(trace_checksum(trace) == trace_checksum(whole), !taken);
-    assert_int_equal(trace_accounts(trace)->clocks
-                         == trace_accounts(whole)->clocks,
+    assert_int_equal(trace_accounts(trace)->clocks == trace_accounts(whole)->clocks,
                      !taken);
     trace_forget(trace);
     assert_int_not_equal(access(path, F_OK), 0);
@@ -223,8 +216,7 @@ TEST(planted)
 }
 
 /* Whether the kept bands of one scene are another's. */
-static bool are_kept_for(const char *one, const char *other,
-                         enum trace_mode mode)
+static bool are_kept_for(const char *one, const char *other, enum trace_mode mode)
 {
     const char *const paths[] = { path };
     const char *const texts[] = { one, other };
@@ -258,8 +250,8 @@ TEST(other_scene)
 {
 #define BALL(sky, place, light, color, radius, more) \
     "background { rgb " sky " } camera { location <0, 0, " place "> }\n" \
-    "light_source { " light ", 1 } sphere { 0, " radius \
-    " pigment { rgb " color " } } " more
+    "light_source { " light ", 1 } sphere { 0, " radius " pigment { rgb " color \
+    " } } " more
     static const char *const scenes[] = {
         BALL("0", "-5", "<3, 5, -9>", ".5", "1", ""),
         BALL(".1", "-5", "<3, 5, -9>", ".5", "1", ""),
@@ -274,8 +266,7 @@ TEST(other_scene)
 
     for (int mode = 0; mode < TRACE_MODES; mode++)
         for (size_t i = 0; i < COUNT(scenes); i++)
-            assert_int_equal(are_kept_for(scenes[0], scenes[i],
-                                          (enum trace_mode)mode),
+            assert_int_equal(are_kept_for(scenes[0], scenes[i], (enum trace_mode)mode),
                              i == 0);
 }
 

@@ -34,8 +34,7 @@ static bool is_program(const struct text *kernel)
     return false;
 }
 
-static void check_assembled(const char *kernel,
-                            const struct asm_define *defines)
+static void check_assembled(const char *kernel, const struct asm_define *defines)
 {
     const struct text *const texts[] = { kernel_texts, shape_texts, NULL };
     const struct asm_options how = { .defines = defines, .texts = texts };
@@ -137,8 +136,7 @@ TEST(fit_programs)
 
 /* ---- What runs tell ----------------------------------------------------- */
 
-static void run_watched(const struct object *program, c205 *machine,
-                        const char *what)
+static void run_watched(const struct object *program, c205 *machine, const char *what)
 {
     struct register_owners *owners = register_owners_new(program);
     struct sink sink = stream_sink(stderr);
@@ -158,8 +156,7 @@ static void run_watched(const struct object *program, c205 *machine,
 }
 
 static void trace_watched(const struct scene *scene,
-                          const struct trace_options *options,
-                          const char *what)
+                          const struct trace_options *options, const char *what)
 {
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, options, &error);
@@ -173,8 +170,7 @@ static void trace_watched(const struct scene *scene,
 }
 
 /* All that is seen along lines, too, in all forms. */
-static void follow_lines(const struct scene *scene, size_t queue,
-                         const char *what)
+static void follow_lines(const struct scene *scene, size_t queue, const char *what)
 {
     enum { LINES = 20 };
     struct lines_options options = { .queue = queue,
@@ -203,8 +199,7 @@ static void follow_lines(const struct scene *scene, size_t queue,
 }
 
 /* In all modes; no_bounds, historical, variant and visible as they are. */
-static void trace_modes(const struct scene *scene, size_t queue,
-                        const char *what)
+static void trace_modes(const struct scene *scene, size_t queue, const char *what)
 {
     struct trace_options options = { .width = COLUMNS,
                                      .height = ROWS,
@@ -244,9 +239,9 @@ TEST(cylinders)
 TEST(adaptive)
 {
     static const char path[] = "tests/scenes/together.pov";
-    const struct scene_options reading = {
-        .width = COLUMNS, .height = ROWS, .read_raster = picture_read_raster
-    };
+    const struct scene_options reading = { .width = COLUMNS,
+                                           .height = ROWS,
+                                           .read_raster = picture_read_raster };
     struct trace_options options = { .width = 3 * COLUMNS,
                                      .height = 3 * ROWS,
                                      .samples = 3,
@@ -267,9 +262,9 @@ TEST(adaptive)
 
 TEST(scenes)
 {
-    const struct scene_options options = {
-        .width = COLUMNS, .height = ROWS, .read_raster = picture_read_raster
-    };
+    const struct scene_options options = { .width = COLUMNS,
+                                           .height = ROWS,
+                                           .read_raster = picture_read_raster };
     DIR *folder = opendir("scenes");
     struct dirent *entry;
     size_t count = 0;
@@ -345,8 +340,7 @@ static void see_restored(struct area *area, const c205 *machine)
     }
 }
 
-static void listen_to_saves(void *context, const c205 *machine,
-                            const c205_event *event)
+static void listen_to_saves(void *context, const c205 *machine, const c205_event *event)
 {
     const c205_fields *fields = &event->fields;
     struct area *area;
@@ -405,8 +399,7 @@ TEST(nothing_is_saved_in_vain)
                     fail_msg("the kernel that saves r%u to r%u at %llX does "
                              "not use r%u",
                              area->first, area->first + area->count - 1,
-                             (unsigned long long)area->address,
-                             area->first + k);
+                             (unsigned long long)area->address, area->first + k);
         }
         c205_free(machine);
         trace_free(trace);
@@ -459,8 +452,7 @@ TEST(roots)
 
     for (int i = 0; i < POLYNOMIALS; i++) {
         for (int j = 0; j < 5; j++)
-            polynomials[i].c[j] = c205_from_double(below(6) ? between(-2, 2)
-                                                            : 0);
+            polynomials[i].c[j] = c205_from_double(below(6) ? between(-2, 2) : 0);
         polynomials[i].bound = C205_MACHINE_ZERO;
     }
     for (int i = 0; i < 2 * TRACE_FORMS * FALSI_RULES; i++) {
@@ -475,18 +467,16 @@ TEST(roots)
                                               { "FALSI", options.falsi },
                                               { NULL, 0 } };
         c205_error error = { "" };
-        struct root_search *search = roots_new(polynomials, POLYNOMIALS,
-                                               &options, &error);
-        struct object
-            *program = program_assemble(options.mode == TRACE_SCALAR
-                                            ? "roots/roots_scalar.s"
-                                            : "roots/roots_vector.s",
-                                        defines, &error);
+        struct root_search *search = roots_new(polynomials, POLYNOMIALS, &options,
+                                               &error);
+        struct object *program = program_assemble(options.mode == TRACE_SCALAR
+                                                      ? "roots/roots_scalar.s"
+                                                      : "roots/roots_vector.s",
+                                                  defines, &error);
 
         if (!search || !program)
             fail_msg("%s", error.message);
-        run_watched(program, (c205 *)(uintptr_t)roots_machine(search),
-                    "roots");
+        run_watched(program, (c205 *)(uintptr_t)roots_machine(search), "roots");
         roots_free(search);
         object_free(program);
     }
@@ -509,8 +499,7 @@ TEST(points)
         };
         c205_error error = { "" };
         struct point_maker *maker = point_maker_new(&kind, &error);
-        c205 *machine = maker ? point_maker_load(maker, &choice, &error)
-                              : NULL;
+        c205 *machine = maker ? point_maker_load(maker, &choice, &error) : NULL;
 
         if (!machine)
             fail_msg("%s", error.message);
@@ -535,8 +524,7 @@ static void emit_watched(const struct primitive *primitive)
         };
         c205_error error = { "" };
         struct emission *emission = emission_new(primitive, &options, &error);
-        c205 *machine = emission ? emission_load(emission, &choice, &error)
-                                 : NULL;
+        c205 *machine = emission ? emission_load(emission, &choice, &error) : NULL;
 
         if (!machine)
             fail_msg("%s", error.message);
@@ -550,9 +538,8 @@ static void emit_watched(const struct primitive *primitive)
 TEST(emission)
 {
     struct scene *scene = read_text(
-        HEAD
-        "sphere { 0, 1 } torus { 1, .3 } cone { 0, 1, y, .5 } box { 0, 1 }"
-        "object { steiner_patch { x, y, z, x + y, y + z, z + x } }");
+        HEAD "sphere { 0, 1 } torus { 1, .3 } cone { 0, 1, y, .5 } box { 0, 1 }"
+             "object { steiner_patch { x, y, z, x + y, y + z, z + x } }");
 
     for (size_t i = 0; i < scene->primitive_count; i++)
         emit_watched(&scene->primitives[i]);

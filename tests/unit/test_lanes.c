@@ -22,8 +22,7 @@ enum {
 
 /* What arith.h has no functions for, by the rule of the oracle. */
 #define BITWISE_OF(size, name, format) \
-    static c205_word size##_##name(c205_word a, c205_word b, \
-                                   uint64_t *flags) \
+    static c205_word size##_##name(c205_word a, c205_word b, uint64_t *flags) \
     { \
         return oracle_##name(&format, a, b, flags); \
     }
@@ -149,8 +148,8 @@ static const operations sizes[] = {
 /* Flags that no operation sets stay. */
 static const uint64_t other_flags = 5;
 
-static void check_binary(const binary *op, const c205_word *a,
-                         const c205_word *b, size_t n, size_t place)
+static void check_binary(const binary *op, const c205_word *a, const c205_word *b,
+                         size_t n, size_t place)
 {
     static c205_word room[LONG_LENGTH + SLACK + PLACES];
     c205_word *c = room + place;
@@ -163,9 +162,8 @@ static void check_binary(const binary *op, const c205_word *a,
         if (c[i] != exact)
             fail_msg("%s(%016llX, %016llX) = %016llX, not %016llX; "
                      "lane %zu of %zu",
-                     op->name, (unsigned long long)a[i],
-                     (unsigned long long)b[i], (unsigned long long)c[i],
-                     (unsigned long long)exact, i, n);
+                     op->name, (unsigned long long)a[i], (unsigned long long)b[i],
+                     (unsigned long long)c[i], (unsigned long long)exact, i, n);
     }
     if (flags != exact_flags)
         fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
@@ -174,8 +172,7 @@ static void check_binary(const binary *op, const c205_word *a,
         assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
 }
 
-static void check_unary(const unary *op, const c205_word *a, size_t n,
-                        size_t place)
+static void check_unary(const unary *op, const c205_word *a, size_t n, size_t place)
 {
     static c205_word room[LONG_LENGTH + SLACK + PLACES];
     c205_word *c = room + place;
@@ -186,10 +183,9 @@ static void check_unary(const unary *op, const c205_word *a, size_t n,
     for (size_t i = 0; i < n; i++) {
         c205_word exact = op->exact(a[i], &exact_flags);
         if (c[i] != exact)
-            fail_msg("%s(%016llX) = %016llX, not %016llX; lane %zu of %zu",
-                     op->name, (unsigned long long)a[i],
-                     (unsigned long long)c[i], (unsigned long long)exact, i,
-                     n);
+            fail_msg("%s(%016llX) = %016llX, not %016llX; lane %zu of %zu", op->name,
+                     (unsigned long long)a[i], (unsigned long long)c[i],
+                     (unsigned long long)exact, i, n);
     }
     if (flags != exact_flags)
         fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
@@ -213,8 +209,8 @@ static void check_comparison(const comparison *op, const c205_word *a,
         fail_msg("%s, length %zu", op->name, n);
 }
 
-static void check_pairs(const operations *size, const c205_word *a,
-                        const c205_word *b, size_t n, size_t place)
+static void check_pairs(const operations *size, const c205_word *a, const c205_word *b,
+                        size_t n, size_t place)
 {
     size_t compared = n < LENGTH_MAX ? n : LENGTH_MAX;
 
@@ -224,8 +220,8 @@ static void check_pairs(const operations *size, const c205_word *a,
         check_comparison(&size->comparisons[i], a, b, compared);
 }
 
-static void check_unaries(const operations *size, const c205_word *a,
-                          size_t n, size_t place)
+static void check_unaries(const operations *size, const c205_word *a, size_t n,
+                          size_t place)
 {
     for (size_t i = 0; i < size->unary_count; i++)
         check_unary(&size->unaries[i], a, n, place);
@@ -241,8 +237,7 @@ static void check_lengths(const operations *size, size_t place, uint64_t seed)
         c205_word *placed_a = a + place;
         c205_word *placed_b = b + 3 * place % PLACES;
         lane_fill(placed_a, n, lane_supplies[n % turns], size->format, &seed);
-        lane_fill(placed_b, n, lane_supplies[n / turns % turns], size->format,
-                  &seed);
+        lane_fill(placed_b, n, lane_supplies[n / turns % turns], size->format, &seed);
         check_pairs(size, placed_a, placed_b, n, 5 * place % PLACES);
         check_unaries(size, placed_a, n, 5 * place % PLACES);
     }
@@ -260,19 +255,16 @@ struct upon {
 /* The result begins so many words below a copy of the operand: it is the same
  * as one apart, and what is left of the operand stays. */
 static void check_made_upon(const char *name, const struct upon *upon,
-                            const c205_word *operand,
-                            const c205_word *expected, const c205_word *room,
-                            bool same_flags)
+                            const c205_word *operand, const c205_word *expected,
+                            const c205_word *room, bool same_flags)
 {
     size_t n = upon->n, below = upon->below;
     size_t left = below < n ? below : n;
 
     if (memcmp(room, expected, n * sizeof *room) != 0 || !same_flags
-        || memcmp(room + below + n - left, operand + n - left,
-                  left * sizeof *room)
+        || memcmp(room + below + n - left, operand + n - left, left * sizeof *room)
                != 0)
-        fail_msg("%s upon an operand, %zu words below, length %zu", name,
-                 below, n);
+        fail_msg("%s upon an operand, %zu words below, length %zu", name, below, n);
 }
 
 static void check_binary_upon(const binary *op, const struct upon *upon)
@@ -285,10 +277,9 @@ static void check_binary_upon(const binary *op, const struct upon *upon)
         uint64_t flags = 0, flags_upon = 0;
         memcpy(placed, operand, upon->n * sizeof *room);
         op->span(expected, upon->a, upon->b, upon->n, &flags);
-        op->span(room, which ? upon->a : placed, which ? placed : upon->b,
-                 upon->n, &flags_upon);
-        check_made_upon(op->name, upon, operand, expected, room,
-                        flags == flags_upon);
+        op->span(room, which ? upon->a : placed, which ? placed : upon->b, upon->n,
+                 &flags_upon);
+        check_made_upon(op->name, upon, operand, expected, room, flags == flags_upon);
     }
 }
 
@@ -301,12 +292,10 @@ static void check_unary_upon(const unary *op, const struct upon *upon)
     memcpy(placed, upon->a, upon->n * sizeof *room);
     op->span(expected, upon->a, upon->n, &flags);
     op->span(room, placed, upon->n, &flags_upon);
-    check_made_upon(op->name, upon, upon->a, expected, room,
-                    flags == flags_upon);
+    check_made_upon(op->name, upon, upon->a, expected, room, flags == flags_upon);
 }
 
-static void check_upon(const operations *size, size_t n, size_t below,
-                       uint64_t *seed)
+static void check_upon(const operations *size, size_t n, size_t below, uint64_t *seed)
 {
     static c205_word a[UPON_LENGTH], b[UPON_LENGTH];
     struct upon upon = { a, b, n, below };
@@ -365,10 +354,8 @@ static void check_supplies(const operations *size, uint64_t seed)
     size_t turns = LANE_SUPPLIES;
 
     for (size_t s = 0; s < turns * turns; s++) {
-        lane_fill(a, LONG_LENGTH, lane_supplies[s / turns], size->format,
-                  &seed);
-        lane_fill(b, LONG_LENGTH, lane_supplies[s % turns], size->format,
-                  &seed);
+        lane_fill(a, LONG_LENGTH, lane_supplies[s / turns], size->format, &seed);
+        lane_fill(b, LONG_LENGTH, lane_supplies[s % turns], size->format, &seed);
         check_pairs(size, a, b, LONG_LENGTH, 0);
     }
 }
@@ -394,8 +381,8 @@ static void check_close_operands(const operations *size, uint64_t seed)
     static c205_word a[LONG_LENGTH], b[LONG_LENGTH];
 
     for (int round = 0; round < ROUNDS; round++) {
-        lane_fill(a, LONG_LENGTH, round & 1 ? lane_sparse : lane_near,
-                  size->format, &seed);
+        lane_fill(a, LONG_LENGTH, round & 1 ? lane_sparse : lane_near, size->format,
+                  &seed);
         for (size_t i = 0; i < LONG_LENGTH; i++)
             b[i] = close_to(size->format, a[i], &seed);
         check_pairs(size, a, b, LONG_LENGTH, 0);
@@ -453,8 +440,7 @@ TEST(every_root_of_a_half_word)
     static c205_word a[LONG_LENGTH];
     unary square_root = HALVES(square_root, square_root);
 
-    for (int64_t c = INT64_C(1) << 22; c < INT64_C(1) << 23;
-         c += LONG_LENGTH / 2) {
+    for (int64_t c = INT64_C(1) << 22; c < INT64_C(1) << 23; c += LONG_LENGTH / 2) {
         for (int i = 0; i < LONG_LENGTH; i++)
             a[i] = format_make(half_words, i & 1, c + i / 2);
         check_unary(&square_root, a, LONG_LENGTH, 0);
@@ -474,8 +460,7 @@ TEST(store_masked)
         lane_fill(c, SPAN, lane_any_bits, whole_words, &seed);
         lane_fill(bits, BITS, lane_any_bits, whole_words, &seed);
         for (size_t i = 0; i < SPAN; i++)
-            expected[i] = i < n && bits[i / 64] >> (63 - i % 64) & 1 ? a[i]
-                                                                     : c[i];
+            expected[i] = i < n && bits[i / 64] >> (63 - i % 64) & 1 ? a[i] : c[i];
         lanes_store_masked(c, a, bits, n);
         assert_memory_equal(c, expected, sizeof c);
     }

@@ -25,10 +25,10 @@ static void add_camera(char *text, size_t size)
              "camera { %s location <%.3f, %.3f, -5> %s\n"
              "  aperture %.3f blur_samples %zu focal_point <%.2f, 0, %.2f>\n"
              "  look_at 0 rotate %.1f*z translate %.2f*x }\n",
-             orthographic ? "orthographic" : "", between(-1, 1),
-             between(-1, 2), orthographic ? "right 4*x up 3*y" : "angle 42",
-             between(-2, 2), among(2, 17), between(-1, 1), between(-4, 6),
-             between(-20, 20), between(-.3, .3));
+             orthographic ? "orthographic" : "", between(-1, 1), between(-1, 2),
+             orthographic ? "right 4*x up 3*y" : "angle 42", between(-2, 2),
+             among(2, 17), between(-1, 1), between(-4, 6), between(-20, 20),
+             between(-.3, .3));
 }
 
 static void check_orders(const char *text)
@@ -103,8 +103,7 @@ static struct frame seen(const char *camera, double distance, size_t samples)
 }
 
 /* The greatest difference of a colour. */
-static double difference(const char *a, const char *b, double distance,
-                         size_t samples)
+static double difference(const char *a, const char *b, double distance, size_t samples)
 {
     struct frame one = seen(a, distance, samples);
     struct frame other = seen(b, distance, samples);
@@ -112,8 +111,7 @@ static double difference(const char *a, const char *b, double distance,
 
     for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
         for (size_t k = 0; k < PIXELS; k++)
-            greatest = fmax(greatest,
-                            fabs(one.channel[i][k] - other.channel[i][k]));
+            greatest = fmax(greatest, fabs(one.channel[i][k] - other.channel[i][k]));
     frame_free(&one);
     frame_free(&other);
     return greatest;
@@ -134,11 +132,10 @@ TEST(focus)
             snprintf(lens, sizeof lens,
                      "%s aperture %.3f blur_samples %zu\n"
                      "focal_point %.9f*<%.1f, 0, %.1f>",
-                     pinhole, between(.5, 3), samples * samples, distance,
-                     aside, sqrt(1 - aside * aside));
+                     pinhole, between(.5, 3), samples * samples, distance, aside,
+                     sqrt(1 - aside * aside));
             assert_true(difference(pinhole, lens, distance, samples) < 1e-6);
-            assert_true(difference(pinhole, lens, 1.7 * distance, samples)
-                        > .01);
+            assert_true(difference(pinhole, lens, 1.7 * distance, samples) > .01);
         }
 }
 
@@ -157,10 +154,8 @@ TEST(words)
         { "camera { " FOCUS "confidence .9 variance 1/64 }", 1, 7, 10 },
         { "camera { " FOCUS "location -2*z }", 1, 9, 10 },
         { "camera { " FOCUS "translate 3*z scale 2 rotate y }", 1, 7, 10 },
-        { "#declare C = camera { " FOCUS "} camera { C translate x }", 1, 7,
-          10 },
-        { "#declare C = camera { " FOCUS "} camera { C focal_point 3*y }", 1,
-          3, 10 },
+        { "#declare C = camera { " FOCUS "} camera { C translate x }", 1, 7, 10 },
+        { "#declare C = camera { " FOCUS "} camera { C focal_point 3*y }", 1, 3, 10 },
         { "camera { aperture 2 focal_point y }", .5, 1, 0 },
         { "camera { blur_samples 7 focal_point y }", 0, 1, 7 },
         { "camera { aperture 0 blur_samples 7 }", 0, 0, 7 },
@@ -170,8 +165,7 @@ TEST(words)
         struct scene *scene = read_text(rows[i].camera);
 
         assert_float_equal(scene->camera.lens_radius, rows[i].radius, 1e-12);
-        assert_float_equal(scene->camera.focal_distance, rows[i].distance,
-                           1e-12);
+        assert_float_equal(scene->camera.focal_distance, rows[i].distance, 1e-12);
         assert_int_equal(scene->camera.lens_points, rows[i].points);
         scene_free(scene);
     }

@@ -23,8 +23,7 @@ struct plain_trial {
     c205_stop stop;
 };
 
-static void put_inputs(const struct drawn_lesson *drawn,
-                       const struct drawn_test *test,
+static void put_inputs(const struct drawn_lesson *drawn, const struct drawn_test *test,
                        struct plain_trial *plain)
 {
     const struct asm_symbol *x = object_symbol(plain->object, "x");
@@ -40,8 +39,7 @@ static void put_inputs(const struct drawn_lesson *drawn,
     }
 }
 
-static void run_plainly(const struct drawn_lesson *drawn,
-                        const struct drawn_test *test,
+static void run_plainly(const struct drawn_lesson *drawn, const struct drawn_test *test,
                         struct plain_trial *plain)
 {
     struct asm_define defines[] = { { "n", (int64_t)test->n }, { NULL, 0 } };
@@ -75,8 +73,7 @@ static void plain_free(struct plain_trial *plain)
 /* ---- Goals ----------------------------------------------------------------- */
 
 /* So that so many clocks get this medal, often at the last clock. */
-static void draw_goals(struct drawn_test *test, uint64_t clocks,
-                       enum medal medal)
+static void draw_goals(struct drawn_test *test, uint64_t clocks, enum medal medal)
 {
     uint64_t below_it = clocks - 1, above_it = clocks;
 
@@ -99,10 +96,9 @@ static void check_begins(const struct drawn_lesson *drawn,
 {
     if (sentence >= trial->report.count)
         fail_msg("'%s' is not said\n%s", wanted, drawn->answer);
-    if (strncmp(trial->report.sentences[sentence], wanted, strlen(wanted))
-        != 0)
-        fail_msg("'%s' is said for '%s'\n%s",
-                 trial->report.sentences[sentence], wanted, drawn->answer);
+    if (strncmp(trial->report.sentences[sentence], wanted, strlen(wanted)) != 0)
+        fail_msg("'%s' is said for '%s'\n%s", trial->report.sentences[sentence], wanted,
+                 drawn->answer);
 }
 
 static void check_wrong(const struct drawn_lesson *drawn,
@@ -179,17 +175,15 @@ static void check_cause(const struct drawn_lesson *drawn,
         if (all.clocks[cause] > all.clocks[wait])
             wait = cause;
     }
-    if (most != C205_ISSUE || all.clocks[wait] == 0
-        || all.vector_instructions > 0 || all.instructions >= 1000)
+    if (most != C205_ISSUE || all.clocks[wait] == 0 || all.vector_instructions > 0
+        || all.instructions >= 1000)
         wait = 0;
     if (wait > 0)
         most = wait;
-    snprintf(wanted, sizeof wanted,
-             "%s is %s: %" PRIu64 " clocks, %.0f %%.  ",
+    snprintf(wanted, sizeof wanted, "%s is %s: %" PRIu64 " clocks, %.0f %%.  ",
              wait > 0 ? "The longest wait" : "What took most",
              c205_cause_name((c205_cause)most), all.clocks[most],
-             floor(100.0 * (double)all.clocks[most] / (double)trial->clocks
-                   + 0.5));
+             floor(100.0 * (double)all.clocks[most] / (double)trial->clocks + 0.5));
     check_begins(drawn, trial, 1, wanted);
     accounts_free(&accounts);
 }
@@ -226,32 +220,27 @@ static void check_lines(const struct drawn_lesson *drawn,
         char wanted[200];
 
         for (size_t k = 0; k < count; k++) {
-            const struct profile_row *other = line_profile_row(plain->profile,
-                                                               k);
+            const struct profile_row *other = line_profile_row(plain->profile, k);
 
             if (other->file && !told[k]
                 && clocks_of(other) > (row ? clocks_of(row) : 0))
                 row = other;
         }
-        if (!row || i == 5
-            || (i > 2 && clocks_of(row) * 10 < trial->clocks)) {
+        if (!row || i == 5 || (i > 2 && clocks_of(row) * 10 < trial->clocks)) {
             check_loop_told(trial, plain, i);
             return;
         }
         link = strstr(row->source, "; a pair");
         told[row - line_profile_row(plain->profile, 0)] = true;
         snprintf(wanted, sizeof wanted,
-                 "Line %zu took %" PRIu64 " clocks, %.0f %%, in %" PRIu64
-                 " %s%s:%s",
+                 "Line %zu took %" PRIu64 " clocks, %.0f %%, in %" PRIu64 " %s%s:%s",
                  row->number, clocks_of(row),
-                 floor(100.0 * (double)clocks_of(row) / (double)trial->clocks
-                       + 0.5),
+                 floor(100.0 * (double)clocks_of(row) / (double)trial->clocks + 0.5),
                  row->executions, link ? "linked pair" : "instruction",
                  row->executions == 1 ? "" : "s",
-                 link
-                     ? "\n    MPYSV   [xs], value, [one]\n    ADDNV   [one], "
-                       "[xs], [ys]"
-                     : " ");
+                 link ? "\n    MPYSV   [xs], value, [one]\n    ADDNV   [one], "
+                        "[xs], [ys]"
+                      : " ");
         check_begins(drawn, trial, i, wanted);
     }
 }
@@ -264,10 +253,8 @@ static void check_slow(const struct drawn_lesson *drawn,
     char wanted[200];
 
     snprintf(wanted, sizeof wanted,
-             "It took %" PRIu64 " clocks, %" PRIu64 " more than the %" PRIu64
-             " of %s.",
-             trial->clocks, trial->clocks - goal, goal,
-             medal_name(trial->medal + 1));
+             "It took %" PRIu64 " clocks, %" PRIu64 " more than the %" PRIu64 " of %s.",
+             trial->clocks, trial->clocks - goal, goal, medal_name(trial->medal + 1));
     check_begins(drawn, trial, 0, wanted);
     check_cause(drawn, trial, plain);
     check_lines(drawn, trial, plain);
@@ -280,8 +267,7 @@ static void check_right(const struct drawn_lesson *drawn,
     if (!trial->right)
         fail_msg("%s\n%s", trial->report.sentences[0], drawn->answer);
     assert_int_equal(trial->clocks, c205_clock(plain->machine));
-    assert_int_equal(trial->medal,
-                     trial->test->has_goals ? medal : MEDAL_NONE);
+    assert_int_equal(trial->medal, trial->test->has_goals ? medal : MEDAL_NONE);
     assert_int_equal(trial->passed, !trial->test->has_goals || medal);
     if (trial->test->has_goals && medal != MEDAL_GOLD)
         check_slow(drawn, trial, plain);
@@ -291,8 +277,8 @@ static void check_right(const struct drawn_lesson *drawn,
 
 /* ---- Verdicts -------------------------------------------------------------- */
 
-static const struct lesson_trial *
-trial_of(const struct lesson_verdict *verdict, size_t n)
+static const struct lesson_trial *trial_of(const struct lesson_verdict *verdict,
+                                           size_t n)
 {
     char tries_text[40];
 
@@ -336,25 +322,20 @@ static void check_json(const struct lesson_verdict *verdict)
     assert_string_equal(json_member_text(read, "lesson"), "drawn");
     assert_string_equal(json_member_text(read, "title"), "Drawn by chance");
     assert_string_equal(json_member_text(read, "answer"), "my.s");
-    assert_string_equal(json_member_text(read, "medal"),
-                        medal_name(verdict->medal));
-    assert_int_equal(json_member_truth(read, "passed", false),
-                     verdict->passed);
+    assert_string_equal(json_member_text(read, "medal"), medal_name(verdict->medal));
+    assert_int_equal(json_member_truth(read, "passed", false), verdict->passed);
     assert_int_equal(json_member(read, "clocks")->number, verdict->clocks);
     check_texts(&verdict->report, read);
     for (size_t i = 0; i < verdict->count; i++) {
         const struct lesson_trial *trial = &verdict->trials[i];
 
         test = nth(json_member_first(read, "tests"), i);
-        assert_string_equal(json_member_text(test, "name"),
-                            trial->test->name);
-        assert_int_equal(json_member_truth(test, "right", false),
-                         trial->right);
+        assert_string_equal(json_member_text(test, "name"), trial->test->name);
+        assert_int_equal(json_member_truth(test, "right", false), trial->right);
         assert_int_equal(json_member(test, "clocks")->number, trial->clocks);
         check_texts(&trial->report, test);
         if (trial->test->has_goals)
-            assert_int_equal(json_member(json_member(test, "goals"), "silver")
-                                 ->number,
+            assert_int_equal(json_member(json_member(test, "goals"), "silver")->number,
                              trial->test->goals[MEDAL_SILVER]);
         else
             assert_null(json_member_first(test, "goals"));
@@ -420,8 +401,7 @@ static void check_drawn(struct drawn_lesson *drawn)
     drawn_open(drawn, &lesson);
     grade_well(&verdict, &lesson, drawn->answer);
     for (size_t i = 0; i < drawn->count; i++) {
-        const struct lesson_trial *trial = trial_of(&verdict,
-                                                    drawn->tests[i].n);
+        const struct lesson_trial *trial = trial_of(&verdict, drawn->tests[i].n);
 
         assert_int_equal(trial->test->warm, drawn->tests[i].warm);
         check_trial(drawn, i, trial, &plain[i], medals[i]);
@@ -456,8 +436,7 @@ TEST(ways)
 
         do
             draw_lesson(&drawn, &random_state);
-        while (drawn.way == WAY_VECTOR
-               || !drawn.tests[drawn.faulty].has_goals);
+        while (drawn.way == WAY_VECTOR || !drawn.tests[drawn.faulty].has_goals);
         check_drawn(&drawn);
     }
 }
@@ -487,15 +466,13 @@ static void check_said(const struct drawn_lesson *drawn, const char *old,
 
     drawn_open(drawn, &lesson);
     grade_well(&verdict, &lesson, answer);
-    report = of_all ? &verdict.report
-                    : &trial_of(&verdict, drawn->tests[0].n)->report;
+    report = of_all ? &verdict.report : &trial_of(&verdict, drawn->tests[0].n)->report;
     assert_int_equal(verdict.graded, !of_all);
     assert_false(verdict.passed);
     if (report->count != 1
         || strncmp(report->sentences[0], wanted, strlen(wanted)) != 0)
-        fail_msg("'%s' for '%s'\n%s",
-                 report->count ? report->sentences[0] : "nothing", wanted,
-                 answer);
+        fail_msg("'%s' for '%s'\n%s", report->count ? report->sentences[0] : "nothing",
+                 wanted, answer);
     check_json(&verdict);
     lesson_verdict_free(&verdict);
     lesson_free(&lesson);
@@ -521,8 +498,7 @@ TEST(said_of_all)
         draw_right_words(&drawn);
         check_said(&drawn, "y, n\n", "z, n\ny = 5\n", true,
                    "It cannot be assembled:\nmy.s:9:1: error: ");
-        check_said(&drawn, ".vector y, n\n", ".vector z, n\n.equ y, z\n",
-                   true,
+        check_said(&drawn, ".vector y, n\n", ".vector z, n\n.equ y, z\n", true,
                    "The answer has no label y, where results are looked "
                    "for.");
         check_said(&drawn, ".vector y,", ".halfvector y,", true,
@@ -536,11 +512,9 @@ TEST(said_of_all)
                    "before it and '.endif' behind it.");
         snprintf(wanted, sizeof wanted, "y has room for %zu word",
                  drawn.tests[0].n - 1);
-        check_said(&drawn, ".vector y, n\n", ".vector y, n - 1\n", false,
-                   wanted);
+        check_said(&drawn, ".vector y, n\n", ".vector y, n - 1\n", false, wanted);
         snprintf(wanted, sizeof wanted,
-                 "With n = %zu it cannot be assembled:\nmy.s:",
-                 drawn.tests[0].n);
+                 "With n = %zu it cannot be assembled:\nmy.s:", drawn.tests[0].n);
         check_said(&drawn, "        EXIT\n",
                    "        .if n == 5\n        EXIT\n        .else\n"
                    "        NOPE\n        .endif\n",

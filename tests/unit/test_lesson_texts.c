@@ -8,8 +8,7 @@
 static size_t tries = 5000;
 
 /* A lesson with one test; false: it is refused. */
-static bool open_with(struct lesson *lesson, const char *test,
-                      c205_error *error)
+static bool open_with(struct lesson *lesson, const char *test, c205_error *error)
 {
     static const char title[] = "# A\n";
 
@@ -23,8 +22,7 @@ static bool open_with(struct lesson *lesson, const char *test,
 
 /* ---- What is expected of a run --------------------------------------------- */
 
-static void check_run(const char *test, const char *answer,
-                      const char *wanted)
+static void check_run(const char *test, const char *answer, const char *wanted)
 {
     struct lesson lesson;
     struct lesson_verdict verdict;
@@ -70,10 +68,9 @@ TEST(runs)
     check_run(print, endless,
               "It printed more than 65536 characters, and was stopped.");
     check_run(trap, "        LOD     [r0], r1\n        EXIT\n", NULL);
-    check_run(
-        trap, five,
-        "Expected trap unmapped-address, found: ended at 400020 with status "
-        "0.");
+    check_run(trap, five,
+              "Expected trap unmapped-address, found: ended at 400020 with status "
+              "0.");
 }
 
 /* ---- Lessons that are none ------------------------------------------------- */
@@ -104,8 +101,7 @@ TEST(notes)
     check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3 4\n", goals);
     check_notes("; test: a\n; goals: gold 1, gold 2, bronze 3\n", goals);
     check_notes("; test: a\n; goals: gold 1, silver 2, bronze 3e9\n", goals);
-    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 99999999999\n",
-                goals);
+    check_notes("; test: a\n; goals: gold 1, silver 2, bronze 99999999999\n", goals);
     check_notes("; test: a\n; goal: gold 1, silver 2, bronze 3\n",
                 "12-it/test-a.s:2: a note like this is 'test:', 'goals:' or "
                 "'tolerance:'");
@@ -130,8 +126,8 @@ static void check_refused(const char *test, const char *wanted)
     c205_error error = { "" };
 
     assert_true(open_with(&lesson, test, &error));
-    assert_false(lesson_grade(&verdict, &lesson, "my.s", answer,
-                              strlen(answer), &error));
+    assert_false(
+        lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer), &error));
     assert_string_equal(error.message, wanted);
     lesson_verdict_free(&verdict);
     lesson_free(&lesson);
@@ -153,8 +149,7 @@ TEST(refused)
                   "instructions");
     check_refused("; test: a\nwant_: .word 1\n",
                   "test-a.s: data are wanted at want_LABEL, not want_");
-    check_refused("; test: a\n .data\nx: .word 1\nwant_y:\n",
-                  "test-a.s wants nothing");
+    check_refused("; test: a\n .data\nx: .word 1\nwant_y:\n", "test-a.s wants nothing");
     check_refused("; test: a\n; expect: r1 = 0\n; expect-model: x\n",
                   "test-a.s: there is no machine model 'x'");
     check_refused("; test: a\n; expect: r1 = 0\n; expect-model: cdc6600\n",
@@ -172,13 +167,11 @@ TEST(names)
     assert_true(lesson_begin(&items[1], "11-sieve", &error));
     assert_ptr_equal(lessons_find(&lessons, "3", &error), &items[0]);
     assert_ptr_equal(lessons_find(&lessons, "03", &error), &items[0]);
-    assert_ptr_equal(lessons_find(&lessons, "first-vector", &error),
-                     &items[0]);
+    assert_ptr_equal(lessons_find(&lessons, "first-vector", &error), &items[0]);
     assert_ptr_equal(lessons_find(&lessons, "11-sieve", &error), &items[1]);
     assert_null(lessons_find(&lessons, "1", &error));
     assert_null(lessons_find(&lessons, "seive", &error));
-    assert_string_equal(error.message,
-                        "there is no lesson 'seive'; is it 'sieve'?");
+    assert_string_equal(error.message, "there is no lesson 'seive'; is it 'sieve'?");
     lesson_free(&items[0]);
     lesson_free(&items[1]);
 }
@@ -202,8 +195,8 @@ static void grade_any(const char *test, const char *answer)
     struct lesson_verdict verdict = { 0 };
     c205_error error = { "" };
     bool good = open_with(&lesson, test, &error)
-                && lesson_grade(&verdict, &lesson, "my.s", answer,
-                                strlen(answer), &error);
+                && lesson_grade(&verdict, &lesson, "my.s", answer, strlen(answer),
+                                &error);
 
     if (good != (*error.message == '\0'))
         fail_msg("'%s'\n%s\n%s", error.message, test, answer);
@@ -263,12 +256,10 @@ static size_t take_elements(const char *text, enum asm_contents contents,
         size_t length = strcspn(text, " ");
         const char *end;
 
-        elements[count++] = contents == ASM_BITS
-                                ? (c205_word)(*text == '1') << 63
-                            : *text == 'i' ? C205_INDEFINITE
-                            : memchr(text, '.', length)
-                                ? c205_from_text(text, &end)
-                                : c205_from_integer(atoi(text));
+        elements[count++] = contents == ASM_BITS ? (c205_word)(*text == '1') << 63
+                            : *text == 'i'       ? C205_INDEFINITE
+                            : memchr(text, '.', length) ? c205_from_text(text, &end)
+                                                        : c205_from_integer(atoi(text));
         text += length;
     }
     return count;
@@ -302,8 +293,8 @@ TEST(likeness)
         { ASM_BITS, "1 1 1", "0 0 1", "0 1 0", NULL },
         { ASM_BITS, "0 0 0 1", "0 0 1 1", "0 1 0 1", NULL },
         { ASM_BITS, "0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0",
-          "0 0 1 1 0 1 0 1 0 0 0 1 0 1 0 0",
-          "0 1 1 0 1 0 1 0 0 0 1 0 1 0 0 1", "one place too far in front" },
+          "0 0 1 1 0 1 0 1 0 0 0 1 0 1 0 0", "0 1 1 0 1 0 1 0 0 0 1 0 1 0 0 1",
+          "one place too far in front" },
         { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.00000000001", "Only the last" },
         { ASM_WORDS, "0 0", "1.0 2.0", "1.0 2.0001", NULL },
         { ASM_WORDS, "0 0", "1.0 2.0", "i 2.0", "Indefinite comes of" },
@@ -326,8 +317,7 @@ TEST(likeness)
 
         take_elements(rows[i].before, rows[i].contents, before);
         take_elements(rows[i].found, rows[i].contents, found);
-        exchanged.count = take_elements(rows[i].wanted, rows[i].contents,
-                                        wanted);
+        exchanged.count = take_elements(rows[i].wanted, rows[i].contents, wanted);
         assert_false(wrong_tell(&exchanged, &report));
         if (rows[i].said ? !strstr(report.sentences[0], rows[i].said)
                          : !strstr(report.sentences[0], " (counted from 0).")

@@ -6,8 +6,8 @@
 #include "tests/unit/asm_helper.h"
 #include "tests/unit/prior_model.h"
 
-static void check_sums(const struct line_profile *profile,
-                       const c205 *machine, const char *path)
+static void check_sums(const struct line_profile *profile, const c205 *machine,
+                       const char *path)
 {
     uint64_t executions = 0, elements = 0, instructions = 0, streamed = 0;
 
@@ -20,8 +20,8 @@ static void check_sums(const struct line_profile *profile,
             all += c205_account_at(machine, i)->clocks[cause];
         if (sum != all)
             fail_msg("%s: %s is %llu line by line, %llu in all", path,
-                     c205_cause_name((c205_cause)cause),
-                     (unsigned long long)sum, (unsigned long long)all);
+                     c205_cause_name((c205_cause)cause), (unsigned long long)sum,
+                     (unsigned long long)all);
     }
     for (size_t i = 0; i < line_profile_count(profile); i++) {
         executions += line_profile_row(profile, i)->executions;
@@ -65,8 +65,7 @@ static void check_run(const char *path, uint64_t limit, uint64_t slice)
 /* To the end, or a trap; and stopped on the way, perhaps within an instruction. */
 TEST(programs)
 {
-    static const char *const patterns[] = { "asm/examples/*.s",
-                                            "tests/programs/*.s",
+    static const char *const patterns[] = { "asm/examples/*.s", "tests/programs/*.s",
                                             "tests/programs/traps/*.s" };
     size_t count = 0;
 
@@ -100,8 +99,8 @@ static void check_columns(const struct line_profile *profile)
 {
     enum { BEFORE = 5 };
     struct table *table = line_profile_table(profile,
-                                             (struct profile_view){
-                                                 PROFILE_AS_WRITTEN, false },
+                                             (struct profile_view){ PROFILE_AS_WRITTEN,
+                                                                    false },
                                              false);
     size_t shown = 0;
 
@@ -172,9 +171,7 @@ TEST(lines)
         assert_in_range(row->clocks[C205_VECTOR_STREAM], 1, 2);
         assert_int_equal(row->clocks[C205_PAGE_FAULT], 0);
     }
-    table = line_profile_table(profile,
-                               (struct profile_view){ PROFILE_HOTTEST,
-                                                      false },
+    table = line_profile_table(profile, (struct profile_view){ PROFILE_HOTTEST, false },
                                false);
     for (size_t i = 1; i < table_rows(table); i++)
         assert_true(table_value(table, i - 1, 1) >= table_value(table, i, 1));

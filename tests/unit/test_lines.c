@@ -29,8 +29,7 @@ static void check(bool good, const char *reason, const char *text)
 }
 
 static void check_queues(const struct scene *scene, const char *text,
-                         struct lines_options options,
-                         const struct scene_line *list,
+                         struct lines_options options, const struct scene_line *list,
                          const struct seen_crossings *scalar)
 {
     static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
@@ -55,26 +54,24 @@ static void check_queues(const struct scene *scene, const char *text,
 static void check_solids(double z, double behind)
 {
     static char text[1 << 18];
-    struct lines_options options = { .normals = true,
-                                     .bodies = true,
-                                     .behind = behind,
-                                     .model = prior_model };
+    struct lines_options options = {
+        .normals = true, .bodies = true, .behind = behind, .model = prior_model
+    };
     struct scene_line list[LINES];
     struct seen_crossings found;
     struct scene *scene;
     char camera[80], reason[LINE_REASON];
 
     snprintf(camera, sizeof camera,
-             "location <%.3f, %.3f, %.3f> look_at <0, .1, .2> angle 40",
-             between(-3, 3), between(-3, 3), z);
+             "location <%.3f, %.3f, %.3f> look_at <0, .1, .2> angle 40", between(-3, 3),
+             between(-3, 3), z);
     write_scene(text, sizeof text, camera);
     scene = read_text(text);
     draw_camera_lines(&traced.random, scene, list, LINES);
     found = find_lines(scene, &options, list, LINES);
     check_queues(scene, text, options, list, &found);
     check(keep_line_rules(scene, list, &found, behind, reason), reason, text);
-    check(same_as_plain_lines(scene, list, &found, behind, true, reason),
-          reason, text);
+    check(same_as_plain_lines(scene, list, &found, behind, true, reason), reason, text);
     seen_crossings_free(&found);
     scene_free(scene);
 }
@@ -110,9 +107,7 @@ static void put_pixels(struct scene_line list[SIDE * SIDE])
 static bool is_word(c205_word found, c205_word expected, bool mesh)
 {
     return found == expected
-           || (mesh
-               && fabs(c205_to_double(found) - c205_to_double(expected))
-                      < 1e-12);
+           || (mesh && fabs(c205_to_double(found) - c205_to_double(expected)) < 1e-12);
 }
 
 /* A frame has the distance, the normal and the number of what is seen first. */
@@ -122,19 +117,17 @@ static bool is_nearest(const struct scene *scene, const struct words *words,
     size_t id = (size_t)c205_to_integer(words->channel[CHANNEL_ID][pixel]);
     bool mesh = id > 0 && scene->primitives[id - 1].kind == PRIMITIVE_MESH;
     bool same = id == seen->primitive + 1
-                && is_word(words->channel[CHANNEL_DEPTH][pixel],
-                           seen->distance, mesh);
+                && is_word(words->channel[CHANNEL_DEPTH][pixel], seen->distance, mesh);
 
     for (int i = 0; i < 3; i++)
         same = same
-               && is_word(words->channel[CHANNEL_NORMAL_X + i][pixel],
-                          seen->normal[i], mesh);
+               && is_word(words->channel[CHANNEL_NORMAL_X + i][pixel], seen->normal[i],
+                          mesh);
     return same;
 }
 
-static void check_nearest(const struct scene *scene,
-                          const struct words *words, size_t pixel,
-                          const struct seen_crossings *found,
+static void check_nearest(const struct scene *scene, const struct words *words,
+                          size_t pixel, const struct seen_crossings *found,
                           const char *text)
 {
     size_t first = found->first[pixel];
@@ -147,8 +140,7 @@ static void check_nearest(const struct scene *scene,
                                            : &none;
 
     if (!is_nearest(scene, words, pixel, seen))
-        fail_msg("pixel %zu: not the first along its line in\n%s", pixel,
-                 text);
+        fail_msg("pixel %zu: not the first along its line in\n%s", pixel, text);
 }
 
 TEST(nearest)
@@ -208,8 +200,7 @@ enum { COPIES = 64 };
 static void check_crossing(const struct seen_crossing *seen,
                            const struct expected *expected)
 {
-    assert_float_equal(c205_to_double(seen->distance), expected->distance,
-                       1e-12);
+    assert_float_equal(c205_to_double(seen->distance), expected->distance, 1e-12);
     assert_int_equal(seen->primitive, expected->primitive);
     assert_int_equal(seen->object, expected->object);
     assert_int_equal(seen->sense, expected->sense);
@@ -234,8 +225,8 @@ static void check_form(const char *text, enum trace_mode mode, double behind,
     found = find_lines(scene, &options, list, COPIES);
     for (size_t i = 0; i < COPIES; i++) {
         if (found.first[i + 1] != (i + 1) * count)
-            fail_msg("%zu crossings, not %zu, in\n%s",
-                     found.first[i + 1] - i * count, count, text);
+            fail_msg("%zu crossings, not %zu, in\n%s", found.first[i + 1] - i * count,
+                     count, text);
         for (size_t k = 0; k < count; k++)
             check_crossing(&found.list[i * count + k], &expected[k]);
     }
@@ -254,8 +245,7 @@ static void check_line(const char *objects, double behind, size_t count,
 }
 
 #define COUNTED(...) \
-    sizeof(const struct expected[]){ __VA_ARGS__ } \
-        / sizeof(struct expected), \
+    sizeof(const struct expected[]){ __VA_ARGS__ } / sizeof(struct expected), \
         (const struct expected[]) \
     { \
         __VA_ARGS__ \
@@ -297,9 +287,7 @@ TEST(many)
 
         add_text(text, sizeof text, "sphere { <0, .125, %zu>, .25 }\n", at);
         expected[2 * at] = (struct expected){ middle - .25, i, 0, 1, 1, 1 };
-        expected[2 * at + 1] = (struct expected){
-            middle + .25, i, 0, -1, 0, 0
-        };
+        expected[2 * at + 1] = (struct expected){ middle + .25, i, 0, -1, 0, 0 };
     }
     add_text(text, sizeof text, "}\n");
     for (int mode = 0; mode < TRACE_MODES; mode++)
@@ -312,8 +300,8 @@ TEST(open)
     check_line("cylinder { -y, y, 1 open } disc { 0, z, 1 }", 0,
                COUNTED({ 3, 0, 0, 0, 0, 0 }, { 4, 1, 1, 0, 0, 0 },
                        { 5, 0, 0, 0, 0, 0 }));
-    check_line("box { -1, 1 clipped_by { plane { z, 0 } } } plane { z, 2 }",
-               0, COUNTED({ 3, 0, 0, 0, 0, 0 }, { 6, 2, 1, -1, -1, -1 }));
+    check_line("box { -1, 1 clipped_by { plane { z, 0 } } } plane { z, 2 }", 0,
+               COUNTED({ 3, 0, 0, 0, 0, 0 }, { 6, 2, 1, -1, -1, -1 }));
 }
 
 /* Distances are told from the origin, also of what lies behind it. */
@@ -331,8 +319,7 @@ TEST(behind)
 
 /* --- errors --------------------------------------------------------------- */
 
-static void check_refused(const struct lines_options *options,
-                          const char *message)
+static void check_refused(const struct lines_options *options, const char *message)
 {
     struct scene *scene = read_text(HEAD "sphere { 0, 1 }");
     c205_error error = { "" };
@@ -352,9 +339,8 @@ TEST(refused)
         { .mode = TRACE_SCALAR, .behind = INFINITY },
     };
 
-    check_refused(&bad[0],
-                  "lines have a scalar form, a vector form and the one of "
-                  "1984");
+    check_refused(&bad[0], "lines have a scalar form, a vector form and the one of "
+                           "1984");
     check_refused(&bad[1], "a queue has from 1 to 65535 lines");
     check_refused(&bad[2], "a queue has from 1 to 65535 lines");
     check_refused(&bad[3], "lines begin at their origins or behind them");
@@ -368,8 +354,7 @@ TEST(no_lines)
         { { { 0 }, { 0, 0, 1 } }, { { NAN, 0, 0 }, { 0, 0, 1 } } },
         { { { 0 }, { 0, 0, 1 } }, { { 0 }, { 0, 0, INFINITY } } },
     };
-    const struct lines_options options = { .mode = TRACE_SCALAR,
-                                           .model = prior_model };
+    const struct lines_options options = { .mode = TRACE_SCALAR, .model = prior_model };
     struct scene *scene = read_text(HEAD "sphere { 0, 1 }");
     c205_error error = { "" };
     struct lines *lines = lines_new(scene, &options, &error);

@@ -86,8 +86,7 @@ static void check_same(const struct shown *shown, const struct trace *trace)
         assert_true(shown->rows[row]);
     for (int i = 0; i < FRAME_CHANNELS; i++)
         assert_memory_equal(frame.channel[i], shown->frame.channel[i],
-                            how->width * how->height
-                                * sizeof *frame.channel[i]);
+                            how->width * how->height * sizeof *frame.channel[i]);
     frame_free(&frame);
 }
 
@@ -129,8 +128,8 @@ TEST(bands)
         for (size_t k = among(1, 6); k > 0; k--) {
             add_text(text, sizeof text, "sphere { ");
             add_point(text, sizeof text, 2);
-            add_text(text, sizeof text,
-                     ", %.3f pigment { rgb <1, .5, .2> } }", between(.2, 1));
+            add_text(text, sizeof text, ", %.3f pigment { rgb <1, .5, .2> } }",
+                     between(.2, 1));
         }
         scene = read_text(text);
         check_looks(scene, (enum trace_mode)(i % TRACE_MODES));
@@ -157,9 +156,8 @@ TEST(under_way)
 
     add_text(text, sizeof text, SCENE, "1");
     for (int k = 0; k < 100; k++)
-        add_text(text, sizeof text,
-                 "sphere { <%d, %d, 0>, .3 pigment { rgb 1 } }", k % 10 - 5,
-                 k / 10 - 5);
+        add_text(text, sizeof text, "sphere { <%d, %d, 0>, .3 pigment { rgb 1 } }",
+                 k % 10 - 5, k / 10 - 5);
     scene = read_text(text);
     assert_true(frame_allocate(&shown.frame, WIDTH, HEIGHT));
     trace_free(run_trace(scene, &options));

@@ -165,8 +165,7 @@ TEST(near_branches)
     struct little little = make_little();
     uint64_t top = add(&little, "IS", F(.r = 9, .immediate = 1));
     add(&little, "IBXLT",
-        F(.g = C205_G_RELATIVE, .a = 1, .x = 2, .z = 3, .c = 1,
-          .immediate = -1));
+        F(.g = C205_G_RELATIVE, .a = 1, .x = 2, .z = 3, .c = 1, .immediate = -1));
     add(&little, "CFPGT",
         F(.g = C205_G_RELATIVE | 0x80, .a = 4, .z = 0, .immediate = 3));
     add(&little, "ES", F(.r = 9, .immediate = -1)); /* skipped */
@@ -237,9 +236,8 @@ static c205_stop run_one(struct little *little, const char *mnemonic,
     return run(little);
 }
 
-static void expect_trap(struct little *little, const char *name,
-                        uint64_t address, const char *mnemonic,
-                        c205_fields fields)
+static void expect_trap(struct little *little, const char *name, uint64_t address,
+                        const char *mnemonic, c205_fields fields)
 {
     c205_stop stop = run_one(little, mnemonic, fields);
     assert_string_equal(c205_trap_name(stop.trap), name);
@@ -253,25 +251,23 @@ TEST(undefined)
     static const struct {
         const char *mnemonic;
         c205_fields fields;
-    } wrong[] = {
-        { "CONV", { .g = C205_G_HALF, .a = 1, .c = 1 } },
-        { "XORB", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 1 } },
-        { "MAXV", { .g = C205_G_BROADCAST_B, .a = 1, .c = 1 } },
-        { "SUMV", { .a = 1, .c = 5 } },
-        { "DOTV", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 5 } },
-        { "ADDNV", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
-        { "ADDNV", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 255 } },
-        { "ADDNV", { .g = C205_G_BROADCAST_A, .x = 5, .a = 1, .c = 1 } },
-        { "SHIFTV", { .g = C205_G_NEGATE_A, .a = 1, .b = 1, .c = 1 } },
-        { "VTOV", { .g = C205_G_BROADCAST_B, .a = 1, .c = 1 } },
-        { "VTOV", { .g = C205_G_MAGNITUDE_B, .a = 1, .c = 1 } },
-        { "INTVLV", { .g = C205_G_BROADCAST_A, .a = 1, .c = 1 } },
-        { "SUMV", { .g = C205_G_OFFSET, .a = 1, .c = 2 } },
-        { "VTOVX", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 1 } },
-        { "XORB", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
-        { "SUMV", { .a = 1, .c = 255 } },
-        { "IBXEQ", { .g = 1, .a = 1 } }
-    };
+    } wrong[] = { { "CONV", { .g = C205_G_HALF, .a = 1, .c = 1 } },
+                  { "XORB", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 1 } },
+                  { "MAXV", { .g = C205_G_BROADCAST_B, .a = 1, .c = 1 } },
+                  { "SUMV", { .a = 1, .c = 5 } },
+                  { "DOTV", { .g = C205_G_HALF, .a = 1, .b = 1, .c = 5 } },
+                  { "ADDNV", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
+                  { "ADDNV", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 255 } },
+                  { "ADDNV", { .g = C205_G_BROADCAST_A, .x = 5, .a = 1, .c = 1 } },
+                  { "SHIFTV", { .g = C205_G_NEGATE_A, .a = 1, .b = 1, .c = 1 } },
+                  { "VTOV", { .g = C205_G_BROADCAST_B, .a = 1, .c = 1 } },
+                  { "VTOV", { .g = C205_G_MAGNITUDE_B, .a = 1, .c = 1 } },
+                  { "INTVLV", { .g = C205_G_BROADCAST_A, .a = 1, .c = 1 } },
+                  { "SUMV", { .g = C205_G_OFFSET, .a = 1, .c = 2 } },
+                  { "VTOVX", { .g = C205_G_OFFSET, .a = 1, .b = 1, .c = 1 } },
+                  { "XORB", { .g = C205_G_ZEROS, .a = 1, .b = 1, .c = 1 } },
+                  { "SUMV", { .a = 1, .c = 255 } },
+                  { "IBXEQ", { .g = 1, .a = 1 } } };
     struct little little = make_little();
     for (size_t i = 0; i < COUNT(wrong); i++) {
         expect_trap(&little, "undefined-instruction", 0, wrong[i].mnemonic,
@@ -295,9 +291,8 @@ TEST(undefined)
  * each -3. */
 TEST(sign_bits)
 {
-    static const double sums[][2] = { { -5, -1 }, { 1, 5 },   { -1, -5 },
-                                      { 5, 1 },   { -1, -1 }, { 5, 5 },
-                                      { -5, -5 }, { 1, 1 } };
+    static const double sums[][2] = { { -5, -1 }, { 1, 5 }, { -1, -5 }, { 5, 1 },
+                                      { -1, -1 }, { 5, 5 }, { -5, -5 }, { 1, 1 } };
     struct little little = make_little();
     for (uint32_t g = 0; g < 8; g++) {
         begin(&little);
@@ -342,15 +337,13 @@ TEST(operand_traps)
     expect_trap(&l, misaligned, odd, "BSAVE", F(.r = 1, .t = 2));
     expect_trap(&l, misaligned, odd, "ADDNV", F(.a = 1, .b = 2, .c = 1));
     expect_trap(&l, unmapped, out, "ADDNV", F(.a = 1, .b = 1, .c = 3));
-    expect_trap(&l, unmapped, out, "ADDNV",
-                F(.a = 1, .b = 1, .z = 3, .c = 1));
+    expect_trap(&l, unmapped, out, "ADDNV", F(.a = 1, .b = 1, .z = 3, .c = 1));
     expect_trap(&l, bad, 0, "ADDNV", F(.a = 1, .x = 4, .b = 1, .c = 1));
     expect_trap(&l, bad, 0, "MASKV", F(.a = 1, .b = 1, .c = 1));
-    expect_trap(&l, bad, 0, "SUMV",
-                F(.g = C205_G_BROADCAST_A, .a = 1, .c = 6));
+    expect_trap(&l, bad, 0, "SUMV", F(.g = C205_G_BROADCAST_A, .a = 1, .c = 6));
     expect_trap(&l, bad, 0, "DOTV",
-                F(.g = C205_G_BROADCAST_A | C205_G_BROADCAST_B, .a = 1,
-                  .b = 1, .c = 6));
+                F(.g = C205_G_BROADCAST_A | C205_G_BROADCAST_B, .a = 1, .b = 1,
+                  .c = 6));
     expect_trap(&l, bad, DATA, "SWAP", F(.r = 1, .s = 253));
     expect_trap(&l, unmapped, out, "SWAP", F(.r = 1, .s = 10, .t = 3));
     expect_trap(&l, "bad-request", 0, "EXIT", F(.immediate = 8));
@@ -385,10 +378,9 @@ TEST(protected)
     c205_stop stop = run(&little);
     assert_string_equal(c205_trap_name(stop.trap), "protected-address");
     c205_describe_stop(little.machine, &stop, &error);
-    assert_string_equal(
-        error.message,
-        "trap protected-address at 400000: STO: address 10000000: "
-        "this memory may only be read");
+    assert_string_equal(error.message,
+                        "trap protected-address at 400000: STO: address 10000000: "
+                        "this memory may only be read");
     assert_int_equal(word_at(&little, DATA), 0);
     free_little(&little);
 }
@@ -441,8 +433,7 @@ TEST(going_on_after_the_limit)
             load(&little, 100);
             set(&little, 1, descriptor(DATA, 100));
             uint64_t step = i == 0 ? C205_NO_LIMIT : limit;
-            while (c205_run(little.machine, step).trap
-                   == C205_TRAP_CLOCK_LIMIT)
+            while (c205_run(little.machine, step).trap == C205_TRAP_CLOCK_LIMIT)
                 step = c205_clock(little.machine) + 1;
             clocks[i] = c205_clock(little.machine);
         }
@@ -492,8 +483,7 @@ TEST(regions)
     assert_int_equal(late->entries, 2);
     regions[1].end = CODE + 65;
     assert_false(c205_load(little.machine, &program, &error));
-    assert_string_equal(error.message,
-                        "the region late overlaps another, at 400040");
+    assert_string_equal(error.message, "the region late overlaps another, at 400040");
     regions[1].end = CODE - 32;
     assert_false(c205_load(little.machine, &program, &error));
     assert_string_equal(error.message,
@@ -501,8 +491,7 @@ TEST(regions)
     program.region_count = 0;
     segment.address = CODE + 32;
     assert_false(c205_load(little.machine, &program, &error));
-    assert_string_equal(error.message,
-                        "a segment at 400020 does not begin at a word");
+    assert_string_equal(error.message, "a segment at 400020 does not begin at a word");
     free_little(&little);
 }
 
@@ -514,8 +503,7 @@ struct heard {
     bool taken;
 };
 
-static void listen(void *context, const c205 *machine,
-                   const c205_event *event)
+static void listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct heard *heard = context;
     (void)machine;

@@ -46,8 +46,7 @@ static struct csv_table *read_reference(void)
     struct csv_table *table = calloc(1, sizeof *table);
     c205_error error;
     size_t length;
-    char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length,
-                           &error);
+    char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length, &error);
 
     assert_non_null(table);
     assert_non_null(text);
@@ -56,8 +55,7 @@ static struct csv_table *read_reference(void)
     return table;
 }
 
-static double named(const struct csv_table *table, size_t row,
-                    const char *name)
+static double named(const struct csv_table *table, size_t row, const char *name)
 {
     for (size_t i = 0; i < table->cells[0]; i++)
         if (strcmp(table->cell[0][i], name) == 0)
@@ -68,8 +66,7 @@ static double named(const struct csv_table *table, size_t row,
 
 /* Within four standard errors, and a share of the scale. */
 static void check_figure(const char *solid, const struct mass_figures *found,
-                         size_t figure, double expected, double scale,
-                         double share)
+                         size_t figure, double expected, double scale, double share)
 {
     double off = fabs(found->value[figure] - expected);
     double most = 4 * found->error[figure] / STUDENT + 1e-9 * scale;
@@ -81,11 +78,10 @@ static void check_figure(const char *solid, const struct mass_figures *found,
                  off / scale, 4 * off / most);
 }
 
-static void check_row(const struct csv_table *table, size_t row,
-                      size_t rays_log, double share)
+static void check_row(const struct csv_table *table, size_t row, size_t rays_log,
+                      double share)
 {
-    static const char *const moments[] = { "Ixx", "Iyy", "Izz",
-                                           "Ixy", "Ixz", "Iyz" };
+    static const char *const moments[] = { "Ixx", "Iyy", "Izz", "Ixy", "Ixz", "Iyz" };
     static const char *const places[] = { "cx", "cy", "cz" };
     const char *id = table->cell[row][0];
     struct columns_options options = usual();
@@ -99,13 +95,13 @@ static void check_row(const struct csv_table *table, size_t row,
     check_figure(id, found, FIGURE_AREA, named(table, row, "area"),
                  named(table, row, "area"), share);
     for (size_t i = 0; i < 3; i++) {
-        check_figure(id, found, FIGURE_CENTROID + i,
-                     named(table, row, places[i]), cbrt(volume), share);
+        check_figure(id, found, FIGURE_CENTROID + i, named(table, row, places[i]),
+                     cbrt(volume), share);
         most = fmax(most, named(table, row, moments[i]));
     }
     for (size_t i = 0; i < 6; i++)
-        check_figure(id, found, FIGURE_CENTRAL + i,
-                     named(table, row, moments[i]), most, share);
+        check_figure(id, found, FIGURE_CENTRAL + i, named(table, row, moments[i]), most,
+                     share);
 }
 
 TEST(formulas)
@@ -125,11 +121,10 @@ TEST(formulas)
 
 /* Bodies that overlap, a union that stands by itself, a tree, an object that is in
  * one place twice. */
-static const char crowd[] =
-    "union { sphere { 0, 1 } box { -.6, <1.5, .6, .7> } }\n"
-    "difference { torus { 1.2, .4 } plane { x, .2 } }\n"
-    "cylinder { <-1, 0, .3>, <1, 1, .3>, .5 }\n"
-    "sphere { <.5, .2, 0>, .8 }\n";
+static const char crowd[] = "union { sphere { 0, 1 } box { -.6, <1.5, .6, .7> } }\n"
+                            "difference { torus { 1.2, .4 } plane { x, .2 } }\n"
+                            "cylinder { <-1, 0, .3>, <1, 1, .3>, .5 }\n"
+                            "sphere { <.5, .2, 0>, .8 }\n";
 
 TEST(same_bits)
 {
@@ -171,8 +166,7 @@ TEST(same_packets)
     assert_true(checksum_of(crowd, options) == expected);
     options.mode = TRACE_VECTOR;
     measure_well("sphere { 0, 1 }", options, &ball);
-    assert_true(fabs(ball.part[0].value[FIGURE_VOLUME] - 4 * acos(-1) / 3)
-                < 1e-3);
+    assert_true(fabs(ball.part[0].value[FIGURE_VOLUME] - 4 * acos(-1) / 3) < 1e-3);
 }
 
 /* ---- Points -------------------------------------------------------------- */
@@ -243,8 +237,7 @@ TEST(overlap)
     assert_int_equal(two.parts, 2);
     assert_true(fabs(two.overlap - lens) < 4 * two.overlap_error / STUDENT);
     assert_true(two.overlap_error < 1e-3);
-    assert_true(fabs(two.part[2].value[FIGURE_VOLUME]
-                     - two.part[0].value[FIGURE_VOLUME]
+    assert_true(fabs(two.part[2].value[FIGURE_VOLUME] - two.part[0].value[FIGURE_VOLUME]
                      - two.part[1].value[FIGURE_VOLUME])
                 < 1e-12);
 }
@@ -261,8 +254,7 @@ TEST(about)
     assert_true(fabs(value[FIGURE_VOLUME] - 8) < 1e-3);
     assert_true(fabs(value[FIGURE_AREA] - 24) < 3e-3);
     assert_true(fabs(value[FIGURE_CENTROID + 2] - 300) < 1e-3);
-    assert_true(fabs(value[FIGURE_INERTIA] / (8 * (130000 + 2. / 3)) - 1)
-                < 1e-4);
+    assert_true(fabs(value[FIGURE_INERTIA] / (8 * (130000 + 2. / 3)) - 1) < 1e-4);
     assert_true(fabs(value[FIGURE_INERTIA + 3] / (-8. * 20000) - 1) < 1e-4);
     assert_true(fabs(value[FIGURE_CENTRAL] - 16. / 3) < 2e-3);
 }
@@ -282,12 +274,12 @@ TEST(parallel_axes)
     y = value[FIGURE_CENTROID + 1];
     z = value[FIGURE_CENTROID + 2];
     assert_true(x < 2.95);
-    assert_true(fabs(value[FIGURE_INERTIA] - value[FIGURE_CENTRAL]
-                     - volume * (y * y + z * z))
-                < 1e-9);
-    assert_true(fabs(value[FIGURE_INERTIA + 3] - value[FIGURE_CENTRAL + 3]
-                     + volume * x * y)
-                < 1e-9);
+    assert_true(
+        fabs(value[FIGURE_INERTIA] - value[FIGURE_CENTRAL] - volume * (y * y + z * z))
+        < 1e-9);
+    assert_true(
+        fabs(value[FIGURE_INERTIA + 3] - value[FIGURE_CENTRAL + 3] + volume * x * y)
+        < 1e-9);
 }
 
 /* The axes of a box that is turned, its moments rising. */
@@ -298,13 +290,11 @@ TEST(axes)
     const struct mass_figures *figures = &box.part[0];
 
     options.rays_log = 11;
-    measure_well("box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z }", options,
-                 &box);
+    measure_well("box { <-1,-.5,-.25>, <1,.5,.25> rotate 30*z }", options, &box);
     for (size_t i = 0; i < 3; i++) {
         static const double moments[] = { 5. / 48, 17. / 48, 5. / 12 };
 
-        assert_true(fabs(figures->value[FIGURE_PRINCIPAL + i] - moments[i])
-                    < 1e-3);
+        assert_true(fabs(figures->value[FIGURE_PRINCIPAL + i] - moments[i]) < 1e-3);
     }
     assert_true(figures->axes[0][0] * figures->axes[0][1] > 0);
     assert_true(fabs(fabs(figures->axes[0][0]) - cos(acos(-1) / 6)) < 1e-2);
@@ -353,8 +343,7 @@ TEST(too_many_parts)
     options.repeats = 1;
     options.part_count = COLUMNS_PARTS_MOST + 1;
     assert_false(columns_sum(scene, &options, &sums, &error));
-    assert_string_equal(error.message,
-                        "4468 parts are too many: there may be 4467");
+    assert_string_equal(error.message, "4468 parts are too many: there may be 4467");
     options.part_count = 1;
     options.overlaps = &many;
     assert_false(columns_sum(scene, &options, &sums, &error));

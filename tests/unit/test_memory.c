@@ -30,23 +30,18 @@ TEST(check)
     struct memory *memory = memory_of(PAGE_BITS, 2 * C205_PAGE_WORDS);
     c205_error error;
     uint64_t fault = 1;
-    assert_int_equal(memory_check(memory, 0, 0, true, &fault),
-                     C205_TRAP_NONE);
-    assert_int_equal(memory_check(memory, PAGE_BITS, 2 * PAGE_BITS, true,
-                                  &fault),
+    assert_int_equal(memory_check(memory, 0, 0, true, &fault), C205_TRAP_NONE);
+    assert_int_equal(memory_check(memory, PAGE_BITS, 2 * PAGE_BITS, true, &fault),
                      C205_TRAP_NONE);
     assert_int_equal(fault, 1);
-    assert_int_equal(memory_check(memory, PAGE_BITS + 1, 2 * PAGE_BITS, false,
-                                  &fault),
+    assert_int_equal(memory_check(memory, PAGE_BITS + 1, 2 * PAGE_BITS, false, &fault),
                      C205_TRAP_UNMAPPED_ADDRESS);
     assert_int_equal(fault, 3 * PAGE_BITS);
     assert_true(memory_map(memory, 2 * PAGE_BITS, 1, C205_READ_ONLY, &error));
-    assert_int_equal(memory_check(memory, PAGE_BITS, PAGE_BITS + 1, true,
-                                  &fault),
+    assert_int_equal(memory_check(memory, PAGE_BITS, PAGE_BITS + 1, true, &fault),
                      C205_TRAP_PROTECTED_ADDRESS);
     assert_int_equal(fault, 2 * PAGE_BITS);
-    assert_int_equal(memory_check(memory, PAGE_BITS, PAGE_BITS + 1, false,
-                                  &fault),
+    assert_int_equal(memory_check(memory, PAGE_BITS, PAGE_BITS + 1, false, &fault),
                      C205_TRAP_NONE);
     let_go(memory);
 }
@@ -59,30 +54,25 @@ TEST(untouched)
     uint64_t last = (pages - 1) * PAGE_BITS, fault;
     c205_error error;
     c205_word word = 1;
-    assert_true(memory_map(memory, 0, pages * C205_PAGE_WORDS,
-                           C205_WHEN_TOUCHED, &error));
+    assert_true(
+        memory_map(memory, 0, pages * C205_PAGE_WORDS, C205_WHEN_TOUCHED, &error));
     assert_int_equal(memory_next_page(memory, 7 * PAGE_BITS), 7 * PAGE_BITS);
     assert_int_equal(memory_next_page(memory, last + PAGE_BITS), SPACE);
     assert_int_equal(memory_load(memory, last, &word), C205_TRAP_NONE);
     assert_int_equal(word, 0);
-    assert_int_equal(memory_store(memory, last - PAGE_BITS, 5),
-                     C205_TRAP_NONE);
+    assert_int_equal(memory_store(memory, last - PAGE_BITS, 5), C205_TRAP_NONE);
     assert_int_equal(memory_load(memory, last, &word), C205_TRAP_NONE);
     assert_int_equal(word, 0);
-    assert_int_equal(memory_check(memory, 9 * PAGE_BITS - 64, 128, true,
-                                  &fault),
+    assert_int_equal(memory_check(memory, 9 * PAGE_BITS - 64, 128, true, &fault),
                      C205_TRAP_NONE);
     assert_true(memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_ONLY, &error));
     assert_int_equal(memory_store(memory, 3 * PAGE_BITS, 5),
                      C205_TRAP_PROTECTED_ADDRESS);
-    assert_int_equal(memory_load(memory, 3 * PAGE_BITS, &word),
-                     C205_TRAP_NONE);
+    assert_int_equal(memory_load(memory, 3 * PAGE_BITS, &word), C205_TRAP_NONE);
     assert_int_equal(word, 0);
-    assert_true(
-        memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_WRITE, &error));
+    assert_true(memory_map(memory, 3 * PAGE_BITS, 1, C205_READ_WRITE, &error));
     assert_int_equal(memory_store(memory, 3 * PAGE_BITS, 5), C205_TRAP_NONE);
-    assert_int_equal(memory_load(memory, 4 * PAGE_BITS, &word),
-                     C205_TRAP_NONE);
+    assert_int_equal(memory_load(memory, 4 * PAGE_BITS, &word), C205_TRAP_NONE);
     assert_int_equal(word, 0);
     memory_clear(memory);
     assert_int_equal(memory_next_page(memory, 0), SPACE);
@@ -146,8 +136,8 @@ TEST(words_across_pages)
 TEST(bits)
 {
     struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
-    uint64_t bits[4] = { 0xF0F1F2F3F4F5F6F7, 0x0123456789ABCDEF,
-                         0xAAAA5555CCCC3333, UINT64_MAX };
+    uint64_t bits[4] = { 0xF0F1F2F3F4F5F6F7, 0x0123456789ABCDEF, 0xAAAA5555CCCC3333,
+                         UINT64_MAX };
     for (size_t count = 0; count < 250; count += 7)
         for (uint64_t skip = 0; skip < 130; skip++) {
             uint64_t back[4] = { 1, 1, 1, 1 }, edge[2];
@@ -159,8 +149,7 @@ TEST(bits)
             memory_read_bits(memory, address, back, count);
             for (size_t i = 0; i < (count + 63) / 64 * 64; i++)
                 assert_int_equal(back[i / 64] >> (63 - i % 64) & 1,
-                                 i < count
-                                     && bits[i / 64] >> (63 - i % 64) & 1);
+                                 i < count && bits[i / 64] >> (63 - i % 64) & 1);
             memory_read_bits(memory, address - 1, &edge[0], 1);
             memory_read_bits(memory, address + count, &edge[1], 1);
             assert_int_equal(edge[0] >> 63 & edge[1] >> 63, 1);
@@ -192,20 +181,17 @@ TEST(code_marks)
 /* What was found lately is what would be found now. */
 TEST(near_pages)
 {
-    uint64_t alike = NEAR_PAGES
-                     * PAGE_BITS; /* found in the place of page 0 */
+    uint64_t alike = NEAR_PAGES * PAGE_BITS; /* found in the place of page 0 */
     struct memory *memory = memory_of(0, 2 * C205_PAGE_WORDS);
     c205_error error;
     assert_null(memory_near(memory, alike));
-    assert_ptr_equal(memory_near(memory, 64)->word,
-                     memory_page(memory, 0)->word);
+    assert_ptr_equal(memory_near(memory, 64)->word, memory_page(memory, 0)->word);
     assert_true(memory_near(memory, 64)->stores);
     assert_null(memory_near(memory, alike));
     assert_true(memory_map(memory, alike, 1, C205_READ_WRITE, &error));
     assert_ptr_equal(memory_near(memory, alike)->word,
                      memory_page(memory, alike)->word);
-    assert_ptr_equal(memory_near(memory, 0)->word,
-                     memory_page(memory, 0)->word);
+    assert_ptr_equal(memory_near(memory, 0)->word, memory_page(memory, 0)->word);
     assert_true(memory_map(memory, 0, 1, C205_READ_ONLY, &error));
     assert_false(memory_near(memory, 0)->stores);
     assert_true(memory_map(memory, 0, 1, C205_READ_WRITE, &error));

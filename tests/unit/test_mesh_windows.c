@@ -44,21 +44,18 @@ static struct look look_at(const double *eye, const double point[3])
     int w = (int)eye[EYE_AXIS], u = (w + 1) % 3, v = (w + 2) % 3;
     double z = eye[EYE_SIGN] * (point[w] - eye[w]);
 
-    return (struct look){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z,
-                          z };
+    return (struct look){ (point[u] - eye[u]) / z, (point[v] - eye[v]) / z, z };
 }
 
 static bool is_within(const struct look *look, const double *window)
 {
-    return window[0] <= look->u && look->u <= window[1]
-           && window[2] <= look->v && look->v <= window[3]
-           && window[WINDOW_NEAR] < look->z;
+    return window[0] <= look->u && look->u <= window[1] && window[2] <= look->v
+           && look->v <= window[3] && window[WINDOW_NEAR] < look->z;
 }
 
 /* Whether the walk comes to the triangle that stands there; *asked counts windows. */
-static bool comes_to(const double *table, const double *eye,
-                     const struct look *look, double triangle, double row,
-                     size_t *asked)
+static bool comes_to(const double *table, const double *eye, const struct look *look,
+                     double triangle, double row, size_t *asked)
 {
     const double *rows = table + (size_t)eye[EYE_WINDOWS];
     bool found = false;
@@ -137,8 +134,7 @@ static double check_eye(const struct primitive *mesh, const double *table,
         if (!comes_to(table, eye, &look, place, row, &asked))
             fail_msg("from %.17g, %.17g, %.17g a ray to %.17g, %.17g, %.17g "
                      "does not come to triangle %zu of %zu",
-                     eye[0], eye[1], eye[2], point[0], point[1], point[2], i,
-                     count);
+                     eye[0], eye[1], eye[2], point[0], point[1], point[2], i, count);
     }
     return (double)asked / (double)count;
 }
@@ -152,8 +148,8 @@ static bool is_inside(const double place[3], const double *table, double row,
         double low = INFINITY, high = -INFINITY;
 
         for (size_t i = 0; i < 3 * triangles; i++) {
-            const double *corner = table + (size_t)first
-                                   + (size_t)row * (i / 3) + i % 3 * 3;
+            const double *corner = table + (size_t)first + (size_t)row * (i / 3)
+                                   + i % 3 * 3;
 
             low = fmin(low, corner[k]);
             high = fmax(high, corner[k]);
@@ -205,8 +201,7 @@ static void check_net(size_t *seeing, size_t *within)
         const double *eye = table + (size_t)table[TABLE_EYES] + EYE_ROW * i;
 
         assert_true(eye[EYE_WINDOWS] < (double)count);
-        assert_false(
-            is_inside(eye, table, row, mesh.shape.mesh.triangles.count));
+        assert_false(is_inside(eye, table, row, mesh.shape.mesh.triangles.count));
         check_eye(&mesh, table, eye, row);
     }
     for (size_t i = 0; i < eyes.count; i++)
@@ -242,8 +237,7 @@ TEST(few_are_asked)
     table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
     assert_non_null(table);
     assert_int_equal((int)table[TABLE_EYE_COUNT], 1);
-    assert_in_range((int)check_eye(&mesh, table,
-                                   table + (size_t)table[TABLE_EYES], 13),
+    assert_in_range((int)check_eye(&mesh, table, table + (size_t)table[TABLE_EYES], 13),
                     8, 48);
     free(table);
     free(mesh.shape.mesh.triangles.list);
@@ -253,8 +247,8 @@ TEST(few_are_asked)
 
 static void add_vector(const char *name, const double vector[3])
 {
-    add_text(text, sizeof text, "%s <%.17g, %.17g, %.17g> ", name, vector[0],
-             vector[1], vector[2]);
+    add_text(text, sizeof text, "%s <%.17g, %.17g, %.17g> ", name, vector[0], vector[1],
+             vector[2]);
 }
 
 /* Of all sorts, two of them now and then in one place. */
@@ -287,8 +281,7 @@ static void put_mesh(void)
     if (below(4) == 0)
         net_smooth(&net, .3, &traced.random);
     net_text(&net, text, sizeof text, &traced.random);
-    add_text(text, sizeof text, "pigment { rgb <%.2f, .5, .8> }",
-             between(.2, 1));
+    add_text(text, sizeof text, "pigment { rgb <%.2f, .5, .8> }", between(.2, 1));
     if (below(3) == 0)
         add_text(text, sizeof text, " finish { reflection .4 }");
     add_text(text, sizeof text, " }\n");
@@ -309,11 +302,10 @@ static void write_scene(const char *camera)
     strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n");
     random_place(place);
     add_vector("#declare Eye =", place);
-    add_text(
-        text, sizeof text,
-        ";\ncamera { location Eye angle %.3f %s look_at <%.3f, %.3f, %.3f> }\n",
-        between(20, 90), camera, between(-.5, .5), between(-.5, .5),
-        between(-.5, .5));
+    add_text(text, sizeof text,
+             ";\ncamera { location Eye angle %.3f %s look_at <%.3f, %.3f, %.3f> }\n",
+             between(20, 90), camera, between(-.5, .5), between(-.5, .5),
+             between(-.5, .5));
     add_lights();
     for (size_t i = among(1, 2); i > 0; i--)
         add_mesh();
@@ -324,8 +316,7 @@ static void write_scene(const char *camera)
         add_text(text, sizeof text,
                  "sphere { <%.3f, %.3f, %.3f>, .6 pigment { rgb .3 } finish "
                  "{ reflection .6 } }\n",
-                 place_between(-2, 2), place_between(-2, 2),
-                 place_between(-2, 2));
+                 place_between(-2, 2), place_between(-2, 2), place_between(-2, 2));
 }
 
 /* How many pixels show something. */
@@ -487,12 +478,11 @@ static void write_edge_on(void)
              ", rgb .6 area_light <1, 0, 0>, <0, 0, 1>, 3, 3 }\nmesh {\n");
     for (size_t i = among(1, 6); i > 0; i--)
         add_edge_on(below(2) ? eye : light);
-    add_text(
-        text, sizeof text,
-        "pigment { rgb 1 } }\n"
-        "intersection { plane { y, -6 } plane { x, 5 } pigment { rgb 1 } "
-        "}\n"
-        "plane { y, -9000 pigment { rgb 1 } }\n");
+    add_text(text, sizeof text,
+             "pigment { rgb 1 } }\n"
+             "intersection { plane { y, -6 } plane { x, 5 } pigment { rgb 1 } "
+             "}\n"
+             "plane { y, -9000 pigment { rgb 1 } }\n");
 }
 
 TEST(edge_on)
@@ -507,20 +497,18 @@ TEST(edge_on)
  * rays from the lower plane come from far away. */
 TEST(known)
 {
-    strcpy(
-        text,
-        "#version 3.7; global_settings { assumed_gamma 1 }\n"
-        "camera { location <2.5, 8, 10> look_at <-1.5, .5, 2> angle 50 }\n"
-        "light_source { <1.5, 5, 8>, rgb .1 }\n"
-        "light_source { <1.5, 5, 8>, rgb 1\n"
-        "    area_light <1, 0, 0>, <0, 0, 1>, 3, 3 }\n"
-        "mesh {\n"
-        "    triangle { <-2, -1, 0>, <-1, .8, 3>, <.1, 3, 5> }\n"
-        "    triangle { <-2.1, -.6, .8>, <-1.5, .6, 2>, <-1.7, .4, 1.6> }\n"
-        "    pigment { rgb 1 }\n"
-        "}\n"
-        "intersection { plane { y, -6 } plane { x, 5 } pigment { rgb 1 } }\n"
-        "plane { y, -9000 pigment { rgb 1 } }\n");
+    strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                 "camera { location <2.5, 8, 10> look_at <-1.5, .5, 2> angle 50 }\n"
+                 "light_source { <1.5, 5, 8>, rgb .1 }\n"
+                 "light_source { <1.5, 5, 8>, rgb 1\n"
+                 "    area_light <1, 0, 0>, <0, 0, 1>, 3, 3 }\n"
+                 "mesh {\n"
+                 "    triangle { <-2, -1, 0>, <-1, .8, 3>, <.1, 3, 5> }\n"
+                 "    triangle { <-2.1, -.6, .8>, <-1.5, .6, 2>, <-1.7, .4, 1.6> }\n"
+                 "    pigment { rgb 1 }\n"
+                 "}\n"
+                 "intersection { plane { y, -6 } plane { x, 5 } pigment { rgb 1 } }\n"
+                 "plane { y, -9000 pigment { rgb 1 } }\n");
     traced.width = 41;
     traced.height = 31;
     traced.pixels = traced.width * traced.height;
@@ -570,8 +558,7 @@ TEST(clocks)
             net_mesh_text(&net, text, sizeof text);
             add_text(text, sizeof text, "pigment { rgb 1 } }\n");
             scene = read_text(text);
-            windows[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR,
-                                   NULL);
+            windows[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR, NULL);
             boxes[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR,
                                  "MESH_BOXES");
             scene_free(scene);
@@ -594,9 +581,9 @@ TEST(where_they_do_not_pay)
     for (int i = 0; i < 100; i++) {
         double x = .2 * (i % 10), z = .2 * (double)(i / 10);
 
-        blades[i] = (struct triangle){ .corners = { { x - .01, 0, z + .01 },
-                                                    { x + .01, 0, z - .01 },
-                                                    { x, 2, z } } };
+        blades[i] = (struct triangle){
+            .corners = { { x - .01, 0, z + .01 }, { x + .01, 0, z - .01 }, { x, 2, z } }
+        };
     }
     mesh.shape.mesh.triangles.list = blades;
     mesh.shape.mesh.triangles.count = 100;
@@ -612,12 +599,11 @@ TEST(lights)
 {
     for (int i = 0; i < 3; i++) {
         net_random_body(&net, 1, &traced.random);
-        strcpy(text,
-               "#version 3.7; global_settings { assumed_gamma 1 }\n"
-               "camera { location <1, 3, -5> look_at <0, -.5, 0> angle 50 }\n"
-               "light_source { <-4, 3, -2>, rgb .4 }\n"
-               "light_source { <-4, 3, -2>, rgb .4 parallel point_at 0 }\n"
-               "light_source { <.1, .2, .1>, rgb .3 }\n");
+        strcpy(text, "#version 3.7; global_settings { assumed_gamma 1 }\n"
+                     "camera { location <1, 3, -5> look_at <0, -.5, 0> angle 50 }\n"
+                     "light_source { <-4, 3, -2>, rgb .4 }\n"
+                     "light_source { <-4, 3, -2>, rgb .4 parallel point_at 0 }\n"
+                     "light_source { <.1, .2, .1>, rgb .3 }\n");
         net_text(&net, text, sizeof text, &traced.random);
         add_text(text, sizeof text,
                  "pigment { rgb 1 } }\n"

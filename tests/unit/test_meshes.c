@@ -20,9 +20,7 @@ static void random_net(void)
     switch (below(4)) {
     case 0: net_random_body(&net, below(2), &traced.random); break;
     case 1: net_sheet(&net, 1 + below(4), .5, &traced.random); break;
-    case 2:
-        net_fan(&net, 2 + below(9), between(.2, 1), between(-1, 1));
-        break;
+    case 2: net_fan(&net, 2 + below(9), between(.2, 1), between(-1, 1)); break;
     default: net_soup(&net, 1 + below(20), below(2), &traced.random); break;
     }
     if (below(2))
@@ -35,8 +33,7 @@ static void add_mesh(char *to, size_t size)
     random_net();
     net_text(&net, to, size, &traced.random);
     add_text(to, size, "scale %.4f rotate <%.2f, %.2f, %.2f> translate ",
-             between(1, 1.8), between(-90, 90), between(-90, 90),
-             between(-90, 90));
+             between(1, 1.8), between(-90, 90), between(-90, 90), between(-90, 90));
     add_point(to, size, 1.3);
     add_text(to, size, " ");
 }
@@ -48,8 +45,8 @@ TEST_CALL(random_scenes, check_random_scenes(add_mesh, 2 * scene_count))
 static void add_motion(char *to, size_t size)
 {
     add_text(to, size, "scale <%.3f, %.3f, %.3f> rotate <%.2f, %.2f, %.2f> ",
-             between(.5, 1.4), between(.5, 1.4), between(.5, 1.4),
-             between(-90, 90), between(-90, 90), between(-90, 90));
+             between(.5, 1.4), between(.5, 1.4), between(.5, 1.4), between(-90, 90),
+             between(-90, 90), between(-90, 90));
     add_text(to, size, "translate ");
     add_point(to, size, .8);
 }
@@ -78,15 +75,14 @@ static void add_thing(char *to, size_t size)
 static void write_world(void)
 {
     text[0] = '\0';
-    add_text(
-        text, sizeof text,
-        "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
-        "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
-        "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
-        "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n"
-        "plane { y, -1.2 pigment { checker rgb .8 rgb .4 } "
-        "finish { reflection .2 } }\n",
-        between(-7, 7), between(2, 6), between(-2, 2), between(-1, 3));
+    add_text(text, sizeof text,
+             "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 4 }\n"
+             "background { rgb <.2, .3, .5> } light_source { <%.1f, 8, -7>, .7 }\n"
+             "light_source { <7, 3, -%.2f>, rgb <.3, .2, .4> }\n"
+             "camera { location <%.3f, %.3f, -5> look_at 0 angle 45 }\n"
+             "plane { y, -1.2 pigment { checker rgb .8 rgb .4 } "
+             "finish { reflection .2 } }\n",
+             between(-7, 7), between(2, 6), between(-2, 2), between(-1, 3));
     for (size_t i = 3 + below(3); i > 0; i--)
         add_thing(text, sizeof text);
     if (below(2))
@@ -186,8 +182,8 @@ TEST(every_triangle)
     words = same_frame(text);
     assert_int_equal(hits(words), PIXELS);
     for (size_t k = 0; k < PIXELS; k++)
-        assert_near(c205_to_double(words->channel[CHANNEL_DEPTH][k]),
-                    depths[k], 1e-9 * depths[k]);
+        assert_near(c205_to_double(words->channel[CHANNEL_DEPTH][k]), depths[k],
+                    1e-9 * depths[k]);
     check_paper_stage(text, words);
     free(words);
 }
@@ -204,8 +200,7 @@ TEST(big)
         if (i % 3)
             net_smooth(&net, .2, &traced.random);
         net_text(&net, text, sizeof text, &traced.random);
-        add_text(text, sizeof text, "pigment { rgb .8 } rotate %.2f }\n",
-                 angle());
+        add_text(text, sizeof text, "pigment { rgb .8 } rotate %.2f }\n", angle());
         free(plain_frame(text));
     }
 }
@@ -244,8 +239,7 @@ TEST(shadow_limit)
 /* As many rays in a queue as a vector has elements, nearly. */
 TEST(long_queues)
 {
-    static const size_t queues[] = { 40000, TRACE_QUEUE_MOST - 4,
-                                     TRACE_QUEUE_MOST };
+    static const size_t queues[] = { 40000, TRACE_QUEUE_MOST - 4, TRACE_QUEUE_MOST };
     struct scene *scene;
     uint64_t scalar;
 
@@ -279,8 +273,7 @@ static void check_depths(const struct words *a, const struct words *b)
     for (size_t k = 0; k < PIXELS; k++) {
         double depth = c205_to_double(a->channel[CHANNEL_DEPTH][k]);
 
-        assert_near(c205_to_double(b->channel[CHANNEL_DEPTH][k]), depth,
-                    1e-10);
+        assert_near(c205_to_double(b->channel[CHANNEL_DEPTH][k]), depth, 1e-10);
     }
 }
 
@@ -338,8 +331,7 @@ static void check_normal(const char *scene, double x, double y, double z)
 
     normalise(expected);
     for (int i = 0; i < 3; i++)
-        assert_near(c205_to_double(
-                        words->channel[CHANNEL_NORMAL_X + i][middle]),
+        assert_near(c205_to_double(words->channel[CHANNEL_NORMAL_X + i][middle]),
                     expected[i], 1e-10);
     free(words);
 }
@@ -350,8 +342,7 @@ TEST(ties)
     check_normal(STRAIGHT "mesh { " LEANING FLAT LEANING " }", .6, 0, -2.8);
     check_middle(STRAIGHT "mesh { " FLAT " } mesh { " LEANING " }", 2, 5);
     check_middle(STRAIGHT "mesh { " LEANING " } mesh { " FLAT " }", 2, 5);
-    check_normal(STRAIGHT "mesh { " FLAT " } mesh { " LEANING " }", .6, 0,
-                 -2.8);
+    check_normal(STRAIGHT "mesh { " FLAT " } mesh { " LEANING " }", .6, 0, -2.8);
     check_middle(STRAIGHT "mesh { triangle { <-1, -1, 1>, <2, -1, 1>, "
                           "<-1, 2, 1> } } mesh { " FLAT " } " FLAT,
                  3, 5);
@@ -429,8 +420,7 @@ TEST(no_area)
 TEST(distant)
 {
     for (int i = 0; i < 3; i++) {
-        strcpy(text, HEAD
-               "camera { location <13, 21, -1000> look_at 0 angle .2 }\n");
+        strcpy(text, HEAD "camera { location <13, 21, -1000> look_at 0 angle .2 }\n");
         net_random_body(&net, 1, &traced.random);
         net_mesh_text(&net, text, sizeof text);
         add_text(text, sizeof text, "}\n");

@@ -53,8 +53,7 @@ TEST(built_in)
         c205_model *model = c205_model_find(expected, &error);
         assert_non_null(model);
         assert_string_equal(c205_model_name(model), expected);
-        assert_true(c205_model_lookup(model, "machine.pipes")->value
-                    == pipes[i]);
+        assert_true(c205_model_lookup(model, "machine.pipes")->value == pipes[i]);
         assert_true(c205_model_lookup(model, "startup.vadd")->value == 51);
         c205_model_free(model);
     }
@@ -67,12 +66,10 @@ TEST(variants)
     static const struct {
         const char *name, *like, *constant;
         double value;
-    } cases[] = {
-        { "cyber205-1pipe-32bit", "cyber205-1pipe", "vector.word_rate", 2 },
-        { "cyber205-2pipe-32bit", "cyber205-2pipe", "vector.word_rate", 2 },
-        { "cyber205-4pipe-32bit", "cyber205-4pipe", "vector.word_rate", 2 },
-        { "cyber205-2pipe-small", "cyber205-2pipe", "page.words", 512 }
-    };
+    } cases[] = { { "cyber205-1pipe-32bit", "cyber205-1pipe", "vector.word_rate", 2 },
+                  { "cyber205-2pipe-32bit", "cyber205-2pipe", "vector.word_rate", 2 },
+                  { "cyber205-4pipe-32bit", "cyber205-4pipe", "vector.word_rate", 2 },
+                  { "cyber205-2pipe-small", "cyber205-2pipe", "page.words", 512 } };
     for (size_t i = 0; i < COUNT(cases); i++) {
         c205_error error;
         c205_model *model = c205_model_find(cases[i].name, &error);
@@ -84,8 +81,7 @@ TEST(variants)
             if (!strcmp(constant->name, cases[i].constant))
                 assert_true(constant->value == cases[i].value);
             else
-                assert_true(constant->value
-                            == c205_model_constant(like, k)->value);
+                assert_true(constant->value == c205_model_constant(like, k)->value);
         }
         c205_model_free(model);
     }
@@ -115,8 +111,7 @@ TEST(exact_values)
                                "clock.period 12.5 ns R\n"
                                "stream.vadd 0.000001 clk*pipe/element R\n"
                                "stream.vbits 2. clk/bit R\n");
-    assert_int_equal(model_millionths(model, CONSTANT_CLOCK_PERIOD),
-                     12500000);
+    assert_int_equal(model_millionths(model, CONSTANT_CLOCK_PERIOD), 12500000);
     assert_int_equal(model_whole(model, CONSTANT_PIPES), 4);
     struct rate rate = model_rate(model, stream_constant(C205_TIMING_vadd));
     assert_int_equal(rate.clocks, 1);
@@ -124,20 +119,17 @@ TEST(exact_values)
     rate = model_rate(model, stream_constant(C205_TIMING_vbits));
     assert_int_equal(rate.clocks, 2 * MILLION);
     assert_int_equal(rate.per, MILLION);
-    assert_int_equal(model_whole(model, latency_constant(C205_TIMING_sqrt)),
-                     54);
-    assert_int_equal(model_whole(model, startup_constant(C205_TIMING_vlink)),
-                     84);
+    assert_int_equal(model_whole(model, latency_constant(C205_TIMING_sqrt)), 54);
+    assert_int_equal(model_whole(model, startup_constant(C205_TIMING_vlink)), 84);
     c205_model_free(model);
 }
 
 /* A model says what it takes over and what it changes. */
 TEST(like)
 {
-    c205_model *model = parsed(
-        "# a remark\n\n  title  A slower one  # remark\n"
-        "like cyber205-2pipe-prior\r\n"
-        "startup.vadd 100 clk R   # twice the wait\n");
+    c205_model *model = parsed("# a remark\n\n  title  A slower one  # remark\n"
+                               "like cyber205-2pipe-prior\r\n"
+                               "startup.vadd 100 clk R   # twice the wait\n");
     const c205_constant *startup = c205_model_lookup(model, "startup.vadd");
     assert_string_equal(c205_model_title(model), "A slower one");
     assert_string_equal(startup->text, "100");
@@ -149,8 +141,8 @@ TEST(like)
 
 /* ---- Changed models ------------------------------------------------------ */
 
-static void assert_constant(const c205_model *model, const char *name,
-                            const char *text, char source)
+static void assert_constant(const c205_model *model, const char *name, const char *text,
+                            char source)
 {
     const c205_constant *constant = c205_model_lookup(model, name);
     assert_string_equal(constant->text, text);
@@ -180,8 +172,7 @@ TEST(change)
     assert_constant(changed, "memory.loads_in_flight", "6", 'R');
     assert_constant(model, "machine.pipes", "2", 'P');
     assert_int_equal(model_whole(changed, CONSTANT_PIPES), 4);
-    assert_int_equal(model_rate(changed, stream_constant(C205_TIMING_vadd))
-                         .per,
+    assert_int_equal(model_rate(changed, stream_constant(C205_TIMING_vadd)).per,
                      4 * MILLION);
     c205_model_free(changed);
     c205_model_free(model);
@@ -223,18 +214,13 @@ TEST(errors_in_changes)
         { { "warp", 9 }, "there is no constant 'warp'" },
         { { "time.add", 9 }, "there is no constant 'time.add'" },
         { { "machine.pipes", 0 }, "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", -1 },
-          "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", 1e300 },
-          "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", NAN },
-          "machine.pipes must lie between 1 and 64" },
-        { { "machine.pipes", 1.5 },
-          "machine.pipes must be a whole number, not 1.5" },
+        { { "machine.pipes", -1 }, "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", 1e300 }, "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", NAN }, "machine.pipes must lie between 1 and 64" },
+        { { "machine.pipes", 1.5 }, "machine.pipes must be a whole number, not 1.5" },
         { { "page.words", 1024 },
           "page.words must be 512, 2048, 8192 or 65536, not 1024" },
-        { { "page.words", -3 },
-          "page.words must be 512, 2048, 8192 or 65536, not -3" },
+        { { "page.words", -3 }, "page.words must be 512, 2048, 8192 or 65536, not -3" },
         { { "memory.real_words", 0 },
           "memory.real_words must lie between 1 and 268435456" },
         { { "vector.word_rate", 3 },
@@ -254,22 +240,18 @@ TEST(errors_in_changes)
 TEST(errors)
 {
     assert_fails("", "test:1: a model begins with 'title TEXT'");
-    assert_fails("machine.pipes 2 pipes P",
-                 "test:1: a model begins with 'title TEXT'");
-    assert_fails("title T\ntitle T",
-                 "test:2: 'title' stands here for the second time");
+    assert_fails("machine.pipes 2 pipes P", "test:1: a model begins with 'title TEXT'");
+    assert_fails("title T\ntitle T", "test:2: 'title' stands here for the second time");
     assert_fails("title T\nlike cyber205-2pipe-prior\n"
                  "like cyber205-2pipe-prior",
                  "test:3: 'like' stands here for the second time");
-    assert_fails("title T\nlike cray1",
-                 "test:2: there is no machine model 'cray1'");
+    assert_fails("title T\nlike cray1", "test:2: there is no machine model 'cray1'");
     assert_fails("title T\nprojection\nlike cyber205-2pipe-prior",
                  "test:3: cyber205-2pipe-prior is no projection");
     assert_fails("title T\nlike ./cyber205.model",
                  "test:2: 'like' names a built-in model");
-    assert_fails(
-        "title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe-prior",
-        "test:3: 'like' must stand before the constants");
+    assert_fails("title T\nmachine.pipes 2 pipes P\nlike cyber205-2pipe-prior",
+                 "test:3: 'like' must stand before the constants");
     assert_fails("title T\nstream.vlink 1 clk*pipe/element P\nlike cyber720",
                  "test:3: 'like' must stand before the constants");
     assert_fails("title T\nmachine.pipes 2 pipes P",
@@ -282,21 +264,19 @@ TEST(errors)
 
 TEST(errors_in_beliefs)
 {
-    static const char *const beliefs[] = {
-        "",
-        "0 figures, at most 5 % off: x",
-        "-3 figures, at most 5 % off: x",
-        "9999999 figures, at most 5 % off: x",
-        "3 figures, at most 5 % off:",
-        "3 figures, at most nan % off: x",
-        "3 figures, at most inf % off: x",
-        "3 figures, at most 1e300 % off: x",
-        "3 figures, at most 5 off: x"
-    };
+    static const char *const beliefs[] = { "",
+                                           "0 figures, at most 5 % off: x",
+                                           "-3 figures, at most 5 % off: x",
+                                           "9999999 figures, at most 5 % off: x",
+                                           "3 figures, at most 5 % off:",
+                                           "3 figures, at most nan % off: x",
+                                           "3 figures, at most inf % off: x",
+                                           "3 figures, at most 1e300 % off: x",
+                                           "3 figures, at most 5 off: x" };
     for (size_t i = 0; i < COUNT(beliefs); i++) {
         char text[200];
-        snprintf(text, sizeof text,
-                 "title T\nfitted %s\nlike cyber205-2pipe\n", beliefs[i]);
+        snprintf(text, sizeof text, "title T\nfitted %s\nlike cyber205-2pipe\n",
+                 beliefs[i]);
         assert_fails(text, "test:2: after 'fitted' comes 'N figures, at most "
                            "E % off: NAME'");
     }
@@ -322,18 +302,15 @@ TEST(errors_in_constants)
           "'0.0000001' is not a number with at most six decimals" },
         { "machine.pipes 99999999999 pipes R",
           "'99999999999' is not a number with at most six decimals" },
-        { "machine.pipes 0 pipes P",
-          "machine.pipes must lie between 1 and 64" },
+        { "machine.pipes 0 pipes P", "machine.pipes must lie between 1 and 64" },
         { "machine.pipes 1.5 pipes P",
           "machine.pipes must be a whole number, not 1.5" },
         { "page.words 1024 words R",
           "page.words must be 512, 2048, 8192 or 65536, not 1024" },
-        { "page.words 512.5 words R",
-          "page.words must be a whole number, not 512.5" },
+        { "page.words 512.5 words R", "page.words must be a whole number, not 512.5" },
         { "memory.real_words 300000000 words R",
           "memory.real_words must lie between 1 and 268435456" },
-        { "machine.pipes 2 clk P",
-          "the unit of machine.pipes is pipes, not 'clk'" },
+        { "machine.pipes 2 clk P", "the unit of machine.pipes is pipes, not 'clk'" },
         { "stream.vadd 1 clk R",
           "the unit of stream.vadd is "
           "clk*pipe/element, clk/element or clk/bit, not 'clk'" },
@@ -341,16 +318,14 @@ TEST(errors_in_constants)
           "the source of machine.pipes must be P, S, D, R or F, not ''" },
         { "machine.pipes 2 pipes X # no such source",
           "the source of machine.pipes must be P, S, D, R or F, not 'X'" },
-        { "machine.pipes 2 pipes P more words",
-          "'more words' is not expected here" }
+        { "machine.pipes 2 pipes P more words", "'more words' is not expected here" }
     };
     for (size_t i = 0; i < COUNT(cases); i++) {
         char text[200], message[200];
         unsigned line = strchr(cases[i].line, '\n') ? 4 : 3;
-        snprintf(text, sizeof text,
-                 "title T\nlike cyber205-2pipe-prior\n%s\n", cases[i].line);
-        snprintf(message, sizeof message, "test:%u: %s", line,
-                 cases[i].message);
+        snprintf(text, sizeof text, "title T\nlike cyber205-2pipe-prior\n%s\n",
+                 cases[i].line);
+        snprintf(message, sizeof message, "test:%u: %s", line, cases[i].message);
         assert_fails(text, message);
     }
 }
@@ -382,9 +357,8 @@ TEST(files)
     assert_string_equal(c205_model_lookup(model, "latency.load")->text, "99");
     c205_model_free(model);
     assert_null(c205_model_find("no/such/file", &error));
-    assert_string_equal(error.message,
-                        "cannot read the machine model no/such/file: "
-                        "No such file or directory");
+    assert_string_equal(error.message, "cannot read the machine model no/such/file: "
+                                       "No such file or directory");
     assert_null(c205_model_find("/", &error));
     assert_null(c205_model_find("", &error));
     assert_string_equal(error.message, "there is no machine model ''");
@@ -404,8 +378,7 @@ static void assert_place(const char *text, unsigned line, unsigned column,
 /* A column is that of the word at fault. */
 TEST(places)
 {
-    assert_place("title t\n  speed 3 clk R\n", 2, 3,
-                 "there is no constant 'speed'");
+    assert_place("title t\n  speed 3 clk R\n", 2, 3, "there is no constant 'speed'");
     assert_place("title t\nclock.period x ns P\n", 2, 14,
                  "'x' is not a number with at most six decimals");
     assert_place("title t\nclock.period 20  clk P\n", 2, 18,
@@ -415,6 +388,5 @@ TEST(places)
                  "not 'Q'");
     assert_place("title t\nclock.period 20 ns P 7 # r\n", 2, 22,
                  "'7' is not expected here");
-    assert_place("title t\nlike no\n", 2, 6,
-                 "there is no machine model 'no'");
+    assert_place("title t\nlike no\n", 2, 6, "there is no machine model 'no'");
 }

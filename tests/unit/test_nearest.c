@@ -18,8 +18,7 @@ static size_t plain(const char *a, const char *b)
         return strlen(a) + strlen(b);
     if (*a == *b)
         return plain(a + 1, b + 1);
-    d = 1
-        + least(plain(a + 1, b + 1), least(plain(a + 1, b), plain(a, b + 1)));
+    d = 1 + least(plain(a + 1, b + 1), least(plain(a + 1, b), plain(a, b + 1)));
     if (a[0] == b[1] && a[1] == b[0])
         d = least(d, 1 + plain(a + 2, b + 2));
     return d;
@@ -43,8 +42,7 @@ TEST(distance)
     for (i = 0; i < 3000; i++) {
         some_word(&seed, a);
         some_word(&seed, b);
-        assert_int_equal(nearest_distance(a, strlen(a), b, strlen(b)),
-                         plain(a, b));
+        assert_int_equal(nearest_distance(a, strlen(a), b, strlen(b)), plain(a, b));
     }
     assert_int_equal(nearest_distance("ADDVN", 5, "addnv", 5), 1);
     assert_int_equal(nearest_distance("x", 65, "x", 1), 80);
@@ -52,8 +50,7 @@ TEST(distance)
 
 static const char *of_these(const char *written)
 {
-    static const char *const names[] = { "ADDN", "ADDNV", "ES",
-                                         "EX",   "total", NULL };
+    static const char *const names[] = { "ADDN", "ADDNV", "ES", "EX", "total", NULL };
     struct nearest nearest = { .word = written };
     size_t i;
 

@@ -52,8 +52,7 @@ static void add_tree(struct forest *forest, int depth)
     size_t node, children = operation == TREE_NOT ? 1 : 1 + below(14);
     bool difference;
 
-    if (depth == 0 || operation == TREE_LEAF
-        || forest->scene.node_count > NODES / 2) {
+    if (depth == 0 || operation == TREE_LEAF || forest->scene.node_count > NODES / 2) {
         add_leaf(forest);
         return;
     }
@@ -128,8 +127,7 @@ static void check_bounds(const struct nested_scene *nested)
 }
 
 /* Each stands there once. */
-static void check_leaves(const struct scene *scene,
-                         const struct scene *nested)
+static void check_leaves(const struct scene *scene, const struct scene *nested)
 {
     bool *there = calloc(scene->primitive_count, sizeof *there);
     size_t count = 0;
@@ -148,8 +146,7 @@ static void check_leaves(const struct scene *scene,
     free(there);
 }
 
-static void check_values(const struct scene *scene,
-                         const struct scene *nested)
+static void check_values(const struct scene *scene, const struct scene *nested)
 {
     enum { TRIES = 40 };
     static bool inside[NODES];
@@ -159,10 +156,8 @@ static void check_values(const struct scene *scene,
 
         for (size_t i = 0; i < scene->primitive_count; i++)
             inside[i] = below(few) == 0;
-        assert_int_equal(tree_value(nested, nested->regions[0].first_node,
-                                    inside),
-                         tree_value(scene, scene->regions[0].first_node,
-                                    inside));
+        assert_int_equal(tree_value(nested, nested->regions[0].first_node, inside),
+                         tree_value(scene, scene->regions[0].first_node, inside));
     }
 }
 
@@ -178,8 +173,7 @@ TEST(random_trees)
         grow(&forest);
         assert_true(nesting_make(&forest.scene, &nested));
         assert_int_equal(nested.scene.regions[0].first_node, 0);
-        assert_int_equal(nested.scene.regions[0].node_count,
-                         nested.scene.node_count);
+        assert_int_equal(nested.scene.regions[0].node_count, nested.scene.node_count);
         check_shape(&nested.scene, 0, nested.scene.node_count);
         assert_int_equal(nested.scene.nodes[0].next, nested.scene.node_count);
         check_leaves(&forest.scene, &nested.scene);
@@ -212,8 +206,8 @@ static struct scene *row_of(size_t count, const char *sphere)
 {
     char text[400];
 
-    snprintf(text, sizeof text,
-             "merge { #for (I, 1, %zu) sphere { %s } #end }", count, sphere);
+    snprintf(text, sizeof text, "merge { #for (I, 1, %zu) sphere { %s } #end }", count,
+             sphere);
     return read_scene(text);
 }
 
@@ -236,8 +230,7 @@ TEST(depth)
         struct nested_scene nested;
 
         assert_true(nesting_make(scene, &nested));
-        assert_in_range(depth_of(&nested.scene, 0), rows[i].least,
-                        rows[i].most);
+        assert_in_range(depth_of(&nested.scene, 0), rows[i].least, rows[i].most);
         check_leaves(scene, &nested.scene);
         nesting_free(&nested);
         scene_free(scene);
@@ -265,8 +258,7 @@ TEST(few_parts)
         for (size_t k = 0; k < scene->node_count; k++) {
             assert_int_equal(nested.scene.nodes[k].operation,
                              scene->nodes[k].operation);
-            assert_int_equal(nested.scene.nodes[k].next,
-                             scene->nodes[k].next);
+            assert_int_equal(nested.scene.nodes[k].next, scene->nodes[k].next);
         }
         nesting_free(&nested);
         scene_free(scene);

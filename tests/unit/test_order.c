@@ -30,18 +30,17 @@ static struct trace_options options_by_chance(size_t width, size_t height)
     };
 }
 
-static void check_same(const struct scene *scene,
-                       const struct trace_options *options, uint64_t expected)
+static void check_same(const struct scene *scene, const struct trace_options *options,
+                       uint64_t expected)
 {
     struct trace *trace = run_trace(scene, options);
 
     if (trace_checksum(trace) != expected)
-        fail_msg(
-            "%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another "
-            "frame",
-            options->width, options->height, trace_mode_name(options->mode),
-            order_name(options->order), options->queue, options->band,
-            options->jobs);
+        fail_msg("%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another "
+                 "frame",
+                 options->width, options->height, trace_mode_name(options->mode),
+                 order_name(options->order), options->queue, options->band,
+                 options->jobs);
     trace_free(trace);
 }
 

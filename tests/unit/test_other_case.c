@@ -48,8 +48,8 @@ TEST(other_case)
         snprintf(path, sizeof path, "%s/%s", place, wanted);
         assert_true(other_case_find(&found, path, strlen(place) + 1));
         assert_int_equal(found.count, once ? 1 : 3);
-        assert_non_null(strstr(found.names[0], once ? "/./Maps/only.INC"
-                                                    : "/./Maps/part.inc"));
+        assert_non_null(
+            strstr(found.names[0], once ? "/./Maps/only.INC" : "/./Maps/part.inc"));
         folder_free(&found);
         assert_true(other_case_find(&found, wanted, 0));
         assert_int_equal(found.count, once ? 1 : 3);

@@ -37,8 +37,8 @@ static void write_text(struct crowd *crowd)
         fprintf(file,
                 "#declare P%zu = box { <%d, %d, %d>, <%d, %d, %d> }\n"
                 "object { P%zu }\n",
-                box->part, box->low[0], box->low[1], box->low[2],
-                box->high[0], box->high[1], box->high[2], box->part);
+                box->part, box->low[0], box->low[1], box->low[2], box->high[0],
+                box->high[1], box->high[2], box->part);
     }
     fclose(file);
 }
@@ -59,8 +59,7 @@ static void draw(struct crowd *crowd, uint64_t *random)
 {
     bool many = xorshift_between(random, 0, 3) == 0;
 
-    crowd->part_count = (size_t)(many ? PARTS_MOST
-                                      : xorshift_between(random, 1, 5));
+    crowd->part_count = (size_t)(many ? PARTS_MOST : xorshift_between(random, 1, 5));
     crowd->box_count = 0;
     for (size_t part = 0; part < crowd->part_count; part++) {
         int64_t count = xorshift_between(random, 1, many ? 2 : 9);
@@ -88,8 +87,7 @@ static bool covers(const struct box *box, const int cell[3])
 
 /* Of each pair of parts the cells that both claim; of a part with itself, that several of
  * its boxes do. */
-static void count_cells(const struct crowd *crowd,
-                        double cells[PARTS_MOST][PARTS_MOST])
+static void count_cells(const struct crowd *crowd, double cells[PARTS_MOST][PARTS_MOST])
 {
     memset(cells, 0, sizeof(double[PARTS_MOST][PARTS_MOST]));
     for (int i = 0; i < SIDE * SIDE * SIDE; i++) {
@@ -100,8 +98,7 @@ static void count_cells(const struct crowd *crowd,
             count[crowd->boxes[k].part] += covers(&crowd->boxes[k], cell);
         for (size_t a = 0; a < crowd->part_count; a++)
             for (size_t b = a; b < crowd->part_count; b++)
-                cells[a][b] += a == b ? count[a] > 1
-                                      : count[a] > 0 && count[b] > 0;
+                cells[a][b] += a == b ? count[a] > 1 : count[a] > 0 && count[b] > 0;
     }
 }
 
@@ -112,8 +109,8 @@ struct found {
     uint64_t checksum;
 };
 
-static void find(const struct crowd *crowd, enum trace_mode mode,
-                 size_t queue, struct found *found)
+static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
+                 struct found *found)
 {
     struct scene *scene = scene_of(crowd->text);
     c205_model *model = usual_model();
@@ -166,8 +163,7 @@ static void check(const struct crowd *crowd, const struct found *found)
             || fabs(volume - expected) > 8 * error / STUDENT + 1e-6)
             fail_msg("%sP%zu and P%zu claim both %.9g, not %.9g: the error "
                      "is %.2g",
-                     crowd->text, parts[0], parts[1], volume, expected,
-                     error);
+                     crowd->text, parts[0], parts[1], volume, expected, error);
         cells[parts[0]][parts[1]] = 0;
     }
     for (size_t a = 0; a < crowd->part_count; a++)

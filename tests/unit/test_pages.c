@@ -12,8 +12,7 @@
 
 enum { WORD = 64, MISS = 30, FAULT = 1000 };
 
-static struct clock *pages_of(unsigned words, unsigned real_words,
-                              unsigned registers)
+static struct clock *pages_of(unsigned words, unsigned real_words, unsigned registers)
 {
     char text[200];
     snprintf(text, sizeof text,
@@ -34,8 +33,7 @@ static void assert_met(struct clock *clock, uint64_t misses, uint64_t faults)
 }
 
 /* An addition of two vectors of words into a third. */
-static void add_vectors(struct clock *clock, const uint64_t words[3],
-                        size_t elements)
+static void add_vectors(struct clock *clock, const uint64_t words[3], size_t elements)
 {
     struct effect effect = no_effect;
     effect.elements = elements;
@@ -47,8 +45,8 @@ static void add_vectors(struct clock *clock, const uint64_t words[3],
     charge(clock, insn("ADDNV", 1, 2, 0), &effect);
 }
 
-static void gather(struct clock *clock, const c205_word *indices,
-                   size_t count, unsigned step)
+static void gather(struct clock *clock, const c205_word *indices, size_t count,
+                   unsigned step)
 {
     struct effect effect = no_effect;
     effect.elements = effect.index_count = count;
@@ -64,12 +62,13 @@ TEST(depths)
     static const struct {
         uint64_t page;
         unsigned misses, faults;
-    } cases[] = {
-        { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 },
-        { 2, 0, 0 }, { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 },
-        { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1, used least recently, leaves */
-        { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 }
-    };
+    } cases
+        [] = {
+            { 1, 1, 1 }, { 1, 0, 0 }, { 2, 1, 1 }, { 1, 0, 0 },
+            { 2, 0, 0 }, { 3, 1, 1 }, { 1, 1, 0 }, { 3, 0, 0 },
+            { 4, 1, 1 }, { 2, 1, 0 }, { 5, 1, 1 }, /* page 1, used least recently, leaves */
+            { 3, 1, 0 }, { 1, 1, 1 }, { 4, 1, 1 }
+        };
     struct clock *clock = pages_of(65536, 4 * 65536, 2);
     for (size_t i = 0; i < COUNT(cases); i++) {
         at_address(clock, "LOD", cases[i].page * PAGE_BITS + 640);
@@ -154,8 +153,7 @@ TEST(misses_without_faults)
     assert_met(clock, 15, 0);
     add_vectors(clock, operands, 512 * 5);
     assert_met(clock, 0, 0);
-    add_vectors(clock, operands,
-                512 * 6); /* the 17th page drives out the .. */
+    add_vectors(clock, operands, 512 * 6); /* the 17th page drives out the .. */
     assert_met(clock, 2 + 6, 0);
     add_vectors(clock, operands, 512 * 6); /* .. next, and so on */
     assert_met(clock, 18, 0);
@@ -263,8 +261,7 @@ struct plain_list {
     uint64_t page[4096];
 };
 
-static void plain_touch(struct plain_list *list, uint64_t page,
-                        struct translation *met)
+static void plain_touch(struct plain_list *list, uint64_t page, struct translation *met)
 {
     size_t depth = 0;
     while (depth < list->count && list->page[depth] != page)
@@ -309,8 +306,7 @@ static void touch_list(struct pages *pages, struct plain_list *list,
     for (int turn = 0; turn < 4; turn++) {
         for (size_t i = 0; i < count; i++)
             plain_touch(list,
-                        (table + indices[i] * WORD) % (ADDRESS_MASK + 1)
-                            / (512 * WORD),
+                        (table + indices[i] * WORD) % (ADDRESS_MASK + 1) / (512 * WORD),
                         expected);
         index_list_meet(met_list, indices, count);
         pages_touch_indexed(pages, table, WORD, met_list, met);

@@ -21,8 +21,7 @@ static c205_word word_within(uint64_t *seed, int32_t low, int32_t high)
 
     if (kind < SIZE(ends))
         return word_make(e, ends[kind]);
-    return kind == SIZE(ends) ? C205_MACHINE_ZERO
-                              : xorshift_normalised(seed, e, e);
+    return kind == SIZE(ends) ? C205_MACHINE_ZERO : xorshift_normalised(seed, e, e);
 }
 
 /* A few are none of those that are done in one pass. */
@@ -72,12 +71,10 @@ struct pair {
     size_t n;
 };
 
-static c205_word exact_result(const struct pair *pair, size_t i,
-                              uint64_t *flags)
+static c205_word exact_result(const struct pair *pair, size_t i, uint64_t *flags)
 {
     c205_word handed = pair->first->exact(pair->a[pair->constant_a ? 0 : i],
-                                          pair->b[pair->constant_b ? 0 : i],
-                                          flags);
+                                          pair->b[pair->constant_b ? 0 : i], flags);
 
     return pair->hands_a ? pair->second->exact(handed, pair->d[i], flags)
                          : pair->second->exact(pair->d[i], handed, flags);
@@ -122,8 +119,8 @@ static void make_pair(struct pair *pair, uint64_t *seed)
 }
 
 /* Apart from all operands, or upon one and so many words below it. */
-static c205_word *place_result(struct pair *pair, c205_word *apart,
-                               c205_word *read[3], uint64_t *seed)
+static c205_word *place_result(struct pair *pair, c205_word *apart, c205_word *read[3],
+                               uint64_t *seed)
 {
     size_t below = xorshift(seed) % BELOW, which = xorshift(seed) % 4;
     bool is_constant[] = { pair->constant_a, pair->constant_b, false };
@@ -167,8 +164,7 @@ static void check_pair(struct pair *pair, uint64_t *seed, size_t *done_count)
         if (c[i] != expected[i])
             fail_msg("%s, then %s %s: %016llX, not %016llX; %zu of %zu",
                      pair->first->name, pair->second->name,
-                     pair->hands_a ? "with" : "from",
-                     (unsigned long long)c[i],
+                     pair->hands_a ? "with" : "from", (unsigned long long)c[i],
                      (unsigned long long)expected[i], i, pair->n);
     assert_int_equal(flags, exact_flags);
     if (c == apart)
@@ -218,8 +214,7 @@ TEST(traps)
     for (int turn = 0; turn < TURNS / 20; turn++) {
         make_pair(&pair, &seed);
         for (size_t i = 1; i < pair.n; i++)
-            pair.a[i] = pair.b[i] = pair.d[i] = xorshift_normalised(&seed,
-                                                                    -28672,
+            pair.a[i] = pair.b[i] = pair.d[i] = xorshift_normalised(&seed, -28672,
                                                                     28671);
         check_pair(&pair, &seed, &done);
     }

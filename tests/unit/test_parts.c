@@ -134,10 +134,10 @@ TEST(densities)
     assert_true(given_check(&densities, &parts, NULL, &error));
     assert_true(given_add_scene(&densities, scene, &error));
     assert_false(densities_find(&densities, &parts, found, &error));
-    assert_string_equal(
-        error.message, "no density is known of: line 10, line 11 (of several "
-                       "materials); --density NAME=VALUE, or --density "
-                       "default=1");
+    assert_string_equal(error.message,
+                        "no density is known of: line 10, line 11 (of several "
+                        "materials); --density NAME=VALUE, or --density "
+                        "default=1");
     assert_true(given_add(&densities, "default=3", &error));
     assert_true(densities_find(&densities, &parts, found, &error));
     assert_close(found[0], 2, 0);
@@ -147,11 +147,10 @@ TEST(densities)
     assert_close(found[4], 3, 0);
     assert_true(given_add(&densities, "Brass=8", &error));
     assert_false(given_check(&densities, &parts, NULL, &error));
-    assert_string_equal(
-        error.message,
-        "no part and no material is called 'Brass'; parts: "
-        "Plate, Pin, line 10, line 11, line 12; materials: Steel, "
-        "Copper");
+    assert_string_equal(error.message,
+                        "no part and no material is called 'Brass'; parts: "
+                        "Plate, Pin, line 10, line 11, line 12; materials: Steel, "
+                        "Copper");
     given_free(&densities);
     named_parts_free(&parts);
     scene_free(scene);
@@ -159,9 +158,8 @@ TEST(densities)
 
 TEST(wrong_densities)
 {
-    static const char *const wrong[] = {
-        "", "=1", "a", "a=", "a=0", "a=-1", "a=inf", "a=1x", "a=x", "a=nan"
-    };
+    static const char *const wrong[] = { "",     "=1",    "a",    "a=",  "a=0",
+                                         "a=-1", "a=inf", "a=1x", "a=x", "a=nan" };
     struct given_values densities = { .kind = &density_kind, .others = NAN };
     struct scene *scene = read_scene("#declare Lead_Density = 0;\n");
     c205_error error;
@@ -199,12 +197,11 @@ TEST(file)
     assert_string_equal(densities.list[0].name, "Carbon Steel");
     assert_string_equal(densities.list[1].name, "Copper");
     assert_close(densities.list[2].value, .5, 0);
-    assert_false(read_file("1 7.85 Steel\n2 x Copper\n3 -1 Lead\n4 5\n",
-                           &densities, &reports));
+    assert_false(
+        read_file("1 7.85 Steel\n2 x Copper\n3 -1 Lead\n4 5\n", &densities, &reports));
     assert_int_equal(reports.count, 3);
     assert_int_equal(reports.items[0].line, 2);
-    assert_string_equal(reports.items[1].message,
-                        "the density is not above 0");
+    assert_string_equal(reports.items[1].message, "the density is not above 0");
     assert_string_equal(reports.items[2].message,
                         "a line is a number, a density and a name");
     assert_false(given_read(&densities, "no/such/file", &reports));

@@ -42,8 +42,8 @@ TEST(holes_in_solids)
 {
     check_stages(CUT "intersection { " BENT ABOUT "} " AWAY " }");
     check_stages(CUT "intersection { " BENT WEIGHTS ABOUT "} " AWAY " }");
-    check_stages(CUT "intersection { " AWAY " merge { box { -9, -8 } " BENT
-                     "} " ABOUT "} }");
+    check_stages(CUT "intersection { " AWAY " merge { box { -9, -8 } " BENT "} " ABOUT
+                     "} }");
     check_stages(CUT "difference { " BENT ABOUT "} " AWAY " sphere { 0, .6 }"
                      " }");
 }
@@ -52,11 +52,10 @@ TEST(shadows_and_glass)
 {
     check_stages(SHEETS BENT GLASS ABOUT "}");
     check_stages(SHEETS BENT WEIGHTS GLASS ABOUT "}");
-    check_stages(SHEETS "merge { " BENT GLASS "} sphere { .5*y, .3 " GLASS
-                        "} " ABOUT "}");
+    check_stages(SHEETS "merge { " BENT GLASS "} sphere { .5*y, .3 " GLASS "} " ABOUT
+                        "}");
     /* few of the rays at hand come near it */
-    check_stages(SHEETS "merge { " BENT GLASS
-                        "scale .3 } sphere { -2*z, .3 " GLASS
+    check_stages(SHEETS "merge { " BENT GLASS "scale .3 } sphere { -2*z, .3 " GLASS
                         "} torus { 2, .1 rotate 60*x } " ABOUT "}");
     check_stages(SHEETS "intersection { " BENT WEIGHTS "} sphere { 0, 1.2 }"
                         " no_shadow " ABOUT "}");
@@ -71,12 +70,11 @@ TEST(pairs_of_lines)
     for (size_t i = 0; i < COUNT(turns); i++) {
         char text[1024] = "";
 
-        add_text(
-            text, sizeof text,
-            "%sintersection { plane { -z, .3 }"
-            " steiner_patch { <2, 0, 1>, <0, 2, 1>, 0, <1, 1, 0>, <0, 1, -1>,"
-            " <1, 0, -1> translate <-.5, -.5, 0> %s } }",
-            STRAIGHT, turns[i]);
+        add_text(text, sizeof text,
+                 "%sintersection { plane { -z, .3 }"
+                 " steiner_patch { <2, 0, 1>, <0, 2, 1>, 0, <1, 1, 0>, <0, 1, -1>,"
+                 " <1, 0, -1> translate <-.5, -.5, 0> %s } }",
+                 STRAIGHT, turns[i]);
         check_stages(text);
     }
 }
@@ -90,8 +88,7 @@ static void add_patch(char *text, size_t size)
     }
     if (xorshift(&traced.random) % 2)
         for (int i = 0; i < 6; i++)
-            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights",
-                     between(.4, 2.5));
+            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights", between(.4, 2.5));
     add_text(text, size, " } ");
 }
 
@@ -99,10 +96,9 @@ static void add_patch(char *text, size_t size)
 TEST(random_patches)
 {
     for (int i = 0; i < 6; i++) {
-        char text[4096] = HEAD
-            "light_source { <3, 9, -6>, .5 }\n"
-            "camera { location <0, 1, -7> look_at 0 angle 50 }\n"
-            "plane { z, 4 pigment { checker rgb .9 rgb .4 } }\n";
+        char text[4096] = HEAD "light_source { <3, 9, -6>, .5 }\n"
+                               "camera { location <0, 1, -7> look_at 0 angle 50 }\n"
+                               "plane { z, 4 pigment { checker rgb .9 rgb .4 } }\n";
 
         for (int k = 0; k < 2; k++) {
             add_text(text, sizeof text, "intersection { ");
@@ -117,9 +113,8 @@ TEST(random_patches)
 }
 
 /* The crossings of regions are the first thing that a scene has in memory. */
-static void check_behind_crossings(const struct scene *scene,
-                                   const struct trace *trace, c205 *machine,
-                                   const char *text)
+static void check_behind_crossings(const struct scene *scene, const struct trace *trace,
+                                   c205 *machine, const char *text)
 {
     const struct object *program = trace_program(trace);
     struct leaf_plan *plans = calloc(scene->primitive_count, sizeof *plans);
@@ -166,8 +161,7 @@ static void add_flat(char *text, size_t size)
 {
     add_text(text, size, "polygon { 4");
     for (int i = 0; i < 4; i++)
-        add_text(text, size, ", <%.3f, %.3f>", between(-9, 9),
-                 between(-9, 9));
+        add_text(text, size, ", <%.3f, %.3f>", between(-9, 9), between(-9, 9));
     add_text(text, size, " } ");
 }
 
@@ -175,8 +169,7 @@ static void add_flat(char *text, size_t size)
 TEST(memory)
 {
     for (int i = 0; i < 12; i++) {
-        char text[4096] = HEAD
-            "camera { location <0, 1, -7> look_at 0 angle 50 }\n";
+        char text[4096] = HEAD "camera { location <0, 1, -7> look_at 0 angle 50 }\n";
 
         for (size_t k = among(1, 2); k > 0; k--) {
             bool before = xorshift(&traced.random) % 2;

@@ -109,8 +109,8 @@ static void compare(const struct round_trip *trip, const struct frame *frame,
         double allowed = (color ? trip->relative : 0x1p-24) * fabs(kept)
                          + (color ? trip->absolute : 0);
         if (fabs(back->channel[channel][i] - kept) > allowed)
-            fail_msg("%s, channel %zu, pixel %zu: %g is %g", trip->name,
-                     channel, i, kept, back->channel[channel][i]);
+            fail_msg("%s, channel %zu, pixel %zu: %g is %g", trip->name, channel, i,
+                     kept, back->channel[channel][i]);
     }
 }
 
@@ -139,11 +139,9 @@ TEST(half_is_smaller)
     struct frame frame = sample_frame();
     struct picture_error error;
     struct stat half, whole;
-    assert_true(
-        picture_write(in_folder("h.exr"), &frame, NULL, true, &error));
+    assert_true(picture_write(in_folder("h.exr"), &frame, NULL, true, &error));
     assert_int_equal(stat(in_folder("h.exr"), &half), 0);
-    assert_true(
-        picture_write(in_folder("f.exr"), &frame, NULL, false, &error));
+    assert_true(picture_write(in_folder("f.exr"), &frame, NULL, false, &error));
     assert_int_equal(stat(in_folder("f.exr"), &whole), 0);
     assert_true(half.st_size < whole.st_size);
     frame_free(&frame);
@@ -162,8 +160,7 @@ TEST(bytes_are_srgb)
     for (size_t i = 0; i < 5; i++)
         for (size_t channel = 0; channel <= CHANNEL_BLUE; channel++)
             frame.channel[channel][i] = in[i];
-    assert_true(
-        picture_write(in_folder("g.png"), &frame, NULL, false, &error));
+    assert_true(picture_write(in_folder("g.png"), &frame, NULL, false, &error));
     assert_true(picture_read(in_folder("g.png"), &back, &error));
     for (size_t i = 0; i < 5; i++)
         assert_true(fabs(back.channel[CHANNEL_GREEN][i] - out[i]) < 1e-6);
@@ -178,8 +175,7 @@ TEST(bytes_without_gamma)
     assert_true(frame_allocate(&frame, 1, 1));
     frame.gamma_off = true;
     frame.channel[CHANNEL_RED][0] = .2;
-    assert_true(
-        picture_write(in_folder("o.png"), &frame, NULL, false, &error));
+    assert_true(picture_write(in_folder("o.png"), &frame, NULL, false, &error));
     assert_true(picture_read(in_folder("o.png"), &back, &error));
     assert_true(fabs(picture_srgb(back.channel[CHANNEL_RED][0]) - .2) < 1e-6);
     frame_free(&back);
@@ -213,8 +209,7 @@ TEST(notes)
         const char *path = in_folder(place->file);
         char text[256];
         if (!picture_write(path, &frame, notes, false, &error)
-            || !picture_read_note(path, place->name, text, sizeof text,
-                                  &error))
+            || !picture_read_note(path, place->name, text, sizeof text, &error))
             fail_msg("%s", error.message);
         assert_string_equal(text, place->text);
     }
@@ -243,8 +238,7 @@ TEST(date)
         else
             unsetenv("SOURCE_DATE_EPOCH");
         if (!picture_write(path, &frame, notes, false, &error)
-            || !picture_read_note(path, "DateTime", text, sizeof text,
-                                  &error))
+            || !picture_read_note(path, "DateTime", text, sizeof text, &error))
             fail_msg("%s", error.message);
         assert_string_equal(text, cases[i / 2].date);
     }
@@ -273,8 +267,7 @@ TEST(same_bytes_later)
         for (size_t i = 0; i < 4; i++) {
             const char *path = in_folder(names[i]);
             assert_true(picture_write(path, &frame, notes, true, &error));
-            length[i][round] = contents(path, bytes[i][round],
-                                        sizeof bytes[i][round]);
+            length[i][round] = contents(path, bytes[i][round], sizeof bytes[i][round]);
         }
         if (round == 0)
             nanosleep(&over_a_second, NULL);
@@ -399,14 +392,13 @@ TEST(rows_missing)
     for (int given_up = 0; given_up < 2; given_up++) {
         struct picture_error error = { "" };
         struct picture *picture = picture_begin(in_folder("p.png"), WIDTH,
-                                                HEIGHT + 1 - (size_t)given_up,
-                                                notes, false, NULL, &error);
+                                                HEIGHT + 1 - (size_t)given_up, notes,
+                                                false, NULL, &error);
         assert_non_null(picture);
         assert_true(picture_rows(picture, &frame, &error));
         assert_false(picture_rows(picture, &frame, &error));
         assert_false(picture_end(picture, !given_up, &error));
-        assert_non_null(
-            strstr(error.message, given_up ? "not" : "are missing"));
+        assert_non_null(strstr(error.message, given_up ? "not" : "are missing"));
         assert_int_equal(empty_folder(), 0);
     }
     frame_free(&frame);

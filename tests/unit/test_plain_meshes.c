@@ -18,9 +18,8 @@ static struct surface mesh_of(const struct triangle *triangles, size_t count)
 
 TEST(known)
 {
-    static const struct triangle flat = {
-        .corners = { { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 0 } }
-    };
+    static const struct triangle flat = { .corners = {
+                                              { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 0 } } };
     const struct expectation rows[] = {
         { { 1, 1, -5 }, { 0, 0, 1 }, 5, { 0, 0, -1 } },
         { { 1, 2.9, 5 }, { 0, 0, -2 }, 2.5, { 0, 0, 1 } },
@@ -55,10 +54,7 @@ TEST(known_smooth)
         { { 0, 0, 5 }, { 0, 0, -1 }, 5, { 0, 0, 1 } },
         { { 0, 0, -5 }, { 0, 0, 1 }, 5, { 0, 0, -1 } },
         { { 2, 0, 5 }, { 0, 0, -1 }, 5, { h / 2 / m, 0, (1 + h) / 2 / m } },
-        { { 2, 2, 5 },
-          { 0, 0, -1 },
-          5,
-          { 1 / sqrt(6), 1 / sqrt(6), 2 / sqrt(6) } },
+        { { 2, 2, 5 }, { 0, 0, -1 }, 5, { 1 / sqrt(6), 1 / sqrt(6), 2 / sqrt(6) } },
     };
     struct surface surface = mesh_of(&smooth, 1);
     ASSERT_HITS(&surface, rows);
@@ -83,15 +79,12 @@ static void random_shares(uint64_t *random, bool within, double shares[3])
         shares[0] = number_between(random, -1, 1);
         shares[1] = number_between(random, -1, 1);
         shares[2] = 1 - shares[0] - shares[1];
-    } while (
-        within
-            != (shares[0] > least && shares[1] > least && shares[2] > least)
-        || fabs(shares[0]) < least || fabs(shares[1]) < least
-        || fabs(shares[2]) < least);
+    } while (within != (shares[0] > least && shares[1] > least && shares[2] > least)
+             || fabs(shares[0]) < least || fabs(shares[1]) < least
+             || fabs(shares[2]) < least);
 }
 
-static void mixed(const double corners[3][3], const double shares[3],
-                  double point[3])
+static void mixed(const double corners[3][3], const double shares[3], double point[3])
 {
     memset(point, 0, 3 * sizeof *point);
     for (int k = 0; k < 3; k++)
@@ -105,8 +98,8 @@ static void assert_along(const double a[3], const double b[3], double within)
 }
 
 /* Of a flat one it stands across two edges. */
-static void assert_normal(const struct triangle *triangle,
-                          const double shares[3], const double found[3])
+static void assert_normal(const struct triangle *triangle, const double shares[3],
+                          const double found[3])
 {
     double way[3];
     if (triangle->smooth) {
@@ -121,8 +114,7 @@ static void assert_normal(const struct triangle *triangle,
 }
 
 /* A point is drawn, then a ray to it: from 1.5 directions away. */
-static void assert_there_and_back(uint64_t *random,
-                                  const struct triangle *triangle)
+static void assert_there_and_back(uint64_t *random, const struct triangle *triangle)
 {
     struct surface surface = mesh_of(triangle, 1);
     bool within = xorshift(random) % 2;
@@ -263,12 +255,10 @@ TEST(no_room)
             .corners = { { -1, -1, z }, { 2, -1, z }, { -1, 2, z } }
         };
     }
-    assert_int_equal(plain_crossings(surface.parts, &ray, crossings),
-                     MOST_CROSSINGS);
+    assert_int_equal(plain_crossings(surface.parts, &ray, crossings), MOST_CROSSINGS);
     for (int i = 0; i < MOST_CROSSINGS; i++)
         assert_near(crossings[i].distance, .5 + i, 1e-12);
-    assert_int_equal(plain_crossings(surface.parts, &back, crossings),
-                     MOST_CROSSINGS);
+    assert_int_equal(plain_crossings(surface.parts, &back, crossings), MOST_CROSSINGS);
     for (int i = 0; i < MOST_CROSSINGS; i++)
         assert_near(crossings[i].distance, i < 19 ? .5 + i : 18.5 - i, 1e-12);
 }

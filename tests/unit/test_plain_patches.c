@@ -36,10 +36,8 @@ TEST(roman_from_the_triple_point)
     for (int i = 0; i < 2000; i++) {
         struct ray ray = { { 0 }, { 0 } };
         random_direction(&random, ray.direction);
-        double l = ray.direction[0], m = ray.direction[1],
-               n = ray.direction[2];
-        double t = l * m * n
-                   / (l * l * m * m + m * m * n * n + n * n * l * l);
+        double l = ray.direction[0], m = ray.direction[1], n = ray.direction[2];
+        double t = l * m * n / (l * l * m * m + m * m * n * n + n * n * l * l);
         if (fabs(t) < 1e-4) /* near to a double line */
             continue;
         double found = shoot(&roman, &ray).distance;
@@ -84,8 +82,8 @@ static const four_forms cross_cap_forms = {
 static const int pairs[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
                                               { 0, 1 }, { 1, 2 }, { 0, 2 } };
 
-static double polar_value(const double form[STEINER_POINTS],
-                          const double a[3], const double b[3])
+static double polar_value(const double form[STEINER_POINTS], const double a[3],
+                          const double b[3])
 {
     double sum = 0;
     for (int k = 0; k < STEINER_POINTS; k++) {
@@ -109,9 +107,7 @@ static void put_patch(struct primitive *patch, const four_forms forms,
         assert_true(w > 0);
         patch->shape.steiner_patch.weights[k] = w;
         for (int i = 0; i < 3; i++)
-            patch->shape.steiner_patch.points[k][i] = polar_value(forms[i], a,
-                                                                  b)
-                                                      / w;
+            patch->shape.steiner_patch.points[k][i] = polar_value(forms[i], a, b) / w;
     }
 }
 
@@ -119,9 +115,8 @@ static void put_patch(struct primitive *patch, const four_forms forms,
  * 0. */
 static struct surface whole(const four_forms forms)
 {
-    static const double corner[6][3] = { { 1, 0, 0 },   { 0, 1, 0 },
-                                         { 0, 0, 1 },   { 0, .5, .5 },
-                                         { .5, 0, .5 }, { .5, .5, 0 } };
+    static const double corner[6][3] = { { 1, 0, 0 },   { 0, 1, 0 },   { 0, 0, 1 },
+                                         { 0, .5, .5 }, { .5, 0, .5 }, { .5, .5, 0 } };
     static const int triangles[4][3] = {
         { 0, 5, 4 }, { 5, 1, 3 }, { 4, 3, 2 }, { 3, 4, 5 }
     };
@@ -169,8 +164,7 @@ static void random_patch(uint64_t *random, struct primitive *patch)
     }
 }
 
-static void point_of(const struct primitive *patch, const double p[3],
-                     double point[3])
+static void point_of(const struct primitive *patch, const double p[3], double point[3])
 {
     double weight = 0, sum[3] = { 0 };
     for (int k = 0; k < STEINER_POINTS; k++) {
@@ -220,10 +214,9 @@ TEST(round_trips)
 /* A triangle whose control points are the middles of its edges. */
 TEST(flat_patch)
 {
-    static const double points[STEINER_POINTS][3] = {
-        { 4, 0, 0 }, { 0, 4, 0 }, { 0, 0, 0 },
-        { 2, 2, 0 }, { 0, 2, 0 }, { 2, 0, 0 }
-    };
+    static const double points[STEINER_POINTS][3] = { { 4, 0, 0 }, { 0, 4, 0 },
+                                                      { 0, 0, 0 }, { 2, 2, 0 },
+                                                      { 0, 2, 0 }, { 2, 0, 0 } };
     const struct expectation rows[] = {
         { { 1, 1, -5 }, { 0, 0, 1 }, 5, { 0, 0, -1 } },
         { { 1, 2.9, 5 }, { 0, 0, -2 }, 2.5, { 0, 0, 1 } },
@@ -232,8 +225,7 @@ TEST(flat_patch)
         { { 0, 0, 5 }, { .2, .2, -1 }, 5, { 0, 0, 1 } },
     };
     struct surface surface = one(PRIMITIVE_STEINER_PATCH);
-    memcpy(surface.parts[0].shape.steiner_patch.points, points,
-           sizeof points);
+    memcpy(surface.parts[0].shape.steiner_patch.points, points, sizeof points);
     for (int k = 0; k < STEINER_POINTS; k++)
         surface.parts[0].shape.steiner_patch.weights[k] = 1;
     ASSERT_HITS(&surface, rows);

@@ -30,8 +30,8 @@ static void see(const struct look *look, const char *text, double color[3])
     scene_free(scene);
 }
 
-static void check(const struct look *look, const char *text, double red,
-                  double green, double blue)
+static void check(const struct look *look, const char *text, double red, double green,
+                  double blue)
 {
     double color[3];
     see(look, text, color);
@@ -122,9 +122,8 @@ static void check_behind(const char *things, double shift, double depth)
     const struct look look = { { 0, 2, -2 }, { 0, -1, 1 } };
     char text[2048];
     snprintf(text, sizeof text,
-             "%s sphere { <0, %.17g, %.17g>, 1e-6 pigment { rgb .8 } " LAMP
-             "}",
-             things, -shift - 1, depth + 1);
+             "%s sphere { <0, %.17g, %.17g>, 1e-6 pigment { rgb .8 } " LAMP "}", things,
+             -shift - 1, depth + 1);
     check(&look, text, .8, .8, .8);
 }
 
@@ -213,9 +212,8 @@ TEST(what_passes)
 TEST(too_dark)
 {
     struct look look = ZAHEAD;
-    const char
-        *text = "background { rgb 1 } "
-                "global_settings { adc_bailout .5 } plane { -z, 0 pigment { ";
+    const char *text = "background { rgb 1 } "
+                       "global_settings { adc_bailout .5 } plane { -z, 0 pigment { ";
     static const struct {
         const char *pigment;
         double red, green;
@@ -244,8 +242,7 @@ TEST(ball_in_water)
 {
     double b = .3;
     const struct look look = { { 0, b, -5 }, { 0, 0, 1 } };
-    double turned = asin(b / 2) - asin(b / 1.33 / 2) + asin(b / 1.33)
-                    - asin(b / 1.5);
+    double turned = asin(b / 2) - asin(b / 1.33 / 2) + asin(b / 1.33) - asin(b / 1.5);
     char text[512];
     snprintf(text, sizeof text,
              "sphere { 0, 2 " WATER "} sphere { 0, 1 " GLASS "} "
@@ -259,19 +256,17 @@ TEST(ball_in_water)
 TEST(overlapping)
 {
     double glass = aside(1.5, .5), water = aside(1.33, .5);
-    check_behind(SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER "} ",
-                 glass + 2 * water, 1.5);
-    check_behind(SLAB(0, 1.5) WATER "} " SLAB(.5, 1) GLASS "} ",
-                 glass + 2 * water, 1.5);
-    check_behind(SLAB(0, 1.5) GLASS "} " SLAB(.5, 1) WATER "} ",
-                 2 * glass + water, 1.5);
+    check_behind(SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER "} ", glass + 2 * water,
+                 1.5);
+    check_behind(SLAB(0, 1.5) WATER "} " SLAB(.5, 1) GLASS "} ", glass + 2 * water,
+                 1.5);
+    check_behind(SLAB(0, 1.5) GLASS "} " SLAB(.5, 1) WATER "} ", 2 * glass + water,
+                 1.5);
     check_behind(SLAB(0, 1.5) WATER
                  "} " SLAB(.5, 1) "pigment { rgbt 1 } interior { ior 1 } } ",
                  .5 + 2 * water, 1.5);
-    check_behind(SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) GLASS "} ", 3 * glass,
-                 1.5);
-    check_behind(SLAB(0, 1.5) GLASS "} " SLAB(.5, 2) WATER "} " SLAB(1, 2.5)
-                     GLASS "} ",
+    check_behind(SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) GLASS "} ", 3 * glass, 1.5);
+    check_behind(SLAB(0, 1.5) GLASS "} " SLAB(.5, 2) WATER "} " SLAB(1, 2.5) GLASS "} ",
                  4 * glass + water, 2.5);
 }
 
@@ -281,8 +276,8 @@ TEST(shared_interior)
     double glass = aside(1.5, .5);
     check_behind("union { " SLAB(0, 1) "} " SLAB(.5, 1.5) "} " GLASS "} ",
                  glass + .5 + glass, 1.5);
-    check_behind("merge { " SLAB(0, 1) "} " SLAB(.5, 1.5) "} " GLASS "} ",
-                 3 * glass, 1.5);
+    check_behind("merge { " SLAB(0, 1) "} " SLAB(.5, 1.5) "} " GLASS "} ", 3 * glass,
+                 1.5);
 }
 
 /* A ball about the eye, which is off its centre; a mirror in it tells nothing
@@ -326,10 +321,9 @@ static void check_level(int level, const char *things, double seen)
 {
     struct look look = ZAHEAD;
     char text[1024];
-    snprintf(
-        text, sizeof text,
-        "global_settings { max_trace_level %d } background { rgb .6 } %s",
-        level, things);
+    snprintf(text, sizeof text,
+             "global_settings { max_trace_level %d } background { rgb .6 } %s", level,
+             things);
     check(&look, text, seen, seen, seen);
 }
 
@@ -338,8 +332,7 @@ TEST(straight_levels)
     static const char panes[] = "#for (I, 1, 8) box { <-1, -1, I>, <1, 1, "
                                 "I + .5> pigment { rgbt 1 } } #end ";
     static const char same[] = SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) GLASS "} ";
-    static const char other[] = SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER
-        "} ";
+    static const char other[] = SLAB(0, 1) GLASS "} " SLAB(.5, 1.5) WATER "} ";
     char mirrored[512];
     check_level(1, panes, 0);
     check_level(2, panes, .6);
@@ -375,15 +368,13 @@ TEST(fresnel)
 #define FRESNEL "finish { reflection { 0, 1 fresnel } } interior { ior 1.5 } "
     struct look look = ZAHEAD;
     const struct look slanted = { { 0, 0, 0 }, { 1, 0, 1 } };
-    double in_air = straight_share(1.5),
-           in_water = straight_share(1.5 / 1.33);
+    double in_air = straight_share(1.5), in_water = straight_share(1.5 / 1.33);
     double once = slanted_share(1.5);
-    check(&look, "background { rgb 1 } " SLAB(1, 2) FRESNEL "} ", in_air,
-          in_air, in_air);
+    check(&look, "background { rgb 1 } " SLAB(1, 2) FRESNEL "} ", in_air, in_air,
+          in_air);
     check(&look,
           "global_settings { adc_bailout 1/1000 } "
-          "background { rgb 1 } plane { -z, 0 " WATER "} " SLAB(1, 2) FRESNEL
-          "} ",
+          "background { rgb 1 } plane { -z, 0 " WATER "} " SLAB(1, 2) FRESNEL "} ",
           in_water, in_water, in_water);
     check(&slanted,
           "plane { -z, -4 " FRESNEL "} plane { -z, 4 " FRESNEL "} "
@@ -428,15 +419,12 @@ TEST(shadows)
 /* One skin where two surfaces are one. */
 TEST(shadows_of_solids)
 {
-    check_shadow("union { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}",
-                 .4096, .0625);
-    check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}",
-                 .64, .25);
-    check_shadow("difference { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR
-                 "}",
-                 .4096, .0625);
-    check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, 1 } " CLEAR "}",
-                 .64, .25);
+    check_shadow("union { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}", .4096,
+                 .0625);
+    check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}", .64, .25);
+    check_shadow("difference { sphere { 5*y, 1 } sphere { 5*y, .5 } " CLEAR "}", .4096,
+                 .0625);
+    check_shadow("merge { sphere { 5*y, 1 } sphere { 5*y, 1 } " CLEAR "}", .64, .25);
     check_shadow("merge { box { 4, 6 translate <-5, 0, -5> } box { <-1, 6, "
                  "-1>, <1, 7, 1> } " CLEAR "}",
                  .64, .25);

@@ -100,8 +100,7 @@ static struct surface torus(double major, double minor)
     return surface;
 }
 
-static struct surface elliptical_torus(double major, double radial,
-                                       double axial)
+static struct surface elliptical_torus(double major, double radial, double axial)
 {
     struct surface surface = one(PRIMITIVE_ELLIPTICAL_TORUS);
     surface.parts[0].shape.elliptical_torus.major = major;
@@ -161,12 +160,9 @@ TEST(torus_in_other_ways)
     struct surface elliptical = elliptical_torus(1, .5, .5);
     for (int i = 0; i < 3; i++) {
         double inner = i == 1 ? 1.5 : 1.5 - 4;
-        set_coefficient(&quartic, 4 * (i == 0), 4 * (i == 1), 4 * (i == 2),
-                        1);
-        set_coefficient(&quartic, 2 * (i != 0), 2 * (i != 1), 2 * (i != 2),
-                        2);
-        set_coefficient(&quartic, 2 * (i == 0), 2 * (i == 1), 2 * (i == 2),
-                        inner);
+        set_coefficient(&quartic, 4 * (i == 0), 4 * (i == 1), 4 * (i == 2), 1);
+        set_coefficient(&quartic, 2 * (i != 0), 2 * (i != 1), 2 * (i != 2), 2);
+        set_coefficient(&quartic, 2 * (i == 0), 2 * (i == 1), 2 * (i == 2), inner);
     }
     set_coefficient(&quartic, 0, 0, 0, .5625);
     assert_same_surface(&round, &quartic, 1.2);
@@ -198,8 +194,7 @@ TEST(roots)
         for (size_t k = 0; k < rows[i].count; k++) {
             bool found = false;
             for (size_t j = 0; j < count; j++)
-                found = found
-                        || fabsl(roots[j] / rows[i].roots[k] - 1) < 1e-14L;
+                found = found || fabsl(roots[j] / rows[i].roots[k] - 1) < 1e-14L;
             assert_true(found);
         }
     }

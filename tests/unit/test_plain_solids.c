@@ -45,8 +45,7 @@ static struct passage pass(const struct solid *solid, const struct ray *ray)
     struct plain_hit hit;
     double last = -1e6, entered = 0;
     bool inside = false;
-    plain_cross_region(solid->crossings, solid->scene, solid->scene->regions,
-                       ray);
+    plain_cross_region(solid->crossings, solid->scene, solid->scene->regions, ray);
     while (plain_next_hit(solid->crossings, last, 1e6, &hit)) {
         assert_true(hit.entering != inside);
         inside = hit.entering;
@@ -95,8 +94,8 @@ static void check_volume(const char *text, double size, double expected)
 static double lens(double r, double s, double d)
 {
     double depth = r + s - d;
-    return PI * depth * depth
-           * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s)) / (12 * d);
+    return PI * depth * depth * (d * d + 2 * d * (r + s) - 3 * (r - s) * (r - s))
+           / (12 * d);
 }
 
 TEST(round_solids)
@@ -116,10 +115,9 @@ TEST(round_solids)
     check_volume("intersection { sphere { 0, 1 } "
                  "cylinder { <.5, -2, 0>, <.5, 2, 0>, .5 } }",
                  1.2, 2 * PI / 3 - 8. / 9);
-    check_volume(
-        "intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } "
-        "}",
-        1.5, 2. / 3);
+    check_volume("intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } "
+                 "}",
+                 1.5, 2. / 3);
     check_volume("intersection { sphere { 0, 1 } plane { -y, -.5 } }", 1.2,
                  PI * .25 * 2.5 / 3);
 }
@@ -137,15 +135,14 @@ TEST(napkin_rings)
 
 TEST(other_solids)
 {
-    check_volume(
-        "difference { box { 0, 3 } box { <1, 1, -1>, <2, 2, 4> } "
-        "box { <1, -1, 1>, <2, 4, 2> } box { <-1, 1, 1>, <4, 2, 2> } "
-        "translate -1.5 }",
-        2.8, 20);
-    check_volume("intersection { box { -1, 1 } sphere { 0, 1 inverse } }",
-                 1.8, 8 - 4 * PI / 3);
-    check_volume("difference { torus { 1, .25 } plane { <1, 2, 3>, 0 } }",
-                 1.4, PI * PI / 16);
+    check_volume("difference { box { 0, 3 } box { <1, 1, -1>, <2, 2, 4> } "
+                 "box { <1, -1, 1>, <2, 4, 2> } box { <-1, 1, 1>, <4, 2, 2> } "
+                 "translate -1.5 }",
+                 2.8, 20);
+    check_volume("intersection { box { -1, 1 } sphere { 0, 1 inverse } }", 1.8,
+                 8 - 4 * PI / 3);
+    check_volume("difference { torus { 1, .25 } plane { <1, 2, 3>, 0 } }", 1.4,
+                 PI * PI / 16);
     check_volume("intersection { elliptical_torus { 1, .2, .4 } "
                  "plane { x, 0 } plane { z, 0 } }",
                  1.5, PI * PI * .08 / 2);
@@ -173,10 +170,9 @@ TEST(nested_solids)
                  "intersection { sphere { 0, 1 } sphere { .9*x, .8 } inverse "
                  "} }",
                  5.2, 216 - both);
-    check_volume(
-        "difference { sphere { 0, 1 } difference { sphere { .9*x, .8 "
-        "} box { -4, 4 scale <1, 1, .001> } } }",
-        1.2, 4 * PI / 3 - both + .008 * PI * .36);
+    check_volume("difference { sphere { 0, 1 } difference { sphere { .9*x, .8 "
+                 "} box { -4, 4 scale <1, 1, .001> } } }",
+                 1.2, 4 * PI / 3 - both + .008 * PI * .36);
 }
 
 /* --- surfaces that coincide ----------------------------------------------- */
@@ -204,36 +200,32 @@ TEST(coincident_faces)
         { "difference { box { -1, 1 } box { -1, 1 } }", .3, .2, 0, 0 },
         { "intersection { box { -1, 1 } box { -1, 1 } }", .3, .2, 2, 2 },
         { "merge { box { -1, 1 } box { -1, 1 } }", .3, .2, 2, 2 },
-        { "merge { box { -1, 1 } box { <-1, -1, 1>, <1, 1, 3> } }", .3, .2, 2,
-          4 },
-        { "intersection { box { -1, 1 } box { <-1, -1, 1>, <1, 1, 3> } }", .3,
-          .2, 0, 0 },
-        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 1> } }",
-          .3, .2, 0, 0 },
-        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 1> } }",
-          .6, .2, 2, 2 },
-        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 0> } }",
-          .3, .2, 2, 1 },
-        { "difference { box { -1, 1 } box { -1.00000003, .99999998 } }", .3,
-          .2, 0, 0 }, /* closer than delta */
-        { "merge { box { -1, 1 } box { <-1, -1, 1.00000002>, <1, 1, 3> } }",
-          .3, .2, 2, 4 },
-        { EYE "intersection { plane { z, 5e-8 } plane { -z, 0 } }", 0, 0, 0,
+        { "merge { box { -1, 1 } box { <-1, -1, 1>, <1, 1, 3> } }", .3, .2, 2, 4 },
+        { "intersection { box { -1, 1 } box { <-1, -1, 1>, <1, 1, 3> } }", .3, .2, 0,
           0 },
-        { EYE "intersection { plane { z, 1e-6 } plane { -z, 0 } }", 0, 0, 2,
-          1e-6 },
+        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 1> } }", .3, .2, 0,
+          0 },
+        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 1> } }", .6, .2, 2,
+          2 },
+        { "difference { box { -1, 1 } box { <-.5, -.5, -1>, <.5, .5, 0> } }", .3, .2, 2,
+          1 },
+        { "difference { box { -1, 1 } box { -1.00000003, .99999998 } }", .3, .2, 0,
+          0 }, /* closer than delta */
+        { "merge { box { -1, 1 } box { <-1, -1, 1.00000002>, <1, 1, 3> } }", .3, .2, 2,
+          4 },
+        { EYE "intersection { plane { z, 5e-8 } plane { -z, 0 } }", 0, 0, 0, 0 },
+        { EYE "intersection { plane { z, 1e-6 } plane { -z, 0 } }", 0, 0, 2, 1e-6 },
         { "difference { sphere { 0, 1 } sphere { 0, 1 } }", .3, .2, 0, 0 },
         { "difference { torus { 1, .3 } torus { 1, .3 } }", .9, .1, 0, 0 },
-        { "intersection { sphere { -.5*z, .5 } sphere { .5*z, .5 } }", 0, 0,
-          0, 0 },
+        { "intersection { sphere { -.5*z, .5 } sphere { .5*z, .5 } }", 0, 0, 0, 0 },
         { "merge { sphere { -.5*z, .5 } sphere { .5*z, .5 } }", 0, 0, 2, 2 },
     };
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct passage is = along(rows[i].text, rows[i].x, rows[i].y);
         if (is.events != rows[i].events
             || !(fabs(is.length - rows[i].length) <= PLAIN_DELTA))
-            fail_msg("%s: %d events, inside for %.9g", rows[i].text,
-                     is.events, is.length);
+            fail_msg("%s: %d events, inside for %.9g", rows[i].text, is.events,
+                     is.length);
     }
 }
 
@@ -243,15 +235,13 @@ TEST(joined_boxes)
     struct solid pair = solid_of("merge { box { -1, 1 } "
                                  "box { <1, -1, -1>, <2, 1, 1> } "
                                  "rotate <10, 20, 30> }");
-    struct solid whole = solid_of(
-        "box { -1, <2, 1, 1> rotate <10, 20, 30> }");
+    struct solid whole = solid_of("box { -1, <2, 1, 1> rotate <10, 20, 30> }");
     uint64_t random = RANDOM_SEED;
     for (int i = 0; i < 2000; i++) {
         struct ray ray;
         for (int k = 0; k < 3; k++) {
             ray.origin[k] = (double)(xorshift(&random) >> 11) * 0x1p-51 - 2;
-            ray.direction[k] = (double)(xorshift(&random) >> 11) * 0x1p-52
-                               - 1;
+            ray.direction[k] = (double)(xorshift(&random) >> 11) * 0x1p-52 - 1;
         }
         normalise(ray.direction);
         struct passage a = pass(&pair, &ray), b = pass(&whole, &ray);
@@ -271,8 +261,7 @@ static int seen_along(const char *text, double x, size_t reports)
     struct plain_hit hit;
     double last = -1e6;
     int count = 0;
-    plain_cross_region(solid.crossings, solid.scene, solid.scene->regions,
-                       &ray);
+    plain_cross_region(solid.crossings, solid.scene, solid.scene->regions, &ray);
     for (; plain_next_hit(solid.crossings, last, 1e6, &hit); count++)
         last = hit.distance;
     solid_free(&solid);
@@ -306,7 +295,6 @@ TEST(open_surfaces)
         { "intersection { box { <-2, -2, 0>, 2 } " TUBE " }", 0, 1, 0 },
     };
     for (size_t i = 0; i < COUNT(rows); i++)
-        if (seen_along(rows[i].text, rows[i].x, rows[i].reports)
-            != rows[i].count)
+        if (seen_along(rows[i].text, rows[i].x, rows[i].reports) != rows[i].count)
             fail_msg("%s: not %d crossings", rows[i].text, rows[i].count);
 }

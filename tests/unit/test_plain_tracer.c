@@ -69,16 +69,14 @@ static struct primitive floor_at(double height)
 enum { MOST_PRIMITIVES = 3 };
 
 /* Each primitive a region of its own. */
-static void each_alone(struct scene *scene,
-                       struct region regions[MOST_PRIMITIVES])
+static void each_alone(struct scene *scene, struct region regions[MOST_PRIMITIVES])
 {
     assert_true(scene->primitive_count <= MOST_PRIMITIVES);
     scene->region_count = scene->primitive_count;
     scene->regions = regions;
     scene->max_trace_level = 1;
     for (size_t i = 0; i < scene->region_count; i++)
-        regions[i] = (struct region){ .first_primitive = i,
-                                      .primitive_count = 1 };
+        regions[i] = (struct region){ .first_primitive = i, .primitive_count = 1 };
 }
 
 struct sample {
@@ -86,8 +84,8 @@ struct sample {
 };
 
 /* The one pixel that looks from a point in a direction. */
-static struct sample look(struct scene *scene, double x, double y, double z,
-                          double dx, double dy, double dz)
+static struct sample look(struct scene *scene, double x, double y, double z, double dx,
+                          double dy, double dz)
 {
     struct region regions[MOST_PRIMITIVES];
     struct frame frame;
@@ -108,8 +106,8 @@ static void assert_close(double found, double expected)
         fail_msg("%.17g is not %.17g", found, expected);
 }
 
-static void assert_hit(struct sample sample, double id, double depth,
-                       double x, double y, double z)
+static void assert_hit(struct sample sample, double id, double depth, double x,
+                       double y, double z)
 {
     assert_close(sample.values[CHANNEL_ID], id);
     assert_close(sample.values[CHANNEL_DEPTH], depth);
@@ -183,8 +181,7 @@ TEST(transform)
     };
     assert_hit(look(&scene, 0, 9, 0, 0, -2, 0), 1, 5.5, 0, 1, 0);
     double length = sqrt(1.25);
-    assert_hit(look(&scene, 0, 3, -9, 0, 0, 1), 1, 8, -.5 / length, 0,
-               -1 / length);
+    assert_hit(look(&scene, 0, 3, -9, 0, 0, 1), 1, 8, -.5 / length, 0, -1 / length);
 }
 
 TEST(nearest)
@@ -213,8 +210,7 @@ TEST(pixel_centres)
     assert_true(plain_trace(&scene, 4, 2, &frame));
     for (size_t i = 0; i < 8; i++) {
         double x = (double)(i % 4) - 1.5, z = i < 4 ? .5 : -.5;
-        assert_close(frame.channel[CHANNEL_DEPTH][i],
-                     sqrt(1 + x * x + z * z));
+        assert_close(frame.channel[CHANNEL_DEPTH][i], sqrt(1 + x * x + z * z));
     }
     frame_free(&frame);
 }
@@ -277,8 +273,7 @@ TEST(highlights)
     finish->specular = .25;
     assert_close(seen(&stage), .5 * (.5 + .25));
     stage.light.position[0] = 0; /* cosine .8; half the angle for specular */
-    assert_close(seen(&stage),
-                 .5 * (.5 * pow(.8, 40) + .25 * pow(sqrt(.9), 20)));
+    assert_close(seen(&stage), .5 * (.5 * pow(.8, 40) + .25 * pow(sqrt(.9), 20)));
     stage.light.shadowless = true;
     assert_close(seen(&stage), 0);
 }
@@ -309,17 +304,15 @@ TEST(checker)
 {
     struct primitive plane = floor_at(0);
     struct light light = { .position = { 0, 1e9, 0 }, .color = { 1, 1, 1 } };
-    struct scene scene = { .light_count = 1,
-                           .lights = &light,
-                           .primitive_count = 1,
-                           .primitives = &plane };
+    struct scene scene = {
+        .light_count = 1, .lights = &light, .primitive_count = 1, .primitives = &plane
+    };
     plane.pigment.kind = PIGMENT_CHECKER;
     plane.pigment.to_local.rows[0][0] = .5; /* squares 2 wide in x */
     for (int x = -3; x < 4; x++)
         for (int z = -3; z < 4; z++) {
             bool odd = (x + z) % 2 != 0;
-            struct sample sample = look(&scene, 2 * x + 1, 1, z + .5, 0, -1,
-                                        0);
+            struct sample sample = look(&scene, 2 * x + 1, 1, z + .5, 0, -1, 0);
             assert_true(fabs(red(sample) - !odd) < 1e-6);
         }
 }
@@ -329,8 +322,7 @@ TEST(checker)
 TEST(compare)
 {
     struct frame a, b;
-    const struct comparison all = { "colour", CHANNEL_RED, 3,  1,
-                                    false,    .1,          .05 };
+    const struct comparison all = { "colour", CHANNEL_RED, 3, 1, false, .1, .05 };
     assert_true(frame_allocate(&a, 8, 5) && frame_allocate(&b, 8, 5));
     for (size_t i = 0; i < 40; i++)
         a.channel[CHANNEL_ID][i] = i % 8 < 4;

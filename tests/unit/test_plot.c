@@ -33,8 +33,7 @@ static const char *const subtitles[] = { "model cyber205-2pipe",
 static const struct plot_mark marks[] = { { 3, "best 3" },
                                           { 3.5, "the paper's 3.5" },
                                           { NAN, "nowhere" } };
-static const struct plot_mark levels[] = { { 12, "scalar" },
-                                           { NAN, "nothing" } };
+static const struct plot_mark levels[] = { { 12, "scalar" }, { NAN, "nothing" } };
 
 static const struct plot lines = {
     .title = "Clocks per ray",
@@ -59,8 +58,7 @@ static struct {
     struct table *table;
 } folder; /* of a test */
 
-static void add_row(struct table *table, uint64_t queue, double stream,
-                    double startup)
+static void add_row(struct table *table, uint64_t queue, double stream, double startup)
 {
     table_count(table, queue);
     table_number(table, stream);
@@ -73,8 +71,7 @@ FIXTURE(set_up)
     strcpy(folder.above, "/tmp/test_plot.XXXXXX");
     if (!mkdtemp(folder.above))
         return -1;
-    snprintf(folder.name, sizeof folder.name, "%s/it's a \"test\"",
-             folder.above);
+    snprintf(folder.name, sizeof folder.name, "%s/it's a \"test\"", folder.above);
     folder.table = table_new(columns, COLUMNS);
     add_row(folder.table, 1, 10, 100.0 / 3);
     add_row(folder.table, 2, 10, 0.1);
@@ -125,8 +122,7 @@ static char *text_of(const char *name)
     return text;
 }
 
-static bool write_plot(const struct plot *plot, const char *name,
-                       c205_error *error)
+static bool write_plot(const struct plot *plot, const char *name, c205_error *error)
 {
     char path[256];
 
@@ -142,8 +138,7 @@ static void draw(const struct plot *plot)
         fail_msg("%s", error.message);
 }
 
-static void expect_error(const struct plot *plot, const char *name,
-                         const char *part)
+static void expect_error(const struct plot *plot, const char *name, const char *part)
 {
     c205_error error = { "" };
 
@@ -179,8 +174,7 @@ static void expect_picture(const char *text)
 
     assert_non_null(strstr(text, "<svg"));
     assert_non_null(last);
-    assert_int_equal(strspn(last + strlen(end), "\n"),
-                     strlen(last + strlen(end)));
+    assert_int_equal(strspn(last + strlen(end), "\n"), strlen(last + strlen(end)));
     assert_non_null(strstr(text, "Clocks per ray"));
     assert_non_null(strstr(text, "a_b &amp; &lt;c"));
     assert_non_null(strstr(text, "the paper's 3.5"));
@@ -202,8 +196,8 @@ TEST_WITH(script_draws_again, set_up, tear_down)
         first = text_of("a b'c.svg");
         expect_picture(first);
         remove_file("a b'c.svg");
-        snprintf(command, sizeof command,
-                 "cd %s/it*test* && gnuplot \"a b'c.gp\"", folder.above);
+        snprintf(command, sizeof command, "cd %s/it*test* && gnuplot \"a b'c.gp\"",
+                 folder.above);
         assert_int_equal(system(command), 0);
         second = text_of("a b'c.svg");
         assert_string_equal(first, second);
@@ -328,8 +322,7 @@ TEST_WITH(gnuplot_is_missing, set_up, tear_down)
 
 TEST_WITH(gnuplot_fails, set_up, tear_down)
 {
-    write_file("gnuplot",
-               "#!/bin/sh\necho half; echo 'line 7: wrong' >&2; exit 3\n");
+    write_file("gnuplot", "#!/bin/sh\necho half; echo 'line 7: wrong' >&2; exit 3\n");
     expect_failure("gnuplot: line 7: wrong");
     write_file("gnuplot", "#!/bin/sh\nexit 0\n");
     expect_failure("no picture");
@@ -387,8 +380,7 @@ TEST(axes_are_labelled)
     expect_labels((struct axis){ PLOT_LOG2, 1, 65536 },
                   "1 4 16 64 256 1,024 4,096 16,384 65,536 ");
     expect_labels((struct axis){ PLOT_LOG2, 0.25, 3 }, "0.25 0.5 1 2 ");
-    expect_labels((struct axis){ PLOT_LOG10, 10, 1000 },
-                  "10 20 50 100 200 500 1,000 ");
+    expect_labels((struct axis){ PLOT_LOG10, 10, 1000 }, "10 20 50 100 200 500 1,000 ");
     expect_labels((struct axis){ PLOT_LOG10, 0.01, 1e7 },
                   "0.01 0.1 1 10 100 1,000 10,000 100,000 1,000,000 "
                   "10,000,000 ");
@@ -418,14 +410,13 @@ TEST_WITH(curves_are_cut, set_up, tear_down)
     draw(&plot);
     script = text_of("a b'c.gp");
     assert_non_null(strstr(script, "set yrange [0:12]"));
-    assert_non_null(
-        strstr(script, "cut off at 12; the highest value is 33.3333"));
+    assert_non_null(strstr(script, "cut off at 12; the highest value is 33.3333"));
     free(script);
     remove_plot();
 }
 
-static void expect_rounded(enum plot_scale scale, double value, double more,
-                           double low, double high)
+static void expect_rounded(enum plot_scale scale, double value, double more, double low,
+                           double high)
 {
     struct axis axis = axis_new(scale);
 

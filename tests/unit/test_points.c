@@ -31,8 +31,8 @@ static size_t some_length(void)
     return (size_t)(1 + some_integer(16) % POINTS_MOST);
 }
 
-static void make(const struct point_kind *kind,
-                 const struct point_choice *choice, c205_word *into)
+static void make(const struct point_kind *kind, const struct point_choice *choice,
+                 c205_word *into)
 {
     c205_error error = { "" };
     struct point_maker *maker = point_maker_new(kind, &error);
@@ -77,8 +77,7 @@ TEST(seeds)
     qsort(begin, SEEDS, sizeof *begin, by_size);
     begin[SEEDS] = begin[0] + period;
     for (size_t i = 0; i < SEEDS; i++)
-        assert_true((double)(begin[i + 1] - begin[i])
-                    > (double)period / 2.7 / SEEDS);
+        assert_true((double)(begin[i + 1] - begin[i]) > (double)period / 2.7 / SEEDS);
 }
 
 static struct point_kind some_kind(bool lattice)
@@ -88,8 +87,7 @@ static struct point_kind some_kind(bool lattice)
         .lattice = lattice,
         .queue = some_length(),
         .points = some_length(),
-        .coordinates = lattice ? between(1, LATTICE_COORDINATES)
-                               : STREAM_DRAWS,
+        .coordinates = lattice ? between(1, LATTICE_COORDINATES) : STREAM_DRAWS,
     };
 }
 
@@ -101,15 +99,13 @@ static struct point_choice some_choice(bool lattice, size_t points)
         return (struct point_choice){ .seed = some_integer(45),
                                       .first = some_integer(43) };
     return (struct point_choice){ .seed = some_integer(45),
-                                  .first = some_integer(30)
-                                           % (1048577 - points),
+                                  .first = some_integer(30) % (1048577 - points),
                                   .m = m,
                                   .shift = some_integer(20) };
 }
 
 static uint64_t defined(const struct point_kind *kind,
-                        const struct point_choice *choice, size_t i,
-                        unsigned j)
+                        const struct point_choice *choice, size_t i, unsigned j)
 {
     return kind->lattice ? lattice_word((unsigned)choice->m, choice->seed,
                                         choice->shift, choice->first + i, j)
@@ -128,9 +124,8 @@ static void compare_words(const struct point_kind *kind,
             if (word != defined(kind, choice, i, j))
                 fail_msg("form %d, queue %zu, seed %llu, m %d, shift %llu: "
                          "coordinate %u of point %llu + %zu is %llX",
-                         kind->form, kind->queue,
-                         (unsigned long long)choice->seed, (int)choice->m,
-                         (unsigned long long)choice->shift, j,
+                         kind->form, kind->queue, (unsigned long long)choice->seed,
+                         (int)choice->m, (unsigned long long)choice->shift, j,
                          (unsigned long long)choice->first, i,
                          (unsigned long long)word);
         }
@@ -175,8 +170,7 @@ static void compare_numbers(bool lattice)
 
             assert_true(number == (double)word * 0x1p-47);
             assert_true(number > 0 && number < 1);
-            assert_int_equal(words[POINTS_VECTOR][k],
-                             c205_from_double(number));
+            assert_int_equal(words[POINTS_VECTOR][k], c205_from_double(number));
         }
     }
 }
@@ -206,8 +200,7 @@ static void compare_cut(bool lattice)
         kind.queue = between(1, points);
         make(&kind, &choice, piece);
         for (size_t j = 0; j < kind.coordinates; j++)
-            assert_memory_equal(piece + j * pieces[k],
-                                whole + j * points + begin,
+            assert_memory_equal(piece + j * pieces[k], whole + j * points + begin,
                                 pieces[k] * sizeof *piece);
         choice.first += pieces[k];
     }
@@ -225,13 +218,11 @@ TEST(cuts)
 TEST(cells)
 {
     enum { LOG = 12, CELLS = 1 << LOG };
-    static const struct point_kind kind = {
-        .form = POINTS_VECTOR,
-        .lattice = true,
-        .queue = CELLS,
-        .points = CELLS,
-        .coordinates = LATTICE_COORDINATES
-    };
+    static const struct point_kind kind = { .form = POINTS_VECTOR,
+                                            .lattice = true,
+                                            .queue = CELLS,
+                                            .points = CELLS,
+                                            .coordinates = LATTICE_COORDINATES };
     struct point_choice choice = { .seed = 7, .m = LOG };
 
     make(&kind, &choice, words[0]);
@@ -272,8 +263,7 @@ struct estimate {
 };
 
 /* From SHIFTS independent sets of points. */
-static struct estimate estimate(struct point_maker *maker, bool lattice,
-                                uint64_t seed)
+static struct estimate estimate(struct point_maker *maker, bool lattice, uint64_t seed)
 {
     double value[SHIFTS], sum = 0, squares = 0;
     c205_error error = { "" };
@@ -290,8 +280,7 @@ static struct estimate estimate(struct point_maker *maker, bool lattice,
     }
     for (size_t k = 0; k < SHIFTS; k++)
         squares += pow(value[k] - sum / SHIFTS, 2);
-    return (struct estimate){ sum / SHIFTS,
-                              sqrt(squares / (SHIFTS - 1) / SHIFTS) };
+    return (struct estimate){ sum / SHIFTS, sqrt(squares / (SHIFTS - 1) / SHIFTS) };
 }
 
 /* Over many seeds: the root mean square of the errors, how often Student's
@@ -325,8 +314,8 @@ static struct quality try_seeds(bool lattice, size_t seeds)
         covered += fabs(off) <= student * found.error;
     }
     point_maker_free(maker);
-    return (struct quality){ sqrt(squares / (double)seeds),
-                             covered / (double)seeds, sum / sqrt(squares) };
+    return (struct quality){ sqrt(squares / (double)seeds), covered / (double)seeds,
+                             sum / sqrt(squares) };
 }
 
 static void print_quality(const char *points, struct quality quality)

@@ -26,8 +26,7 @@ struct image {
 /* ---- Which elements an instruction looks at ---------------------------- */
 
 /* Of order vectors: elements before position i. */
-static size_t present_before(const struct vector_case *one, enum role role,
-                             size_t i)
+static size_t present_before(const struct vector_case *one, enum role role, size_t i)
 {
     size_t count = 0;
 
@@ -47,8 +46,8 @@ static bool has_result(const struct vector_case *one, size_t i)
     return one->row->flags & C205_INSN_PADO ? x && y : x || y;
 }
 
-static void mark_packed(struct vector_case *one, enum role packed,
-                        enum role order, size_t i)
+static void mark_packed(struct vector_case *one, enum role packed, enum role order,
+                        size_t i)
 {
     mark_element(&one->defined, &one->vector[order], i);
     if (bit_of(one, order, i) && has_result(one, i))
@@ -67,8 +66,7 @@ static void mark_sparse(struct vector_case *one)
 }
 
 /* Where Z sends element i of A, or of B. */
-static bool is_selected(const struct vector_case *one, enum role role,
-                        size_t i)
+static bool is_selected(const struct vector_case *one, enum role role, size_t i)
 {
     bool ones = role == ROLE_A;
 
@@ -156,15 +154,13 @@ static void mark_result(struct vector_case *one, const struct image *after)
         mark(&one->written, one->vector[ROLE_Z].address, one->n);
 }
 
-static void mark_number(struct vector_case *one, enum role role,
-                        unsigned behind)
+static void mark_number(struct vector_case *one, enum role role, unsigned behind)
 {
     c205_word *reg = one->written.reg;
     unsigned number = register_name(one, role) + behind;
 
     if (is_half(one, role))
-        reg[number / 2] |= number % 2 ? UINT32_MAX
-                                      : (c205_word)UINT32_MAX << HALF;
+        reg[number / 2] |= number % 2 ? UINT32_MAX : (c205_word)UINT32_MAX << HALF;
     else
         reg[number] = UINT64_MAX;
 }
@@ -188,36 +184,31 @@ static void mark_registers(struct vector_case *one)
 
 static c205_word poison(uint64_t *random)
 {
-    static const c205_word kinds[] = { C205_INDEFINITE, C205_MACHINE_ZERO,
-                                       UINT64_MAX, 0,
-                                       UINT64_C(0x6FFF7FFFFFFFFFFF) };
+    static const c205_word kinds[] = { C205_INDEFINITE, C205_MACHINE_ZERO, UINT64_MAX,
+                                       0, UINT64_C(0x6FFF7FFFFFFFFFFF) };
     size_t kind = draw(random, 0, 9);
 
     return kind < 5 ? kinds[kind] : random_bits(random);
 }
 
 static void poison_words(c205_word *words, const c205_word *good,
-                         const c205_word *defined, size_t count,
-                         uint64_t *random)
+                         const c205_word *defined, size_t count, uint64_t *random)
 {
     for (size_t i = 0; i < count; i++)
         words[i] = (good[i] & defined[i]) | (poison(random) & ~defined[i]);
 }
 
-static void fill(struct image *before, const struct vector_case *one,
-                 uint64_t *random)
+static void fill(struct image *before, const struct vector_case *one, uint64_t *random)
 {
-    poison_words(before->memory, one->memory, one->defined.memory,
-                 MEMORY_WORDS, random);
-    poison_words(before->reg, one->reg, one->defined.reg, C205_REGISTERS,
+    poison_words(before->memory, one->memory, one->defined.memory, MEMORY_WORDS,
                  random);
+    poison_words(before->reg, one->reg, one->defined.reg, C205_REGISTERS, random);
     before->reg[0] = 0;
 }
 
 static void take(struct little *little, struct image *image)
 {
-    assert_true(
-        c205_read(little->machine, DATA, image->memory, MEMORY_WORDS));
+    assert_true(c205_read(little->machine, DATA, image->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         image->reg[i] = get(little, i);
     image->flags = c205_data_flags(little->machine);
@@ -230,8 +221,7 @@ static void run_image(struct little *little, const char *name,
     c205_stop stop;
 
     load(little, MEMORY_WORDS);
-    assert_true(
-        c205_write(little->machine, DATA, before->memory, MEMORY_WORDS));
+    assert_true(c205_write(little->machine, DATA, before->memory, MEMORY_WORDS));
     for (unsigned i = 0; i < C205_REGISTERS; i++)
         set(little, i, before->reg[i]);
     stop = run(little);
@@ -242,48 +232,42 @@ static void run_image(struct little *little, const char *name,
 
 /* ---- Comparing --------------------------------------------------------- */
 
-static void check_words(const char *name, const char *what,
-                        const c205_word *a, const c205_word *b,
-                        const c205_word *bits, c205_word flip, size_t count)
+static void check_words(const char *name, const char *what, const c205_word *a,
+                        const c205_word *b, const c205_word *bits, c205_word flip,
+                        size_t count)
 {
     for (size_t i = 0; i < count; i++)
         if ((a[i] ^ b[i]) & (bits[i] ^ flip))
-            fail_msg("%s: %s %zu: %016llX and %016llX, of which %016llX",
-                     name, what, i, (unsigned long long)a[i],
-                     (unsigned long long)b[i],
+            fail_msg("%s: %s %zu: %016llX and %016llX, of which %016llX", name, what, i,
+                     (unsigned long long)a[i], (unsigned long long)b[i],
                      (unsigned long long)(bits[i] ^ flip));
 }
 
 static void check_survivors(const char *name, const struct image *before,
-                            const struct image *after,
-                            const struct bits_of *written)
+                            const struct image *after, const struct bits_of *written)
 {
-    check_words(name, "changed word", before->memory, after->memory,
-                written->memory, UINT64_MAX, MEMORY_WORDS);
-    check_words(name, "changed register", before->reg, after->reg,
-                written->reg, UINT64_MAX, C205_REGISTERS);
+    check_words(name, "changed word", before->memory, after->memory, written->memory,
+                UINT64_MAX, MEMORY_WORDS);
+    check_words(name, "changed register", before->reg, after->reg, written->reg,
+                UINT64_MAX, C205_REGISTERS);
 }
 
 static void check_results(const char *name, const struct image *one,
-                          const struct image *other,
-                          const struct bits_of *written, bool with_clock)
+                          const struct image *other, const struct bits_of *written,
+                          bool with_clock)
 {
-    check_words(name, "unlike word", one->memory, other->memory,
-                written->memory, 0, MEMORY_WORDS);
-    check_words(name, "unlike register", one->reg, other->reg, written->reg,
-                0, C205_REGISTERS);
-    if (one->flags != other->flags
-        || (with_clock && one->clock != other->clock))
+    check_words(name, "unlike word", one->memory, other->memory, written->memory, 0,
+                MEMORY_WORDS);
+    check_words(name, "unlike register", one->reg, other->reg, written->reg, 0,
+                C205_REGISTERS);
+    if (one->flags != other->flags || (with_clock && one->clock != other->clock))
         fail_msg("%s: flags %llX and %llX, clocks %llu and %llu", name,
-                 (unsigned long long)one->flags,
-                 (unsigned long long)other->flags,
-                 (unsigned long long)one->clock,
-                 (unsigned long long)other->clock);
+                 (unsigned long long)one->flags, (unsigned long long)other->flags,
+                 (unsigned long long)one->clock, (unsigned long long)other->clock);
 }
 
-static void run_twice(struct little *little, struct vector_case *one,
-                      uint64_t *random, struct image *before,
-                      struct image *after)
+static void run_twice(struct little *little, struct vector_case *one, uint64_t *random,
+                      struct image *before, struct image *after)
 {
     for (int i = 0; i < TWICE; i++) {
         fill(&before[i], one, random);
@@ -306,8 +290,7 @@ static void check_images(struct vector_case *one, const struct image *before,
 
     for (int i = 0; i < TWICE; i++)
         check_survivors(name, &before[i], &after[i], &one->written);
-    check_results(name, &after[0], &after[1], &one->written,
-                  time_is_known(one));
+    check_results(name, &after[0], &after[1], &one->written, time_is_known(one));
 }
 
 /* ---- The tests --------------------------------------------------------- */
@@ -315,8 +298,7 @@ static void check_images(struct vector_case *one, const struct image *before,
 static struct vector_case one, other;
 static struct image before[TWICE], after[TWICE];
 
-static void try_row(struct little *little, const c205_insn *row,
-                    uint64_t *random)
+static void try_row(struct little *little, const c205_insn *row, uint64_t *random)
 {
     draw_case(&one, row, random, draw_size(random));
     mark_sources(&one);
@@ -404,8 +386,8 @@ static void draw_pair(uint64_t *random)
            UINT64_MAX);
     for (size_t i = 0; i < one.vector[ROLE_X].length && i < one.n; i++)
         mark_element(&one.defined, &one.vector[ROLE_X], i);
-    define(&one, role_register[ROLE_A],
-           descriptor(one.vector[ROLE_A].address, one.n), UINT64_MAX);
+    define(&one, role_register[ROLE_A], descriptor(one.vector[ROLE_A].address, one.n),
+           UINT64_MAX);
 }
 
 static void try_pair(struct little *little, uint64_t *random)

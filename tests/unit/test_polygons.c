@@ -28,8 +28,7 @@ static double side(const double a[2], const double b[2], const double p[2])
     return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-static double distance(const double a[2], const double b[2],
-                       const double p[2])
+static double distance(const double a[2], const double b[2], const double p[2])
 {
     double way[2] = { b[0] - a[0], b[1] - a[1] };
     double square = way[0] * way[0] + way[1] * way[1], part = 0;
@@ -54,8 +53,8 @@ static bool is_inside(const struct flat_outline *outline, const double p[2])
     return inside;
 }
 
-static bool is_near_edge(const struct flat_outline *outline,
-                         const double p[2], double near)
+static bool is_near_edge(const struct flat_outline *outline, const double p[2],
+                         double near)
 {
     for (size_t i = 0; i + 1 < outline->count; i++)
         if (!outline->ends[i]
@@ -76,9 +75,7 @@ static double area_by_lines(const struct flat_outline *outline)
             const double *a = outline->points[i];
             const double *b = outline->points[i + 1];
             if (!outline->ends[i] && (a[0] > x) != (b[0] > x))
-                crossings[count++] = a[1]
-                                     + (x - a[0]) / (b[0] - a[0])
-                                           * (b[1] - a[1]);
+                crossings[count++] = a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
         }
         for (size_t i = 0; i < count; i++) {
             size_t before = 0;
@@ -116,8 +113,7 @@ static void add_star(struct flat_outline *outline, size_t count, size_t step)
     size_t first = outline->count;
 
     for (size_t i = 0; i < count; i++) {
-        double angle = turn
-                       + 2 * acos(-1) * (double)(i * step) / (double)count;
+        double angle = turn + 2 * acos(-1) * (double)(i * step) / (double)count;
         double radius = between(.5, 2);
         add_point(outline, x + radius * cos(angle), y + radius * sin(angle));
     }
@@ -189,8 +185,8 @@ static struct flat_outline random_outline(void)
     return outline;
 }
 
-static void put_in_space(const struct flat_outline *outline,
-                         const double p[2], double point[3])
+static void put_in_space(const struct flat_outline *outline, const double p[2],
+                         double point[3])
 {
     for (int i = 0; i < 3; i++)
         point[i] = outline->origin[i] + p[0] * outline->axes[0][i]
@@ -247,8 +243,7 @@ static bool covers(const struct flat_triangle *flat, const double p[2])
 
 static double area_of(const struct flat_triangle *flat)
 {
-    return fabs(side(flat->corners[0], flat->corners[1], flat->corners[2]))
-           / 2;
+    return fabs(side(flat->corners[0], flat->corners[1], flat->corners[2])) / 2;
 }
 
 static size_t times_covered(const struct flat_triangle *flat, size_t count,
@@ -266,8 +261,7 @@ static bool is_near_triangle(const struct flat_triangle *flat, size_t count,
 {
     for (size_t i = 0; i < count; i++)
         for (int k = 0; k < 3; k++)
-            if (distance(flat[i].corners[k], flat[i].corners[(k + 1) % 3], p)
-                < 1e-9)
+            if (distance(flat[i].corners[k], flat[i].corners[(k + 1) % 3], p) < 1e-9)
                 return true;
     return false;
 }
@@ -279,11 +273,9 @@ static void check_samples(const struct flat_outline *outline,
     for (int i = 0; i < SAMPLES; i++) {
         double p[2] = { between(-3.2, 3.2), between(-3.2, 3.2) };
         size_t times = times_covered(flat, count, p);
-        if (!is_near_edge(outline, p, 1e-9)
-            && !is_near_triangle(flat, count, p)
+        if (!is_near_edge(outline, p, 1e-9) && !is_near_triangle(flat, count, p)
             && times != is_inside(outline, p))
-            fail_msg("%zu triangles at %g, %g of\n%s", times, p[0], p[1],
-                     text);
+            fail_msg("%zu triangles at %g, %g of\n%s", times, p[0], p[1], text);
     }
 }
 
@@ -306,8 +298,7 @@ static void check_outline(const struct flat_outline *outline)
     }
     check_samples(outline, flat, triangles->count, text);
     if (!(fabs(area - area_by_lines(outline)) < .01))
-        fail_msg("an area of %g, not %g, of\n%s", area,
-                 area_by_lines(outline), text);
+        fail_msg("an area of %g, not %g, of\n%s", area, area_by_lines(outline), text);
     free(flat);
     scene_free(scene);
 }
@@ -344,8 +335,7 @@ static double total_area(const struct triangles *triangles)
     return sum;
 }
 
-static void check_area(const char *text, size_t reports, double area,
-                       size_t count)
+static void check_area(const char *text, size_t reports, double area, size_t count)
 {
     struct scene *scene = read_with(text, reports);
 
@@ -360,20 +350,17 @@ TEST(areas)
 
     check_area("polygon { 4, 0, x, y, 0 }", 0, .5, 1);
     check_area("polygon { 4.9 <0, 0> <2, 0> <0, 3> <0, 0> }", 0, 3, 1);
-    check_area("polygon { 5, <0, 0>, <2, 0>, <2, 3>, <0, 3>, <0, 0> }", 0, 6,
-               2);
+    check_area("polygon { 5, <0, 0>, <2, 0>, <2, 3>, <0, 3>, <0, 0> }", 0, 6, 2);
     check_area("polygon { 5, 0, 2*y, 2*y + 3*z, 3*z, 0 inverse }", 0, 6, 2);
     /* a hole, and in it another part */
     check_area("polygon { 15, 0, 8*x, <8, 8>, 8*y, 0, <1, 1>, <1, 7>, <7, 7>,"
                "<7, 1>, <1, 1>, <2, 2>, <4, 2>, <4, 4>, <2, 4>, <2, 2> }",
                0, 64 - 36 + 4, 10);
     /* twice the same part is none, and next to it is another one */
-    check_area(
-        "polygon { 12, 0, x, y, 0, 0, x, y, 0, 2*x, 3*x, <3, 1>, 2*x }", 0,
-        .5, 1);
+    check_area("polygon { 12, 0, x, y, 0, 0, x, y, 0, 2*x, 3*x, <3, 1>, 2*x }", 0, .5,
+               1);
     /* one that crosses itself */
-    check_area("polygon { 5, <0, 0>, <2, 2>, <2, 0>, <0, 2>, <0, 0> }", 0, 2,
-               4);
+    check_area("polygon { 5, <0, 0>, <2, 2>, <2, 0>, <0, 2>, <0, 0> }", 0, 2, 4);
     check_area("polygon { 6, #for (I, 0, 5) "
                "<sin(4*pi*mod(I, 5)/5), cos(4*pi*mod(I, 5)/5)> #end }",
                0,
@@ -398,8 +385,7 @@ TEST(corners_are_given_points)
         bool found = false;
         for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++)
             found = found
-                    || memcmp(list[k / 3].corners[k % 3], given[i],
-                              sizeof given[i])
+                    || memcmp(list[k / 3].corners[k % 3], given[i], sizeof given[i])
                            == 0;
         assert_true(found);
     }
@@ -426,8 +412,7 @@ TEST(reports)
         struct scene *scene = read_with(left_out[i], 1);
         assert_int_equal(scene->primitive_count, 0);
         scene_free(scene);
-        assert_error(left_out[i], &strict_options, 1, 1,
-                     "the shape is left out");
+        assert_error(left_out[i], &strict_options, 1, 1, "the shape is left out");
     }
     assert_error("polygon { 3, 0, x, y }", &strict_options, 1, 1,
                  "the polygon is not closed");
@@ -439,8 +424,7 @@ TEST(errors)
         { "polygon { 2, 0, x }", 11, "needs three points" },
         { "polygon { -1 }", 11, "needs three points" },
         { "polygon { 1e9, 0, x, y }", 11, "more than 100000 points" },
-        { "polygon { 5, 0, x, <1, 1>, y pigment { rgb 1 } }", 30,
-          "expected a number" },
+        { "polygon { 5, 0, x, <1, 1>, y pigment { rgb 1 } }", 30, "expected a number" },
         { "polygon { 4, 0, x, y, 0, 0 }", 24, "found ','" },
         { "polygon { 5, 0, x, y, 0, <1, 1> }", 1, "stands alone" },
         { "sphere { 0, 1 clipped_by { polygon { 4, 0, x, y, 0 } } }", 28,

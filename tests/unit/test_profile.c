@@ -45,13 +45,10 @@ TEST(stages)
         assert_true(trace_checksum(profile.traces[i])
                     == trace_checksum(profile.traces[0]));
         for (int kind = 0; kind < RAY_KINDS; kind++)
-            assert_int_equal(trace_rays(profile.traces[i],
-                                        (enum ray_kind)kind),
-                             trace_rays(profile.traces[0],
-                                        (enum ray_kind)kind));
+            assert_int_equal(trace_rays(profile.traces[i], (enum ray_kind)kind),
+                             trace_rays(profile.traces[0], (enum ray_kind)kind));
     }
-    assert_int_equal(trace_rays(profile.traces[0], RAY_PRIMARY),
-                     WIDTH * HEIGHT);
+    assert_int_equal(trace_rays(profile.traces[0], RAY_PRIMARY), WIDTH * HEIGHT);
 }
 
 /* ---- The tables ---------------------------------------------------------- */
@@ -119,9 +116,7 @@ TEST(sums)
     size_t rows = 0;
 
     for (const char *at = text; (at = strstr(at, row)) != NULL; rows++) {
-        bool is_part = strncmp(strstr(at, "\"kernel\": "), "\"kernel\": \"\"",
-                               12)
-                       == 0;
+        bool is_part = strncmp(strstr(at, "\"kernel\": "), "\"kernel\": \"\"", 12) == 0;
 
         at += strlen(row);
         if (strncmp(at, "the frame", 9) == 0)
@@ -145,8 +140,8 @@ static const size_t millions[TRACE_MODES] = { 1, 3, 6 };
 
 /* The sum of rows of the kind that a reader sees: groups, or their members,
  * which stand indented below them. */
-static double sum_of_rows(const struct table *table, const char *text,
-                          size_t column, bool members)
+static double sum_of_rows(const struct table *table, const char *text, size_t column,
+                          bool members)
 {
     const char *line = strchr(text, '\n') + 1;
     double sum = 0;
@@ -175,8 +170,7 @@ TEST(groups)
     for (int i = 0; i < TRACE_MODES; i++)
         for (int members = 0; members < 2; members++) {
             double sum = sum_of_rows(table, text, millions[i], members);
-            double shares = sum_of_rows(table, text, millions[i] + 1,
-                                        members);
+            double shares = sum_of_rows(table, text, millions[i] + 1, members);
 
             assert_true(fabs(sum - clocks_of_frame(i) / 1e6) < 1e-9);
             assert_true(fabs(shares - 100) < 1e-9);
@@ -184,8 +178,8 @@ TEST(groups)
     for (const char *line = text; *line; line = strchr(line, '\n') + 1)
         assert_in_range(strcspn(line, "\n"), 1, 100);
     for (const char *const *name =
-             (const char *const[]){ "\nrays ", "\nintersections ",
-                                    "\nsurfaces ", "\nthe frame ", NULL };
+             (const char *const[]){ "\nrays ", "\nintersections ", "\nsurfaces ",
+                                    "\nthe frame ", NULL };
          *name; name++)
         assert_non_null(strstr(text, *name));
     table_free(table);

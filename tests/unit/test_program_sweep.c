@@ -15,8 +15,7 @@
 
 static const struct asm_options no_options = { .defines = NULL };
 
-static struct program_sweep sweep_of(const char *constant, uint64_t from,
-                                     uint64_t to)
+static struct program_sweep sweep_of(const char *constant, uint64_t from, uint64_t to)
 {
     return (struct program_sweep){ .constant = constant,
                                    .range = { .from = from, .to = to },
@@ -25,8 +24,7 @@ static struct program_sweep sweep_of(const char *constant, uint64_t from,
                                    .clocks_most = 1000000000 };
 }
 
-static void add_text(struct program_sweep *sweep, const char *path,
-                     const char *text)
+static void add_text(struct program_sweep *sweep, const char *path, const char *text)
 {
     sweep->programs[sweep->program_count++] = (struct swept_program){
         .path = path, .text = text, .length = strlen(text)
@@ -55,16 +53,14 @@ static void run(struct program_sweep *sweep)
 /* ---- Plain runs ------------------------------------------------------------ */
 
 /* The machine behind a program that was assembled with this value. */
-static c205 *run_plainly(const struct program_sweep *sweep, int which,
-                         uint64_t value)
+static c205 *run_plainly(const struct program_sweep *sweep, int which, uint64_t value)
 {
     const struct swept_program *program = &sweep->programs[which];
-    struct asm_define defines[] = { { sweep->constant, (int64_t)value },
-                                    { NULL, 0 } };
+    struct asm_define defines[] = { { sweep->constant, (int64_t)value }, { NULL, 0 } };
     struct asm_options options = { .defines = defines };
     struct diagnostics errors = { 0 };
-    struct object *object = assemble_text(program->path, program->text,
-                                          &options, &errors);
+    struct object *object = assemble_text(program->path, program->text, &options,
+                                          &errors);
     c205_error error;
     c205 *machine = c205_new(prior_model, &error);
 
@@ -134,13 +130,12 @@ TEST(examples)
         { "asm/examples/profiling/matrix_3.s", "n", 1, 12 },
         { "asm/examples/profiling/matrix_4.s", "n", 1, 12 },
     };
-    static const char *const folders[] = { "asm/examples",
-                                           "asm/examples/profiling", NULL };
+    static const char *const folders[] = { "asm/examples", "asm/examples/profiling",
+                                           NULL };
     static const struct asm_options options = { .search = folders };
 
     for (size_t i = 0; i < COUNT(examples); i++) {
-        struct program_sweep sweep = sweep_of(examples[i].constant,
-                                              examples[i].from,
+        struct program_sweep sweep = sweep_of(examples[i].constant, examples[i].from,
                                               examples[i].to);
         char *text = file_text(examples[i].path);
 
@@ -190,8 +185,7 @@ TEST(programs)
 TEST(random_programs)
 {
     for (int i = 0; i < 60; i++) {
-        struct program_sweep sweep = sweep_of("n", 1 + below(20),
-                                              30 + below(2000));
+        struct program_sweep sweep = sweep_of("n", 1 + below(20), 30 + below(2000));
         char text[DRAWN_TEXT];
 
         draw_program(&random_state, text);
@@ -245,8 +239,7 @@ TEST(crossings)
     size_t crossed = 0;
 
     for (int i = 0; i < 50; i++) {
-        struct program_sweep sweep = sweep_of("n", 1 + below(10),
-                                              30 + below(60));
+        struct program_sweep sweep = sweep_of("n", 1 + below(10), 30 + below(60));
         char first[DRAWN_TEXT], second[DRAWN_TEXT];
 
         draw_line(first);
@@ -287,8 +280,8 @@ TEST(steps)
 /* ---- The line -------------------------------------------------------------- */
 
 /* Points without programs: clocks of one cause. */
-static void make_points(struct program_sweep *sweep, double startup,
-                        double slope, double noise)
+static void make_points(struct program_sweep *sweep, double startup, double slope,
+                        double noise)
 {
     uint64_t values[SWEPT_POINTS_MOST];
 
@@ -360,12 +353,11 @@ TEST(lines)
 
     for (size_t i = 0; i < 400; i++) {
         uint64_t from = 1 + below(100);
-        struct program_sweep sweep = sweep_of("n", from,
-                                              from * (2 + below(1000)));
+        struct program_sweep sweep = sweep_of("n", from, from * (2 + below(1000)));
         double noise = noises[i % COUNT(noises)];
 
-        make_points(&sweep, (double)(50 + below(100000)),
-                    (double)(1 + below(500)), noise);
+        make_points(&sweep, (double)(50 + below(100000)), (double)(1 + below(500)),
+                    noise);
         check_line(&sweep, noise);
         if (noise <= 0)
             assert_true(fabs(swept_line_of(&sweep, SWEPT_FIRST).off) < 1e-9);
@@ -446,8 +438,7 @@ static void check_spread(const uint64_t *values, size_t count,
         double factor = pow(ratio, 1 / (double)(points - 1));
 
         assert_true(values[i] > values[i - 1]);
-        assert_true((double)values[i]
-                    <= (double)(values[i - 1] + 1) * factor + 1);
+        assert_true((double)values[i] <= (double)(values[i - 1] + 1) * factor + 1);
     }
 }
 
@@ -467,20 +458,17 @@ TEST(values)
 
     assert_int_equal(swept_values(&far, 0, values), 1);
     for (int i = 0; i < 2000; i++) {
-        struct swept_range range = {
-            .from = 1 + below(UINT64_C(1) << below(20))
-        };
+        struct swept_range range = { .from = 1 + below(UINT64_C(1) << below(20)) };
         size_t points = 2 + below(SWEPT_POINTS_MOST - 1), count;
 
         range.to = range.from + 1 + below(UINT64_C(1) << below(46));
-        check_spread(values, swept_values(&range, points, values), &range,
-                     points);
+        check_spread(values, swept_values(&range, points, values), &range, points);
         check_spread(values, swept_values(&range, 0, values), &range,
                      usual_points(&range));
         range.step = 1 + below(range.to - range.from);
         count = swept_values(&range, 0, values);
-        assert_int_equal(count == 0, (range.to - range.from) / range.step + 1
-                                         > SWEPT_POINTS_MOST);
+        assert_int_equal(count == 0,
+                         (range.to - range.from) / range.step + 1 > SWEPT_POINTS_MOST);
         for (size_t k = 0; k < count; k++)
             assert_int_equal(values[k], range.from + k * range.step);
         range.step = 0;
@@ -579,21 +567,17 @@ static void check_picture(const struct program_sweep *sweep)
                             "width=\"%lf\" height=\"%lf\"",
                             &width, &height),
                      2);
-    for (const char *at = svg.text; (at = strstr(at, "<circle ")) != NULL;
-         at++) {
-        assert_int_equal(sscanf(at, "<circle cx=\"%lf\" cy=\"%lf\"", &x, &y),
-                         2);
+    for (const char *at = svg.text; (at = strstr(at, "<circle ")) != NULL; at++) {
+        assert_int_equal(sscanf(at, "<circle cx=\"%lf\" cy=\"%lf\"", &x, &y), 2);
         assert_true(x > 0 && x < width && y > 0 && y < height);
         circles++;
     }
-    assert_int_equal(circles, sweep->program_count * (sweep->count + 1)
-                                  + halves + sweep->crossing_count);
+    assert_int_equal(circles, sweep->program_count * (sweep->count + 1) + halves
+                                  + sweep->crossing_count);
     assert_int_equal(count_of(svg.text, "n-half"), halves);
-    assert_int_equal(count_of(svg.text, " on the second is "),
-                     sweep->crossing_count);
+    assert_int_equal(count_of(svg.text, " on the second is "), sweep->crossing_count);
     assert_int_equal(count_of(svg.text, "a &lt; b &amp; c"), 1);
-    assert_int_equal(count_of(svg.text, "<text"),
-                     count_of(svg.text, "</text>"));
+    assert_int_equal(count_of(svg.text, "<text"), count_of(svg.text, "</text>"));
     assert_null(strstr(svg.text, "nan"));
     assert_null(strstr(svg.text, "inf"));
     text_buffer_free(&svg);
@@ -603,9 +587,7 @@ TEST(pictures)
 {
     for (int i = 0; i < 60; i++) {
         struct program_sweep sweep = sweep_of("n", 1 + below(100),
-                                              102
-                                                  + below(UINT64_C(1)
-                                                          << below(12)));
+                                              102 + below(UINT64_C(1) << below(12)));
         char first[DRAWN_TEXT], second[DRAWN_TEXT];
 
         draw_program(&random_state, first);

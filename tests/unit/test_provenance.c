@@ -36,8 +36,7 @@ static char *text_of(const char *path)
 }
 
 /* What is printed; the caller frees it, here as below. */
-static char *printed_as(const c205_model *model, bool whole,
-                        const char *before)
+static char *printed_as(const c205_model *model, bool whole, const char *before)
 {
     char path[] = "/tmp/test_provenance.XXXXXX";
     int file = mkstemp(path), out;
@@ -223,11 +222,10 @@ TEST(sources)
     for (size_t i = 0; i < COUNT(sources); i++) {
         size_t count = count_from(model, sources[i].letter);
         assert_true(count > 0);
-        snprintf(expected, sizeof expected, "%c %zu %s (%c)", i ? ',' : ':',
-                 count, sources[i].name, sources[i].letter);
+        snprintf(expected, sizeof expected, "%c %zu %s (%c)", i ? ',' : ':', count,
+                 sources[i].name, sources[i].letter);
         holds(text, expected);
-        snprintf(expected, sizeof expected, "\"%c\": %zu", sources[i].letter,
-                 count);
+        snprintf(expected, sizeof expected, "\"%c\": %zu", sources[i].letter, count);
         holds(json, expected);
         sum += count;
     }
@@ -243,12 +241,11 @@ TEST(sources)
 /* A projection whose constants are all of one source, and not the first. */
 TEST(one_source)
 {
-    c205_model *model = parsed(
-        "title T\nlike cyber720-prior\n"
-        "clock.period 50 ns R\nmachine.overlap 0 truth R\n"
-        "units.single 1 units R\nunits.add 1 units R\n"
-        "units.multiply 1 units R\nunits.divide 1 units R\n"
-        "units.logical 1 units R\n");
+    c205_model *model = parsed("title T\nlike cyber720-prior\n"
+                               "clock.period 50 ns R\nmachine.overlap 0 truth R\n"
+                               "units.single 1 units R\nunits.add 1 units R\n"
+                               "units.multiply 1 units R\nunits.divide 1 units R\n"
+                               "units.logical 1 units R\n");
     char *text = printed(model, "");
     assert_int_equal(count_from(model, 'R'), c205_model_size(model));
     holds(text, " constants: ");
@@ -279,6 +276,5 @@ TEST(line)
                 "like cyber205-2pipe-prior\n",
                 "compared with 1 published figure, the largest error "
                 "+2.0 % (c)");
-    assert_line("title T\nlike cyber205-2pipe\n",
-                "compared with no published figure");
+    assert_line("title T\nlike cyber205-2pipe\n", "compared with no published figure");
 }

@@ -14,15 +14,13 @@ static void add_view(char *text, size_t size)
 {
     along = solids.gridded && below(2);
     if (along)
-        add_text(text, size,
-                 "camera { location <0, 0, -%.2f> " STRAIGHT_AHEAD " }\n",
+        add_text(text, size, "camera { location <0, 0, -%.2f> " STRAIGHT_AHEAD " }\n",
                  size_between(4, 6));
     else
         add_text(text, size,
                  "camera { location <%.3f, %.3f, -5> look_at <%.3f, "
                  "%.3f, 0> angle 45 }\n",
-                 between(-2, 2), between(-2, 2), between(-.2, .2),
-                 between(-.2, .2));
+                 between(-2, 2), between(-2, 2), between(-.2, .2), between(-.2, .2));
 }
 
 static void write_scene(char *text, size_t size)
@@ -56,8 +54,8 @@ static void check_no_bounds(const struct scene *scene, const char *text,
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
             if (found->channel[channel][k] != expected->channel[channel][k])
-                fail_msg("channel %d, pixel %zu: other without bounds in\n%s",
-                         channel, k, text);
+                fail_msg("channel %d, pixel %zu: other without bounds in\n%s", channel,
+                         k, text);
     free(found);
 }
 
@@ -77,8 +75,8 @@ static void check_depths(const struct scene *scene, const char *text,
 
         others += close ? 0 : 1;
         if (others > PIXELS / 100)
-            fail_msg("pixel %zu: %.9f deep, not %.9f, in\n%s", k, found,
-                     expected, text);
+            fail_msg("pixel %zu: %.9f deep, not %.9f, in\n%s", k, found, expected,
+                     text);
     }
     frame_free(&plain);
 }

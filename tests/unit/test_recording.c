@@ -69,29 +69,28 @@ static void record(struct run *run, const char *path)
 /* Played with a model and settings, the recording tells the clocks of this
  * run. */
 static void assert_retimes(const struct run *recorded, const struct run *ran,
-                           const c205_model *model,
-                           const c205_setting *settings, size_t count)
+                           const c205_model *model, const c205_setting *settings,
+                           size_t count)
 {
     double clocks[REGIONS];
     c205_error error;
-    assert_true(c205_retime(recorded->recording, model, settings, count, 1,
-                            clocks, REGIONS, &error));
+    assert_true(c205_retime(recorded->recording, model, settings, count, 1, clocks,
+                            REGIONS, &error));
     for (size_t i = 0; i < c205_account_count(ran->machine); i++)
-        assert_true(
-            clocks[i]
-            == (double)accounts_clocks(c205_account_at(ran->machine, i)));
+        assert_true(clocks[i]
+                    == (double)accounts_clocks(c205_account_at(ran->machine, i)));
 }
 
 /* A recording made on one model tells the clocks of a run on another. */
-static void compare(const char *path, const char *other,
-                    const c205_setting *settings, size_t count)
+static void compare(const char *path, const char *other, const c205_setting *settings,
+                    size_t count)
 {
     struct run recorded, ran;
     record(&recorded, path);
     begin(&ran, find(other), path);
     assert_runs(ran.machine);
-    assert_retimes(&recorded, &ran, settings ? recorded.model : ran.model,
-                   settings, count);
+    assert_retimes(&recorded, &ran, settings ? recorded.model : ran.model, settings,
+                   count);
     finish(&recorded);
     finish(&ran);
 }
@@ -113,20 +112,17 @@ TEST(same_clocks)
 TEST(settings)
 {
     static const c205_setting pipes[] = { { "machine.pipes", 4 } };
-    compare("rt/study/fit/programs/photons.s", "cyber205-4pipe-prior", pipes,
-            1);
+    compare("rt/study/fit/programs/photons.s", "cyber205-4pipe-prior", pipes, 1);
 }
 
 /* Other pages, as settings and as a changed model, against a machine that has
  * them; its clocks are others. */
-static void compare_pages(const char *path, const c205_setting *settings,
-                          size_t count)
+static void compare_pages(const char *path, const c205_setting *settings, size_t count)
 {
     struct run recorded, ran;
     c205_error error;
     record(&recorded, path);
-    c205_model *changed = c205_model_change(recorded.model, settings, count,
-                                            &error);
+    c205_model *changed = c205_model_change(recorded.model, settings, count, &error);
     assert_non_null(changed);
     begin(&ran, changed, path);
     assert_runs(ran.machine);
@@ -160,19 +156,18 @@ TEST(ticks)
     c205_error error;
     double whole[REGIONS], fine[REGIONS], low[REGIONS], between[REGIONS];
     c205_setting setting = { "latency.load", 15.5 };
-    begin(&run, find("cyber205-2pipe-prior"),
-          "rt/study/fit/programs/linpack.s");
+    begin(&run, find("cyber205-2pipe-prior"), "rt/study/fit/programs/linpack.s");
     assert_true(c205_listen(run.machine, c205_record, run.recording));
     assert_runs(run.machine);
-    assert_true(c205_retime(run.recording, run.model, NULL, 0, 1, whole,
+    assert_true(
+        c205_retime(run.recording, run.model, NULL, 0, 1, whole, REGIONS, &error));
+    assert_true(
+        c205_retime(run.recording, run.model, NULL, 0, 1000, fine, REGIONS, &error));
+    assert_true(c205_retime(run.recording, run.model, &setting, 1, 1000, between,
                             REGIONS, &error));
-    assert_true(c205_retime(run.recording, run.model, NULL, 0, 1000, fine,
-                            REGIONS, &error));
-    assert_true(c205_retime(run.recording, run.model, &setting, 1, 1000,
-                            between, REGIONS, &error));
     setting.value = 16;
-    assert_true(c205_retime(run.recording, run.model, &setting, 1, 1000, low,
-                            REGIONS, &error));
+    assert_true(
+        c205_retime(run.recording, run.model, &setting, 1, 1000, low, REGIONS, &error));
     assert_true(fabs(whole[1] - fine[1]) < .003 * whole[1]);
     assert_true(fabs(2 * between[1] - fine[1] - low[1]) < 1);
     assert_true(fine[1] < between[1] && between[1] < low[1]);
@@ -184,14 +179,13 @@ TEST(gather_in_ticks)
     struct run run;
     c205_error error;
     double whole[REGIONS], fine[REGIONS];
-    begin(&run, find("cyber205-2pipe-prior"),
-          "rt/study/fit/programs/gather.s");
+    begin(&run, find("cyber205-2pipe-prior"), "rt/study/fit/programs/gather.s");
     assert_true(c205_listen(run.machine, c205_record, run.recording));
     assert_runs(run.machine);
-    assert_true(c205_retime(run.recording, run.model, NULL, 0, 1, whole,
-                            REGIONS, &error));
-    assert_true(c205_retime(run.recording, run.model, NULL, 0, 100, fine,
-                            REGIONS, &error));
+    assert_true(
+        c205_retime(run.recording, run.model, NULL, 0, 1, whole, REGIONS, &error));
+    assert_true(
+        c205_retime(run.recording, run.model, NULL, 0, 100, fine, REGIONS, &error));
     assert_true(whole[1] == fine[1]);
     finish(&run);
 }
@@ -214,15 +208,14 @@ TEST(errors)
     assert_string_equal(error.message,
                         "3 vector instructions, which cannot be projected");
     c205_projection_free(charged);
-    assert_false(c205_retime(run.recording, run.model, &unknown, 1, 1, clocks,
-                             1, &error));
+    assert_false(
+        c205_retime(run.recording, run.model, &unknown, 1, 1, clocks, 1, &error));
     assert_string_equal(error.message, "there is no constant 'latency.none'");
-    assert_false(c205_retime(run.recording, run.model, &too_small, 1, 1,
-                             clocks, 1, &error));
-    assert_string_equal(error.message,
-                        "latency.load must lie between 1 and 1000000");
-    assert_true(c205_retime(run.recording, projection, NULL, 0, 1, clocks,
-                            REGIONS, &error));
+    assert_false(
+        c205_retime(run.recording, run.model, &too_small, 1, 1, clocks, 1, &error));
+    assert_string_equal(error.message, "latency.load must lie between 1 and 1000000");
+    assert_true(
+        c205_retime(run.recording, projection, NULL, 0, 1, clocks, REGIONS, &error));
     assert_true(isnan(clocks[0]) || isnan(clocks[1]));
     assert_null(c205_new(projection, &error));
     assert_string_equal(error.message,
@@ -256,14 +249,12 @@ static double projected(const char *model_text)
     struct object *object = assemble_text("chain", chain, NULL, &errors);
     c205_model *model = find("cyber205-2pipe-prior");
     c205_error error;
-    c205_model *projection_model = c205_model_parse("test", model_text,
-                                                    &error);
+    c205_model *projection_model = c205_model_parse("test", model_text, &error);
     if (!object || !projection_model)
         fail_msg("%s", object ? error.message : errors.items[0].message);
     diagnostics_free(&errors);
     c205 *machine = c205_new(model, &error);
-    c205_projection *projection = c205_projection_new(projection_model,
-                                                      &error);
+    c205_projection *projection = c205_projection_new(projection_model, &error);
     assert_non_null(projection);
     assert_true(c205_load(machine, &object->program, &error));
     assert_true(c205_listen(machine, c205_project, projection));
@@ -298,8 +289,7 @@ TEST(serial)
  * 76; EXIT issues in one more. */
 TEST(scoreboard)
 {
-    assert_true(projected("title t\nlike cdc6600\nunits.single 1 units R\n")
-                == 77);
+    assert_true(projected("title t\nlike cdc6600\nunits.single 1 units R\n") == 77);
 }
 
 TEST(projection_models)
@@ -309,8 +299,7 @@ TEST(projection_models)
                                  "title t\nprojection\n"
                                  "startup.vadd 3 clk R\n",
                                  &error));
-    assert_string_equal(error.message,
-                        "t:3: there is no constant 'startup.vadd'");
+    assert_string_equal(error.message, "t:3: there is no constant 'startup.vadd'");
     assert_null(c205_model_parse("t", "title t\nprojection here\n", &error));
     assert_string_equal(error.message, "t:2: 'here' is not expected here");
     assert_null(c205_model_parse("t",

@@ -26,38 +26,37 @@ static const struct shape_row {
     { "sphere { 0, 1", "sphere", "sphere", NULL, 1, 2, 0 },
     { "box { 0, 1", "box", "box", NULL, 1, 2, 0 },
     { "cylinder { 0, y, 1", "cylinder", "cylinder", NULL, 1, 2, 0 },
-    { "cylinder { 0, y, 1 open", "open_cylinder", "open_cylinder", "cylinder",
-      1, 2, 2 },
+    { "cylinder { 0, y, 1 open", "open_cylinder", "open_cylinder", "cylinder", 1, 2,
+      2 },
     { "plane { y, 0", "plane", "plane", NULL, 1, 2, 0 },
     { "cone { 0, 1, y, 0", "cone", "cone", NULL, 1, 2, 0 },
     { "cone { 0, 1, y, 0 open", "open_cone", "open_cone", "cone", 1, 2, 2 },
     { "torus { 1, .2", "torus", "torus_solid", NULL, 2, 4, 0 },
-    { "elliptical_torus { 1, .2, .3", "elliptical_torus",
-      "elliptical_torus_solid", NULL, 2, 4, 0 },
+    { "elliptical_torus { 1, .2, .3", "elliptical_torus", "elliptical_torus_solid",
+      NULL, 2, 4, 0 },
     { "quadric { 1, 0, 0, -1", "quadric", "quadric_solid", NULL, 2, 4, 0 },
     { "quartic { <1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,"
       "1,0,0,0,-1>",
       "quartic_surface", "quartic_solid", NULL, 3, 6, 0 },
     { SQUARE, "prism", "prism_solid", NULL, 1, 2, 0 },
-    { SQUARE "open", "open_prism", "open_prism_sides", "prism_solid", 1, 2,
-      2 },
-    { "prism { 0, 1, 4, <0, 0>, <2, 1>, <0, 2>, <1, 1>", "prism",
-      "prism_solid", NULL, 2, 4, 0 },
+    { SQUARE "open", "open_prism", "open_prism_sides", "prism_solid", 1, 2, 2 },
+    { "prism { 0, 1, 4, <0, 0>, <2, 1>, <0, 2>, <1, 1>", "prism", "prism_solid", NULL,
+      2, 4, 0 },
     { CURVED, "quadratic_prism", "quadratic_prism_solid", NULL, 1, 2, 0 },
     { CURVED "open", "open_quadratic_prism", "open_quadratic_prism_sides",
       "quadratic_prism_solid", 1, 2, 2 },
-    { "lathe { 4, <0, 0>, <1, 0>, <1, 1>, <0, 1>", "lathe", "lathe_solid",
-      NULL, 1, 2, 0 },
+    { "lathe { 4, <0, 0>, <1, 0>, <1, 1>, <0, 1>", "lathe", "lathe_solid", NULL, 1, 2,
+      0 },
     { "lathe { 3, <0, 0>, <1, 1>, <1, 2>", "lathe", "open_lathe_crossings",
       "lathe_solid", 2, 4, 4 },
     { "blob { sphere { 0, 1, 2 }", "blob", "blob_solid", NULL, 1, 2, 0 },
-    { "blob { sphere { 0, 1, 2 } sphere { 1, 1, -1 }", "blob", "blob_solid",
-      NULL, 6, 12, 0 },
-    { "blob { cylinder { 0, y, 1, 2 } sphere { 1, 1, 2 }", "blob",
-      "blob_solid", NULL, 5, 10, 0 },
+    { "blob { sphere { 0, 1, 2 } sphere { 1, 1, -1 }", "blob", "blob_solid", NULL, 6,
+      12, 0 },
+    { "blob { cylinder { 0, y, 1, 2 } sphere { 1, 1, 2 }", "blob", "blob_solid", NULL,
+      5, 10, 0 },
     { PATCH, "steiner", "steiner_crossings", NULL, 0, 4, 0 },
-    { PATCH "weights 1,2,1,1,1,1", "rational_steiner",
-      "rational_steiner_crossings", NULL, 0, 4, 0 },
+    { PATCH "weights 1,2,1,1,1,1", "rational_steiner", "rational_steiner_crossings",
+      NULL, 0, 4, 0 },
 };
 
 /* Its REGION_SIMPLE and REGION_BOXED. */
@@ -68,8 +67,8 @@ static int64_t way_of(const struct stage *stage, size_t i)
 
 /* How many crossings, or values, of so many words it stands behind the first
  * primitive's first. */
-static int64_t behind_first(const struct stage *stage, size_t i,
-                            const char *name, const char *size)
+static int64_t behind_first(const struct stage *stage, size_t i, const char *name,
+                            const char *size)
 {
     const char *first = strcmp(name, "P_VALUE") == 0 ? name : "P_FIRST_STATE";
     uint64_t bits = primitive(stage, i, name) - primitive(stage, 0, first);
@@ -78,9 +77,8 @@ static int64_t behind_first(const struct stage *stage, size_t i,
     return (int64_t)(bits / (64 * symbol(stage, size)));
 }
 
-static void check_kernel(const struct stage *stage, size_t i,
-                         const char *kernel, const char *inner,
-                         const char *expected)
+static void check_kernel(const struct stage *stage, size_t i, const char *kernel,
+                         const char *inner, const char *expected)
 {
     bool turned = expected && stage->scene->primitives[i].transformed
                   && stage->scene->primitives[i].kind != PRIMITIVE_PLANE;
@@ -99,18 +97,15 @@ static void check_shape(const struct shape_row *row, const char *how)
     struct stage stage;
     char text[500];
 
-    snprintf(text, sizeof text, "merge { sphere { 0, 3 } %s %s } } %s %s }",
-             row->text, how, row->text, how);
+    snprintf(text, sizeof text, "merge { sphere { 0, 3 } %s %s } } %s %s }", row->text,
+             how, row->text, how);
     raise_curtain(&stage, text, BOUNDING_FLAT);
     check_kernel(&stage, 1, "P_KERNEL", "P_INNER", row->kernel);
     check_kernel(&stage, 1, "P_STATE_KERNEL", "P_STATE_INNER", row->state);
     assert_integer(primitive(&stage, 1, "P_SEGMENTS"), row->segments);
     assert_integer(primitive(&stage, 1, "P_EVENTS"), row->events);
-    assert_int_equal(behind_first(&stage, 1, "P_FIRST_STATE",
-                                  "CROSSING_SIZE"),
-                     2);
-    assert_int_equal(behind_first(&stage, 1, "P_FIRST_EVENT",
-                                  "CROSSING_SIZE"),
+    assert_int_equal(behind_first(&stage, 1, "P_FIRST_STATE", "CROSSING_SIZE"), 2);
+    assert_int_equal(behind_first(&stage, 1, "P_FIRST_EVENT", "CROSSING_SIZE"),
                      2 + row->first_event);
     assert_int_equal(behind_first(&stage, 1, "P_VALUE", "VALUE_SIZE"), 1);
     assert_int_equal(way_of(&stage, 0) & 1, 0);
@@ -136,8 +131,8 @@ TEST(crossings)
         uint64_t crossings;
         size_t last, first_event;
     } rows[] = {
-        { "merge { box { 0, 1 } cylinder { 0, y, 1 open } torus { 1, .2 } }",
-          10, 2, 6 },
+        { "merge { box { 0, 1 } cylinder { 0, y, 1 open } torus { 1, .2 } }", 10, 2,
+          6 },
         { "merge { " PATCH "} sphere { 0, 1 } }", 14, 1, 12 },
         { "sphere { 0, 1 pigment { rgbt 1 } } torus { 1, .2 }", 2, 0, 0 },
         { "cylinder { 0, y, 1 open pigment { rgbt 1 } }", 4, 0, 2 },
@@ -177,8 +172,7 @@ TEST(room)
     branches = scene_word(&stage, "scene_branches");
     assert_int_equal(leaves - values,
                      64 * symbol(&stage, "VALUE_SIZE") * (2 * LEAVES - 1));
-    assert_int_equal(branches - leaves,
-                     64 * symbol(&stage, "LEAF_SIZE") * LEAVES);
+    assert_int_equal(branches - leaves, 64 * symbol(&stage, "LEAF_SIZE") * LEAVES);
     drop_curtain(&stage);
 }
 
@@ -195,23 +189,21 @@ TEST(regions)
     };
     struct stage stage;
 
-    raise_curtain(
-        &stage,
-        "sphere { 0, 1.2 } box { .1, .9 no_shadow }\n"
-        "plane { y, 0 pigment { checker rgb 1, rgbf 1 } }\n"
-        "merge { sphere { 0, 1 } box { 0, 1 no_shadow } }\n"
-        "merge { sphere { 0, 1 } box { 0, 1 } pigment { rgbt 1 } }\n"
-        "merge { sphere { 0, 1 } box { 0, <9, 1, 1> } no_shadow }\n"
-        "sphere { 0, 1.5 inverse }",
-        BOUNDING_FLAT);
+    raise_curtain(&stage,
+                  "sphere { 0, 1.2 } box { .1, .9 no_shadow }\n"
+                  "plane { y, 0 pigment { checker rgb 1, rgbf 1 } }\n"
+                  "merge { sphere { 0, 1 } box { 0, 1 no_shadow } }\n"
+                  "merge { sphere { 0, 1 } box { 0, 1 } pigment { rgbt 1 } }\n"
+                  "merge { sphere { 0, 1 } box { 0, <9, 1, 1> } no_shadow }\n"
+                  "sphere { 0, 1.5 inverse }",
+                  BOUNDING_FLAT);
     assert_integer(scene_word(&stage, "scene_region_count"), COUNT(rows));
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t first = (size_t)rows[i].first;
 
         assert_int_equal(way_of(&stage, i), rows[i].way);
         assert_integer(region(&stage, i, "R_SHADOW"), rows[i].shadow);
-        assert_int_equal(region(&stage, i, "R_FIRST"),
-                         primitive_at(&stage, first));
+        assert_int_equal(region(&stage, i, "R_FIRST"), primitive_at(&stage, first));
     }
     assert_integer(primitive(&stage, 8, "P_INVERTED"), 0);
     assert_integer(primitive(&stage, 9, "P_INVERTED"), 1);
@@ -224,20 +216,18 @@ TEST(hidden)
     static const int hidden_from[] = { 0, 1, 2, 3, 1, 3, 1, 0, 0 };
     struct stage stage;
 
-    raise_curtain(
-        &stage,
-        "sphere { 0, 1 } sphere { 0, 1 no_image }\n"
-        "sphere { 0, 1 no_reflection }\n"
-        "merge { sphere { 0, 1 } box { 0, 1 } no_image"
-        " no_reflection }\n"
-        "union { sphere { 0, 1 } box { 0, 1 no_reflection"
-        " no_image off } no_image }\n"
-        "sphere { 0, 1 clipped_by { plane { y, 0 } } no_image }\n"
-        "sphere { 0, 1 clipped_by { plane { y, 0 no_image } } }\n"
-        "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }",
-        BOUNDING_FLAT);
-    assert_integer(scene_word(&stage, "scene_region_count"),
-                   COUNT(hidden_from));
+    raise_curtain(&stage,
+                  "sphere { 0, 1 } sphere { 0, 1 no_image }\n"
+                  "sphere { 0, 1 no_reflection }\n"
+                  "merge { sphere { 0, 1 } box { 0, 1 } no_image"
+                  " no_reflection }\n"
+                  "union { sphere { 0, 1 } box { 0, 1 no_reflection"
+                  " no_image off } no_image }\n"
+                  "sphere { 0, 1 clipped_by { plane { y, 0 } } no_image }\n"
+                  "sphere { 0, 1 clipped_by { plane { y, 0 no_image } } }\n"
+                  "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }",
+                  BOUNDING_FLAT);
+    assert_integer(scene_word(&stage, "scene_region_count"), COUNT(hidden_from));
     for (size_t i = 0; i < COUNT(hidden_from); i++)
         assert_integer(region(&stage, i, "R_HIDDEN_FROM"), hidden_from[i]);
     drop_curtain(&stage);
@@ -274,8 +264,7 @@ TEST(nodes)
         double radius = c205_to_double(
             stage_word(&stage, nodes + size * i + 64 * bound));
 
-        assert_int_equal(leaf,
-                         rows[i].leaf ? primitive_at(&stage, first) : 0);
+        assert_int_equal(leaf, rows[i].leaf ? primitive_at(&stage, first) : 0);
         assert_int_equal(field_of(&stage, nodes, "N_SIZE", i, "N_NEXT"),
                          nodes + size * rows[i].next);
         assert_close(radius, rows[i].radius, .002 * rows[i].radius);
@@ -285,27 +274,23 @@ TEST(nodes)
     drop_curtain(&stage);
 }
 
-static void check_bound(const struct stage *stage, uint64_t address,
-                        const char *name)
+static void check_bound(const struct stage *stage, uint64_t address, const char *name)
 {
     uint64_t bound = address + 64 * symbol(stage, name);
 
-    assert_int_equal(stage_word(stage, bound + 64 * 3),
-                     scene_word(stage, "k_big"));
+    assert_int_equal(stage_word(stage, bound + 64 * 3), scene_word(stage, "k_big"));
     assert_number(stage_word(stage, bound + 64 * 4), 1e60);
 }
 
 /* No bounds, where there are none and where nobody wants them. */
 TEST(no_bounds)
 {
-    static const char *const texts[] = { "plane { y, 0 }",
-                                         "sphere { 0, 1 }" };
+    static const char *const texts[] = { "plane { y, 0 }", "sphere { 0, 1 }" };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct stage stage;
 
-        raise_curtain(&stage, texts[i],
-                      i == 0 ? BOUNDING_FLAT : BOUNDING_NONE);
+        raise_curtain(&stage, texts[i], i == 0 ? BOUNDING_FLAT : BOUNDING_NONE);
         check_bound(&stage, scene_word(&stage, "scene_regions"), "R_BOUND");
         check_bound(&stage, region(&stage, 0, "R_NODES"), "N_BOUND");
         drop_curtain(&stage);
@@ -321,14 +306,13 @@ TEST(bounds)
                   "difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
                   " inverse }",
                   BOUNDING_FLAT);
-    bound = scene_word(&stage, "scene_regions")
-            + 64 * symbol(&stage, "R_BOUND");
+    bound = scene_word(&stage, "scene_regions") + 64 * symbol(&stage, "R_BOUND");
     for (int i = 0; i < 3; i++)
         assert_number(stage_word(&stage, bound + 64 * (uint64_t)i), i + 1);
     double radius = c205_to_double(stage_word(&stage, bound + 64 * 3));
     assert_close(radius, 2.002, 1e-6);
-    assert_close(c205_to_double(stage_word(&stage, bound + 64 * 4)),
-                 radius * radius, 1e-9);
+    assert_close(c205_to_double(stage_word(&stage, bound + 64 * 4)), radius * radius,
+                 1e-9);
     drop_curtain(&stage);
 }
 
@@ -354,9 +338,7 @@ static char *add_solid(char *end, size_t most)
         for (size_t i = 0; i < children; i++)
             end = add_solid(end, most / children);
     }
-    return end
-           + sprintf(end, "%s } ",
-                     xorshift(&random_state) % 4 ? "" : " inverse");
+    return end + sprintf(end, "%s } ", xorshift(&random_state) % 4 ? "" : " inverse");
 }
 
 /* What the machine makes of a region's tree where the primitives have these
@@ -376,8 +358,7 @@ static uint64_t node_word(const struct evaluation *evaluation, uint64_t node,
     return field_of(evaluation->stage, node, "N_SIZE", 0, name);
 }
 
-static size_t value_place(const struct evaluation *evaluation,
-                          uint64_t address)
+static size_t value_place(const struct evaluation *evaluation, uint64_t address)
 {
     const struct stage *stage = evaluation->stage;
     uint64_t bits = address - primitive(stage, 0, "P_VALUE");
@@ -386,8 +367,7 @@ static size_t value_place(const struct evaluation *evaluation,
     return (size_t)(bits / (64 * symbol(stage, "VALUE_SIZE")));
 }
 
-static void tell_value(struct evaluation *evaluation, uint64_t address,
-                       bool value)
+static void tell_value(struct evaluation *evaluation, uint64_t address, bool value)
 {
     size_t place = value_place(evaluation, address);
 
@@ -442,8 +422,7 @@ static void visit_nodes(struct evaluation *evaluation, size_t i)
         if (near && !leaf)
             evaluation->branches[evaluation->branch_count++] = node;
         else
-            tell_value(evaluation, value,
-                       near && is_inside(evaluation, leaf));
+            tell_value(evaluation, value, near && is_inside(evaluation, leaf));
         node = near ? node + 64 * symbol(stage, "N_SIZE")
                     : node_word(evaluation, node, "N_NEXT");
     }
@@ -453,12 +432,10 @@ static void take_steps(struct evaluation *evaluation, uint64_t node)
 {
     const struct stage *stage = evaluation->stage;
     uint64_t step = node_word(evaluation, node, "N_STEPS");
-    int64_t count = c205_to_integer(
-        node_word(evaluation, node, "N_STEP_COUNT"));
+    int64_t count = c205_to_integer(node_word(evaluation, node, "N_STEP_COUNT"));
 
     for (size_t k = 0; k < (size_t)count; k++) {
-        bool left = ask_value(evaluation,
-                              field_of(stage, step, "T_SIZE", k, "T_LEFT"));
+        bool left = ask_value(evaluation, field_of(stage, step, "T_SIZE", k, "T_LEFT"));
         bool right = ask_value(evaluation,
                                field_of(stage, step, "T_SIZE", k, "T_RIGHT"));
         int64_t operation = c205_to_integer(
@@ -471,15 +448,14 @@ static void take_steps(struct evaluation *evaluation, uint64_t node)
     }
 }
 
-static bool machine_value(const struct stage *stage, size_t i,
-                          const bool *inside, size_t *visited)
+static bool machine_value(const struct stage *stage, size_t i, const bool *inside,
+                          size_t *visited)
 {
     struct evaluation evaluation = { .stage = stage, .inside = inside };
 
     visit_nodes(&evaluation, i);
     while (evaluation.branch_count > 0)
-        take_steps(&evaluation,
-                   evaluation.branches[--evaluation.branch_count]);
+        take_steps(&evaluation, evaluation.branches[--evaluation.branch_count]);
     *visited = evaluation.visited;
     return ask_value(&evaluation, region(stage, i, "R_RESULT"));
 }
@@ -489,22 +465,19 @@ static const struct region *region_of(const struct stage *stage, size_t i)
 {
     const struct region *tree = stage->scene->regions;
 
-    while (primitive_at(stage, tree->first_primitive)
-           != region(stage, i, "R_FIRST"))
+    while (primitive_at(stage, tree->first_primitive) != region(stage, i, "R_FIRST"))
         tree++;
     return tree;
 }
 
-static void check_region(const struct stage *stage, size_t i,
-                         const char *text)
+static void check_region(const struct stage *stage, size_t i, const char *text)
 {
     enum { TRIES = 50 };
     const struct region *tree = region_of(stage, i);
     size_t last = tree->first_primitive + tree->primitive_count, visited;
     bool inside[PLACES] = { false };
     bool nothing = machine_value(stage, i, inside, &visited);
-    bool complement = tree_value(stage->scene, tree->first_node, inside)
-                      != nothing;
+    bool complement = tree_value(stage->scene, tree->first_node, inside) != nothing;
 
     for (int try = 0; try < TRIES; try++) {
         uint64_t few = 1 + xorshift(&random_state) % 8;
@@ -512,8 +485,7 @@ static void check_region(const struct stage *stage, size_t i,
         for (size_t k = tree->first_primitive; k < last; k++)
             inside[k] = xorshift(&random_state) % few == 0;
         bool value = tree_value(stage->scene, tree->first_node, inside);
-        if (machine_value(stage, i, inside, &visited)
-            != (value != complement))
+        if (machine_value(stage, i, inside, &visited) != (value != complement))
             fail_msg("region %zu of %s", i, text);
     }
 }
@@ -529,8 +501,7 @@ TEST(steps)
         struct stage stage;
 
         add_solid(text, MOST);
-        raise_curtain(&stage, text,
-                      scene % 2 ? BOUNDING_FLAT : BOUNDING_HIERARCHY);
+        raise_curtain(&stage, text, scene % 2 ? BOUNDING_FLAT : BOUNDING_HIERARCHY);
         for (size_t i = 0; i < stage.scene->region_count; i++)
             check_region(&stage, i, text);
         drop_curtain(&stage);
@@ -540,10 +511,8 @@ TEST(steps)
 /* Of many parts few nodes are visited for one that is met. */
 TEST(many_parts)
 {
-    static const char *const ways[] = {
-        "merge", "difference { box { -1, 1 }",
-        "intersection { box { -1, 1 } merge"
-    };
+    static const char *const ways[] = { "merge", "difference { box { -1, 1 }",
+                                        "intersection { box { -1, 1 } merge" };
     enum { PARTS = 150 };
 
     for (size_t way = 0; way < COUNT(ways); way++) {
@@ -614,8 +583,7 @@ TEST(bodies)
         { "plane { y, 0 }", 1 },
         { "difference { box { -1, 1 } sphere { 0, 1 } }", 1 },
         { "merge { box { -1, 1 inverse } sphere { 0, 1 inverse } }", -1 },
-        { "intersection { box { -1, 1 } sphere { 0, 1 inverse } inverse }",
-          -1 },
+        { "intersection { box { -1, 1 } sphere { 0, 1 inverse } inverse }", -1 },
         { "disc { 0, y, 1 }", 0 },
         { "cylinder { 0, y, 1 open }", 0 },
         { "difference { box { -1, 1 } cylinder { -2*y, 2*y, .5 open } }", 0 },

@@ -54,23 +54,22 @@ TEST(lost)
 {
     static const struct lost cases[] = {
         /* As a source, what is changed, an index, an address, a link. */
-        { " ES a, 1\n ES b, 2\n ADDX a, r8, r8\n", 2, "r5 is read as 'a'",
-          "'b'", 1 },
+        { " ES a, 1\n ES b, 2\n ADDX a, r8, r8\n", 2, "r5 is read as 'a'", "'b'", 1 },
         { " ES b, 1\n IS a, 2\n", 1, "r5 is read as 'a'", "'b'", 0 },
-        { " ES b, 0\n EX r9, data\n LOD [r9, a], r9\n", 2,
-          "r5 is read as 'a'", "'b'", 0 },
+        { " ES b, 0\n EX r9, data\n LOD [r9, a], r9\n", 2, "r5 is read as 'a'", "'b'",
+          0 },
         { " EX b, data\n LOD [a], r9\n", 1, "r5 is read as 'a'", "'b'", 0 },
         { " EX b, data\n STO [a], r9\n", 1, "r5 is read as 'a'", "'b'", 0 },
         { " EX b, data\n STO [b], b\n EX r9, data\n STO [r9], a\n", 3,
           "r5 is read as 'a'", "'b'", 0 },
         { " EX b, on\n BIM 0, a\non:\n", 1, "r5 is read as 'a'", "'b'", 0 },
-        { " EX b, on\n IBXEQ r0, r0, r0, [a], r9\non:\n", 1,
-          "r5 is read as 'a'", "'b'", 0 },
+        { " EX b, on\n IBXEQ r0, r0, r0, [a], r9\non:\n", 1, "r5 is read as 'a'", "'b'",
+          0 },
         { " EX r9, on\n ES b, 0\n IBXEQ r0, r0, r0, [r9, a], r9\non:\n", 2,
           "r5 is read as 'a'", "'b'", 1 },
         /* In vector instructions. */
-        { " EX b, data\n ELEN b, 2\n VTOV [a], [a]\n", 2, "r5 is read as 'a'",
-          "'b'", 1 },
+        { " EX b, data\n ELEN b, 2\n VTOV [a], [a]\n", 2, "r5 is read as 'a'", "'b'",
+          1 },
         { " ES b, 2\n EX r9, data\n ELEN r9, 2\n ADDNV a, [r9], [r9]\n", 3,
           "r5 is read as 'a'", "'b'", 0 },
         { " ES b, 0\n EX r9, data\n ELEN r9, 2\n VTOV [r9, a], [r9]\n", 3,
@@ -81,8 +80,8 @@ TEST(lost)
         { " EX z, data\n ELEN z, 1\n ES b, 1\n VTOV [z], [z, a]\n", 3,
           "r5 is read as 'a'", "'b'", 2 },
         /* Written by other ways. */
-        { " EX r9, on\n BSAVE b, [r9]\non: ADDX a, r8, r8\n", 2,
-          "r5 is read as 'a'", "'b'", 1 },
+        { " EX r9, on\n BSAVE b, [r9]\non: ADDX a, r8, r8\n", 2, "r5 is read as 'a'",
+          "'b'", 1 },
         { " EX r9, data\n ELEN r9, 2\n PRODV [r9], b\n ADDX a, r8, r8\n", 3,
           "r5 is read as 'a'", "'b'", 2 },
         { " EX r9, data\n ELEN r9, 2\n SUMV [r9], p\n ADDX u, r8, r8\n", 3,
@@ -112,10 +111,8 @@ TEST(lost)
         char text[1000], expected[200];
 
         snprintf(text, sizeof text, NAMES "%s EXIT\n", lost->text);
-        snprintf(expected, sizeof expected,
-                 "test:%u: %s, but it is %s since test:%u\n",
-                 FIRST + lost->read, lost->as, lost->is,
-                 FIRST + lost->written);
+        snprintf(expected, sizeof expected, "test:%u: %s, but it is %s since test:%u\n",
+                 FIRST + lost->read, lost->as, lost->is, FIRST + lost->written);
         check(text, 1, expected);
     }
 }

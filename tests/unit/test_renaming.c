@@ -30,8 +30,7 @@ struct renaming {
 
 static const c205_insn *row_of(const struct program_insn *insn)
 {
-    return c205_insn_coded((uint8_t)(insn->word >> 56),
-                           (uint8_t)(insn->word >> 48));
+    return c205_insn_coded((uint8_t)(insn->word >> 56), (uint8_t)(insn->word >> 48));
 }
 
 /* ---- Which programs ---------------------------------------------------- */
@@ -48,8 +47,8 @@ static bool can_be_renamed(const struct random_program *program)
             || c205_format_halves(row->format) != insn->halves)
             return false;
         fields = c205_decode(row, insn->word);
-        if (c205_encode(row, &fields) != insn->word
-            || fields.c == C205_REGISTERS - 1 || fields.c == IN_HALVES - 1)
+        if (c205_encode(row, &fields) != insn->word || fields.c == C205_REGISTERS - 1
+            || fields.c == IN_HALVES - 1)
             return false;
     }
     return true;
@@ -57,14 +56,12 @@ static bool can_be_renamed(const struct random_program *program)
 
 /* ---- The renaming ------------------------------------------------------ */
 
-static void tie_pairs(struct renaming *renaming,
-                      const struct random_program *program)
+static void tie_pairs(struct renaming *renaming, const struct random_program *program)
 {
     for (size_t i = 0; i < program->insn_count; i++) {
         const c205_insn *row = row_of(&program->insns[i]);
         c205_fields fields = c205_decode(row, program->insns[i].word);
-        if (c205_unit_is_vector(row->unit)
-            && !is_half_register(row, fields.g, ROLE_C))
+        if (c205_unit_is_vector(row->unit) && !is_half_register(row, fields.g, ROLE_C))
             renaming->tied[fields.c] = true;
     }
 }
@@ -129,33 +126,29 @@ static uint8_t rename_half(const struct renaming *renaming, uint8_t half)
 }
 
 /* Half registers go where their register goes. */
-static c205_word rename_insn(const struct renaming *renaming,
-                             const c205_insn *row, c205_word word)
+static c205_word rename_insn(const struct renaming *renaming, const c205_insn *row,
+                             c205_word word)
 {
     c205_fields old = c205_decode(row, word), fields = old;
-    uint8_t *const names[] = { &fields.x, &fields.a, &fields.y,
-                               &fields.b, &fields.z, &fields.c,
-                               &fields.r, &fields.s, &fields.t };
+    uint8_t *const names[] = { &fields.x, &fields.a, &fields.y, &fields.b, &fields.z,
+                               &fields.c, &fields.r, &fields.s, &fields.t };
 
     for (size_t i = 0; i < COUNT(names); i++)
         *names[i] = renaming->new_name[*names[i]];
     for (int role = 0; role < ROLES; role++)
         if (is_half_register(row, old.g, (enum role)role))
             *field_of_role(&fields, row, (enum role)role) =
-                rename_half(renaming,
-                            *field_of_role(&old, row, (enum role)role));
+                rename_half(renaming, *field_of_role(&old, row, (enum role)role));
     return c205_encode(row, &fields);
 }
 
-static struct random_program
-rename_program(const struct renaming *renaming,
-               const struct random_program *program)
+static struct random_program rename_program(const struct renaming *renaming,
+                                            const struct random_program *program)
 {
     struct random_program renamed = *program;
 
     for (size_t i = 0; i < program->insn_count; i++)
-        renamed.insns[i].word = rename_insn(renaming,
-                                            row_of(&program->insns[i]),
+        renamed.insns[i].word = rename_insn(renaming, row_of(&program->insns[i]),
                                             program->insns[i].word);
     for (unsigned r = 0; r < C205_REGISTERS; r++)
         renamed.registers[renaming->new_name[r]] = program->registers[r];
@@ -178,29 +171,24 @@ static bool holds_code_address(const c205 *machine, unsigned number,
            && address < program_address(program, program->insn_count);
 }
 
-static bool uses_code(const c205 *machine, const c205_insn *row,
-                      const c205_fields *f,
+static bool uses_code(const c205 *machine, const c205_insn *row, const c205_fields *f,
                       const struct random_program *program)
 {
-    const uint8_t names[] = { f->x, f->a, f->y, f->b, f->z,
-                              f->c, f->r, f->s, f->t };
+    const uint8_t names[] = { f->x, f->a, f->y, f->b, f->z, f->c, f->r, f->s, f->t };
 
     for (size_t i = 0; i < sizeof names; i++)
         if (holds_code_address(machine, names[i], program))
-            return row->unit != C205_UNIT_BRANCH
-                   || row->format == C205_FORMAT_ALTERB;
+            return row->unit != C205_UNIT_BRANCH || row->format == C205_FORMAT_ALTERB;
     return false;
 }
 
 /* The next instruction, or one of three if it is a prefix.  Branches may also
  * go to where none of the program begins. */
-static bool next_uses_code(const c205 *machine,
-                           const struct random_program *program)
+static bool next_uses_code(const c205 *machine, const struct random_program *program)
 {
     size_t i = 0, end;
 
-    while (i < program->insn_count
-           && program_address(program, i) != c205_pc(machine))
+    while (i < program->insn_count && program_address(program, i) != c205_pc(machine))
         i++;
     if (i == program->insn_count)
         return true;
@@ -247,8 +235,7 @@ static void check_memory(const c205 *machine, const c205 *other)
     }
 }
 
-static bool step_both(c205 *machine, c205 *other,
-                      const struct renaming *renaming)
+static bool step_both(c205 *machine, c205 *other, const struct renaming *renaming)
 {
     c205_stop stop = { .trap = C205_TRAP_NONE };
     c205_stop its_stop = { .trap = C205_TRAP_NONE };
@@ -277,8 +264,7 @@ static void try_program(const struct random_program *program)
     renamed = rename_program(&renaming, program);
     assert_true(random_load(machine, program, &error));
     assert_true(random_load(other, &renamed, &error));
-    for (int step = 0; step < STEPS && !next_uses_code(machine, program);
-         step++)
+    for (int step = 0; step < STEPS && !next_uses_code(machine, program); step++)
         if (!step_both(machine, other, &renaming))
             break;
     check_memory(machine, other);

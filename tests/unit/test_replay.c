@@ -11,8 +11,7 @@
 
 enum { REGIONS = 16, PROJECTIONS = 2 };
 
-static const char *const projections[PROJECTIONS] = { "cyber720-prior",
-                                                      "cdc6600" };
+static const char *const projections[PROJECTIONS] = { "cyber720-prior", "cdc6600" };
 
 static c205_model *find(const char *name)
 {
@@ -35,37 +34,32 @@ static c205 *loaded(const struct object *object, const c205_model *model)
 }
 
 static void assert_same_clocks(const char *name, const c205 *machine,
-                               const c205_recording *recording,
-                               const c205_model *model)
+                               const c205_recording *recording, const c205_model *model)
 {
     double clocks[REGIONS];
     c205_error error;
-    assert_true(
-        c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS, &error));
+    assert_true(c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS, &error));
     for (size_t i = 0; i < c205_account_count(machine); i++) {
-        double expected = (double)accounts_clocks(
-            c205_account_at(machine, i));
+        double expected = (double)accounts_clocks(c205_account_at(machine, i));
         if (clocks[i] != expected)
-            fail_msg("%s on %s: %g clocks in region %zu, played again %g",
-                     name, c205_model_name(model), expected, i, clocks[i]);
+            fail_msg("%s on %s: %g clocks in region %zu, played again %g", name,
+                     c205_model_name(model), expected, i, clocks[i]);
     }
 }
 
 /* A region with vector instructions has no clocks on such a machine. */
-static void assert_same_projected(const char *name,
-                                  const c205_projection *projection,
+static void assert_same_projected(const char *name, const c205_projection *projection,
                                   const c205_recording *recording,
                                   const c205_model *model)
 {
     double clocks[REGIONS];
     c205_error error;
-    assert_true(
-        c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS, &error));
+    assert_true(c205_retime(recording, model, NULL, 0, 1, clocks, REGIONS, &error));
     for (size_t i = 0; i < REGIONS; i++) {
         double expected = (double)c205_projected_clocks(projection, i);
         if (!isnan(clocks[i]) && clocks[i] != expected)
-            fail_msg("%s on %s: %g clocks in region %zu, played again %g",
-                     name, c205_model_name(model), expected, i, clocks[i]);
+            fail_msg("%s on %s: %g clocks in region %zu, played again %g", name,
+                     c205_model_name(model), expected, i, clocks[i]);
     }
 }
 
@@ -212,23 +206,21 @@ static const char operations[] =
                                                    not taken */
     "        EXIT\n";                           /* monitor */
 
-static const char powers[] =
-    "title t\nlike cyber720-prior\n"
-    "time.single 1 clk R\n"
-    "time.sqrt 10 clk R\nbranch.out_of_stack 20 clk R\n"
-    "time.divide 100 clk R\nbranch.taken 200 clk R\n"
-    "time.multiply 1000 clk R\nbranch.not_taken 2000 clk R\n"
-    "time.logical 10000 clk R\n"
-    "time.load 100000 clk R\ntime.store 200000 clk R\n"
-    "time.monitor 300000 clk R\n"
-    "branch.stack_halves 8 halves R\n";
+static const char powers[] = "title t\nlike cyber720-prior\n"
+                             "time.single 1 clk R\n"
+                             "time.sqrt 10 clk R\nbranch.out_of_stack 20 clk R\n"
+                             "time.divide 100 clk R\nbranch.taken 200 clk R\n"
+                             "time.multiply 1000 clk R\nbranch.not_taken 2000 clk R\n"
+                             "time.logical 10000 clk R\n"
+                             "time.load 100000 clk R\ntime.store 200000 clk R\n"
+                             "time.monitor 300000 clk R\n"
+                             "branch.stack_halves 8 halves R\n";
 
 /* Each takes a time of its own: which of them were charged shows in the sum. */
 TEST(operations)
 {
     struct diagnostics errors = { 0 };
-    struct object *object = assemble_text("operations", operations, NULL,
-                                          &errors);
+    struct object *object = assemble_text("operations", operations, NULL, &errors);
     c205_error error;
     c205_model *model = find("cyber205-2pipe-prior");
     c205_model *times = c205_model_parse("powers", powers, &error);

@@ -43,9 +43,7 @@ static const struct known {
     { { "1", "4", "6", "4", "1" }, "-5", "-1" },
     /* of any size */
     { { "1e300", "-10e300", "35e300", "-50e300", "24e300" }, "0", "1 2 3 4" },
-    { { "1e-300", "-10e-300", "35e-300", "-50e-300", "24e-300" },
-      "0",
-      "1 2 3 4" },
+    { { "1e-300", "-10e-300", "35e-300", "-50e-300", "24e-300" }, "0", "1 2 3 4" },
     { { "1e8000", "-10e8000", "35e8000", "-50e8000", "24e8000" }, "3", "4" },
     { { "1", "0", "0", "0", "-1e400" }, "0", "1e100" },
     { { "1", "0", "0", "0", "-1e-400" }, "-1", "-1e-100 1e-100" },
@@ -57,17 +55,14 @@ static const struct known {
 enum { KNOWN = COUNT(known) };
 
 static struct polynomial_roots *solve(const struct polynomial *polynomials,
-                                      size_t count,
-                                      const struct roots_options *options)
+                                      size_t count, const struct roots_options *options)
 {
     c205_error error = { "" };
-    struct root_search *search = roots_new(polynomials, count, options,
-                                           &error);
+    struct root_search *search = roots_new(polynomials, count, options, &error);
     struct polynomial_roots *roots = calloc(count, sizeof *roots);
 
     assert_non_null(roots);
-    if (!search || !roots_run(search, &error)
-        || !roots_read(search, roots, &error))
+    if (!search || !roots_run(search, &error) || !roots_read(search, roots, &error))
         fail_msg("%s", error.message);
     roots_free(search);
     return roots;
@@ -93,10 +88,9 @@ static void check_known(const struct known *expected,
     int count = 0;
 
     while (*text != '\0' && !(first && count == 1)) {
-        if (count == roots->count
-            || !is_root(roots->root[count++], text, &text))
-            fail_msg("polynomial %zu: not the roots %s",
-                     (size_t)(expected - known), expected->roots);
+        if (count == roots->count || !is_root(roots->root[count++], text, &text))
+            fail_msg("polynomial %zu: not the roots %s", (size_t)(expected - known),
+                     expected->roots);
         text += *text == ' ';
     }
     assert_int_equal(roots->count, count);
@@ -144,10 +138,9 @@ static bool note_progress(void *context, size_t done, size_t all)
 TEST(progress)
 {
     size_t last = 0;
-    struct roots_options options = { .queue = 1,
-                                     .model = prior_model,
-                                     .progress = note_progress,
-                                     .context = &last };
+    struct roots_options options = {
+        .queue = 1, .model = prior_model, .progress = note_progress, .context = &last
+    };
     struct polynomial polynomials[KNOWN];
 
     read_known(polynomials);
@@ -171,14 +164,12 @@ TEST(falsi)
                              { "ANDERSON_BJORCK", FALSI_ANDERSON_BJORCK } };
     const struct asm_define defines[] = { { "QUEUE", 1 }, { NULL, 0 } };
     c205_error error = { "" };
-    struct object *program = program_assemble("roots/roots_vector.s", defines,
-                                              &error);
+    struct object *program = program_assemble("roots/roots_vector.s", defines, &error);
 
     if (!program)
         fail_msg("%s", error.message);
     for (int i = 0; i < FALSI_RULES; i++)
-        assert_int_equal(object_symbol(program, rules[i].name)->value,
-                         rules[i].rule);
+        assert_int_equal(object_symbol(program, rules[i].name)->value, rules[i].rule);
     object_free(program);
 }
 
@@ -186,10 +177,9 @@ TEST(falsi)
 TEST(refused)
 {
     struct roots_options options = { .queue = 1, .model = prior_model };
-    struct polynomial polynomials[2] = {
-        { { C205_ONE, 0, C205_ONE, 0, C205_ONE }, C205_MACHINE_ZERO },
-        { { 0, 0, 0, 0, 0 }, C205_MACHINE_ZERO }
-    };
+    struct polynomial polynomials[2] = { { { C205_ONE, 0, C205_ONE, 0, C205_ONE },
+                                           C205_MACHINE_ZERO },
+                                         { { 0, 0, 0, 0, 0 }, C205_MACHINE_ZERO } };
 
     for (int i = 0; i < 5; i++)
         polynomials[1].c[i] = C205_MACHINE_ZERO;
@@ -220,8 +210,7 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
 
     read_known(polynomials);
     search = roots_new(polynomials, KNOWN, &options, &error);
-    if (!search || !roots_watch(search, &iterations)
-        || !roots_run(search, &error))
+    if (!search || !roots_watch(search, &iterations) || !roots_run(search, &error))
         fail_msg("%s", error.message);
     roots_free(search);
     return iterations;

@@ -19,8 +19,7 @@ static const char linear[] =
 static const char curved[] =
     "#version 3.7; global_settings { assumed_gamma 2.2 max_trace_level 3 }\n" THINGS;
 
-static struct frame read_all(const struct trace *trace, size_t width,
-                             size_t height)
+static struct frame read_all(const struct trace *trace, size_t width, size_t height)
 {
     struct frame frame;
 
@@ -40,9 +39,8 @@ static double mean(const double *samples, size_t width, size_t n)
     return sum / (double)(n * n);
 }
 
-static void check_pixel(const struct frame *pixels,
-                        const struct frame *samples, size_t n, size_t row,
-                        size_t column)
+static void check_pixel(const struct frame *pixels, const struct frame *samples,
+                        size_t n, size_t row, size_t column)
 {
     size_t width = pixels->width;
     size_t first = row * n * width * n + column * n;
@@ -59,8 +57,8 @@ static void check_pixel(const struct frame *pixels,
 }
 
 /* Against a frame of as many pixels as there are rays. */
-static uint64_t check_means(const struct scene *scene, size_t width,
-                            size_t height, size_t n)
+static uint64_t check_means(const struct scene *scene, size_t width, size_t height,
+                            size_t n)
 {
     struct trace_options options = { .mode = TRACE_SCALAR,
                                      .width = width,
@@ -88,8 +86,8 @@ static uint64_t check_means(const struct scene *scene, size_t width,
     return checksum;
 }
 
-static void check_forms(const struct scene *scene, size_t width,
-                        size_t height, size_t n, uint64_t expected)
+static void check_forms(const struct scene *scene, size_t width, size_t height,
+                        size_t n, uint64_t expected)
 {
     for (int i = 0; i < 3; i++) {
         struct trace_options options = {
@@ -98,8 +96,7 @@ static void check_forms(const struct scene *scene, size_t width,
             .width = width,
             .height = height,
             .samples = n,
-            .queue = xorshift(&traced.random) % 2 ? among(1, 9)
-                                                  : among(1, 999),
+            .queue = xorshift(&traced.random) % 2 ? among(1, 9) : among(1, 999),
             .band = among(1, n * n * width * height),
             .jobs = among(1, 3),
             .model = prior_model,
@@ -122,8 +119,7 @@ static void check_scene(const char *text, int times)
     for (int i = 0; i < times; i++) {
         size_t n = among(2, 4), width = among(1, 17), height = among(1, 9);
 
-        check_forms(scene, width, height, n,
-                    check_means(scene, width, height, n));
+        check_forms(scene, width, height, n, check_means(scene, width, height, n));
     }
     scene_free(scene);
 }
@@ -147,8 +143,7 @@ TEST(one)
     options.samples = 1;
     one = run_trace(scene, &options);
     assert_int_equal(trace_checksum(one), trace_checksum(none));
-    assert_int_equal(trace_accounts(one)->clocks,
-                     trace_accounts(none)->clocks);
+    assert_int_equal(trace_accounts(one)->clocks, trace_accounts(none)->clocks);
     trace_free(none);
     trace_free(one);
     scene_free(scene);

@@ -79,13 +79,13 @@ TEST(kernels)
 {
     struct scene_options options = { .strict = false };
     struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text(
-        "test",
-        "#version 3.7; camera { location <0, 1, -4> look_at 0 }"
-        "light_source { <5, 9, -7>, 1 }"
-        "plane { y, -1 pigment { rgb .5 } finish { reflection .3 } }"
-        "sphere { 0, 1 pigment { rgb <1, .5, .2> } }",
-        &options, &reports);
+    struct scene *scene =
+        scene_read_text("test",
+                        "#version 3.7; camera { location <0, 1, -4> look_at 0 }"
+                        "light_source { <5, 9, -7>, 1 }"
+                        "plane { y, -1 pigment { rgb .5 } finish { reflection .3 } }"
+                        "sphere { 0, 1 pigment { rgb <1, .5, .2> } }",
+                        &options, &reports);
     assert_non_null(scene);
     compare_frame(scene, TRACE_SCALAR);
     compare_frame(scene, TRACE_VECTOR);
@@ -106,8 +106,7 @@ TEST(access)
     word = 0;
     assert_true(c205_read(machine, address, &word, 1));
     assert_int_equal(word, 205);
-    assert_int_equal(memory_check(&machine->memory, address, 64, true,
-                                  &fault),
+    assert_int_equal(memory_check(&machine->memory, address, 64, true, &fault),
                      C205_TRAP_PROTECTED_ADDRESS);
     c205_free(machine);
 }
@@ -122,11 +121,10 @@ TEST(untouched)
         c205_error error;
         c205 *machine = c205_new(model, &error);
         assert_non_null(machine);
-        assert_true(
-            c205_map(machine, 0, 3 * C205_PAGE_WORDS, access[i], &error));
+        assert_true(c205_map(machine, 0, 3 * C205_PAGE_WORDS, access[i], &error));
         saved[i] = save(machine);
-        assert_int_equal(memory_is_untouched(memory_peek(&machine->memory,
-                                                         UINT64_C(1) << 22)),
+        assert_int_equal(memory_is_untouched(
+                             memory_peek(&machine->memory, UINT64_C(1) << 22)),
                          i);
         c205_free(machine);
     }
@@ -200,8 +198,8 @@ static struct bytes in_the_middle(uint64_t clock)
     return bytes;
 }
 
-static void assert_refused(const void *bytes, size_t count,
-                           const c205_model *other, const char *why)
+static void assert_refused(const void *bytes, size_t count, const c205_model *other,
+                           const char *why)
 {
     c205_error error = { "" };
     assert_null(c205_restore(bytes, count, other, &error));
@@ -218,8 +216,7 @@ TEST(truncated)
         assert_non_null(part);
         memcpy(part, bytes.byte, count);
         assert_refused(part, count, model,
-                       count < WORD_BYTES ? "not a saved machine"
-                                          : "damaged");
+                       count < WORD_BYTES ? "not a saved machine" : "damaged");
         free(part);
     }
     free(bytes.byte);
@@ -295,11 +292,10 @@ TEST(foreign)
 TEST(same_constants)
 {
     c205_error error = { "" };
-    c205_model *same =
-        c205_model_parse("renamed",
-                         "title As before\nlike cyber205-2pipe-prior\n"
-                         "latency.load 15.0 clk P\n",
-                         &error);
+    c205_model *same = c205_model_parse("renamed",
+                                        "title As before\nlike cyber205-2pipe-prior\n"
+                                        "latency.load 15.0 clk P\n",
+                                        &error);
     struct bytes bytes = in_the_middle(1300);
     assert_non_null(same);
     c205 *machine = c205_restore(bytes.byte, bytes.count, same, &error);

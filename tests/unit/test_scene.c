@@ -4,8 +4,7 @@
 
 #include "base/file.h"
 
-static void map(const struct transform *transform, const double from[3],
-                double to[3])
+static void map(const struct transform *transform, const double from[3], double to[3])
 {
     for (int i = 0; i < 3; i++) {
         to[i] = transform->rows[i][3];
@@ -109,8 +108,7 @@ TEST(expressions)
                  "plane { y, %s }",
                  rows[i].text);
         struct scene *scene = read_scene(text);
-        assert_close(scene->primitives->shape.plane.distance, rows[i].value,
-                     CLOSE);
+        assert_close(scene->primitives->shape.plane.distance, rows[i].value, CLOSE);
         scene_free(scene);
     }
 }
@@ -126,8 +124,7 @@ TEST(rotations)
         { "vrotate(V, <0, 30, 0>)", { 2.366025, 2.000000, 2.098076 } },
         { "vrotate(V, <0, 0, 30>)", { -0.133975, 2.232051, 3.000000 } },
         { "vrotate(V, <10, 20, 30>)", { 1.067425, 2.289059, 2.760581 } },
-        { "vaxis_rotate(V, <1, 1, 0>, 30)",
-          { 2.127647, 0.872353, 2.951630 } },
+        { "vaxis_rotate(V, <1, 1, 0>, 30)", { 2.127647, 0.872353, 2.951630 } },
         { "vcross(V, <4, 5, 7>)", { -1, 5, -3 } },
         { "2*V/<4, 5, 6>", { .5, .8, 1 } },
         { "V + 1", { 2, 3, 4 } },
@@ -139,8 +136,8 @@ TEST(rotations)
                  rows[i].text);
         struct scene *scene = read_scene(text);
         for (int k = 0; k < 3; k++)
-            assert_close(scene->primitives->shape.sphere.center[k],
-                         rows[i].value[k], PRINTED);
+            assert_close(scene->primitives->shape.sphere.center[k], rows[i].value[k],
+                         PRINTED);
         scene_free(scene);
     }
 }
@@ -207,8 +204,7 @@ TEST(camera)
 
     scene_free(read_with("camera { look_at y }", 1)); /* along the sky */
     scene_free(read_with("camera { } camera { location x }", 1));
-    scene_free(
-        read_with("camera { aperture 1 blur_samples 257 focal_point y }", 1));
+    scene_free(read_with("camera { aperture 1 blur_samples 257 focal_point y }", 1));
     scene_free(read_with("camera { aperture 1 blur_samples 4 }", 1));
 }
 
@@ -339,8 +335,7 @@ TEST(transforms)
                  rows[i].text);
         struct scene *scene = read_scene(text);
         map(&scene->primitives->to_world, point, image);
-        assert_vector(image, rows[i].image[0], rows[i].image[1],
-                      rows[i].image[2]);
+        assert_vector(image, rows[i].image[0], rows[i].image[1], rows[i].image[2]);
         assert_inverse(scene->primitives);
         assert_true(scene->primitives->transformed);
         scene_free(scene);
@@ -349,9 +344,9 @@ TEST(transforms)
 
 TEST(no_transform)
 {
-    struct scene *scene = read_with(
-        "sphere { 0, 1 translate x translate -x } sphere { 0, 1 scale 0 }",
-        3);
+    struct scene *scene =
+        read_with("sphere { 0, 1 translate x translate -x } sphere { 0, 1 scale 0 }",
+                  3);
 
     assert_false(scene->primitives[0].transformed);
     assert_false(scene->primitives[1].transformed); /* 0 became 1 */
@@ -549,16 +544,13 @@ TEST(trace_levels)
         assert_int_equal(scene->max_trace_level, levels[i]);
         scene_free(scene);
     }
-    assert_refused("global_settings { max_trace_level 0 }", 1,
-                   "between 1 and 256");
-    assert_refused("global_settings { max_trace_level 257 }", 1,
-                   "between 1 and 256");
+    assert_refused("global_settings { max_trace_level 0 }", 1, "between 1 and 256");
+    assert_refused("global_settings { max_trace_level 257 }", 1, "between 1 and 256");
 }
 
 TEST(gamma_of_srgb)
 {
-    struct scene *scene = read_with("global_settings { assumed_gamma srgb }",
-                                    1);
+    struct scene *scene = read_with("global_settings { assumed_gamma srgb }", 1);
 
     assert_close(scene->assumed_gamma, 2.2, 0);
     scene_free(scene);
@@ -590,8 +582,7 @@ TEST(gamma_of_versions)
 
         assert_non_null(scene);
         for (size_t k = 0; k < reports.count; k++)
-            told += strstr(reports.items[k].message, "gamma correction")
-                    != NULL;
+            told += strstr(reports.items[k].message, "gamma correction") != NULL;
         assert_int_equal(scene->gamma_off, rows[i].off);
         assert_int_equal(told, rows[i].off);
         scene_free(scene);
@@ -601,11 +592,11 @@ TEST(gamma_of_versions)
 
 TEST(our_scenes)
 {
-    static const char *const paths[] = {
-        "scenes/first.pov",   "scenes/bearing.pov", "scenes/pipe_flange.pov",
-        "scenes/rings.pov",   "scenes/hills.pov",   "scenes/roman.pov",
-        "scenes/steiner.pov", "scenes/car.pov",     "scenes/flake.pov"
-    };
+    static const char *const paths[] = { "scenes/first.pov",       "scenes/bearing.pov",
+                                         "scenes/pipe_flange.pov", "scenes/rings.pov",
+                                         "scenes/hills.pov",       "scenes/roman.pov",
+                                         "scenes/steiner.pov",     "scenes/car.pov",
+                                         "scenes/flake.pov" };
 
     for (size_t i = 0; i < COUNT(paths); i++) {
         struct diagnostics reports = { 0 };

@@ -9,8 +9,7 @@
 #include "rt/shapes/blob.h"
 #include "rt/shapes/shape_words.h"
 
-static const struct blob_part *parts_of(const struct scene *scene,
-                                        size_t count)
+static const struct blob_part *parts_of(const struct scene *scene, size_t count)
 {
     assert_int_equal(scene->primitive_count, 1);
     assert_int_equal(scene->primitives->kind, PRIMITIVE_BLOB);
@@ -18,8 +17,8 @@ static const struct blob_part *parts_of(const struct scene *scene,
     return scene->primitives->shape.blob.parts.list;
 }
 
-static void assert_part(const struct blob_part *part, bool cylinder,
-                        double radius, double strength)
+static void assert_part(const struct blob_part *part, bool cylinder, double radius,
+                        double strength)
 {
     assert_int_equal(part->cylinder, cylinder);
     assert_close(part->radius, radius, 0);
@@ -60,8 +59,7 @@ TEST(motions)
     double center[3] = { 1, 0, 0 }, back[3] = { 1, 2, 5 };
 
     for (int i = 0; i < 3; i++) {
-        center[i] = dot3(part->to_blob.rows[i], part->base)
-                    + part->to_blob.rows[i][3];
+        center[i] = dot3(part->to_blob.rows[i], part->base) + part->to_blob.rows[i][3];
         back[i] = dot3(part->to_local.rows[i], (double[]){ 1, 2, 5 })
                   + part->to_local.rows[i][3];
     }
@@ -77,8 +75,7 @@ TEST(looks)
     static const char text[] =
         "blob { sphere { 0, 1, 2 pigment { rgb x } finish { ambient 1 } }"
         " cylinder { 0, x, 1, 1 texture { pigment { rgb y } } scale 2 }%s }";
-    static const char *const own[] = { " pigment { rgb <.25, .5, .75> }",
-                                       "" };
+    static const char *const own[] = { " pigment { rgb <.25, .5, .75> }", "" };
     static const char *const by[] = { "by that of the blob", "by the first" };
 
     for (int i = 0; i < 2; i++) {
@@ -113,8 +110,7 @@ TEST(one_look)
 TEST(errors)
 {
     static const struct line_error errors[] = {
-        { "blob { cylinder { x, x, 1, 1 } }", 19,
-          "the cylinder has no length" },
+        { "blob { cylinder { x, x, 1, 1 } }", 19, "the cylinder has no length" },
         { "blob { sphere { 0, 1 } }", 22, "expected a number" },
         { "blob { sphere { 0, 1, 1 interior { ior 2 } } }", 25,
           "a word that moves the component" },
@@ -175,8 +171,7 @@ TEST(rows)
 
         subtract3(ends[end], words.words, from);
         for (int i = 0; i < 3; i++)
-            own[i] = dot3(table + MATRIX + 4 * i, from)
-                     + table[MATRIX + 4 * i + 3];
+            own[i] = dot3(table + MATRIX + 4 * i, from) + table[MATRIX + 4 * i + 3];
         assert_vector(own, 0, 0, end * 10);
     }
     assert_close(table[ROW], 0, 0);

@@ -24,8 +24,7 @@ static size_t write_tree(const struct scene *scene, size_t i, FILE *out)
     return i;
 }
 
-static void check_regions(const char *text, size_t reports,
-                          const char *expected)
+static void check_regions(const char *text, size_t reports, const char *expected)
 {
     struct scene *scene = read_with(text, reports);
     size_t leaf = 0, node = 0, length;
@@ -72,8 +71,8 @@ TEST(trees)
         { "sphere { 0, 1 inverse }", "!(0) -", 0 },
         { "sphere { 0, 1 inverse inverse }", "0 +", 0 },
         { "union { " A B " inverse }", "!(|(0,1)) --", 0 },
-        { "union { union { " A B " inverse } " C " inverse }",
-          "!(|(!(|(0,1)),2)) ++-", 0 },
+        { "union { union { " A B " inverse } " C " inverse }", "!(|(!(|(0,1)),2)) ++-",
+          0 },
         { "union { merge { " A B " } " C D " }", "|(0,1) 2 3 ++++", 0 },
         { "intersection { union { " A B " } " C " }", "&(|(0,1),2) +++", 0 },
         { "merge { union { " A B " } " C " }", "|(|(0,1),2) +++", 0 },
@@ -85,8 +84,7 @@ TEST(trees)
         { "intersection { }", "", 1 },
         { "difference { " A " }", "0 +", 1 },
         { "intersection { light_source { 0, 1 } " A " }", "0 +", 0 },
-        { "intersection { " A " union { light_source { 0, 1 } } }", "0 +",
-          1 },
+        { "intersection { " A " union { light_source { 0, 1 } } }", "0 +", 1 },
         { "#declare U = union { " A B " }\n"
           "object { U } object { U inverse } merge { object { U } " C " }",
           "0 1 !(|(2,3)) |(|(4,5),6) ++--+++", 0 },
@@ -98,31 +96,26 @@ TEST(trees)
         { "sphere { 0, 1 clipped_by { " B C " } clipped_by { " D " } }",
           "&(&(0,1,2),3) ++++", 0 },
         { "union { " A B " clipped_by { " C " } }", "&(0,1) &(2,3) ++++", 0 },
-        { "merge { " A B " clipped_by { union { " C D " } } }",
-          "&(|(0,1),|(2,3)) ++++", 0 },
-        { "sphere { 0, 1 clipped_by { " C " } inverse }", "&(!(0),1) -+", 0 },
-        { "sphere { 0, 1 inverse clipped_by { " C " } inverse }", "&(0,1) ++",
+        { "merge { " A B " clipped_by { union { " C D " } } }", "&(|(0,1),|(2,3)) ++++",
           0 },
-        { "difference { " A " sphere { 0, 1 clipped_by { difference { " B C
-          " } } } }",
+        { "sphere { 0, 1 clipped_by { " C " } inverse }", "&(!(0),1) -+", 0 },
+        { "sphere { 0, 1 inverse clipped_by { " C " } inverse }", "&(0,1) ++", 0 },
+        { "difference { " A " sphere { 0, 1 clipped_by { difference { " B C " } } } }",
           "&(0,&(!(1),&(2,!(3)))) +-+-", 0 },
-        { "intersection { " A " merge { sphere { 0, 1 clipped_by { " C
-          " } } " B " inverse } }",
+        { "intersection { " A " merge { sphere { 0, 1 clipped_by { " C " } } " B
+          " inverse } }",
           "&(0,&(&(!(1),2),!(3))) +-+-", 0 },
         { "intersection { " A B " clipped_by { " C " } inverse }",
           "&(|(!(0),!(1)),2) --+", 0 },
         { "#declare H = sphere { 0, 1 clipped_by { " C " } }\n"
           "object { H } difference { " A " object { H } }",
           "&(0,1) &(2,&(!(3),4)) +++-+", 0 },
-        { "sphere { 0, 1 clipped_by { " C D " scale 2 } }", "&(0,1,2) +++",
-          0 },
+        { "sphere { 0, 1 clipped_by { " C D " scale 2 } }", "&(0,1,2) +++", 0 },
         { "sphere { 0, 1 bounded_by { " B " } }", "0 +", 0 },
         { "plane { y, 0 bounded_by { " B " } }", "0 +", 0 },
         { "quadric { <1, 0, 1>, 0, 0, -1 bounded_by { " B " } }", "0 +", 1 },
-        { "intersection { " A B " bounded_by { box { -2, 2 } } }",
-          "&(0,1) ++", 0 },
-        { "intersection { " A C " bounded_by { sphere { 0, 2 } } }",
-          "&(0,1) ++", 0 },
+        { "intersection { " A B " bounded_by { box { -2, 2 } } }", "&(0,1) ++", 0 },
+        { "intersection { " A C " bounded_by { sphere { 0, 2 } } }", "&(0,1) ++", 0 },
         { "union { " A B " bounded_by { box { -.9, 2 } } }", "0 1 ++", 1 },
         { "intersection { quadric { <1, 0, 1>, 0, 0, -1 } " A
           " bounded_by { sphere { 0, 1.001 } } }",
@@ -137,8 +130,7 @@ TEST(trees)
         { "merge { sphere { 0, 1 } sphere { x, 1 } bounded_by { sphere { "
           ".25*x, .76 } scale 2 rotate 0 } }",
           "|(0,1) ++", 0 },
-        { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }",
-          "0 1 ++", 0 },
+        { "union { " A B " bounded_by { box { -.9, 2 } scale 1.2 } }", "0 1 ++", 0 },
         { "union { " A B " bounded_by { clipped_by } }", "0 1 ++", 0 },
     };
 
@@ -169,9 +161,9 @@ TEST(clips)
 /* A transform of the whole moves all parts. */
 TEST(transforms)
 {
-    struct scene *scene = read_scene(
-        "#declare H = difference { " A " box { 0, 1 translate x } scale 2 }\n"
-        "object { H translate <0, 3, 0> no_shadow }");
+    struct scene *scene = read_scene("#declare H = difference { " A
+                                     " box { 0, 1 translate x } scale 2 }\n"
+                                     "object { H translate <0, 3, 0> no_shadow }");
     const struct primitive *p = scene->primitives;
 
     assert_close(p[0].to_world.rows[0][0], 2, CLOSE);
@@ -192,15 +184,13 @@ TEST(no_shadow)
         { "union { sphere { 0, 1 no_shadow } " B " }", { true, false } },
         { "union { " A B " no_shadow }", { true, true } },
         { "merge { sphere { 0, 1 no_shadow } " B " }", { false, false } },
-        { "merge { sphere { 0, 1 no_shadow } " B " no_shadow }",
-          { true, true } },
+        { "merge { sphere { 0, 1 no_shadow } " B " no_shadow }", { true, true } },
         { "intersection { sphere { 0, 1 no_shadow }"
           " sphere { x, 1 no_shadow } }",
           { false, false } },
         { "difference { union { sphere { 0, 1 no_shadow } " B " } " C " }",
           { false, false } },
-        { "union { difference { " A C " no_shadow } " B " }",
-          { true, true } },
+        { "union { difference { " A C " no_shadow } " B " }", { true, true } },
         { "union { merge { " A B " } " C " no_shadow }", { true, true } },
     };
 
@@ -208,8 +198,7 @@ TEST(no_shadow)
         struct scene *scene = read_scene(rows[i].text);
 
         for (int k = 0; k < 2; k++)
-            assert_int_equal(scene->primitives[k].no_shadow,
-                             rows[i].no_shadow[k]);
+            assert_int_equal(scene->primitives[k].no_shadow, rows[i].no_shadow[k]);
         scene_free(scene);
     }
 }
@@ -223,8 +212,7 @@ TEST(hidden)
         unsigned hidden_from[2];
     } rows[] = {
         { "union { " A B " no_image }", { 1, 1 } },
-        { "union { sphere { 0, 1 no_reflection } " B " no_image }",
-          { 3, 1 } },
+        { "union { sphere { 0, 1 no_reflection } " B " no_image }", { 3, 1 } },
         { "union { sphere { 0, 1 no_image } " B " no_image off }", { 1, 0 } },
         { "#declare U = union { " A B " no_image no_reflection }"
           " object { U no_image off }",
@@ -232,12 +220,9 @@ TEST(hidden)
         { "#declare U = union { sphere { 0, 1 no_image } " B " }"
           " union { object { U no_image 0 } " C " no_reflection -1 }",
           { 1, 0 } },
-        { "object { merge { " A B " no_image } no_reflection .5 }",
-          { 3, 3 } },
-        { "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }",
-          { 0, 0 } },
-        { "intersection { sphere { 0, 1 no_image no_reflection } " B
-          " no_image }",
+        { "object { merge { " A B " no_image } no_reflection .5 }", { 3, 3 } },
+        { "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }", { 0, 0 } },
+        { "intersection { sphere { 0, 1 no_image no_reflection } " B " no_image }",
           { 1, 1 } },
         { "sphere { 0, 1 clipped_by { " C " } no_image }", { 1, 3 } },
         { "light_source { 0, 1 looks_like {"
@@ -249,8 +234,7 @@ TEST(hidden)
         struct scene *scene = read_scene(rows[i].text);
 
         for (int k = 0; k < 2; k++)
-            assert_int_equal(scene->primitives[k].hidden_from,
-                             rows[i].hidden_from[k]);
+            assert_int_equal(scene->primitives[k].hidden_from, rows[i].hidden_from[k]);
         scene_free(scene);
     }
 }
@@ -281,8 +265,7 @@ TEST(interiors)
 {
     struct scene *scene = read_scene(
         "#declare L = intersection {\n"
-        "    sphere { 0, 1 interior { ior 1.2 } }\n" B
-        "    interior { ior 1.5 }\n"
+        "    sphere { 0, 1 interior { ior 1.2 } }\n" B "    interior { ior 1.5 }\n"
         "}\n"
         "object { L } object { L interior { ior 2 } }\n"
         "union { " A " sphere { 0, 1 interior { } }\n"
@@ -334,8 +317,7 @@ TEST(bodies)
         { "union { " A B " material { interior { } } }", "aa" },
         { "union { " FILLED B C " }", "abb" },
         { "union { " FILLED B C " interior { ior 1.5 } }", "abb" },
-        { "union { union { " A B " interior { } } " C D " interior { } }",
-          "aabb" },
+        { "union { union { " A B " interior { } } " C D " interior { } }", "aabb" },
         { "union { " A " union { " FILLED B " } }", "aba" },
         { "sphere { 0, 1 clipped_by { " C " } }", "a." },
         { "#declare I = interior { ior 1.5 } sphere { 0, 1 interior { I } } "
@@ -346,8 +328,7 @@ TEST(bodies)
           "ab" },
         { "#declare S = " A " object { S } object { S }", "ab" },
         { "#declare S = " FILLED "object { S } object { S }", "ab" },
-        { "#declare S = " FILLED "object { S } object { S interior { } }",
-          "ab" },
+        { "#declare S = " FILLED "object { S } object { S interior { } }", "ab" },
         { "#declare S = " A " union { object { S } object { S } }", "aa" },
         { "#declare S = " FILLED "union { object { S } object { S } " A
           " interior { } }",
@@ -437,10 +418,9 @@ TEST(clear_pigments)
                  rows[i].text);
         struct scene *scene = read_scene(text);
         for (int k = 0; k < 2; k++) {
-            assert_close(scene->primitives->pigment.filter[k],
-                         rows[i].filter[k], 0);
-            assert_close(scene->primitives->pigment.transmit[k],
-                         rows[i].transmit[k], 0);
+            assert_close(scene->primitives->pigment.filter[k], rows[i].filter[k], 0);
+            assert_close(scene->primitives->pigment.transmit[k], rows[i].transmit[k],
+                         0);
         }
         scene_free(scene);
     }
@@ -455,24 +435,9 @@ TEST(reflections)
         bool fresnel;
     } rows[] = {
         { "", { 0, 0, 0 }, { 0, 0, 0 }, 1, 0, false },
-        { "reflection .25",
-          { .25, .25, .25 },
-          { .25, .25, .25 },
-          1,
-          0,
-          false },
-        { "reflection rgb <.1, .2, .3>",
-          { .1, .2, .3 },
-          { .1, .2, .3 },
-          1,
-          0,
-          false },
-        { "reflection { <.1, .2, .3> }",
-          { .1, .2, .3 },
-          { .1, .2, .3 },
-          1,
-          0,
-          false },
+        { "reflection .25", { .25, .25, .25 }, { .25, .25, .25 }, 1, 0, false },
+        { "reflection rgb <.1, .2, .3>", { .1, .2, .3 }, { .1, .2, .3 }, 1, 0, false },
+        { "reflection { <.1, .2, .3> }", { .1, .2, .3 }, { .1, .2, .3 }, 1, 0, false },
         { "reflection { color rgb .5 } phong 1",
           { .5, .5, .5 },
           { .5, .5, .5 },
@@ -491,12 +456,7 @@ TEST(reflections)
           1,
           .5,
           true },
-        { "reflection { .5 fresnel on }",
-          { 0, 0, 0 },
-          { .5, .5, .5 },
-          1,
-          0,
-          true },
+        { "reflection { .5 fresnel on }", { 0, 0, 0 }, { .5, .5, .5 }, 1, 0, true },
         { "reflection { .5 fresnel off }",
           { .5, .5, .5 },
           { .5, .5, .5 },
@@ -519,8 +479,7 @@ TEST(reflections)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
-        snprintf(text, sizeof text, "sphere { 0, 1 finish { %s } }",
-                 rows[i].text);
+        snprintf(text, sizeof text, "sphere { 0, 1 finish { %s } }", rows[i].text);
         struct scene *scene = read_scene(text);
         const struct finish *finish = &scene->primitives->finish;
         const double *least = rows[i].least, *most = rows[i].most;
@@ -554,8 +513,7 @@ static void check_error(const char *text, const char *message)
 {
     struct diagnostics reports = { 0 };
 
-    assert_null(
-        scene_read_text("test.pov", text, &reading_options, &reports));
+    assert_null(scene_read_text("test.pov", text, &reading_options, &reports));
     assert_true(reports.errors > 0);
     assert_non_null(strstr(reports.items->message, message));
     diagnostics_free(&reports);
@@ -601,8 +559,7 @@ TEST(deep_names)
     char *end = text + sprintf(text, "#declare H = " A " ");
 
     for (int i = 0; i < DEEP; i++)
-        end += sprintf(end,
-                       "#declare H = difference { object { H } " A " } ");
+        end += sprintf(end, "#declare H = difference { object { H } " A " } ");
     check_error(text, "copies counted");
     end = text + sprintf(text, "#declare H = " A " ");
     for (int i = 0; i <= DEEP; i++)

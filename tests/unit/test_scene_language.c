@@ -112,13 +112,10 @@ TEST(errors)
         { "#declare A = array[2] { 1, x }", 28, "of another kind" },
         { "#declare A = array[2] { 1 }", 27, "expected a value" },
         { "#declare A = array[1] { 1, 2 }", 28, "expected '}'" },
-        { "#declare A = array[2]; #declare A[2] = 1;", 35,
-          "between 0 and 1" },
+        { "#declare A = array[2]; #declare A[2] = 1;", 35, "between 0 and 1" },
         { "#declare A = array[2]; sphere { 0, A[0] }", 36, "is not set" },
-        { "#declare A = array[2][2]; #declare A[1] = 3;", 41,
-          "expected '['" },
-        { "#declare A = array[2] { 1, 2 } #declare A[0] = x;", 41,
-          "of another kind" },
+        { "#declare A = array[2][2]; #declare A[1] = 3;", 41, "expected '['" },
+        { "#declare A = array[2] { 1, 2 } #declare A[0] = x;", 41, "of another kind" },
         { "#declare A = 1; sphere { 0, A[0] }", 30, "found '['" },
         { "sphere { 0, dimensions(x) }", 24, "expected an array" },
         { "#declare str = 1;", 10, "word of the language" },
@@ -155,12 +152,10 @@ TEST(errors)
           "3 parameters, found 2" },
         { "#declare A = function(a) { a/(a - 1) } sphere { 0, A(1) }", 52,
           "not a finite number" },
-        { "#declare A = function(a) { a } sphere { 0, A(1, 2) }", 47,
-          "expected ')'" },
-        { "#declare A = function(a, b) { a } sphere { 0, A(1) }", 50,
-          "expected ','" },
-        { "#declare A = function { pattern { wood } } sphere { A(1, 2, 3), 1 }",
-          53, "a function with 'pattern' is not supported" },
+        { "#declare A = function(a) { a } sphere { 0, A(1, 2) }", 47, "expected ')'" },
+        { "#declare A = function(a, b) { a } sphere { 0, A(1) }", 50, "expected ','" },
+        { "#declare A = function { pattern { wood } } sphere { A(1, 2, 3), 1 }", 53,
+          "a function with 'pattern' is not supported" },
         { "#declare A = function { internal(9) }"
           " #declare B = function { A(x, 1, 2, 3).x } sphere { B(1, 2, 3) 1 }",
           90, "a function with 'internal' is not supported" },
@@ -168,16 +163,14 @@ TEST(errors)
         { "#declare A = spline { 0 }", 25, "expected a number" },
         { "#declare A = spline { x, 1 }", 23, "expected a number" },
         { "#declare A = spline { akima_spline 0, 1 }", 23, "'akima_spline'" },
-        { "#declare A = spline { 0, 1 } sphere { A, 1 }", 40,
-          "expected '('" },
-        { "#declare A = spline { 0, 1 } sphere { A(x), 1 }", 41,
-          "expected a number" },
+        { "#declare A = spline { 0, 1 } sphere { A, 1 }", 40, "expected '('" },
+        { "#declare A = spline { 0, 1 } sphere { A(x), 1 }", 41, "expected a number" },
         { "#declare A = spline { 0, 1 } sphere { A(1, 2), 1 }", 44,
           "a kind of spline" },
         { "#declare A = spline { 0, 1 } sphere { A(1).z, 1 }", 44,
           "a component that the value has" },
-        { "#declare A = spline { 0, -1e308 1e-9, 1e308 } sphere { A(1e-10), 1 }",
-          56, "not a finite number" },
+        { "#declare A = spline { 0, -1e308 1e-9, 1e308 } sphere { A(1e-10), 1 }", 56,
+          "not a finite number" },
         { "#error concat(\"a\", \"b\")", 1, "ab" },
     };
 
@@ -197,8 +190,7 @@ TEST(debug)
         "#debug \"one, \"\n#declare A = 2; #debug str(A, 0, 1)\n"
         "#render \"\\n\" #statistics \"three\\n\" sphere { 0, 1 }";
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &strict_options,
-                                         &reports);
+    struct scene *scene = read_versioned("test.pov", text, &strict_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(reports.count, 1);
@@ -211,14 +203,12 @@ TEST(debug)
 /* A report of one place and text is told once, however often it is met. */
 TEST(warnings)
 {
-    static const char text[] =
-        "#for (I, 1, 9)\n"
-        "    #warning \"same\"\n"
-        "    #warning concat(\"other \", str(div(I, 5), 0, 0))\n"
-        "#end";
+    static const char text[] = "#for (I, 1, 9)\n"
+                               "    #warning \"same\"\n"
+                               "    #warning concat(\"other \", str(div(I, 5), 0, 0))\n"
+                               "#end";
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options,
-                                         &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(reports.count, 3);
@@ -230,10 +220,9 @@ TEST(warnings)
 TEST(too_much_said)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene =
-        read_versioned("test.pov",
-                       "#for (I, 1, 9999) #debug \"0123456789\" #end",
-                       &reading_options, &reports);
+    struct scene *scene = read_versioned("test.pov",
+                                         "#for (I, 1, 9999) #debug \"0123456789\" #end",
+                                         &reading_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(reports.count, 2);

@@ -14,8 +14,7 @@ TEST(told_when_used)
         const char *message; /* how it ends */
     } rows[] = {
         { "#declare F = finish { crand 1 }", 0, "" },
-        { "#declare F = finish { crand 1 } #declare G = finish { F }", 0,
-          "" },
+        { "#declare F = finish { crand 1 } #declare G = finish { F }", 0, "" },
         { "#declare F = finish { crand 1 }"
           " #declare S = sphere { 0, 1 finish { F } }",
           0, "" },
@@ -82,17 +81,16 @@ TEST(told_when_used)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct diagnostics reports = { 0 };
-        struct scene *scene = read_versioned("test.pov", rows[i].text,
-                                             &reading_options, &reports);
+        struct scene *scene = read_versioned("test.pov", rows[i].text, &reading_options,
+                                             &reports);
         const char *found = reports.count ? reports.items->message : "";
         size_t length = strlen(found), end = strlen(rows[i].message);
         if (!scene || reports.count != (rows[i].column != 0)
             || (reports.count && reports.items->column != rows[i].column)
-            || length < end
-            || strcmp(found + length - end, rows[i].message)) {
+            || length < end || strcmp(found + length - end, rows[i].message)) {
             diagnostics_print(&reports, stderr);
-            fail_msg("expected %zu %s, of: %s", rows[i].column,
-                     rows[i].message, rows[i].text);
+            fail_msg("expected %zu %s, of: %s", rows[i].column, rows[i].message,
+                     rows[i].text);
         }
         scene_free(scene);
         diagnostics_free(&reports);
@@ -100,8 +98,8 @@ TEST(told_when_used)
             assert_error(rows[i].text, &strict_options, 1, rows[i].column,
                          rows[i].message);
         else
-            scene_free(read_versioned("test.pov", rows[i].text,
-                                      &strict_options, &reports));
+            scene_free(
+                read_versioned("test.pov", rows[i].text, &strict_options, &reports));
         assert_int_equal(reports.count, 0);
     }
 }
@@ -130,8 +128,7 @@ static unsigned put_thing(struct drawing *drawing)
             fputs("sphere { 0, 1 }\n", drawing->text);
             return 0;
         }
-        fprintf(drawing->text, "sphere { 0, 1 texture { T%d } }\n",
-                (int)which);
+        fprintf(drawing->text, "sphere { 0, 1 texture { T%d } }\n", (int)which);
         return 1u << which;
     case 1:
         which = xorshift_between(random, 0, (int64_t)drawing->names - 1);
@@ -155,8 +152,8 @@ static unsigned draw(struct drawing *drawing)
 
     drawing->names = 0;
     for (int i = 0; i < LOOKS; i++)
-        fprintf(drawing->text, "#declare T%d = texture { finish { %s 1 } }\n",
-                i, words[i]);
+        fprintf(drawing->text, "#declare T%d = texture { finish { %s 1 } }\n", i,
+                words[i]);
     while (drawing->names < NAMES) {
         if (xorshift_between(&drawing->random, 0, 3) == 0) {
             told |= put_thing(drawing);
@@ -172,8 +169,7 @@ static unsigned draw(struct drawing *drawing)
 static unsigned told_of(const char *text)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options,
-                                         &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
     unsigned told = 0;
 
     assert_non_null(scene);
@@ -232,8 +228,7 @@ TEST(maps_and_layers)
         struct diagnostics reports = { 0 };
         char text[400];
         struct scene *scene;
-        snprintf(text, sizeof text, "#declare C = rgb <1, 2, 3>; %s",
-                 texts[i]);
+        snprintf(text, sizeof text, "#declare C = rgb <1, 2, 3>; %s", texts[i]);
         scene = read_versioned("test.pov", text, &reading_options, &reports);
         if (!scene)
             diagnostics_print(&reports, stderr);

@@ -19,19 +19,16 @@ static bool same_look(const struct primitive *a, const struct primitive *b)
            && SAME(a->finish, b->finish);
 }
 
-static bool same_primitive(const struct primitive *a,
-                           const struct primitive *b)
+static bool same_primitive(const struct primitive *a, const struct primitive *b)
 {
     return a->kind == PRIMITIVE_SPHERE && b->kind == PRIMITIVE_SPHERE
-           && SAME(a->shape.sphere, b->shape.sphere)
-           && SAME(a->to_world, b->to_world) && a->inverted == b->inverted
-           && same_look(a, b);
+           && SAME(a->shape.sphere, b->shape.sphere) && SAME(a->to_world, b->to_world)
+           && a->inverted == b->inverted && same_look(a, b);
 }
 
 static bool same_tree(const struct scene *a, const struct scene *b)
 {
-    bool same = a->node_count == b->node_count
-                && a->region_count == b->region_count;
+    bool same = a->node_count == b->node_count && a->region_count == b->region_count;
 
     for (size_t i = 0; same && i < a->node_count; i++)
         same = a->nodes[i].operation == b->nodes[i].operation
@@ -39,8 +36,7 @@ static bool same_tree(const struct scene *a, const struct scene *b)
                && a->nodes[i].primitive == b->nodes[i].primitive;
     for (size_t i = 0; same && i < a->region_count; i++)
         same = a->regions[i].first_primitive == b->regions[i].first_primitive
-               && a->regions[i].primitive_count
-                      == b->regions[i].primitive_count
+               && a->regions[i].primitive_count == b->regions[i].primitive_count
                && a->regions[i].first_node == b->regions[i].first_node
                && a->regions[i].node_count == b->regions[i].node_count;
     return same;

@@ -15,9 +15,7 @@ TEST(spheres)
         double radii[4];
     } rows[] = {
         { "#for (I, 1, 3) sphere { 0, I } #end", 3, { 1, 2, 3 } },
-        { "union { #for (I, 1, 2) sphere { 0, I } #end scale 1 }",
-          2,
-          { 1, 2 } },
+        { "union { #for (I, 1, 2) sphere { 0, I } #end scale 1 }", 2, { 1, 2 } },
         { "#macro S(R) sphere { 0, R } #end S(2) S(1 + 2)", 2, { 2, 3 } },
         { "#macro S(R) sphere { 0, R } #end\n"
           "#declare A = S(2); #declare B = union { S(4) object { A } }\n"
@@ -26,15 +24,9 @@ TEST(spheres)
           { 4, 2, 2 } },
         { "#macro R(N) N*10 #end sphere { 0, R(1) + R(2) }", 1, { 30 } },
         { "#macro S(O) object { O } #end S(sphere { 0, 5 })", 1, { 5 } },
-        { "#declare O = sphere { 0, 5 } #macro S(O) object { O } #end S(O)",
-          1,
-          { 5 } },
-        { "#macro S(R) #local O = sphere { 0, R } object { O } #end S(6)",
-          1,
-          { 6 } },
-        { "#macro S(R) #local O = sphere { 0, R } O #end object { S(6) }",
-          1,
-          { 6 } },
+        { "#declare O = sphere { 0, 5 } #macro S(O) object { O } #end S(O)", 1, { 5 } },
+        { "#macro S(R) #local O = sphere { 0, R } object { O } #end S(6)", 1, { 6 } },
+        { "#macro S(R) #local O = sphere { 0, R } O #end object { S(6) }", 1, { 6 } },
         { "#macro S(T) sphere { 0, 1 texture { T } } #end\n"
           "S(texture { pigment { rgb 1 } })",
           1,
@@ -55,12 +47,8 @@ TEST(spheres)
           "#declare A[0] = A[1] object { A[0] }",
           1,
           { 2 } },
-        { "#macro S() #break sphere { 0, 1 } #end S() sphere { 0, 2 }",
-          1,
-          { 2 } },
-        { "#default { finish { ambient 0 } } #if (1) sphere { 0, 2 } #end",
-          1,
-          { 2 } },
+        { "#macro S() #break sphere { 0, 1 } #end S() sphere { 0, 2 }", 1, { 2 } },
+        { "#default { finish { ambient 0 } } #if (1) sphere { 0, 2 } #end", 1, { 2 } },
         { "union { sphere { 0, 3 } #for (I, 1, 2) sphere { 0, I } #end }",
           3,
           { 3, 1, 2 } },
@@ -71,20 +59,16 @@ TEST(spheres)
           "sphere { 0, 2 } #end",
           1,
           { 2 } },
-        { "#macro M(x2) sphere { 0, x2 } #end #for (I, 1, 2) M(I) #end",
-          2,
-          { 1, 2 } },
+        { "#macro M(x2) sphere { 0, x2 } #end #for (I, 1, 2) M(I) #end", 2, { 1, 2 } },
         { "sphere { 0, #include concat(\"col\", \"ors.inc\") 1 }", 1, { 1 } },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct scene *scene = read_scene(rows[i].text);
         if (scene->primitive_count != rows[i].count)
-            fail_msg("%zu spheres of: %s", scene->primitive_count,
-                     rows[i].text);
+            fail_msg("%zu spheres of: %s", scene->primitive_count, rows[i].text);
         for (size_t k = 0; k < rows[i].count; k++)
-            assert_close(scene->primitives[k].shape.sphere.radius,
-                         rows[i].radii[k], 0);
+            assert_close(scene->primitives[k].shape.sphere.radius, rows[i].radii[k], 0);
         scene_free(scene);
     }
 }
@@ -114,8 +98,7 @@ TEST(errors)
     } rows[] = {
         { "#macro S(R)\n sphere { 0, Q }\n#end\nS(1) S(2)", 2, 14,
           "'Q', which is not declared, in 'S' called at test.pov:4:1" },
-        { "#macro A(N)\nsphere { 0, N }\n#end\n#macro B(N)\nA(N)\n#end\nB(x)",
-          2, 13,
+        { "#macro A(N)\nsphere { 0, N }\n#end\n#macro B(N)\nA(N)\n#end\nB(x)", 2, 13,
           "in 'A' called at test.pov:5:1, in 'B' called at "
           "test.pov:7:1" },
         { "#macro S(R)\n#error concat(\"no \", R)\n#end\nS(\"luck\")", 2, 1,
@@ -140,8 +123,8 @@ TEST(errors)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &reading_options, rows[i].line,
-                     rows[i].column, rows[i].message);
+        assert_error(rows[i].text, &reading_options, rows[i].line, rows[i].column,
+                     rows[i].message);
 }
 
 /* ---- Bounds ------------------------------------------------------------- */
@@ -187,8 +170,7 @@ TEST(bounds)
           "#declare I = I + 1; #declare S = spline { S I, 1 } #end",
           "more than 1073741824 bytes" },
         { "#while (1) #declare S = seed(1); #end", "random streams" },
-        { "#while (1) #if (file_exists(\"no\")) #end #end",
-          "files are read" },
+        { "#while (1) #if (file_exists(\"no\")) #end #end", "files are read" },
     };
 
     check_bounded(rows, COUNT(rows));
@@ -221,8 +203,7 @@ static bool end_at_once(void *context)
 TEST(stopped)
 {
     size_t asked = 0;
-    const struct scene_options stopping = { .go_on = end_at_once,
-                                            .context = &asked };
+    const struct scene_options stopping = { .go_on = end_at_once, .context = &asked };
     struct diagnostics reports = { 0 };
 
     assert_null(scene_read_text("test.pov", "#while (1) #while (1) #end #end",

@@ -10,9 +10,8 @@ static void check_map(const struct color_map *map, const char *expected)
 
     *to = '\0';
     for (size_t i = 0; i < map->count; i++)
-        to += sprintf(to, "%g:%g,%g,%g ", map->stops[i].at,
-                      map->stops[i].color[0], map->stops[i].color[1],
-                      map->stops[i].color[2]);
+        to += sprintf(to, "%g:%g,%g,%g ", map->stops[i].at, map->stops[i].color[0],
+                      map->stops[i].color[1], map->stops[i].color[2]);
     assert_string_equal(found, expected);
 }
 
@@ -43,24 +42,23 @@ static void check_pigment(const char *words, enum pigment_kind kind,
 TEST(maps)
 {
     check_pigment("gradient x", PIGMENT_GRADIENT, "0:0,0,0 1:1,1,1 ");
-    check_pigment("gradient x color_map { [0 rgb x] [.5 rgb z] }",
-                  PIGMENT_GRADIENT, TWO);
+    check_pigment("gradient x color_map { [0 rgb x] [.5 rgb z] }", PIGMENT_GRADIENT,
+                  TWO);
     check_pigment("gradient x, color_map { [0, rgb x], [.5, color rgb z] }",
                   PIGMENT_GRADIENT, TWO);
     check_pigment("gradient x colour_map { [0 color red 1] [.5 blue 1] }",
                   PIGMENT_GRADIENT, TWO);
-    check_pigment(
-        "gradient x color_map { #for (I, 0, 1) [I/2 rgb <1 - I, 0, I>]"
-        " #end }",
-        PIGMENT_GRADIENT, TWO);
+    check_pigment("gradient x color_map { #for (I, 0, 1) [I/2 rgb <1 - I, 0, I>]"
+                  " #end }",
+                  PIGMENT_GRADIENT, TWO);
     /* the oldest form; a value that falls; values beyond 0 and 1 */
     check_pigment("gradient z color_map { [0, .5 color rgb x color rgb y]"
                   " [.5, 1 color rgb z color rgb 1] }",
                   PIGMENT_GRADIENT, "0:1,0,0 0.5:0,1,0 0.5:0,0,1 1:1,1,1 ");
     check_pigment("gradient y color_map { [.6 rgb x] [.4 rgb y] [.7 rgb z] }",
                   PIGMENT_GRADIENT, "0.6:1,0,0 0.6:0,1,0 0.7:0,0,1 ");
-    check_pigment("gradient y color_map { [-1 rgb x] [3 rgb y] }",
-                  PIGMENT_GRADIENT, "-1:1,0,0 3:0,1,0 ");
+    check_pigment("gradient y color_map { [-1 rgb x] [3 rgb y] }", PIGMENT_GRADIENT,
+                  "-1:1,0,0 3:0,1,0 ");
 }
 
 static struct pattern pattern_of(const char *words)
@@ -135,17 +133,13 @@ TEST(lists)
     check_list("hexagon rgb 0 rgb y", "0,0,0 0,1,0 1,0,0 ");
     check_list("checker rgb x", "1,0,0 0,1,0 ");
     check_list("brick rgb x, rgb z triangle_wave", "1,0,0 1,0,0 ");
-    check_list("hexagon rgb x rgb y rgb z frequency .5",
-               "1,0,0 0.5,0.5,0 0,1,0 ");
+    check_list("hexagon rgb x rgb y rgb z frequency .5", "1,0,0 0.5,0.5,0 0,1,0 ");
     check_list("brick rgb x, rgb z frequency -.25", "1,0,0 0.25,0,0.75 ");
-    check_list("brick rgb x, rgb z frequency .5 sine_wave",
-               "0.5,0,0.5 0.5,0,0.5 ");
-    check_list("brick rgb x, rgb z frequency .5 scallop_wave",
-               "1,0,0 0,0,1 ");
+    check_list("brick rgb x, rgb z frequency .5 sine_wave", "0.5,0,0.5 0.5,0,0.5 ");
+    check_list("brick rgb x, rgb z frequency .5 scallop_wave", "1,0,0 0,0,1 ");
     check_list("brick rgb x, rgb z frequency .5 phase .25 cubic_wave",
                "0.84375,0,0.15625 0.15625,0,0.84375 ");
-    check_list("brick rgb x, rgb z frequency .5 poly_wave 2",
-               "1,0,0 0.75,0,0.25 ");
+    check_list("brick rgb x, rgb z frequency .5 poly_wave 2", "1,0,0 0.75,0,0.25 ");
     check_list("hexagon rgb 0 rgb y color_map { [.5 rgb x] [2 rgb z] }",
                "1,0,0 0.666667,0,0.333333 0,0,1 ");
 }
@@ -175,8 +169,7 @@ TEST(waves_stay)
     pattern = pattern_of("brick mortar .1 brick_size 1 brick");
     assert_close(pattern.mortar, .5, 0);
     assert_vector(pattern.brick_size, 8, 3, 4.5);
-    check_pigment("checker gradient x phase .5", PIGMENT_GRADIENT,
-                  "0:0,0,1 1:0,1,0 ");
+    check_pigment("checker gradient x phase .5", PIGMENT_GRADIENT, "0:0,0,1 1:0,1,0 ");
     check_pigment("hexagon rgb x rgb y rgb z gradient x", PIGMENT_GRADIENT,
                   "0:1,0,0 1:0,1,0 2:0,0,1 ");
     scene = read_scene(
@@ -222,8 +215,7 @@ TEST(gradients_after_checkers)
     } rows[] = {
         { "pigment { checker rgb x, rgb z } pigment { gradient x }",
           "0:1,0,0 1:0,0,1 " },
-        { "pigment { checker rgb x } pigment { gradient x }",
-          "0:1,0,0 1:0,1,0 " },
+        { "pigment { checker rgb x } pigment { gradient x }", "0:1,0,0 1:0,1,0 " },
         { "pigment { checker } pigment { gradient x }", "0:0,0,1 1:0,1,0 " },
         { "pigment { checker rgb x } pigment { rgb 1 } pigment { gradient x }",
           "0:1,0,0 1:0,1,0 " },
@@ -261,13 +253,13 @@ TEST(other_patterns)
 
 TEST(clear)
 {
-    struct scene *scene = read_with(
-        "#declare G = pigment { gradient x color_map { [0 rgbt <1, 0, 0, .5>]"
-        " [1 rgb y] } }\n"
-        "sphere { 0, 1 pigment { G } }"
-        "sky_sphere { pigment { gradient x color_map { [0 rgb x]"
-        " [1 rgbf 1] } } }",
-        1);
+    struct scene *scene =
+        read_with("#declare G = pigment { gradient x color_map { [0 rgbt <1, 0, 0, .5>]"
+                  " [1 rgb y] } }\n"
+                  "sphere { 0, 1 pigment { G } }"
+                  "sky_sphere { pigment { gradient x color_map { [0 rgb x]"
+                  " [1 rgbf 1] } } }",
+                  1);
 
     assert_false(pigment_is_clear(&scene->primitives[0].pigment));
     assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
@@ -283,9 +275,8 @@ TEST(skies)
     assert_int_not_equal(scene->sky.kind, PIGMENT_GRADIENT);
     assert_vector(scene->background, 1, .5, 0);
     scene_free(scene);
-    scene = read_scene(
-        "sky_sphere { pigment { gradient y scale 2 } rotate x*90"
-        " scale 3 }");
+    scene = read_scene("sky_sphere { pigment { gradient y scale 2 } rotate x*90"
+                       " scale 3 }");
     assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
     transform_point(&scene->sky.to_local, up);
     assert_vector(up, 0, 0, -1.0 / 6);
@@ -330,8 +321,7 @@ TEST(errors)
         { MAP "[0] } } }", 50, "expected a colo" },
         { MAP "[0 rgb x } } }", 57, "expected ']'" },
         { MAP "[0 rgb x rgb y] } } }", 57, "expected ']'" },
-        { MAP "#for (I, 0, 256) [0 rgb x] #end } } }", 73,
-          "more than 256 entries" },
+        { MAP "#for (I, 0, 256) [0 rgb x] #end } } }", 73, "more than 256 entries" },
         { MAP "[0 rgb 1e101] } } }", 60, "out of range" },
         { "sky_sphere { gradient y }", 14, "expected a word of sky_sphere" },
         { "sky_sphere { pigment { gradient y } wibble }", 37,

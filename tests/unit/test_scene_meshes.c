@@ -35,10 +35,8 @@ TEST(lone_triangles)
     assert_vector(smooth->normals[0], 0, 0, -1);
     assert_vector(smooth->normals[1], 0, 0, -1);
     assert_vector(smooth->normals[2], -HALF, 0, -HALF);
-    assert_true(
-        triangles_of_part(scene, 2)->list->smooth); /* equal normals */
-    assert_vector(triangles_of_part(scene, 2)->list->normals[1], HALF, 0,
-                  HALF);
+    assert_true(triangles_of_part(scene, 2)->list->smooth); /* equal normals */
+    assert_vector(triangles_of_part(scene, 2)->list->normals[1], HALF, 0, HALF);
     assert_int_equal(scene->primitives[2].line, 3);
     assert_ptr_equal(triangles_of_part(scene, 3)->list,
                      triangles_of_part(scene, 4)->list);
@@ -84,17 +82,16 @@ TEST(meshes)
 TEST(mesh2)
 {
     struct scene *scene = read_scene(
-        FOUR
-        "face_indices { 2, <0, 1, 2>, <1, 2.9, 3> } }\n" FOUR
-        "normal_vectors { 4, x, 2*y, z, -x }"
-        "  uv_vectors { 1, <0, 1> }\n"
-        "  face_indices { 2 <3, 2, 1> <-.5, 1, 3> } scale 2 }\n"
-        "mesh2 { normal_vectors { 2 x y } vertex_vectors { 4 0 x y z }"
-        "  uv_vectors { 0 } face_indices { 3, <0, 1, 2>, <0, 2, 3>, <1, 2, 3> }"
-        "  normal_indices { 2, <0, 1, 1>, <0, 0, 0> } hierarchy off }\n" FOUR
-        "normal_vectors { 4, x, 2*y, z, -x }"
-        "  face_indices { 2 <3, 2, 1> <0, 1, 3> } uv_indices { 2, 0, 0 }"
-        "  normal_indices { 1 <0, 2, 3> } inside_vector x inside_vector y }\n");
+        FOUR "face_indices { 2, <0, 1, 2>, <1, 2.9, 3> } }\n" FOUR
+             "normal_vectors { 4, x, 2*y, z, -x }"
+             "  uv_vectors { 1, <0, 1> }\n"
+             "  face_indices { 2 <3, 2, 1> <-.5, 1, 3> } scale 2 }\n"
+             "mesh2 { normal_vectors { 2 x y } vertex_vectors { 4 0 x y z }"
+             "  uv_vectors { 0 } face_indices { 3, <0, 1, 2>, <0, 2, 3>, <1, 2, 3> }"
+             "  normal_indices { 2, <0, 1, 1>, <0, 0, 0> } hierarchy off }\n" FOUR
+             "normal_vectors { 4, x, 2*y, z, -x }"
+             "  face_indices { 2 <3, 2, 1> <0, 1, 3> } uv_indices { 2, 0, 0 }"
+             "  normal_indices { 1 <0, 2, 3> } inside_vector x inside_vector y }\n");
     const struct triangle *list = triangles_of_part(scene, 0)->list;
 
     assert_int_equal(scene->primitive_count, 4);
@@ -123,12 +120,12 @@ TEST(mesh2)
  * takes its triangle away; so does an area of 0. */
 TEST(nothing)
 {
-    struct scene *scene = read_with(
-        "mesh { smooth_triangle { 0, 1e-11*z, x, y, y, <1e-200, 0, 0> } }\n"
-        "mesh2 { vertex_vectors { 3 0 x y } normal_vectors { 3 0 y z }"
-        " face_indices { 1 <0, 1, 2> } }\n"
-        "smooth_triangle { 0, 1e-200*z, x, y, y, z }\n",
-        1); /* of one cause */
+    struct scene *scene =
+        read_with("mesh { smooth_triangle { 0, 1e-11*z, x, y, y, <1e-200, 0, 0> } }\n"
+                  "mesh2 { vertex_vectors { 3 0 x y } normal_vectors { 3 0 y z }"
+                  " face_indices { 1 <0, 1, 2> } }\n"
+                  "smooth_triangle { 0, 1e-200*z, x, y, y, z }\n",
+                  1); /* of one cause */
     const struct triangle *list = triangles_of_part(scene, 0)->list;
 
     assert_int_equal(scene->primitive_count, 3);
@@ -137,11 +134,10 @@ TEST(nothing)
     assert_vector(triangles_of_part(scene, 1)->list->normals[0], 1, 0, 0);
     assert_vector(triangles_of_part(scene, 2)->list->normals[0], 0, 0, 1);
     scene_free(scene);
-    scene =
-        read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
-                  "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
-                  "triangle { 1, 1, 1 translate x inverse }\n",
-                  1);
+    scene = read_with("smooth_triangle { 0, 0, x, y, y, z pigment { rgb 1 } }\n"
+                      "union { triangle { 0, x, 2*x } sphere { 0, 1 } }\n"
+                      "triangle { 1, 1, 1 translate x inverse }\n",
+                      1);
     assert_int_equal(scene->primitive_count, 1);
     scene_free(scene);
 }
@@ -177,8 +173,7 @@ TEST(textures)
         { "mesh { triangle { 0, x, y texture { A } } triangle { 0, y, z "
           "texture { C } } }",
           1, 1, 0 },
-        { "mesh { triangle { 0, x, y } triangle { 0, y, z texture { B } } }",
-          1, 0, 1 },
+        { "mesh { triangle { 0, x, y } triangle { 0, y, z texture { B } } }", 1, 0, 1 },
         { "mesh { triangle { 0, x, y } triangle { 0, y, z texture { B } } "
           "texture { A } }",
           1, 1, 0 },
@@ -191,16 +186,14 @@ TEST(textures)
         { "object { mesh { triangle { 0, x, y } } texture { A } }", 0, 1, 0 },
         { "mesh { triangle { 0, x, y texture_list { A, B C } } }", 1, 1, 0 },
         { "mesh { triangle { 0, x, y texture_list { B B B } } }", 0, 0, 1 },
-        { "mesh { smooth_triangle { 0, x, x, y, y, z texture { B } } }", 0, 0,
-          1 },
+        { "mesh { smooth_triangle { 0, x, x, y, y, z texture { B } } }", 0, 0, 1 },
         { LIST "face_indices { 1, <0, 1, 2> } }", 0, 0, 0 },
         { LIST "face_indices { 1, <0, 1, 2>, 1 } }", 0, 0, 1 },
         { LIST "face_indices { 1, <0, 1, 2>, 1 } texture { A } }", 0, 0, 1 },
         { LIST "face_indices { 1, <0, 1, 2>, 0, 0, 0 } }", 0, 1, 0 },
         { LIST "face_indices { 1, <0, 1, 2>, 0, 1, 0 } }", 1, 1, 0 },
         { LIST "face_indices { 2, <0, 1, 2> 1 <1, 2, 0> } }", 1, 0, 1 },
-        { LIST "face_indices { 2, <0, 1, 2> <1, 2, 0>, 0 } texture { B } }",
-          1, 0, 1 },
+        { LIST "face_indices { 2, <0, 1, 2> <1, 2, 0>, 0 } texture { B } }", 1, 0, 1 },
         { "#declare F = <0, 1, 2>; #declare N = 1;" LIST
           "face_indices { 3, F F N F (1 - 1) } texture { A } }",
           1, 1, 0 },
@@ -214,8 +207,8 @@ TEST(textures)
         snprintf(text, sizeof text, LOOKS "%s", rows[i].text);
         struct scene *scene = read_with(text, rows[i].reports);
         assert_int_equal(scene->primitive_count, 1);
-        assert_vector(scene->primitives->pigment.color[0], rows[i].red,
-                      rows[i].green, 0);
+        assert_vector(scene->primitives->pigment.color[0], rows[i].red, rows[i].green,
+                      0);
         scene_free(scene);
     }
 }
@@ -238,17 +231,14 @@ TEST(messages)
         size_t line, column;
         const char *message;
     } rows[] = {
-        { LOOKS
-          "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
-          "texture { A } } }",
-          4, 27,
-          "the textures of a mesh's triangles are replaced by the first" },
-        { LOOKS
-          "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
-          "} texture { A } }",
+        { LOOKS "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
+                "texture { A } } }",
+          4, 27, "the textures of a mesh's triangles are replaced by the first" },
+        { LOOKS "mesh { triangle { 0, x, y texture { B } } triangle { 0, y, z "
+                "} texture { A } }",
           4, 27, "replaced by that of the mesh" },
-        { LOOKS LIST "\nface_indices { 2, <0, 1, 2>, 1, <0, 2, 1>, 0 } }", 6,
-          30, "replaced by the first" },
+        { LOOKS LIST "\nface_indices { 2, <0, 1, 2>, 1, <0, 2, 1>, 0 } }", 6, 30,
+          "replaced by the first" },
         { "triangle { 0, x, 2*x }", 1, 1, "left out" },
         { "intersection { sphere { 0, 1 } mesh { triangle { 0, x, y } "
           "inside_vector 1e-11 } }",
@@ -258,8 +248,8 @@ TEST(messages)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &strict_options, rows[i].line,
-                     rows[i].column, rows[i].message);
+        assert_error(rows[i].text, &strict_options, rows[i].line, rows[i].column,
+                     rows[i].message);
 }
 
 /* What light passes, it passes. */
@@ -298,15 +288,14 @@ static void assert_nodes(const char *text, size_t reports,
 /* Surfaces are not inverted, as in POV-Ray, also below what is. */
 TEST(inverted)
 {
-    ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } } }",
-                 1, TREE_AND, TREE_LEAF, TREE_LEAF);
+    ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } } }", 1,
+                 TREE_AND, TREE_LEAF, TREE_LEAF);
     ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } "
                  "inside_vector z } }",
                  0, TREE_AND, TREE_LEAF, TREE_NOT, TREE_LEAF);
     ASSERT_NODES("union { box { 0, 1 } triangle { 0, x, y } sphere { 0, 1 } "
                  "inverse }",
-                 0, TREE_AND, TREE_NOT, TREE_LEAF, TREE_LEAF, TREE_NOT,
-                 TREE_LEAF);
+                 0, TREE_AND, TREE_NOT, TREE_LEAF, TREE_LEAF, TREE_NOT, TREE_LEAF);
     ASSERT_NODES("object { union { box { 0, 1 } triangle { 0, x, y } inverse "
                  "} inverse }",
                  0, TREE_OR, TREE_LEAF, TREE_LEAF);
@@ -342,8 +331,7 @@ TEST(errors)
         { "mesh { sphere { 0, 1 } }", 8, "expected a triangle or a word" },
         { "mesh { triangle { 0, x, y, z } triangle { 0, x, y } }", 26,
           "expected a word of a mesh's triangle" },
-        { "mesh { triangle { 0, x, y translate x } }", 27,
-          "found 'translate'" },
+        { "mesh { triangle { 0, x, y translate x } }", 27, "found 'translate'" },
         { "mesh { triangle { 0, x, y uv_vectors x, y } }", 43, "a number" },
         { "mesh { triangle { 0, x, y texture { A } } }", 37,
           "'A', which is not declared" },
@@ -363,8 +351,7 @@ TEST(errors)
           "'vertex_vectors' has to stand before 'texture_list'" },
         { "mesh2 { uv_indices { 1, 0 } }", 9,
           "'face_indices' has to stand before 'uv_indices'" },
-        { THREE "vertex_vectors { 1, 0 } " FACE "}", 39,
-          "two 'vertex_vectors'" },
+        { THREE "vertex_vectors { 1, 0 } " FACE "}", 39, "two 'vertex_vectors'" },
         { THREE FACE "face_indices { 1, 0 } }", 69, "two 'face_indices'" },
         { THREE FACE "normal_vectors { 1, x } }", 69,
           "'normal_vectors' has to stand before 'face_indices'" },
@@ -375,8 +362,7 @@ TEST(errors)
         { THREE FACE "scale 2 inside_vector x }", 77, "'inside_vector'" },
         { "mesh2 { vertex_vectors { 0 } " FACE "}", 26,
           "the number of 'vertex_vectors' is not a whole one above 0" },
-        { "mesh2 { vertex_vectors { 3.5, 0, x, y } " FACE "}", 26,
-          "not a whole one" },
+        { "mesh2 { vertex_vectors { 3.5, 0, x, y } " FACE "}", 26, "not a whole one" },
         { "mesh2 { vertex_vectors { x, 0, x, y } " FACE "}", 26, "found 3" },
         { THREE "face_indices { -1 } }", 54, "above 0" },
         { THREE "normal_vectors { -1 } " FACE "}", 56,
@@ -389,8 +375,7 @@ TEST(errors)
           "expected '}', found 'z'" },
         { "mesh2 { vertex_vectors { 3, 0, <1, 2, 3, 4> } " FACE "}", 32,
           "a vector of 3" },
-        { THREE "texture_list { 1, pigment { } } " FACE "}", 57,
-          "expected a texture" },
+        { THREE "texture_list { 1, pigment { } } " FACE "}", 57, "expected a texture" },
         { THREE "face_indices { 2, <0, 1, 2>, <0, 3, 1> } }", 68,
           "a face has the vertex 3, but there are only 3" },
         { THREE "face_indices { 1, <0, -1, 2> } }", 57, "the vertex -1" },
@@ -400,18 +385,16 @@ TEST(errors)
         { THREE "texture_list { 1 texture { } } face_indices { 1, <0, 1, 2>, "
                 "0, 0 } }",
           104, "one texture or three, not two" },
-        { THREE
-          "texture_list { 1 texture { } } face_indices { 2, <0, 1, 2> 0 "
-          "0 0 0 <0, 1, 2> } }",
+        { THREE "texture_list { 1 texture { } } face_indices { 2, <0, 1, 2> 0 "
+                "0 0 0 <0, 1, 2> } }",
           104, "the three vertices of a face" },
         { THREE "normal_vectors { 2 x y } " FACE "}", 1,
           "'normal_indices' is missing: there are 2 'normal_vectors', but 3" },
-        { THREE "uv_vectors { 2 x y } " FACE "}", 1,
-          "'uv_indices' is missing" },
+        { THREE "uv_vectors { 2 x y } " FACE "}", 1, "'uv_indices' is missing" },
         { THREE FACE "normal_indices { 1, <0, 1, 2> } }", 89,
           "the normal 0, but there are only 0" },
-        { THREE "normal_vectors { 1 x } " FACE "normal_indices { 2, 0, 0 } }",
-          109, "2 'normal_indices' for 1 face" },
+        { THREE "normal_vectors { 1 x } " FACE "normal_indices { 2, 0, 0 } }", 109,
+          "2 'normal_indices' for 1 face" },
         { THREE "uv_vectors { 1, 0 } " FACE "uv_indices { 0 } }", 102,
           "0 'uv_indices' for 1 face" },
         { THREE FACE "uv_indices { 1, <0, 0, 1> } }", 85,
@@ -476,14 +459,12 @@ static struct random_mesh random_mesh(uint64_t *random)
     for (int i = 0; i < mesh.points; i++)
         for (int k = 0; k < 3; k++) {
             mesh.vertices[i][k] = (double)xorshift_between(random, -2, 2);
-            mesh.normals[i][k] = k ? (double)xorshift_between(random, -9, 9)
-                                   : i + 1;
+            mesh.normals[i][k] = k ? (double)xorshift_between(random, -9, 9) : i + 1;
         }
     for (int i = 0; i < mesh.faces; i++)
         for (int k = 0; k < 3; k++) {
             int *index = &mesh.directions[i][k];
-            mesh.indices[i][k] = (int)xorshift_between(random, 0,
-                                                       mesh.points - 1);
+            mesh.indices[i][k] = (int)xorshift_between(random, 0, mesh.points - 1);
             *index = (int)xorshift_between(random, 0, mesh.points - 1);
             if (k > 0 && *index == mesh.directions[i][0])
                 *index = (*index + 1) % mesh.points;
@@ -496,13 +477,11 @@ static void add_vector(char **to, const double v[3])
     *to += sprintf(*to, "<%g, %g, %g>, ", v[0], v[1], v[2]);
 }
 
-static void add_triangles(char **to, const struct random_mesh *mesh,
-                          const char *word)
+static void add_triangles(char **to, const struct random_mesh *mesh, const char *word)
 {
     *to += sprintf(*to, "%s { ", word);
     for (int i = 0; i < mesh->faces; i++) {
-        *to += sprintf(*to,
-                       mesh->smooth ? "smooth_triangle { " : "triangle { ");
+        *to += sprintf(*to, mesh->smooth ? "smooth_triangle { " : "triangle { ");
         for (int k = 0; k < 3; k++) {
             add_vector(to, mesh->vertices[mesh->indices[i][k]]);
             if (mesh->smooth)
@@ -522,8 +501,7 @@ static void add_vectors(char **to, const char *word, int count,
     *to += sprintf(*to, "}\n");
 }
 
-static void add_indices(char **to, const char *word, int count,
-                        const int (*indices)[3])
+static void add_indices(char **to, const char *word, int count, const int (*indices)[3])
 {
     *to += sprintf(*to, "%s { %d, ", word, count);
     for (int i = 0; i < count; i++)
@@ -544,8 +522,7 @@ static void add_mesh2(char **to, const struct random_mesh *mesh)
     *to += sprintf(*to, "}\n");
 }
 
-static void assert_same_triangle(const struct triangle *a,
-                                 const struct triangle *b)
+static void assert_same_triangle(const struct triangle *a, const struct triangle *b)
 {
     assert_int_equal(a->smooth, b->smooth);
     assert_memory_equal(a->corners, b->corners, sizeof a->corners);
@@ -564,8 +541,7 @@ static void assert_same(const struct scene *scene)
     assert_int_equal(mesh->count + 2, scene->primitive_count);
     for (size_t i = 0; i < mesh->count; i++) {
         assert_same_triangle(&mesh->list[i], &mesh2->list[i]);
-        assert_same_triangle(&mesh->list[i],
-                             triangles_of_part(scene, i + 2)->list);
+        assert_same_triangle(&mesh->list[i], triangles_of_part(scene, i + 2)->list);
     }
 }
 
@@ -612,8 +588,7 @@ TEST(many)
     assert_int_equal(mesh->count, MANY);
     assert_int_equal(triangles_of_part(scene, 1)->count, MANY);
     for (size_t i = 0; i < MANY; i++)
-        assert_same_triangle(&mesh->list[i],
-                             &triangles_of_part(scene, 1)->list[i]);
+        assert_same_triangle(&mesh->list[i], &triangles_of_part(scene, 1)->list[i]);
     assert_close(mesh->list[MANY - 1].corners[0][0], MANY, 0);
     scene_free(scene);
 }

@@ -18,8 +18,8 @@ static const struct bump_list *list_of(const struct scene *scene)
     return list;
 }
 
-static void check_bump(const char *words, enum pattern_function function,
-                       double amount, double accuracy)
+static void check_bump(const char *words, enum pattern_function function, double amount,
+                       double accuracy)
 {
     static const char *const forms[] = {
         "sphere { 0, 1 normal { %s } }",
@@ -69,8 +69,7 @@ TEST(none)
     } rows[] = {
         { "sphere { 0, 1 }", 0 },
         { "sphere { 0, 1 normal { bump_size 2 } }", 0 },
-        { "sphere { 0, 1 normal { gradient x } normal { bumps 2 scale 3 } }",
-          1 },
+        { "sphere { 0, 1 normal { gradient x } normal { bumps 2 scale 3 } }", 1 },
         { "sphere { 0, 1 normal { bumps 2 normal_map { [0 onion] } } }", 1 },
     };
 
@@ -111,8 +110,7 @@ TEST(motions)
         assert_close(point[0], 1, 1e-15);
         assert_close(point[1], 1, 1e-15);
         assert_close(point[2], 2, 1e-15);
-        assert_int_equal(list_of(scene)->bump.pattern.pattern.function,
-                         PATTERN_ONION);
+        assert_int_equal(list_of(scene)->bump.pattern.pattern.function, PATTERN_ONION);
         scene_free(scene);
     }
 }
@@ -167,29 +165,23 @@ TEST(normal_maps)
 {
     struct scene *scene;
 
-    check_entries(
-        "gradient x normal_map { [.3 onion] [.2 radial] [2 planar] }", 3,
-        (double[]){ .3, .3, 2 });
+    check_entries("gradient x normal_map { [.3 onion] [.2 radial] [2 planar] }", 3,
+                  (double[]){ .3, .3, 2 });
     check_entries("gradient x slope_map { [0 <0, 1>] }"
                   " normal_map { [0 onion] [1 radial] }",
                   2, (double[]){ 0, 1 });
     check_entries("average normal_map { [onion] [3 radial] [2, planar] }", 3,
                   (double[]){ 1, 3, 2 });
-    check_entries("checker normal { onion } normal { radial }", 2,
-                  (double[]){ 0, 1 });
+    check_entries("checker normal { onion } normal { radial }", 2, (double[]){ 0, 1 });
     check_entries("onion slope_map { [0 <0, 1>] } brick", 0, NULL);
     check_entries("onion normal_map { [0 onion] } brick", 0, NULL);
-    check_entries(
-        "hexagon normal { onion }, normal { radial } normal { boxed }", 3,
-        (double[]){ 0, 1, 2 });
-    scene = scene_with("average normal_map { [onion 2 scale 2] [bumps 3] }",
-                       1);
+    check_entries("hexagon normal { onion }, normal { radial } normal { boxed }", 3,
+                  (double[]){ 0, 1, 2 });
+    scene = scene_with("average normal_map { [onion 2 scale 2] [bumps 3] }", 1);
     assert_true(list_of(scene)->average);
     assert_close(list_of(scene)->entries[0].bump.amount, 2, 0);
-    assert_close(list_of(scene)->entries[0].bump.pattern.to_local.rows[1][1],
-                 .5, 0);
-    assert_int_equal(list_of(scene)->entries[1].bump.pattern.kind,
-                     PIGMENT_COLOR);
+    assert_close(list_of(scene)->entries[0].bump.pattern.to_local.rows[1][1], .5, 0);
+    assert_int_equal(list_of(scene)->entries[1].bump.pattern.kind, PIGMENT_COLOR);
     scene_free(scene);
     scene = read_scene("#declare S = slope_map { [0 <0, 1>] [1 <1, 0>] }"
                        "#declare M = normal_map { [0 onion] [1 radial] }"
@@ -204,10 +196,10 @@ TEST(normal_maps)
 /* The normal of several within a map: its first one, where it stands there. */
 TEST(nested)
 {
-    struct scene *scene =
-        scene_with("onion normal_map { [0 radial] [1 planar scale 2"
-                   " normal_map { [0 boxed translate x] [1 leopard] }] }",
-                   1);
+    struct scene
+        *scene = scene_with("onion normal_map { [0 radial] [1 planar scale 2"
+                            " normal_map { [0 boxed translate x] [1 leopard] }] }",
+                            1);
     const struct bump *bump = &list_of(scene)->entries[1].bump;
 
     assert_int_equal(bump->pattern.pattern.function, PATTERN_BOXED);
@@ -218,8 +210,8 @@ TEST(nested)
 
 TEST(quilted)
 {
-    struct scene *scene =
-        scene_with("onion slope_map { [0 <0, 1>] } quilted control1 .3", 0);
+    struct scene
+        *scene = scene_with("onion slope_map { [0 <0, 1>] } quilted control1 .3", 0);
     const struct bump *bump = &list_of(scene)->bump;
 
     assert_close(bump->controls[0], 1, 0);
@@ -231,22 +223,16 @@ TEST(quilted)
 TEST(errors)
 {
     static const struct line_error errors[] = {
-        { "sphere { 0, 1 normal { onion accuracy 0 } }", 30,
-          "an accuracy of 0" },
-        { "sphere { 0, 1 normal { average } }", 22,
-          "an average without a normal_map" },
+        { "sphere { 0, 1 normal { onion accuracy 0 } }", 30, "an accuracy of 0" },
+        { "sphere { 0, 1 normal { average } }", 22, "an average without a normal_map" },
         { "sphere { 0, 1 normal { brick slope_map { [0 <0, 1>] } } }", 30,
           "a list of normals has no 'slope_map'" },
         { "sphere { 0, 1 normal { checker normal { onion } } }", 49,
           "expected a normal" },
-        { "sphere { 0, 1 normal { onion normal_map { } } }", 43,
-          "expected '['" },
-        { "sphere { 0, 1 normal { onion normal_map { [onion] } } }", 44,
-          "expected" },
-        { "sphere { 0, 1 normal { onion slope_map { [0 1 2] } } }", 47,
-          "expected" },
-        { "sphere { 0, 1 normal { onion rgb 1 } }", 30,
-          "expected a word of normal" },
+        { "sphere { 0, 1 normal { onion normal_map { } } }", 43, "expected '['" },
+        { "sphere { 0, 1 normal { onion normal_map { [onion] } } }", 44, "expected" },
+        { "sphere { 0, 1 normal { onion slope_map { [0 1 2] } } }", 47, "expected" },
+        { "sphere { 0, 1 normal { onion rgb 1 } }", 30, "expected a word of normal" },
         { "sphere { 0, 1 normal { gradient 0 } }", 24,
           "the vector of a gradient has no length" },
         { "sphere { 0, 1 normal { onion scale 1e200 scale 1e200 } }", 1,

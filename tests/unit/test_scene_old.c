@@ -10,12 +10,9 @@ TEST(reports)
     } rows[] = {
         { "#declare A = sphere { 0, 1 } A A", 1 },
         { "#declare A = sphere { 0, 1 } union { A object { A } }", 1 },
-        { "#declare A = sphere { 0, 1 } difference { A sphere { x, 1 } }",
-          1 },
-        { "#declare A = sphere { 0, 1 } #if (1) A #end object { A scale 2 }",
-          1 },
-        { "#declare L = light_source { x, 1 } L sphere { 0, 1 } box { 0, 1 }",
-          1 },
+        { "#declare A = sphere { 0, 1 } difference { A sphere { x, 1 } }", 1 },
+        { "#declare A = sphere { 0, 1 } #if (1) A #end object { A scale 2 }", 1 },
+        { "#declare L = light_source { x, 1 } L sphere { 0, 1 } box { 0, 1 }", 1 },
         { "declare A = 1; sphere { 0, A } declare A = sphere { 0, 1 } A", 2 },
         { "#declare A = sphere { 0, 1 } declare A = box { 0, 1 } A A", 2 },
         { "include \"colors.inc\" version 3.7; sphere { 0, version } "
@@ -50,10 +47,7 @@ TEST(ior)
 {
     assert_ior("sphere { 0, 1 finish { refraction 1 ior 1.4 } }", 2, 1.4);
     assert_ior("sphere { 0, 1 texture { finish { ior 1.4 } } }", 1, 1.4);
-    assert_ior("#declare F = finish { ior 1.4 } sphere { 0, 1 finish { F } }",
-               1, 1.4);
-    assert_ior("sphere { 0, 1 finish { ior 1.4 } interior { ior 1.2 } }", 1,
-               1.4);
-    assert_ior("sphere { 0, 1 interior { ior 1.2 } finish { phong 1 } }", 0,
-               1.2);
+    assert_ior("#declare F = finish { ior 1.4 } sphere { 0, 1 finish { F } }", 1, 1.4);
+    assert_ior("sphere { 0, 1 finish { ior 1.4 } interior { ior 1.2 } }", 1, 1.4);
+    assert_ior("sphere { 0, 1 interior { ior 1.2 } finish { phong 1 } }", 0, 1.2);
 }

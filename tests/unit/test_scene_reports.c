@@ -16,8 +16,7 @@ TEST(errors)
         { "union { sphere { 0, 1 }\n ovus { 0, 1, y, 0 } }", 2, 2, "'ovus'" },
         { "difference { sphere { 0 1 } sor { } }", 1, 29, "'sor'" },
         { "sphere { 0, 1 interior { ior 0 } }", 1, 26, "ior is not above 0" },
-        { "merge { sphere { 0 1 } inverse sphere { 0 1 } }", 1, 32,
-          "found 'sphere'" },
+        { "merge { sphere { 0 1 } inverse sphere { 0 1 } }", 1, 32, "found 'sphere'" },
         { "sphere { 0, 1 clipped_by { triangle { 0, x, y } } }", 1, 28,
           "a mesh has no inside, by which to cut" },
         { "sphere { 0, 1 clipped_by { bounded_by } }", 1, 28, "bounded_by" },
@@ -48,18 +47,15 @@ TEST(errors)
         { "sphere { 0, x.t }", 1, 15, "a component" },
         { "sphere { 0, sin(1, 2) }", 1, 18, "expected ')'" },
         { "sphere { 0, 1 scale 2 colr 1 }", 1, 23, "found 'colr'" },
-        { "sphere { 0, 1 matrix <1,1,0,1,1,0,0,0,1,0,0,0> }", 1, 15,
-          "no inverse" },
+        { "sphere { 0, 1 matrix <1,1,0,1,1,0,0,0,1,0,0,0> }", 1, 15, "no inverse" },
         { "sphere { 0, 1 finish { roughness 0 } }", 1, 24, "roughness" },
-        { "sphere { 0, 1 pigment { rgb <1, 2, 3, 4> } }", 1, 29,
-          "'rgb' takes 3" },
+        { "sphere { 0, 1 pigment { rgb <1, 2, 3, 4> } }", 1, 29, "'rgb' takes 3" },
         { "camera { angle 180 }", 1, 10, "0 and 180" },
         { "camera { blur_samples 0 }", 1, 10, "not 1 or more" },
         { "camera { aperture z }", 1, 19, "expected a number" },
         { "camera { location x look_at x }", 1, 1, "are the same" },
         { "camera { up x }", 1, 1, "span no picture" },
-        { "union { sphere { 0 1 } scale 2 sphere { 0 1 } }", 1, 32,
-          "found 'sphere'" },
+        { "union { sphere { 0 1 } scale 2 sphere { 0 1 } }", 1, 32, "found 'sphere'" },
         { "#declare A = 1 sphere { 0, 1 }", 1, 15, "';' is missing" },
         { "#declare x = 1;", 1, 10, "'x' is a word of the language" },
         { "#declare A = ;", 1, 14, "expected a value, found ';'" },
@@ -75,14 +71,12 @@ TEST(errors)
         { "sphere { 0, 1 }\n/* /* */", 2, 1, "comment is not closed" },
         { "sphere { 0, 1 } \"", 1, 17, "string is not closed" },
         { "object { sphere { 0, 1 } sphere { 0, 1 } }", 1, 26, "'sphere'" },
-        { "light_source { 0, rgb 1 shadowless looks_like { sphere {0 x} } }",
-          1, 59, "expected a number" },
-        { "light_source { 0, rgb 1 looks_like { } }", 1, 38,
-          "the name of an object" },
+        { "light_source { 0, rgb 1 shadowless looks_like { sphere {0 x} } }", 1, 59,
+          "expected a number" },
+        { "light_source { 0, rgb 1 looks_like { } }", 1, 38, "the name of an object" },
         { "light_source { 0, 1 spotlight point_at 0 }", 1, 14,
           "at the point that it points at" },
-        { "light_source { 0, 1 radius 3 spotlight }", 1, 21,
-          "'radius' is of a light" },
+        { "light_source { 0, 1 radius 3 spotlight }", 1, 21, "'radius' is of a light" },
         { "light_source { 0, 1 spotlight tightness -101 }", 1, 14,
           "a tightness below -100" },
         { "light_source { x, 1 cylinder falloff 0 }", 1, 14,
@@ -100,14 +94,14 @@ TEST(errors)
         { "poly { 5, <1> }", 1, 8, "only 2 to 4" },
         { "poly { 2, <1, 2> }", 1, 11, "expected 10 coefficients, found 2" },
         { "cubic { <1> }", 1, 9, "expected 20 coefficients, found 1" },
-        { "#declare B = sphere { 0, Foo } object { B } object { B scale 2 }",
-          1, 26, "'Foo'" },
+        { "#declare B = sphere { 0, Foo } object { B } object { B scale 2 }", 1, 26,
+          "'Foo'" },
         { "sphere { 0, 1 scale 1e200 scale 1e200 }", 1, 1, "out of range" },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++)
-        assert_error(rows[i].text, &reading_options, rows[i].line,
-                     rows[i].column, rows[i].message);
+        assert_error(rows[i].text, &reading_options, rows[i].line, rows[i].column,
+                     rows[i].message);
 }
 
 /* Each text has this one report; it is an error under strict. */
@@ -131,10 +125,9 @@ TEST(reports)
           "a normal of the pattern 'bozo'" },
         { "sphere { 0, 1 normal { bump_map { png \"a.png\" } scale 2 } }", 24,
           "'bump_map'" },
-        { "sphere { 0, 1 normal { gradient x turbulence 1 } }", 35,
-          "'turbulence'" },
-        { "sphere { 0, 1 normal { average normal_map { [onion] [bumps] } } }",
-          54, "'bumps'" },
+        { "sphere { 0, 1 normal { gradient x turbulence 1 } }", 35, "'turbulence'" },
+        { "sphere { 0, 1 normal { average normal_map { [onion] [bumps] } } }", 54,
+          "'bumps'" },
         { "sphere { 0, 1 normal { onion normal_map { [0 onion] [1 planar"
           " normal_map { [0 radial] [1 boxed] } ] } } }",
           53, "replaced by its first" },
@@ -144,28 +137,24 @@ TEST(reports)
           " [0 onion no_bump_scale] } } }",
           43, "within a map" },
         { "sphere { 0, 1 double_illuminate }", 15, "'double_illuminate'" },
-        { "difference { sphere { 0, 1 } sphere { x, 1 } cutaway_textures }",
-          46, "'cutaway_textures'" },
+        { "difference { sphere { 0, 1 } sphere { x, 1 } cutaway_textures }", 46,
+          "'cutaway_textures'" },
         { "merge { sphere { 0, 1 no_image } sphere { x, 1 } }", 9,
           "'no_image' on a part" },
         { "difference { union { sphere { 0, 1 no_reflection }"
           " sphere { x, 1 no_image } } sphere { y, 1 } }",
           14, "'no_reflection' on a part" },
-        { "sphere { 0, 1 finish { reflection { .1 exponent 2 } } }", 40,
-          "'exponent'" },
-        { "sphere { 0, 1 interior { ior 1.5 caustics 1 } }", 34,
-          "'caustics'" },
+        { "sphere { 0, 1 finish { reflection { .1 exponent 2 } } }", 40, "'exponent'" },
+        { "sphere { 0, 1 interior { ior 1.5 caustics 1 } }", 34, "'caustics'" },
         { "union { sphere { 0, 1 } }", 1, "fewer than two objects" },
         { "intersection { }", 1, "fewer than two objects" },
-        { "sphere { 0 1 } merge { light_source { 0, 1 } }", 16,
-          "in this 'merge'" },
+        { "sphere { 0 1 } merge { light_source { 0, 1 } }", 16, "in this 'merge'" },
         { "difference { sphere { 0, 1 }"
           " steiner_patch { x, y, z, 0, 0, 0 } }",
           30, "no inside" },
-        { "sphere { 0, 1 pigment { rgb 1 } texture { pigment { rgbt 1 } } }",
-          33, "layers" },
-        { "sphere { 0, 1 finish { subsurface { 1 } phong 1 } }", 24,
-          "'subsurface'" },
+        { "sphere { 0, 1 pigment { rgb 1 } texture { pigment { rgbt 1 } } }", 33,
+          "layers" },
+        { "sphere { 0, 1 finish { subsurface { 1 } phong 1 } }", 24, "'subsurface'" },
         { "sphere { 0, 1 finish { diffuse albedo .5 } }", 32, "'albedo'" },
         { "sphere { 0, 1 finish { diffuse .5, .2 } }", 34, "inside" },
         { "sphere { 0, 1 pigment { granite } }", 25, "'granite'" },
@@ -175,8 +164,7 @@ TEST(reports)
         { "sphere { 0, 1 scale <1, 0, 1> }", 15, "along y" },
         { "fog { fog_type 2 distance 10 color rgb 1 }", 1, "type 2" },
         { "fog { distance -10 color rgb 1 }", 1, "below 0" },
-        { "fog { distance 10 color rgb 1 turbulence .3 }", 31,
-          "'turbulence'" },
+        { "fog { distance 10 color rgb 1 turbulence .3 }", 31, "'turbulence'" },
         { "sphere { 0, 1 pigment { rgbt .5 } } fog { distance 1 rgb 1 }", 37,
           "fog within clear bodies" },
         { "sky_sphere { emission 2 }", 14, "'emission'" },
@@ -185,23 +173,20 @@ TEST(reports)
         { "global_settings { charset utf8 }", 19, "'charset'" },
         { "light_source { 0, 1 projected_through { sphere { 0, 1 } } }", 21,
           "'projected_through'" },
-        { "light_group { light_source { 0, 1 } sphere { 0, 1 } }", 1,
-          "'light_group'" },
+        { "light_group { light_source { 0, 1 } sphere { 0, 1 } }", 1, "'light_group'" },
         { "light_source { 0, 1 area_light x, <0, 1, 0>, 4, 4 jitter }", 51,
           "'jitter'" },
-        { "light_source { 0, 1 area_light x, y, 4, 4 parallel point_at z }",
-          14, "parallel rays" },
+        { "light_source { 0, 1 area_light x, y, 4, 4 parallel point_at z }", 14,
+          "parallel rays" },
         { "#warning \"old\"", 1, "old" },
-        { "#version 3.1; global_settings { assumed_gamma 1 }", 10,
-          "version 3.7" },
+        { "#version 3.1; global_settings { assumed_gamma 1 }", 10, "version 3.7" },
         { "#version 3.6;", 10, "without gamma correction" },
         { "#undef A", 8, "'A' is not declared" },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         scene_free(read_with(rows[i].text, 1));
-        assert_error(rows[i].text, &strict_options, 1, rows[i].column,
-                     rows[i].message);
+        assert_error(rows[i].text, &strict_options, 1, rows[i].column, rows[i].message);
     }
 }
 
@@ -222,8 +207,8 @@ TEST(first_colors)
         snprintf(text, sizeof text,
                  "#declare C = rgb <1, 2, 3>; sphere { 0, 1 pigment { %s } }",
                  texts[i]);
-        struct scene *scene = read_versioned("test.pov", text,
-                                             &reading_options, &reports);
+        struct scene *scene = read_versioned("test.pov", text, &reading_options,
+                                             &reports);
         if (!scene)
             diagnostics_print(&reports, stderr);
         assert_non_null(scene);
@@ -237,11 +222,10 @@ TEST(first_colors)
 /* One reading finds them all, and goes on behind each. */
 TEST(all_errors)
 {
-    static const char text[] =
-        "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
-        "ovus { 0, y, 1 }\n"
-        "union { box { 0, 1 rotate <1, 2 } sphere { } bar }\n"
-        "camera { location }\n";
+    static const char text[] = "sphere { 0, foo finish { wibble 2 phong x } scale }\n"
+                               "ovus { 0, y, 1 }\n"
+                               "union { box { 0, 1 rotate <1, 2 } sphere { } bar }\n"
+                               "camera { location }\n";
     static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };
     struct diagnostics reports = { 0 };
 
@@ -256,10 +240,9 @@ TEST(all_errors)
 
 TEST(print)
 {
-    static const char expected[] =
-        "test.pov:2:10: error: 'ovus' is not supported\n"
-        "    \xc3\xa4? */   ovus { 1, 2 }\n"
-        "            ^\n";
+    static const char expected[] = "test.pov:2:10: error: 'ovus' is not supported\n"
+                                   "    \xc3\xa4? */   ovus { 1, 2 }\n"
+                                   "            ^\n";
     struct diagnostics reports = { 0 };
     char *text = NULL;
     size_t length = 0;
@@ -299,8 +282,7 @@ static void delete_files(const char *folder, const char *const *names)
 
 TEST(includes)
 {
-    static const char *const names[] = { "main.pov", "part.inc", "loop.inc",
-                                         NULL };
+    static const char *const names[] = { "main.pov", "part.inc", "loop.inc", NULL };
     char folder[] = "/tmp/scene-XXXXXX", path[200];
     struct diagnostics reports = { 0 };
     struct scene *scene;
@@ -321,8 +303,7 @@ TEST(includes)
     scene_free(scene);
 
     write_file(folder, "main.pov", "#include \"part.inc\"\nsphere { 0, L }");
-    assert_null(
-        scene_read(path, &reading_options, &reports)); /* L was local */
+    assert_null(scene_read(path, &reading_options, &reports)); /* L was local */
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items[0].line, 2);
     diagnostics_free(&reports);
@@ -334,10 +315,8 @@ TEST(includes)
     diagnostics_free(&reports);
 
     const char *const search[] = { folder, NULL };
-    const struct scene_options searching = { 4,    3,    false, search,
-                                             NULL, NULL, NULL,  0 };
-    scene = read_versioned("x.pov", "#include \"part.inc\"", &searching,
-                           &reports);
+    const struct scene_options searching = { 4, 3, false, search, NULL, NULL, NULL, 0 };
+    scene = read_versioned("x.pov", "#include \"part.inc\"", &searching, &reports);
     assert_non_null(scene);
     scene_free(scene);
     delete_files(folder, names);
@@ -384,11 +363,9 @@ TEST(bounds)
 TEST(many_places)
 {
     enum { COUNT_OF_SPHERES = 1000 };
-    char *text = repeated("", "sphere { 0, 1 finish { crand 2 } }\n",
-                          COUNT_OF_SPHERES);
+    char *text = repeated("", "sphere { 0, 1 finish { crand 2 } }\n", COUNT_OF_SPHERES);
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options,
-                                         &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(scene->primitive_count, COUNT_OF_SPHERES);
@@ -406,8 +383,7 @@ TEST(many_reports)
     enum { MOST_TOLD = 200 };
     struct diagnostics reports = { 0 };
     struct scene *scene = read_versioned(
-        "test.pov",
-        "#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
+        "test.pov", "#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
         &reading_options, &reports);
 
     assert_non_null(scene);
@@ -425,8 +401,7 @@ TEST(lost_notes)
     enum { NOTES = 100001 };
     char *text = repeated("", "sphere{0,1 uv_mapping}\n", NOTES);
     struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options,
-                                         &reports);
+    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(reports.count, 2);
@@ -478,8 +453,7 @@ TEST(libraries)
     static const char *const names[] = { "one.inc", "two.inc", NULL };
     char folder[] = "/tmp/scene-XXXXXX";
     const char *const search[] = { folder, NULL };
-    const struct scene_options searching = { 4,    3,    false, search,
-                                             NULL, NULL, NULL,  0 };
+    const struct scene_options searching = { 4, 3, false, search, NULL, NULL, NULL, 0 };
     struct diagnostics reports = { 0 };
     struct scene *scene;
 

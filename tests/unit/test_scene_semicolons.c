@@ -14,13 +14,12 @@ TEST(places)
           "';' is missing" },
         { "#declare A = 3 #if (A > 2) #declare B = A; #end box { -B, A }", 15,
           "';' is missing" },
-        { "#if (1) #declare A = 3 #else #declare A = 4; #end sphere { 0, A }",
-          23, "';' is missing" },
+        { "#if (1) #declare A = 3 #else #declare A = 4; #end sphere { 0, A }", 23,
+          "';' is missing" },
         { "#declare N = 0; #while (N < 3) sphere { N, 1 } #declare N = N + 1 "
           "#end",
           66, "';' is missing" },
-        { "#for (I, 1, 3) #declare A = I #end sphere { 0, A }", 30,
-          "';' is missing" },
+        { "#for (I, 1, 3) #declare A = I #end sphere { 0, A }", 30, "';' is missing" },
         { "#declare A = <1, 2, 3> #declare B = A; sphere { B, 1 }", 23,
           "';' is missing" },
         { "#declare C = rgb <1, 2, 3> plane { y, 0 pigment { C } }", 27,
@@ -33,12 +32,11 @@ TEST(places)
           52, "';' is missing" },
         { "#macro P(Q) sphere { 0, Q } #end #declare A = 3 P(A)", 48,
           "';' is missing" },
-        { "#macro P() #local A = 3 #end P() sphere { 0, 1 }", 24,
-          "';' is missing" },
+        { "#macro P() #local A = 3 #end P() sphere { 0, 1 }", 24, "';' is missing" },
         { "#declare A = (1 > 2 ? 3 : 4) #ifdef (A) sphere { 0, A } #end", 29,
           "';' is missing" },
-        { "#declare S = sphere { 0, 1 #declare A = 3 scale A } object { S }",
-          42, "';' is missing" },
+        { "#declare S = sphere { 0, 1 #declare A = 3 scale A } object { S }", 42,
+          "';' is missing" },
         { "sphere { 0, 1 #local A = 3 }", 27, "';' is missing" },
         { "#declare A = 1 #include \"colors.inc\" sphere { A, 1 }", 15,
           "';' is missing" },
@@ -73,8 +71,7 @@ TEST(values_that_continue)
 
 /* ---- Random scenes -------------------------------------------------------- */
 
-static void find_place(const char *text, const char *at, size_t *line,
-                       size_t *column)
+static void find_place(const char *text, const char *at, size_t *line, size_t *column)
 {
     const char *start = text;
 

@@ -7,10 +7,9 @@
 
 TEST(cones)
 {
-    struct scene *scene = read_scene(
-        "cone { <1, 2, 3>, 2, 5*y, 0 }\n"
-        "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
-        "cone { -x, 1.5, x, 1.5 open }\n");
+    struct scene *scene = read_scene("cone { <1, 2, 3>, 2, 5*y, 0 }\n"
+                                     "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
+                                     "cone { -x, 1.5, x, 1.5 open }\n");
     const struct primitive *p = scene->primitives;
 
     assert_int_equal(p[0].kind, PRIMITIVE_CONE);
@@ -53,10 +52,9 @@ TEST(discs)
 
 TEST(tori)
 {
-    struct scene *scene = read_scene(
-        "torus { 2, .5 sturm rotate 90*x }\n"
-        "torus { .5 1 sturm off pigment { rgb 1 } }\n"
-        "elliptical_torus { 3, .4, .2 }\n");
+    struct scene *scene = read_scene("torus { 2, .5 sturm rotate 90*x }\n"
+                                     "torus { .5 1 sturm off pigment { rgb 1 } }\n"
+                                     "elliptical_torus { 3, .4, .2 }\n");
     const struct primitive *p = scene->primitives;
 
     assert_int_equal(p[0].kind, PRIMITIVE_TORUS);
@@ -94,11 +92,10 @@ TEST(polynomials)
 
 TEST(patches)
 {
-    struct scene *scene = read_scene(
-        "#declare A = <4, 0, 1>;\n"
-        "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x }\n"
-        "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x\n"
-        "    weights 1, 2, 3 .5, 1/4, 6 scale 2 }\n");
+    struct scene *scene = read_scene("#declare A = <4, 0, 1>;\n"
+                                     "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x }\n"
+                                     "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x\n"
+                                     "    weights 1, 2, 3 .5, 1/4, 6 scale 2 }\n");
     const struct primitive *p = scene->primitives;
 
     assert_int_equal(p[0].kind, PRIMITIVE_STEINER_PATCH);
@@ -161,9 +158,8 @@ TEST(quadratic_prisms)
     const struct primitive *p = scene->primitives;
     const struct outline *path = &p[0].shape.quadratic_prism.path;
     static const double expected[][2] = {
-        { 0, 0 }, { 1, -1 }, { 4, 0 }, { 5, 1 },   { 4, 4 },
-        { 3, 4 }, { 0, 0 },  { 5, 5 }, { 5.5, 6 }, { 9, 5 },
-        { 9, 6 }, { 5, 9 },  { 4, 9 }, { 5, 5 },
+        { 0, 0 }, { 1, -1 },  { 4, 0 }, { 5, 1 }, { 4, 4 }, { 3, 4 }, { 0, 0 },
+        { 5, 5 }, { 5.5, 6 }, { 9, 5 }, { 9, 6 }, { 5, 9 }, { 4, 9 }, { 5, 5 },
     };
 
     assert_int_equal(scene->primitive_count, 2);
@@ -188,9 +184,7 @@ TEST(lathes)
         "lathe { 2.7 <1, 0> <0, 1> sturm translate x }\n");
     const struct primitive *p = scene->primitives;
     const struct outline *path = &p[0].shape.lathe.path;
-    static const double expected[][2] = {
-        { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 0 }
-    };
+    static const double expected[][2] = { { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 0 } };
 
     assert_int_equal(scene->primitive_count, 2);
     assert_int_equal(p[0].kind, PRIMITIVE_LATHE);
@@ -229,8 +223,8 @@ TEST(errors)
           "'conic_sweep' is not supported" },
         { "prism { linear_sweep bezier_spline 0, 1, 4, x, y, z, 0 }", 22,
           "'bezier_spline' is not supported" },
-        { "prism { quadratic_spline 0, 1, 4, <0, 1>, <0, 0>, <1, 0>, <0, 0> }",
-          9, "five points" },
+        { "prism { quadratic_spline 0, 1, 4, <0, 1>, <0, 0>, <1, 0>, <0, 0> }", 9,
+          "five points" },
         { "prism { quadratic_spline 0, 1, 5, <0, 1>, <0, 0>, <1, 0>, <1, 1>,"
           " <0, 1> }",
           9, "does not come back" },
@@ -242,8 +236,7 @@ TEST(errors)
         { "prism { linear_sweep cubic_spline 0, 1, 4, x, y, z, 0 }", 22,
           "'cubic_spline' is not supported" },
         { "lathe { 1, <1, 0> }", 9, "two points" },
-        { "lathe { linear_spline 3, <0, 0>, <1, 0> }", 41,
-          "expected a number" },
+        { "lathe { linear_spline 3, <0, 0>, <1, 0> }", 41, "expected a number" },
         { "lathe { 2001, <0, 0> }", 9, "more than 2000 points" },
         { "lathe { quadratic_spline 3, <0, 0>, <1, 0>, <1, 1> }", 9,
           "'quadratic_spline' is not supported" },
@@ -291,8 +284,7 @@ TEST(conditions)
         { "#ifdef (elliptical_torus) sphere { 0, 5 } #end", 5 },
         { "#ifdef (sphere) wibble #else sphere { 0, 6 } #end", 6 },
         { "#ifndef (B) #ifdef (A) sphere { 0, 7 } #end #else { #end", 7 },
-        { "#ifdef (B) #ifdef (A) { #else { #end { #else sphere { 0, 8 } #end",
-          8 },
+        { "#ifdef (B) #ifdef (A) { #else { #end { #else sphere { 0, 8 } #end", 8 },
         { "#ifdef (B) #macro M(x) #if (x) { #end #end #while (1) #end #else\n"
           "sphere { 0, 9 } #end",
           9 },
@@ -311,8 +303,7 @@ TEST(conditions)
         snprintf(text, sizeof text, "#declare A = 1;\n%s", rows[i].text);
         struct scene *scene = read_scene(text);
         assert_int_equal(scene->primitive_count, 1);
-        assert_close(scene->primitives->shape.sphere.radius, rows[i].radius,
-                     0);
+        assert_close(scene->primitives->shape.sphere.radius, rows[i].radius, 0);
         scene_free(scene);
     }
 }

@@ -41,8 +41,7 @@ static const struct {
     { PRIMITIVE_QUARTIC,
       "quartic { <" ZEROS_10 ", " ZEROS_10 ", " ZEROS_10 ", 0, 0, 0, 0, R>" },
     { PRIMITIVE_STEINER_PATCH, "steiner_patch { P, P, P, P, P, P" },
-    { PRIMITIVE_PRISM,
-      "prism { R, R, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> open" },
+    { PRIMITIVE_PRISM, "prism { R, R, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> open" },
     { PRIMITIVE_PRISM, "prism { 0, R, 3, <1, 2>, <1, 2>, <1, 2>" },
     { PRIMITIVE_PRISM, "prism { 0, R, 4, <R, 2>, <1, 2>, <R, 2>, <1, 2>" },
     { PRIMITIVE_PRISM, "text { ttf \"timrom.ttf\" \" \" 1, 0" },
@@ -89,10 +88,8 @@ static const struct {
     { "intersection { " BALL "}", "} }", false },
     { "intersection { " BALL "} object { ", "} inverse } }", true },
     { "difference { " BALL "} object { ", "} inverse } }", false },
-    { "#declare D = ", "} object { D } union { object { D } " BALL "} }",
-      true },
-    { "#declare D = difference { " BALL "}", "} } object { D inverse }",
-      true },
+    { "#declare D = ", "} object { D } union { object { D } " BALL "} }", true },
+    { "#declare D = difference { " BALL "}", "} } object { D inverse }", true },
     { "#declare D = intersection { " BALL "}",
       "} } difference { " BALL "} object { D } }", true },
     { "union { " BALL "} intersection { box { -1, 2 } union {",
@@ -128,8 +125,7 @@ static size_t count_reports(const struct diagnostics *reports)
     size_t count = 0;
 
     for (size_t i = 0; i < reports->count; i++)
-        count += strstr(reports->items[i].message, "the shape is left out")
-                 != NULL;
+        count += strstr(reports->items[i].message, "the shape is left out") != NULL;
     return count;
 }
 
@@ -145,8 +141,8 @@ static void check(size_t shape, size_t place, const struct words *expected)
     if (!scene)
         fail_msg("is not read: %s\n%s", reports.items[0].message, text);
     if (count_reports(&reports) != 1)
-        fail_msg("%zu reports that the shape is left out:\n%s",
-                 count_reports(&reports), text);
+        fail_msg("%zu reports that the shape is left out:\n%s", count_reports(&reports),
+                 text);
     words = same_frame_of(scene, text);
     if (memcmp(words, expected, sizeof *words) != 0)
         fail_msg("the frame is not that of the scene without:\n%s", text);
@@ -207,8 +203,7 @@ TEST(without_height)
             free(words);
         }
         if (seen[0] != seen[1] || seen[0] == 0)
-            fail_msg("%zu pixels, not %zu: %s", seen[0], seen[1],
-                     rows[i].flat);
+            fail_msg("%zu pixels, not %zu: %s", seen[0], seen[1], rows[i].flat);
     }
 }
 

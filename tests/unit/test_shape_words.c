@@ -35,8 +35,7 @@ TEST(singular_values)
         fill(&before, rows, 7);
         after = before;
         singular_decompose(&after);
-        assert_int_equal(singular_nullity(&after, 1e-12),
-                         rows < 7 ? 7 - rows : 0);
+        assert_int_equal(singular_nullity(&after, 1e-12), rows < 7 ? 7 - rows : 0);
         for (size_t j = 0; j < 7; j++)
             for (size_t k = 0; k < 7; k++) {
                 double product = 0;
@@ -49,8 +48,7 @@ TEST(singular_values)
                     assert_close(after.scaled[i][k], sum, 1e-14);
                     product += after.scaled[i][j] * after.scaled[i][k];
                 }
-                assert_close(product,
-                             j == k ? after.values[j] * after.values[j] : 0,
+                assert_close(product, j == k ? after.values[j] * after.values[j] : 0,
                              1e-13);
             }
     }
@@ -99,8 +97,7 @@ static void set_quadric(struct primitive *primitive, const double terms[10])
 {
     memset(primitive, 0, sizeof *primitive);
     primitive->kind = PRIMITIVE_QUADRIC;
-    memcpy(primitive->shape.quadric.coefficients, terms,
-           QUADRIC_TERMS * sizeof *terms);
+    memcpy(primitive->shape.quadric.coefficients, terms, QUADRIC_TERMS * sizeof *terms);
 }
 
 /* An ellipsoid about 1, 2, 3; a cylinder about the line x = 1, y = 2; a
@@ -147,16 +144,14 @@ TEST(quadrics_keep_their_values)
             x[i] = between(-2, 2);
             y[i] = x[i] - w[i];
         }
-        value = terms[0] * x[0] * x[0] + terms[1] * x[1] * x[1]
-                + terms[2] * x[2] * x[2] + terms[3] * x[0] * x[1]
-                + terms[4] * x[0] * x[2] + terms[5] * x[1] * x[2]
-                + terms[6] * x[0] + terms[7] * x[1] + terms[8] * x[2]
-                + terms[9];
+        value = terms[0] * x[0] * x[0] + terms[1] * x[1] * x[1] + terms[2] * x[2] * x[2]
+                + terms[3] * x[0] * x[1] + terms[4] * x[0] * x[2]
+                + terms[5] * x[1] * x[2] + terms[6] * x[0] + terms[7] * x[1]
+                + terms[8] * x[2] + terms[9];
         again = w[3] * y[0] * y[0] + w[4] * y[1] * y[1] + w[5] * y[2] * y[2]
                 + 2
-                      * (w[6] * y[0] * y[1] + w[7] * y[0] * y[2]
-                         + w[8] * y[1] * y[2] + w[9] * y[0] + w[10] * y[1]
-                         + w[11] * y[2])
+                      * (w[6] * y[0] * y[1] + w[7] * y[0] * y[2] + w[8] * y[1] * y[2]
+                         + w[9] * y[0] + w[10] * y[1] + w[11] * y[2])
                 + w[12];
         assert_close(again, value,
                      1e-9 * (1 + w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
@@ -166,8 +161,7 @@ TEST(quadrics_keep_their_values)
 static const int factors[6][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
                                    { 0, 1 }, { 1, 2 }, { 2, 0 } };
 
-static void point_at(const double points[6][4], const double p[3],
-                     double h[4])
+static void point_at(const double points[6][4], const double p[3], double h[4])
 {
     for (int c = 0; c < 4; c++) {
         h[c] = 0;
@@ -178,8 +172,7 @@ static void point_at(const double points[6][4], const double p[3],
 }
 
 /* Every plane passes through its point, all pass through the triple point. */
-static void check_planes(const double points[6][4],
-                         const struct moving_planes *planes)
+static void check_planes(const double points[6][4], const struct moving_planes *planes)
 {
     for (int try = 0; try < 20; try++) {
         double p[3], h[4];
@@ -239,8 +232,7 @@ TEST(types_of_surfaces)
         for (int m = 0; m < 6; m++)
             for (int c = 0; c < 4; c++)
                 points[m][c] = between(-1, 1);
-        assert_int_equal(type_of((const double(*)[4])points),
-                         SURFACE_STEINER);
+        assert_int_equal(type_of((const double(*)[4])points), SURFACE_STEINER);
         memset(points[0], 0, sizeof points[0]); /* a base point */
         assert_int_equal(type_of((const double(*)[4])points), SURFACE_CUBIC);
     }
@@ -274,8 +266,7 @@ TEST(kernels_of_patches)
     words = words_of(&patch);
     assert_string_equal(words.shape.kernel, "rational_steiner");
     assert_string_equal(words.shape.solid, "rational_steiner_crossings");
-    assert_string_equal(historical_kernel(&patch),
-                        "rational_steiner_implicit");
+    assert_string_equal(historical_kernel(&patch), "rational_steiner_implicit");
     assert_true(words.shape.on_patch);
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.weights[i] = 3;
@@ -334,9 +325,7 @@ TEST(historical_cylinders)
                                        0, -.8, 3, .6, 0, .8, -13, 2 };
     struct primitive cylinder = {
         .kind = PRIMITIVE_CYLINDER,
-        .shape.cylinder = { .base = { 1, 2, 3 },
-                            .cap = { 7, 2, 11 },
-                            .radius = .5 },
+        .shape.cylinder = { .base = { 1, 2, 3 }, .cap = { 7, 2, 11 }, .radius = .5 },
     };
     struct shape_words words, today;
 
@@ -424,17 +413,14 @@ TEST(other_planes)
         set_patch(&patch);
         for (int j = 0; j < STEINER_POINTS; j++)
             patch.shape.steiner_patch.weights[j] = 1;
-        memcpy(patch.shape.steiner_patch.points, straight[i],
-               sizeof straight[i]);
+        memcpy(patch.shape.steiner_patch.points, straight[i], sizeof straight[i]);
         words = words_of(&patch);
         last = words.table + 15;
         other = words.table + 24;
-        assert_close(other[0] * other[0] + other[1] * other[1]
-                         + other[2] * other[2],
+        assert_close(other[0] * other[0] + other[1] * other[1] + other[2] * other[2],
                      words.shape.words[3], 1e-12);
-        assert_close(last[0] * other[0] + last[1] * other[1]
-                         + last[2] * other[2],
-                     0, 1e-12);
+        assert_close(last[0] * other[0] + last[1] * other[1] + last[2] * other[2], 0,
+                     1e-12);
     }
 }
 
@@ -442,17 +428,15 @@ TEST(other_planes)
 TEST(weights_of_one_patch)
 {
     static const double by[] = { 100, 1, .01 };
-    static const int ends[STEINER_POINTS][2] = {
-        { 0, 0 }, { 1, 1 }, { 2, 2 }, { 0, 1 }, { 1, 2 }, { 2, 0 }
-    };
+    static const int ends[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
+                                                 { 0, 1 }, { 1, 2 }, { 2, 0 } };
     struct primitive patch;
     struct words words, other;
 
     set_patch(&patch);
     words = words_of(&patch);
     for (int i = 0; i < STEINER_POINTS; i++)
-        patch.shape.steiner_patch.weights[i] *= by[ends[i][0]]
-                                                * by[ends[i][1]];
+        patch.shape.steiner_patch.weights[i] *= by[ends[i][0]] * by[ends[i][1]];
     other = words_of(&patch);
     for (size_t i = 0; i < STEINER_TABLE; i++)
         assert_close(other.table[i], words.table[i], 1e-12);

@@ -23,8 +23,7 @@ TEST(descriptors)
         /* .. by files of their own */
         bool read = i != PRIMITIVE_MESH && i != PRIMITIVE_BLOB;
         if (!shape->fields || (shape->fields[0].takes == TAKES_END) == read
-            || !shape->settle || !shape->bound || !shape->words
-            || !shape->region)
+            || !shape->settle || !shape->bound || !shape->words || !shape->region)
             fail_msg("the descriptor of %s has a gap", name);
         if (shape->povray)
             assert_string_equal(shape->povray, name);
@@ -42,8 +41,7 @@ static void check_routine(const struct object *program, const char *name)
 }
 
 static void check_routines(const struct object *program,
-                           const struct shape_kernels *kernels,
-                           bool historical)
+                           const struct shape_kernels *kernels, bool historical)
 {
     assert_true(kernels->kernel && kernels->normal);
     check_routine(program, kernels->kernel);
@@ -121,8 +119,7 @@ static void look_through(const struct primitive *primitive)
         }
         transform_point(&primitive->to_local, point);
         copy(ray.origin, point);
-        found[primitive->kind].crossings += plain_crossings(primitive, &ray,
-                                                            crossings);
+        found[primitive->kind].crossings += plain_crossings(primitive, &ray, crossings);
         found[primitive->kind].inside += plain_encloses(primitive, point);
     }
 }
@@ -130,9 +127,9 @@ static void look_through(const struct primitive *primitive)
 static void look_at_scene(const char *path)
 {
     struct diagnostics reports = { 0 };
-    const struct scene_options options = {
-        .width = 640, .height = 480, .read_raster = picture_read_raster
-    };
+    const struct scene_options options = { .width = 640,
+                                           .height = 480,
+                                           .read_raster = picture_read_raster };
     struct scene *scene = scene_read(path, &options, &reports);
 
     if (!scene)

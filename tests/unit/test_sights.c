@@ -13,8 +13,7 @@ struct sight {
 };
 
 /* Reports all rows that fail. */
-static void check_sights(const char *view, const struct sight *sights,
-                         size_t count)
+static void check_sights(const char *view, const struct sight *sights, size_t count)
 {
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2, failed = 0;
 
@@ -107,8 +106,7 @@ TEST(ahead)
         /* open cylinder shows its inside */
         { "cylinder { <0, .7, 0>, <0, 3, 0>, 1 open rotate -30*x }", 0, 0 },
         { "cylinder { -y, y, 1 open }", 1, 4 },
-        { "cylinder { -y, y, 1 open rotate 45*x translate -y }", 1,
-          5 + 1 - sqrt(2) },
+        { "cylinder { -y, y, 1 open rotate 45*x translate -y }", 1, 5 + 1 - sqrt(2) },
         /* Of two coincident faces the later one is nearer. */
         { "box { -1, 1 } box { -1, 1 } plane { z, 9 }", 2, 4 },
         { "plane { z, 9 } sphere { 0, 1 } box { -1, 1 }", 2, 4 },
@@ -160,18 +158,14 @@ TEST(ahead)
         { "torus { 1, .5 translate <0, 0, -7> }", 0, 0 },
         /* The nearest crossing beyond 1e-6 of the world, whatever the scale:
          * just before the eye at that distance or behind it at half of it. */
-        { ORDINARY
-          "torus { 1, .5 scale 1000 translate (1500 - 5 + 2e-6)*z }" FAR,
-          1, 2e-6 },
-        { ORDINARY
-          "torus { 1, .5 scale 1000 translate (1500 - 5 + .5e-6)*z }" FAR,
-          1, 1000 + .5e-6 },
-        { ORDINARY
-          "torus { 1, .5 scale .001 translate (.0015 - 5 + 2e-6)*z }" FAR,
-          1, 2e-6 },
-        { ORDINARY
-          "torus { 1, .5 scale .001 translate (.0015 - 5 + .5e-6)*z }" FAR,
-          1, .0010005 },
+        { ORDINARY "torus { 1, .5 scale 1000 translate (1500 - 5 + 2e-6)*z }" FAR, 1,
+          2e-6 },
+        { ORDINARY "torus { 1, .5 scale 1000 translate (1500 - 5 + .5e-6)*z }" FAR, 1,
+          1000 + .5e-6 },
+        { ORDINARY "torus { 1, .5 scale .001 translate (.0015 - 5 + 2e-6)*z }" FAR, 1,
+          2e-6 },
+        { ORDINARY "torus { 1, .5 scale .001 translate (.0015 - 5 + .5e-6)*z }" FAR, 1,
+          .0010005 },
         /* quartic surfaces */
         { "quartic { " Z4 "0,0,0,-1> }", 1, 4 },
         { "quartic { " Z4 "0,-5,0,4> }", 1, 3 },
@@ -193,12 +187,10 @@ TEST(ahead)
         { "prism { -3, 1, " HOLED " rotate 90*x }", 0, 0 },
         { "prism { -3, 1, " HOLED " rotate 90*x translate 1.5*y }", 1, 2 },
         /* in solids */
-        { "intersection { prism { -3, 1, " SQUARE
-          " rotate 90*x } plane { -z, 1 } }",
-          2, 4 },
-        { "difference { sphere { 0, 3 } prism { -4, 4, " SQUARE
-          " rotate 90*x } }",
-          0, 0 },
+        { "intersection { prism { -3, 1, " SQUARE " rotate 90*x } plane { -z, 1 } }", 2,
+          4 },
+        { "difference { sphere { 0, 3 } prism { -4, 4, " SQUARE " rotate 90*x } }", 0,
+          0 },
         { "difference { prism { -1, 1, " HOLED " } plane { z, 0 } }", 1, 6 },
         /* ---- prisms of quadratic splines */
         { PRISM "-1, 1, " ROUNDED " }", 1, 6 - sqrt(5) },
@@ -212,10 +204,8 @@ TEST(ahead)
         /* through a corner */
         { PRISM "-1, 1, " ROUNDED " translate x }", 1, 4 },
         /* in solids */
-        { "intersection { " PRISM "-1, 1, " ROUNDED " } plane { -z, 1.1 } }",
-          2, 3.9 },
-        { "difference { " PRISM "-1, 1, " ROUNDED " } sphere { -z, .5 } }", 2,
-          4.5 },
+        { "intersection { " PRISM "-1, 1, " ROUNDED " } plane { -z, 1.1 } }", 2, 3.9 },
+        { "difference { " PRISM "-1, 1, " ROUNDED " } sphere { -z, .5 } }", 2, 4.5 },
         /* twice through one edge */
         { PRISM "-1, 1, " ROUNDED " translate 1.1*x }", 1, 6 - W - W * W },
         { "intersection { " PRISM "-1, 1, " ROUNDED
@@ -228,9 +218,8 @@ TEST(ahead)
         { BLOB "sphere { 0, 2, .0624 } sphere { 9*y, 1, .0624 } }", 0, 0 },
         { BLOB "sphere { 0, 2, 1 } sphere { 0, 2.5, -1 } }", 0, 0 },
         /* sums */
-        { BLOB
-          "sphere { 0, 2, .04 } sphere { 0, 2, .04 } sphere { 0, 2, .92 } }",
-          1, 5 - 2 * SEEN },
+        { BLOB "sphere { 0, 2, .04 } sphere { 0, 2, .04 } sphere { 0, 2, .92 } }", 1,
+          5 - 2 * SEEN },
         /* a hemisphere, the side, and the other end, from both sides */
         { BLOB "cylinder { 0, 2*z, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { 2*z, 0, 2, 1 } }", 1, 5 - 2 * SEEN },
@@ -240,19 +229,16 @@ TEST(ahead)
         { BLOB "cylinder { 0, 3*x, 2, 1 } }", 1, 5 - 2 * SEEN },
         { BLOB "cylinder { -3*y, 0, 2, 1 } }", 1, 5 - 2 * SEEN },
         /* moved, stretched */
-        { BLOB "sphere { x, 1, 1 translate -x scale <1, 1, 2> } }", 1,
+        { BLOB "sphere { x, 1, 1 translate -x scale <1, 1, 2> } }", 1, 5 - 2 * SEEN },
+        { BLOB "cylinder { -x, x, 1, 1 scale 2 rotate 90*z } rotate 30*y }", 1,
           5 - 2 * SEEN },
-        { BLOB "cylinder { -x, x, 1, 1 scale 2 rotate 90*z } rotate 30*y }",
-          1, 5 - 2 * SEEN },
         /* from within, and behind */
         { BLOB "sphere { -5*z, 2, 1 } }", 1, 2 * SEEN },
         { BLOB "sphere { -8*z, 2, 1 } }", 0, 0 },
         /* in solids */
-        { "intersection { " BLOB "sphere { 0, 2, 1 } } plane { -z, 1 } }", 2,
-          4 },
-        { "difference { sphere { 0, 3 } " BLOB
-          "cylinder { -4*z, 0, 2, 1 } } }",
-          2, 5 + 2 * SEEN },
+        { "intersection { " BLOB "sphere { 0, 2, 1 } } plane { -z, 1 } }", 2, 4 },
+        { "difference { sphere { 0, 3 } " BLOB "cylinder { -4*z, 0, 2, 1 } } }", 2,
+          5 + 2 * SEEN },
     };
 
     check_sights(AHEAD, sights, COUNT(sights));
@@ -267,8 +253,7 @@ TEST(straight)
         { "sphere { <.75, -1, 3>, 1.25 }", 1, 8 },
         /* the light or the highlight has no direction */
         { "light_source { -z, rgb 1 } box { -1, 1 " GLOSSY, 1, 4 },
-        { "light_source { <0, 1e-9, 10>, rgb 1 } box { -1, <1, 0, 1> " GLOSSY,
-          1, 4 },
+        { "light_source { <0, 1e-9, 10>, rgb 1 } box { -1, <1, 0, 1> " GLOSSY, 1, 4 },
         { "light_source { <0, 0, -5>, rgb 1 }"
           " sphere { 0, 1 scale <1, 1, 1e-20> " GLOSSY,
           1, 5 },
@@ -344,8 +329,7 @@ TEST(straight)
         { "intersection { lathe { 4, <1, 1>, <2, 0>, <1.5, 2>, <1, 1> }"
           " plane { -z, .5 } }",
           0, 0 },
-        { "difference { box { -2, 2 } lathe { " CONE
-          " rotate 45*x translate -2*z } }",
+        { "difference { box { -2, 2 } lathe { " CONE " rotate 45*x translate -2*z } }",
           2, 3 + sqrt(.5) },
         /* ---- meshes */
         { "mesh { " FLAT " }", 1, 5 },
@@ -364,14 +348,12 @@ TEST(straight)
         { "mesh { " FLAT " translate -4*z }", 1, 1 },
         { "mesh { " FLAT " translate -6*z }", 0, 0 },
         { "mesh { " FLAT FLAT " translate -6*z } mesh { " FLAT " }", 2, 5 },
-        { "mesh { " FLAT " translate -.01*z scale 1000 translate 6*z }", 1,
-          1 },
+        { "mesh { " FLAT " translate -.01*z scale 1000 translate 6*z }", 1, 1 },
         /* no area in the world */
         { "mesh { " TINY "triangle { <-10000001, -1, 0>, "
           "<-9999999, -1, 0>, <-10000000, 2, 0> } translate 1e7*x }" SPHERE,
           1, 5 },
-        { "mesh { " TINY "translate 1e7*x } mesh { " FLAT "translate -z }", 2,
-          4 },
+        { "mesh { " TINY "translate 1e7*x } mesh { " FLAT "translate -z }", 2, 4 },
     };
 
     check_sights(STRAIGHT, sights, COUNT(sights));

@@ -39,36 +39,33 @@ static const char *const commands[][WORDS] = {
     { "c205", "asm", "asm/examples/sieve.s", "-o", "%o" },
     { "c205", "run", "asm/examples/sieve.s", "--json", "%json" },
     { "c205", "run", "%endless.s", "--no-limit", "--json", "%json" },
-    { "c205", "run", "%endless.s", "--limit", "900000000000", "--save",
-      "%state" },
-    { "c205", "compare", "asm/examples/saxpy_scalar.s",
-      "asm/examples/saxpy_vector.s", "--json", "%json" },
+    { "c205", "run", "%endless.s", "--limit", "900000000000", "--save", "%state" },
+    { "c205", "compare", "asm/examples/saxpy_scalar.s", "asm/examples/saxpy_vector.s",
+      "--json", "%json" },
     { "c205", "timeline", "asm/examples/dot.s", "-o", "%svg.svg" },
-    { "c205", "sweep", "asm/examples/sieve.s", "--define", "limit=10:300:1",
-      "-o", "%svg.svg", "--json", "%json" },
+    { "c205", "sweep", "asm/examples/sieve.s", "--define", "limit=10:300:1", "-o",
+      "%svg.svg", "--json", "%json" },
     { "c205", "time", "--json", "%json" },
     { "c205", "model", "--json", "%json" },
     { "c205", "isa", "--json", "%json" },
     { "c205", "check", "1", "--start", "-o", "%started.s" },
     { "c205", "check", "1", "%endless.s", "--json", "%json" },
-    { "rt205", "render", "scenes/first.pov", "-W", "80", "-H", "60", "-o",
-      "%png.png", "--json", "%json" },
-    { "rt205", "render", "scenes/first.pov", "-W", "800", "-H", "600",
-      "--mode", "scalar", "-o", "%png.png", "--resume", "%kept" },
-    { "rt205", "profile", "scenes/first.pov", "-W", "40", "-H", "30",
+    { "rt205", "render", "scenes/first.pov", "-W", "80", "-H", "60", "-o", "%png.png",
       "--json", "%json" },
-    { "rt205", "sweep", "queue", "sphere", "-W", "32", "-H", "32", "--json",
+    { "rt205", "render", "scenes/first.pov", "-W", "800", "-H", "600", "--mode",
+      "scalar", "-o", "%png.png", "--resume", "%kept" },
+    { "rt205", "profile", "scenes/first.pov", "-W", "40", "-H", "30", "--json",
       "%json" },
+    { "rt205", "sweep", "queue", "sphere", "-W", "32", "-H", "32", "--json", "%json" },
     { "rt205", "speedup", "--json", "%json" },
-    { "rt205", "heat", "%bay.pov", "--rays", "64", "--exchange",
-      "--temperature", "default=300", "--json", "%json", "-o", "%png.png" },
+    { "rt205", "heat", "%bay.pov", "--rays", "64", "--exchange", "--temperature",
+      "default=300", "--json", "%json", "-o", "%png.png" },
     { "rt205", "mass", "scenes/piston.pov", "--json", "%json" },
     { "rt205", "timeline", "scenes/first.pov", "-o", "%svg.svg" },
 };
 enum { COMMANDS = COUNT(commands) };
 
-static const int signals[] = { SIGINT,  SIGTERM, SIGHUP,
-                               SIGQUIT, SIGUSR1, SIGPIPE };
+static const int signals[] = { SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1, SIGPIPE };
 
 /* ---- Processes --------------------------------------------------------------- */
 
@@ -94,8 +91,7 @@ static void become(const char *const *given, int in, int out)
     dup2(in, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
     freopen("/dev/null", "w", stderr);
-    snprintf(command, sizeof command, "%s/%s", built ? built : "build",
-             words[0]);
+    snprintf(command, sizeof command, "%s/%s", built ? built : "build", words[0]);
     execv(command, words);
     _exit(127);
 }
@@ -201,12 +197,10 @@ static void check_folder(const char *const *words, int number)
         if (*entry->d_name == '.' || is_input(entry->d_name))
             continue;
         while (words[i]
-               && !(*words[i] == '%'
-                    && strcmp(words[i] + 1, entry->d_name) == 0))
+               && !(*words[i] == '%' && strcmp(words[i] + 1, entry->d_name) == 0))
             i++;
         if (!words[i])
-            fail_msg("%s, signal %d: leaves %s", command, number,
-                     entry->d_name);
+            fail_msg("%s, signal %d: leaves %s", command, number, entry->d_name);
         if (strcmp(entry->d_name, "kept") != 0)
             check_file(entry->d_name, command, number);
     }
@@ -256,8 +250,7 @@ static void check_command(const char *const *words, int number)
     status = end(process);
     close(null);
     if (status != 0 && status != 1 && status != -number)
-        fail_msg("%s %s, signal %d: ends with %d", words[0], words[1], number,
-                 status);
+        fail_msg("%s %s, signal %d: ends with %d", words[0], words[1], number, status);
     check_folder(words, number);
 }
 
@@ -283,8 +276,7 @@ TEST(nohup)
 
 /* ---- Scripts ------------------------------------------------------------------------ */
 
-static const char *const debug_words[] = { "c205", "debug", "%endless.s",
-                                           NULL };
+static const char *const debug_words[] = { "c205", "debug", "%endless.s", NULL };
 static const char *const script_words[] = { "c205",   "debug",      "-x",
                                             "%lines", "%endless.s", NULL };
 static const char *const render_words[] = {
@@ -352,9 +344,7 @@ TEST(scripts)
     assert_non_null(strstr(said, "42  X'2A'"));
     assert_int_equal(run_script(debug_words, lines, SIGINT, said), 1);
     assert_non_null(strstr(said, "42  X'2A'"));
-    assert_int_equal(run_script(render_words, "goto 100000000\n", SIGTERM,
-                                said),
-                     1);
+    assert_int_equal(run_script(render_words, "goto 100000000\n", SIGTERM, said), 1);
     remove_files();
 }
 

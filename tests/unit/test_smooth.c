@@ -12,8 +12,7 @@ enum { MOST = 12, UNKNOWNS = MOST * (MOST + 1) / 2 + MOST + MOST };
 /* Flows as they were found, their variances and the areas. */
 struct found {
     size_t count;
-    double areas[MOST], flows[MOST * (MOST + 1)],
-        variances[MOST * (MOST + 1)];
+    double areas[MOST], flows[MOST * (MOST + 1)], variances[MOST * (MOST + 1)];
 };
 
 static size_t place(const struct found *found, size_t i, size_t j)
@@ -21,8 +20,7 @@ static size_t place(const struct found *found, size_t i, size_t j)
     return i * (found->count + 1) + j;
 }
 
-static void put(struct found *found, size_t i, size_t j, double flow,
-                double variance)
+static void put(struct found *found, size_t i, size_t j, double flow, double variance)
 {
     found->flows[place(found, i, j)] = flow;
     found->variances[place(found, i, j)] = variance;
@@ -39,24 +37,18 @@ static void draw(struct found *found, uint64_t *random)
     found->count = 1 + (size_t)xorshift_between(random, 0, MOST - 1);
     for (size_t i = 0; i < found->count; i++)
         for (size_t j = i; j <= found->count; j++) {
-            double flow = xorshift(random) % 4 == 0
-                              ? 0
-                              : xorshift_real(random, 0, 1);
-            double error = xorshift(random) % 5 == 0
-                               ? 0
-                               : .1 * xorshift_real(random, 0, 1);
+            double flow = xorshift(random) % 4 == 0 ? 0 : xorshift_real(random, 0, 1);
+            double error = xorshift(random) % 5 == 0 ? 0
+                                                     : .1 * xorshift_real(random, 0, 1);
 
             found->areas[i] += flow;
             if (j < found->count && j > i)
                 found->areas[j] += flow;
-            flow *= 1
-                    + (error > 0 ? error * (xorshift_real(random, 0, 1) - .5)
-                                 : 0);
+            flow *= 1 + (error > 0 ? error * (xorshift_real(random, 0, 1) - .5) : 0);
             put(found, i, j, flow, flow > 0 ? error * error : 0);
         }
     for (size_t i = 0; i < found->count; i++) /* none is bound to none */
-        put(found, i, found->count,
-            found->flows[place(found, i, found->count)] + .1,
+        put(found, i, found->count, found->flows[place(found, i, found->count)] + .1,
             1e-4 * (1 + xorshift_real(random, 0, 1)));
     for (size_t i = 0; i < found->count; i++)
         found->areas[i] += .1;
@@ -121,9 +113,7 @@ static void solve(struct system *system)
                 best = i;
         exchange_rows(system, k, best);
         for (size_t i = 0; i < system->size; i++) {
-            long double factor = i == k ? 0
-                                        : system->words[i][k]
-                                              / system->words[k][k];
+            long double factor = i == k ? 0 : system->words[i][k] / system->words[k][k];
 
             for (size_t j = k; factor != 0 && j <= system->size; j++)
                 system->words[i][j] -= factor * system->words[k][j];
@@ -145,17 +135,15 @@ static void check_oracle(const struct found *found, const double *smooth)
         double flow = smooth[place(found, system->from[k], system->to[k])];
 
         if (!(fabs(flow - expected) < 1e-10))
-            fail_msg("%zu surfaces, from %zu to %zu: %.15g, not %.15g",
-                     found->count, system->from[k] + 1, system->to[k] + 1,
-                     flow, expected);
+            fail_msg("%zu surfaces, from %zu to %zu: %.15g, not %.15g", found->count,
+                     system->from[k] + 1, system->to[k] + 1, flow, expected);
     }
     free(system);
 }
 
 /* ---- Enclosures by chance ----------------------------------------------------- */
 
-static struct smooth_given given_of(const struct found *found,
-                                    enum trace_mode mode)
+static struct smooth_given given_of(const struct found *found, enum trace_mode mode)
 {
     return (struct smooth_given){ .mode = mode,
                                   .count = found->count,
@@ -165,8 +153,8 @@ static struct smooth_given given_of(const struct found *found,
                                   .model = prior_model };
 }
 
-static bool run(const struct found *found, enum trace_mode mode,
-                double *smooth, c205_error *error)
+static bool run(const struct found *found, enum trace_mode mode, double *smooth,
+                c205_error *error)
 {
     struct smooth_given given = given_of(found, mode);
     struct accounts accounts = { .model = prior_model };
@@ -187,8 +175,7 @@ static void check_rules(const struct found *found, const double *smooth)
             sum += smooth[place(found, i, j)];
         assert_float_equal(sum, found->areas[i], 1e-11);
         for (size_t j = 0; j < i; j++)
-            assert_true(smooth[place(found, i, j)]
-                        == smooth[place(found, j, i)]);
+            assert_true(smooth[place(found, i, j)] == smooth[place(found, j, i)]);
     }
 }
 

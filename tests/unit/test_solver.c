@@ -49,38 +49,37 @@ static const char vector_program[] =
     "        EXIT\n"
     "solve:  BIM     ROUTINE\n";
 
-static const char scalar_program[] =
-    "        .include \"frame/linkage.s\"\n"
-    "        .include \"roots/quartic_scalar.s\"\n"
-    "        .data\n"
-    "handed: .space 8\n"
-    "given:  .space 5\n"
-    "list:   .descriptor 5, handed\n"
-    "        .descriptor 3, handed + 64 * 5\n"
-    "        .descriptor 5, given\n"
-    "inputs: .space 8 * QUEUE\n"
-    "outputs: .space 5 * QUEUE\n"
-    "        .code\n"
-    "        .macro  copy from, to, number\n"
-    "        ELEN    \\from, \\number\n"
-    "        SWAP    [\\from], r104, [r0]\n"
-    "        ELEN    \\to, \\number\n"
-    "        SWAP    [r0], r104, [\\to]\n"
-    "        .endm\n"
-    "        .entry  start\n"
-    "start:  EX      r12, inputs\n"
-    "        EX      r13, outputs\n"
-    "        EX      r14, QUEUE\n"
-    "        ES      r15, -1\n"
-    "next:   EX      r16, handed\n"
-    "        copy    r12, r16, 8\n"
-    "        call    ROUTINE, list\n"
-    "        EX      r16, given\n"
-    "        copy    r16, r13, 5\n"
-    "        IX      r12, 64 * 8\n"
-    "        IX      r13, 64 * 5\n"
-    "        IBXNE   r14, r15, r0, next, r14\n"
-    "        EXIT\n";
+static const char scalar_program[] = "        .include \"frame/linkage.s\"\n"
+                                     "        .include \"roots/quartic_scalar.s\"\n"
+                                     "        .data\n"
+                                     "handed: .space 8\n"
+                                     "given:  .space 5\n"
+                                     "list:   .descriptor 5, handed\n"
+                                     "        .descriptor 3, handed + 64 * 5\n"
+                                     "        .descriptor 5, given\n"
+                                     "inputs: .space 8 * QUEUE\n"
+                                     "outputs: .space 5 * QUEUE\n"
+                                     "        .code\n"
+                                     "        .macro  copy from, to, number\n"
+                                     "        ELEN    \\from, \\number\n"
+                                     "        SWAP    [\\from], r104, [r0]\n"
+                                     "        ELEN    \\to, \\number\n"
+                                     "        SWAP    [r0], r104, [\\to]\n"
+                                     "        .endm\n"
+                                     "        .entry  start\n"
+                                     "start:  EX      r12, inputs\n"
+                                     "        EX      r13, outputs\n"
+                                     "        EX      r14, QUEUE\n"
+                                     "        ES      r15, -1\n"
+                                     "next:   EX      r16, handed\n"
+                                     "        copy    r12, r16, 8\n"
+                                     "        call    ROUTINE, list\n"
+                                     "        EX      r16, given\n"
+                                     "        copy    r16, r13, 5\n"
+                                     "        IX      r12, 64 * 8\n"
+                                     "        IX      r13, 64 * 5\n"
+                                     "        IBXNE   r14, r15, r0, next, r14\n"
+                                     "        EXIT\n";
 
 static struct object *assemble(const char *text, const char *routine)
 {
@@ -93,8 +92,8 @@ static struct object *assemble(const char *text, const char *routine)
     const char *at = strstr(text, "ROUTINE");
     struct object *object;
 
-    snprintf(program, sizeof program, "%.*s%s%s", (int)(at - text), text,
-             routine, at + strlen("ROUTINE"));
+    snprintf(program, sizeof program, "%.*s%s%s", (int)(at - text), text, routine,
+             at + strlen("ROUTINE"));
     object = assemble_text("test.s", program, &how, &errors);
     diagnostics_put(&errors, &sink);
     assert_non_null(object);
@@ -132,11 +131,11 @@ static void run_scalar(struct lanes *lanes, const char *routine)
     struct object *object = assemble(scalar_program, routine);
     c205 *machine = load(object);
 
-    assert_true(c205_write(machine, address_of(object, "inputs"),
-                           lanes->in[0], LANES * INPUTS));
+    assert_true(c205_write(machine, address_of(object, "inputs"), lanes->in[0],
+                           LANES * INPUTS));
     run(machine);
-    assert_true(c205_read(machine, address_of(object, "outputs"),
-                          lanes->out[0], LANES * OUTPUTS));
+    assert_true(c205_read(machine, address_of(object, "outputs"), lanes->out[0],
+                          LANES * OUTPUTS));
     c205_free(machine);
     object_free(object);
 }
@@ -145,10 +144,9 @@ static void run_scalar(struct lanes *lanes, const char *routine)
  * names, and those that the program itself uses. */
 static bool may_change(unsigned number)
 {
-    return number == 3 || (number >= 6 && number <= 15) || number == 31
-           || number == 68 || number == 69 || (number >= 76 && number <= 79)
-           || (number >= 88 && number <= 94)
-           || (number >= 113 && number <= 115);
+    return number == 3 || (number >= 6 && number <= 15) || number == 31 || number == 68
+           || number == 69 || (number >= 76 && number <= 79)
+           || (number >= 88 && number <= 94) || (number >= 113 && number <= 115);
 }
 
 static void run_vector(struct lanes *lanes, const char *routine)
@@ -161,8 +159,7 @@ static void run_vector(struct lanes *lanes, const char *routine)
     for (unsigned j = 0; j < INPUTS - 1; j++) {
         for (unsigned i = 0; i < LANES; i++)
             plane[i] = lanes->in[i][j];
-        assert_true(
-            c205_write(machine, inputs + 64 * LANES * j, plane, LANES));
+        assert_true(c205_write(machine, inputs + 64 * LANES * j, plane, LANES));
     }
     assert_true(c205_write(machine, address_of(object, "resolution"),
                            &lanes->in[0][INPUTS - 1], 1));
@@ -178,8 +175,7 @@ static void run_vector(struct lanes *lanes, const char *routine)
         uint64_t at = c205_register(machine, number);
 
         assert_int_equal(at >> 48, LANES);
-        assert_true(
-            c205_read(machine, at & UINT64_C(0xFFFFFFFFFFFF), plane, LANES));
+        assert_true(c205_read(machine, at & UINT64_C(0xFFFFFFFFFFFF), plane, LANES));
         for (unsigned i = 0; i < LANES; i++)
             lanes->out[i][j] = plane[i];
     }
@@ -339,10 +335,10 @@ static void integers(struct factors *f, uint64_t *state)
         f->root[i] = (double)xorshift_between(state, -3, 3);
 }
 
-static void (*const kinds[])(struct factors *f, uint64_t *state) = {
-    separate, twice, two_twice,   thrice,  four_times,
-    cluster,  graze, graze_twice, integers
-};
+static void (*const kinds[])(struct factors *f,
+                             uint64_t *state) = { separate, twice,       two_twice,
+                                                  thrice,   four_times,  cluster,
+                                                  graze,    graze_twice, integers };
 enum { KINDS = COUNT(kinds) };
 
 /* (t - a) (t - b) + above */
@@ -373,8 +369,8 @@ static bool is_positive(const c205_word *c, c205_word t)
     c205_word f = c[0];
 
     for (int i = 1; i < 5; i++)
-        f = arith_add_normalised(arith_multiply_significant(f, t, &flags),
-                                 c[i], &flags);
+        f = arith_add_normalised(arith_multiply_significant(f, t, &flags), c[i],
+                                 &flags);
     return arith_not_less(f, C205_MACHINE_ZERO);
 }
 

@@ -77,8 +77,7 @@ static void expect(const struct trial *t, struct outcome expected)
                  "not %016llX, %llX",
                  t->name, (unsigned long long)t->a, (unsigned long long)t->b,
                  (int)t->f.digits, (unsigned long long)result.word,
-                 (unsigned long long)result.flags,
-                 (unsigned long long)expected.word,
+                 (unsigned long long)result.flags, (unsigned long long)expected.word,
                  (unsigned long long)expected.flags);
 }
 
@@ -241,12 +240,9 @@ static const struct operation {
 static void check_operation(const struct operation *operation)
 {
     uint64_t seed = RANDOM_SEED;
-    struct trial t = { operation->name,
-                       operation->f,
-                       operation->binary,
-                       operation->unary,
-                       0,
-                       0 };
+    struct trial t = {
+        operation->name, operation->f, operation->binary, operation->unary, 0, 0
+    };
 
     for (int i = 0; i < ROUNDS; i++) {
         t.a = any_word(t.f, &seed);

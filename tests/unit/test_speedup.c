@@ -22,8 +22,7 @@ static void measure(const struct speedup_subject *subject,
                                          .model = model };
         c205_error error = { "" };
 
-        if (!speedup_measure(subject, from, &options, &measures[mode],
-                             &error))
+        if (!speedup_measure(subject, from, &options, &measures[mode], &error))
             fail_msg("%s", error.message);
     }
 }
@@ -52,10 +51,8 @@ TEST(subjects)
             assert_int_equal(measures[mode].rays, 4000);
             assert_in_range(measures[mode].hits, 1000, 3000);
         }
-        assert_true(measures[TRACE_SCALAR].checksum
-                    == measures[TRACE_VECTOR].checksum);
-        assert_true(measures[TRACE_SCALAR].total
-                    > 3 * measures[TRACE_VECTOR].total);
+        assert_true(measures[TRACE_SCALAR].checksum == measures[TRACE_VECTOR].checksum);
+        assert_true(measures[TRACE_SCALAR].total > 3 * measures[TRACE_VECTOR].total);
     }
 }
 
@@ -65,22 +62,18 @@ static void check_solver(const struct speedup_subject *subject,
                          const struct speedup_measure measures[TRACE_FORMS])
 {
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++) {
-        const struct stage_count *count = measures[TRACE_SCALAR]
-                                              .iterations.stage;
+        const struct stage_count *count = measures[TRACE_SCALAR].iterations.stage;
 
-        if (!subject->regions[i]
-            || strcmp(subject->regions[i], speedup_solver) != 0)
+        if (!subject->regions[i] || strcmp(subject->regions[i], speedup_solver) != 0)
             continue;
         for (int stage = 0; stage < STAGES; stage++) {
             assert_true(count[stage].steps >= count[stage].brackets);
             assert_true(count[stage].steps == count[stage].passes);
         }
-        assert_true(count[STAGE_VALUE].brackets
-                    >= measures[TRACE_SCALAR].hits);
+        assert_true(count[STAGE_VALUE].brackets >= measures[TRACE_SCALAR].hits);
         for (int mode = 0; mode < TRACE_FORMS; mode++) {
             assert_true(measures[mode].regions[i] > 0);
-            assert_int_equal(measures[mode].falsi == FALSI_PAPER,
-                             subject->historical);
+            assert_int_equal(measures[mode].falsi == FALSI_PAPER, subject->historical);
         }
     }
 }
@@ -98,10 +91,7 @@ TEST(solvers)
             solves |= subject->regions[k] != NULL
                       && strcmp(subject->regions[k], speedup_solver) == 0;
         for (int mode = 0; mode < TRACE_FORMS; mode++)
-            assert_int_equal(measures[mode]
-                                     .iterations.stage[STAGE_VALUE]
-                                     .brackets
-                                 > 0,
+            assert_int_equal(measures[mode].iterations.stage[STAGE_VALUE].brackets > 0,
                              solves);
         check_solver(subject, measures);
     }
@@ -139,8 +129,7 @@ TEST(view)
     assert_int_equal(measures[TRACE_VECTOR].hits, 4000);
 }
 
-static void check_error(const struct speedup_subject *subject,
-                        const char *message)
+static void check_error(const struct speedup_subject *subject, const char *message)
 {
     struct trace_options options = {
         .width = 4, .height = 4, .queue = 4, .model = model
@@ -148,8 +137,7 @@ static void check_error(const struct speedup_subject *subject,
     struct speedup_measure measured;
     c205_error error = { "" };
 
-    assert_false(
-        speedup_measure(subject, &view, &options, &measured, &error));
+    assert_false(speedup_measure(subject, &view, &options, &measured, &error));
     assert_non_null(strstr(error.message, message));
 }
 
@@ -355,8 +343,7 @@ TEST(scale)
 
     measure(&speedup_subjects[0], &view, measures);
     for (int mode = 0; mode < TRACE_FORMS; mode++)
-        assert_near(figure(table, 1, mode),
-                    25 * 20e-9 * (double)measures[mode].total);
+        assert_near(figure(table, 1, mode), 25 * 20e-9 * (double)measures[mode].total);
     assert_near(figure(table, 1, 2),
                 25 * measures[TRACE_SCALAR].projected[SPEEDUP_720]);
 }
@@ -378,9 +365,8 @@ TEST(width)
 /* All see the same, each takes its own time, and the first is Table 1's. */
 TEST(formulations)
 {
-    struct speedup_measure(
-        *measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
-                                         sizeof *measures);
+    struct speedup_measure(*measures)[TRACE_FORMS] = calloc(speedup_formulation_count,
+                                                            sizeof *measures);
     const struct csv_table *table1 = read_table1();
     static struct csv_table csv;
     struct table *table;
@@ -395,12 +381,10 @@ TEST(formulations)
                          measures[0][TRACE_SCALAR].hits);
         for (size_t k = 0; k < i; k++)
             for (int mode = 0; mode < TRACE_FORMS; mode++)
-                assert_true(measures[i][mode].total
-                            != measures[k][mode].total);
+                assert_true(measures[i][mode].total != measures[k][mode].total);
     }
     table = formulations_table(model,
-                               (const struct speedup_measure(*)[TRACE_FORMS])
-                                   measures);
+                               (const struct speedup_measure(*)[TRACE_FORMS])measures);
     stream = fmemopen(text, sizeof text, "w");
     assert_true(table && stream);
     assert_true(table_write(table, TABLE_CSV, stream));
@@ -416,9 +400,7 @@ TEST(formulations)
                     figure(table1, line_of(table1, "cylinder", "ours"), i));
         for (size_t row = 2; row < csv.rows; row++)
             assert_near(strtod(csv.cell[row][2 + 2 * i], NULL),
-                        100
-                            * (strtod(csv.cell[row][1 + 2 * i], NULL) / told
-                               - 1));
+                        100 * (strtod(csv.cell[row][1 + 2 * i], NULL) / told - 1));
     }
     table_free(table);
     free(measures);
@@ -465,8 +447,7 @@ static void check_projection(const char *name, const char *other)
 
     assert_non_null(on);
     assert_string_equal(speedup_projection_model(on, SPEEDUP_720), other);
-    assert_string_equal(speedup_projection_model(on, SPEEDUP_6600),
-                        "cdc6600");
+    assert_string_equal(speedup_projection_model(on, SPEEDUP_6600), "cdc6600");
     c205_model_free(on);
 }
 

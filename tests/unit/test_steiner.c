@@ -13,8 +13,7 @@ static void add_patch(char *text, size_t size, double reach)
     }
     if (xorshift(&traced.random) % 2)
         for (int i = 0; i < 6; i++)
-            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights",
-                     between(.4, 2.5));
+            add_text(text, size, "%s %.6f", i > 0 ? "," : " weights", between(.4, 2.5));
 }
 
 static void add_shape(char *text, size_t size)
@@ -60,11 +59,10 @@ TEST(curves_in_planes_of_rays)
     for (size_t i = 0; i < COUNT(turns); i++) {
         char text[1024] = "";
 
-        add_text(
-            text, sizeof text,
-            "%ssteiner_patch { <2, 0, 1>, <0, 2, 1>, 0,"
-            " <1, 1, 0>, <0, 1, -1>, <1, 0, -1> translate <-.5, -.5, 0> %s }",
-            STRAIGHT, turns[i]);
+        add_text(text, sizeof text,
+                 "%ssteiner_patch { <2, 0, 1>, <0, 2, 1>, 0,"
+                 " <1, 1, 0>, <0, 1, -1>, <1, 0, -1> translate <-.5, -.5, 0> %s }",
+                 STRAIGHT, turns[i]);
         struct words *words = plain_frame(text);
 
         assert_true(hits(words) > 0);
@@ -85,12 +83,10 @@ TEST(quadrics)
     check_middle(AHEAD PIECE "rotate 180*y }", 1, 6);
     free(plain_frame(AHEAD PIECE "rotate 20 } " PIECE "scale 2 }"));
     /* a parabolic cylinder, a saddle */
-    free(plain_frame(STRAIGHT
-                     "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
-                     " <-2, 2, 1>, <0, -1, -1>, <0, .5, -1>, <-2, .5, 1> }"));
-    free(plain_frame(STRAIGHT
-                     "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, 0>,"
-                     " <.5, .5, .5>, <0, .5, 0>, <.5, 0, 0> }"));
+    free(plain_frame(STRAIGHT "steiner_patch { <-2, -1, 1>, <2, -1, 1>,"
+                              " <-2, 2, 1>, <0, -1, -1>, <0, .5, -1>, <-2, .5, 1> }"));
+    free(plain_frame(STRAIGHT "steiner_patch { <1, 0, 0>, <0, 1, 0>, <0, 0, 0>,"
+                              " <.5, .5, .5>, <0, .5, 0>, <.5, 0, 0> }"));
 }
 
 /* Flat ones, straight and with curved edges; seen along their plane. */
@@ -159,8 +155,7 @@ TEST(starts)
 TEST(the_triple_point)
 {
     check_middle(STRAIGHT ROMAN DIAGONAL "}", 1, 5 + 1 / sqrt(3));
-    check_middle(STRAIGHT ROMAN DIAGONAL "rotate 180*y }", 1,
-                 5 - 1 / sqrt(3));
+    check_middle(STRAIGHT ROMAN DIAGONAL "rotate 180*y }", 1, 5 - 1 / sqrt(3));
     check_middle(STRAIGHT ROMAN DIAGONAL "scale 3 }", 1, 5 + sqrt(3));
     check_middle(STRAIGHT ROMAN_MIDDLE "rotate <30, 40, 0> }", 1, 5);
     free(plain_frame(AHEAD ROMAN_MIDDLE "rotate <30, 40, 0> }"));

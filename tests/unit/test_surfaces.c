@@ -79,8 +79,7 @@ TEST(gloss)
         assert_integer(primitive(&stage, i, "P_REFLECTION_KIND"), kinds[i]);
     }
     check_numbers(&stage, 0, "P_COLOR", (const double[]){ .8, .4, .2 }, 3);
-    check_numbers(&stage, 0, "P_FINISH",
-                  (const double[]){ .375, .375, .375, .25 }, 4);
+    check_numbers(&stage, 0, "P_FINISH", (const double[]){ .375, .375, .375, .25 }, 4);
     check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
     check_numbers(&stage, 2, "P_COLOR", checker, 6);
     drop_curtain(&stage);
@@ -106,8 +105,7 @@ TEST(odd_surfaces)
     raise_curtain(&stage, text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_COLOR", (const double[]){ -.25, -.5, 0 }, 3);
     check_numbers(&stage, 1, "P_COLOR", (const double[]){ .75, 1.5, 0 }, 3);
-    check_numbers(&stage, 1, "P_REFLECTION",
-                  (const double[]){ .25, -.5, 0, .5 }, 4);
+    check_numbers(&stage, 1, "P_REFLECTION", (const double[]){ .25, -.5, 0, .5 }, 4);
     for (size_t i = 0; i < COUNT(numbers); i++)
         check_numbers(&stage, i, "P_PASSING", numbers[i], 4);
     drop_curtain(&stage);
@@ -129,16 +127,14 @@ TEST(stops)
     const struct primitive *p = scene->primitives;
 
     for (size_t i = 0; i < COUNT(same); i++)
-        assert_int_equal(has_stops_of(&p[i + 1].pigment, &p[i].pigment),
-                         same[i]);
+        assert_int_equal(has_stops_of(&p[i + 1].pigment, &p[i].pigment), same[i]);
     assert_int_equal(stop_count(&p[0].pigment), 4);
     assert_int_equal(stop_count(&p[4].pigment), 2);
     assert_int_equal(stop_count(&p[5].pigment), 1);
     scene_free(scene);
 }
 
-static void check_interiors(const char *text, size_t bodies, double base,
-                            double full)
+static void check_interiors(const char *text, size_t bodies, double base, double full)
 {
     struct stage stage;
     uint64_t first;
@@ -153,8 +149,7 @@ static void check_interiors(const char *text, size_t bodies, double base,
     assert_number(stage_word(&stage, first + 64), base);
     assert_number(stage_word(&stage, first + 2 * 64), 1 / base);
     assert_number(stage_word(&stage, first + 3 * 64), full);
-    assert_number(stage_word(&stage, first + 4 * 64),
-                  full > 0 ? 1 / full : 0);
+    assert_number(stage_word(&stage, first + 4 * 64), full > 0 ? 1 / full : 0);
     assert_number(stage_word(&stage, first + 5 * 64), 9);
     drop_curtain(&stage);
 }
@@ -172,10 +167,9 @@ TEST(interiors)
         "    finish { reflection { 1 fresnel } } }\n"
         "union { sphere { 0, 1 } sphere { 0, 2 } interior { ior 1 + 3/64 } }";
     static const int numbers[] = { 1, 0, 2, 3, 3 };
-    static const char many[] =
-        "global_settings { max_trace_level 9 }\n"
-        "#for (I, 1, %d) sphere { 0, 1 pigment { rgbt .5 }\n"
-        "    interior { ior 1 + I/64 } } #end";
+    static const char many[] = "global_settings { max_trace_level 9 }\n"
+                               "#for (I, 1, %d) sphere { 0, 1 pigment { rgbt .5 }\n"
+                               "    interior { ior 1 + I/64 } } #end";
     char text[200];
     struct stage stage;
 
@@ -202,8 +196,7 @@ TEST(levels)
     } rows[] = {
         { "sphere { 0, 1 }", 1 },
         { "sphere { 0, 1 finish { reflection rgb <0, 0, .1> } }", 7 },
-        { "sphere { 0, 1 } sphere { 0, 1 pigment { rgbt <0, 0, 0, .1> } }",
-          7 + 64 },
+        { "sphere { 0, 1 } sphere { 0, 1 pigment { rgbt <0, 0, 0, .1> } }", 7 + 64 },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
@@ -215,8 +208,7 @@ TEST(levels)
                  "global_settings { max_trace_level 7 adc_bailout .125 } %s",
                  rows[i].text);
         raise_curtain(&stage, text, BOUNDING_FLAT);
-        assert_integer(scene_word(&stage, "scene_level_count"),
-                       rows[i].levels);
+        assert_integer(scene_word(&stage, "scene_level_count"), rows[i].levels);
         assert_number(scene_word(&stage, "scene_bailout"), .125);
         assert_true(c205_read(stage.machine,
                               scene_word(&stage, "scene_levels")

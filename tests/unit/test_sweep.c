@@ -55,8 +55,7 @@ static void check_all_sums(const struct sweep *sweep)
             check_sums(&sweep->measures[i].forms[form]);
 }
 
-static uint64_t group(const struct sweep_measure *measure,
-                      enum sweep_group which)
+static uint64_t group(const struct sweep_measure *measure, enum sweep_group which)
 {
     return sweep_group_clocks(&measure->forms[SWEEP_QUEUED], which);
 }
@@ -103,10 +102,9 @@ TEST(queue)
         point = measure->point;
         assert_int_equal(point.trace.queue, few[i]);
         for (int form = 0; form < SWEEP_FORMS; form++) {
-            point.trace.mode = form == SWEEP_SCALAR ? TRACE_SCALAR
-                                                    : TRACE_VECTOR;
-            assert_true(speedup_measure(sweep.subject, &point.view,
-                                        &point.trace, &other, &error));
+            point.trace.mode = form == SWEEP_SCALAR ? TRACE_SCALAR : TRACE_VECTOR;
+            assert_true(speedup_measure(sweep.subject, &point.view, &point.trace,
+                                        &other, &error));
             assert_true(other.total == measure->forms[form].total);
             assert_int_equal(other.hits, measure->hits);
         }
@@ -129,8 +127,7 @@ static struct scene *read_balls(void)
 
     for (int i = 0; i < 14; i++)
         length += snprintf(text + length, sizeof text - (size_t)length,
-                           "sphere { <%d*.6-2, %d-1, -2>, .7 }\n", i % 7,
-                           i / 7 * 2);
+                           "sphere { <%d*.6-2, %d-1, -2>, .7 }\n", i % 7, i / 7 * 2);
     snprintf(text + length, sizeof text - (size_t)length,
              "pigment { color rgb 1 } }\n");
     scene = scene_read_text("balls", text, &how, &reports);
@@ -144,8 +141,7 @@ static struct scene *read_balls(void)
 TEST(small_memory)
 {
     static const c205_setting settings[] = { { "page.words", 512 },
-                                             { "memory.real_words",
-                                               48 * 512 },
+                                             { "memory.real_words", 48 * 512 },
                                              { "translation.miss", 0 } };
     static const size_t lengths[] = { 8, 64, 256, 2500, 4096 };
     struct scene *scene = read_balls();
@@ -167,10 +163,8 @@ TEST(small_memory)
     best = sweep_best(&sweep);
     longest = &sweep.measures[sweep.count - 1];
     assert_true(best > sweep.measures && best < longest);
-    more = longest->forms[SWEEP_QUEUED].total
-           - best->forms[SWEEP_QUEUED].total;
-    assert_true(group(longest, SWEEP_FAULT) - group(best, SWEEP_FAULT)
-                > more / 3);
+    more = longest->forms[SWEEP_QUEUED].total - best->forms[SWEEP_QUEUED].total;
+    assert_true(group(longest, SWEEP_FAULT) - group(best, SWEEP_FAULT) > more / 3);
     assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
     sweep_free(&sweep);
     c205_model_free(small);
@@ -199,8 +193,7 @@ TEST(memory)
     assert_true(sweep_touched(&sweep, &point, 512, &words, &error));
     expected = memory.fixed + 96 * 96 * memory.a_ray;
     assert_true(fabs((double)words / expected - 1) < .05);
-    assert_true(fabs(memory.fixed + memory.fills * memory.a_ray - memory.real)
-                < 1);
+    assert_true(fabs(memory.fixed + memory.fills * memory.a_ray - memory.real) < 1);
     sweep_free(&sweep);
     scene_free(scene);
 }
@@ -251,21 +244,17 @@ TEST(pipes)
     check_all_sums(&sweep);
     m = sweep.measures;
     for (size_t i = 0; i < 6; i++) {
-        assert_true(m[i].forms[SWEEP_SCALAR].total
-                    == m[0].forms[SWEEP_SCALAR].total);
-        assert_true(group(&m[i], SWEEP_STARTUP)
-                    == group(&m[0], SWEEP_STARTUP));
+        assert_true(m[i].forms[SWEEP_SCALAR].total == m[0].forms[SWEEP_SCALAR].total);
+        assert_true(group(&m[i], SWEEP_STARTUP) == group(&m[0], SWEEP_STARTUP));
     }
     for (size_t i = 0; i < 2; i++) {
         double twice = 2 * (double)group(&m[i + 1], SWEEP_STREAM);
 
-        assert_true(fabs(twice / (double)group(&m[i], SWEEP_STREAM) - 1)
-                    < 1e-3);
+        assert_true(fabs(twice / (double)group(&m[i], SWEEP_STREAM) - 1) < 1e-3);
         assert_true(m[3 + i].forms[SWEEP_QUEUED].total
                     == m[i + 1].forms[SWEEP_QUEUED].total);
     }
-    assert_true(m[5].forms[SWEEP_QUEUED].total
-                < m[4].forms[SWEEP_QUEUED].total);
+    assert_true(m[5].forms[SWEEP_QUEUED].total < m[4].forms[SWEEP_QUEUED].total);
     sweep_free(&sweep);
 }
 
@@ -323,14 +312,11 @@ TEST(hits_out_of_view)
 static void check_crossover(const struct sweep *sweep,
                             const struct sweep_lengths_found *found)
 {
-    const struct sweep_measure *before = sweep_with_queue(sweep,
-                                                          found->crossover
-                                                              - 1);
+    const struct sweep_measure *before = sweep_with_queue(sweep, found->crossover - 1);
 
     assert_true(found->crossover > 1);
     assert_non_null(before);
-    assert_true(before->forms[SWEEP_QUEUED].total
-                >= before->forms[SWEEP_SCALAR].total);
+    assert_true(before->forms[SWEEP_QUEUED].total >= before->forms[SWEEP_SCALAR].total);
     for (size_t n = found->crossover; n <= found->checked; n++) {
         const struct sweep_measure *measure = sweep_with_queue(sweep, n);
 
@@ -412,9 +398,8 @@ static struct sweep_measure as_if(size_t length, uint64_t speedup)
 /* Lengths side by side are no crossover when those before were left out. */
 TEST(left_out)
 {
-    struct sweep_measure measures[] = { as_if(1, 1),    as_if(400, 7),
-                                        as_if(401, 7),  as_if(900, 20),
-                                        as_if(901, 21), as_if(902, 22),
+    struct sweep_measure measures[] = { as_if(1, 1),    as_if(400, 7),  as_if(401, 7),
+                                        as_if(900, 20), as_if(901, 21), as_if(902, 22),
                                         as_if(8192, 42) };
     struct sweep sweep = { .measures = measures, .count = 7 };
     struct sweep_lengths_found found = sweep_find_lengths(&sweep);

@@ -67,8 +67,7 @@ static void check_point(const struct primitive *prism, const double *corner,
     }
     assert_true(share > -1e-6 && share < 1 + 1e-6);
     for (int k = 0; k < 2; k++)
-        assert_true(fabs(row[FOOT + k]
-                         + (row[BOW + k] * share + row[WAY + k]) * share
+        assert_true(fabs(row[FOOT + k] + (row[BOW + k] * share + row[WAY + k]) * share
                          - point[k])
                     < 1e-6);
     normal[0] = (2 * row[BOW + 1] * share + row[WAY + 1]) * row[OUTWARD];
@@ -120,15 +119,13 @@ static void check_lathe(const struct primitive *lathe, bool tangled)
     (void)tangled;
     shape_words(lathe, &words);
     assert_non_null(table);
-    for (double *row = table; row < table + 16 * (size_t)words.words[3];
-         row += 16) {
+    for (double *row = table; row < table + 16 * (size_t)words.words[3]; row += 16) {
         double outside[3] = { 0 }, inside[3] = { 0 };
 
         if (row[BEGINS_WORD] == 1)
             continue;
         for (int k = 0; k < 2; k++) {
-            double corner = k ? words.words[0] + row[HEIGHT_WORD]
-                              : row[RADIUS_WORD];
+            double corner = k ? words.words[0] + row[HEIGHT_WORD] : row[RADIUS_WORD];
             double middle = corner + row[11 + k] * row[13] / 2;
 
             outside[k] = middle + 1e-7 * row[14 + k];
@@ -154,16 +151,15 @@ struct swept {
     void (*check)(const struct primitive *shape, bool tangled);
 };
 
-static const struct swept prism = { "prism { 0, 1, ", 8, add_prism, 1.6, .5,
-                                    check_prism },
-                          quadratic = { "prism { quadratic_spline 0, 1, ",
-                                        16,
-                                        add_quadratic_prism,
-                                        1.6,
-                                        .5,
-                                        check_quadratic_prism },
-                          lathe = { "lathe { ", 16, add_lathe,
-                                    1.4,        1,  check_lathe };
+static const struct swept
+    prism = { "prism { 0, 1, ", 8, add_prism, 1.6, .5, check_prism },
+    quadratic = { "prism { quadratic_spline 0, 1, ",
+                  16,
+                  add_quadratic_prism,
+                  1.6,
+                  .5,
+                  check_quadratic_prism },
+    lathe = { "lathe { ", 16, add_lathe, 1.4, 1, check_lathe };
 
 static const struct swept *const all[] = { &prism, &quadratic, &lathe };
 static const struct swept *swept; /* one of them */
@@ -207,9 +203,7 @@ static size_t segments_of(const struct swept *shape, const char *path)
     snprintf(text, sizeof text, "%s%s }", shape->begin, path);
     scene = read_text(text);
     shape_words(scene->primitives, &words);
-    assert_int_equal(shape_table_count(scene->primitives, NULL)
-                         % shape->row_words,
-                     0);
+    assert_int_equal(shape_table_count(scene->primitives, NULL) % shape->row_words, 0);
     scene_free(scene);
     return words.segments;
 }
@@ -246,8 +240,7 @@ TEST(segments)
           " <-1, 1>, <-1, -1>, <1, -1>, <1, 1>, <-1, 1>, <-1, -1>",
           2 },
         /* a dent */
-        { &quadratic,
-          "6, <1, .3>, <0, -1>, <3, 0>, <0, 1>, <1.5, 0>, <0, -1>", 2 },
+        { &quadratic, "6, <1, .3>, <0, -1>, <3, 0>, <0, 1>, <1.5, 0>, <0, -1>", 2 },
         { &lathe, DRUM, 1 },
         { &lathe, CONE, 1 },
         { &lathe, RING, 2 },
@@ -258,11 +251,10 @@ TEST(segments)
     char circle[2000] = "48", ball[2000] = "25";
 
     for (size_t i = 0; i < COUNT(rows); i++)
-        assert_int_equal(segments_of(rows[i].shape, rows[i].path),
-                         rows[i].segments);
+        assert_int_equal(segments_of(rows[i].shape, rows[i].path), rows[i].segments);
     for (int i = 0; i < 48; i++)
-        add_text(circle, sizeof circle, ", <%.9f, %.9f>",
-                 cos(i * acos(-1) / 24), sin(i * acos(-1) / 24));
+        add_text(circle, sizeof circle, ", <%.9f, %.9f>", cos(i * acos(-1) / 24),
+                 sin(i * acos(-1) / 24));
     assert_int_equal(segments_of(&prism, circle), 1);
     for (int i = 0; i <= 24; i++)
         add_text(ball, sizeof ball, ", <%.9f, %.9f>", sin(i * acos(-1) / 24),
@@ -284,8 +276,7 @@ static void check_crossings(const struct primitive *shape, double reach)
             ray.origin[k] = between(-reach, reach);
             ray.direction[k] = between(-1, 1);
         }
-        assert_true(plain_crossings(shape, &ray, crossings)
-                    <= 2 * words.segments);
+        assert_true(plain_crossings(shape, &ray, crossings) <= 2 * words.segments);
     }
 }
 
@@ -328,8 +319,7 @@ TEST(known_normals)
         char text[1000];
         struct scene *scene;
 
-        snprintf(text, sizeof text, "prism { quadratic_spline -1, 1, %s }",
-                 paths[i]);
+        snprintf(text, sizeof text, "prism { quadratic_spline -1, 1, %s }", paths[i]);
         scene = read_text(text);
         check_quadratic_prism(scene->primitives, i + 1 == count);
         scene_free(scene);
@@ -356,8 +346,8 @@ TEST(along)
 
         snprintf(text, sizeof text, STRAIGHT "%s", lathes[i]);
         free(same_frame(text));
-        snprintf(text, sizeof text,
-                 STRAIGHT "difference { box { -2, 2 } %s }", lathes[i]);
+        snprintf(text, sizeof text, STRAIGHT "difference { box { -2, 2 } %s }",
+                 lathes[i]);
         free(same_frame(text));
     }
 }

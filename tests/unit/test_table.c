@@ -86,8 +86,7 @@ TEST_WITH(columns_line_up, set_up, tear_down)
 static void random_words(unsigned *seed, size_t count, char *text)
 {
     for (size_t i = 0; i < count; i++) {
-        size_t length = 1
-                        + (*seed = *seed * 1103515245u + 12345u) / 65536 % 12;
+        size_t length = 1 + (*seed = *seed * 1103515245u + 12345u) / 65536 % 12;
         memset(text, (int)('a' + i % 26), length);
         text[length] = i + 1 < count ? ' ' : '\0';
         text += length + 1;
@@ -96,8 +95,7 @@ static void random_words(unsigned *seed, size_t count, char *text)
 
 /* Line by line from where the column begins: the whole text, each line as full
  * as it can be. */
-static void assert_folded(const char *printed, size_t begins,
-                          const char *text)
+static void assert_folded(const char *printed, size_t begins, const char *text)
 {
     enum { WIDE = 100 };
     const char *line = strchr(printed, '\n') + 1;
@@ -136,8 +134,7 @@ TEST(long_text_is_folded)
         fclose(file);
         fclose(other);
         table_free(table);
-        assert_folded(printed, 2 + (strlen(name) > 4 ? strlen(name) : 4),
-                      text);
+        assert_folded(printed, 2 + (strlen(name) > 4 ? strlen(name) : 4), text);
         assert_non_null(strstr(csv, text));
     }
 }
@@ -166,9 +163,8 @@ TEST_WITH(table_as_json, set_up, tear_down)
  * shorter in print. */
 static struct table *odd_table(void)
 {
-    static const char *const names[] = { "a, b",       "\"c\"",
-                                         "# d",        "e|f",
-                                         "two\nlines", "\\ <g> *h* `i`" };
+    static const char *const names[] = { "a, b", "\"c\"",      "# d",
+                                         "e|f",  "two\nlines", "\\ <g> *h* `i`" };
     struct table *table = table_new(columns, COUNT(columns));
     for (size_t i = 0; i < COUNT(names); i++) {
         table_text(table, names[i]);
@@ -386,13 +382,12 @@ TEST_WITH(json_values, set_up, tear_down)
     json_array(json, "empty");
     json_end(json);
     assert_true(json_close(json, &error));
-    expect_text(folder.path,
-                "{\n  \"text\": \"line\\u000a\\u0009tab \\\\ \\u0001\",\n"
-                "  \"tenth\": 0.1,\n"
-                "  \"third\": 0.33333333333333331,\n"
-                "  \"none\": null,\n"
-                "  \"true\": true,\n"
-                "  \"empty\": []\n}\n");
+    expect_text(folder.path, "{\n  \"text\": \"line\\u000a\\u0009tab \\\\ \\u0001\",\n"
+                             "  \"tenth\": 0.1,\n"
+                             "  \"third\": 0.33333333333333331,\n"
+                             "  \"none\": null,\n"
+                             "  \"true\": true,\n"
+                             "  \"empty\": []\n}\n");
 }
 
 TEST_WITH(old_file_stays, set_up, tear_down)
@@ -444,12 +439,10 @@ TEST(no_folder)
 {
     c205_error error;
     assert_null(whole_open("/nonexistent/file", &error));
-    assert_string_equal(error.message,
-                        "/nonexistent/file: No such file or directory");
+    assert_string_equal(error.message, "/nonexistent/file: No such file or directory");
     error.message[0] = '\0';
     assert_false(whole_check("/nonexistent/file", &error));
-    assert_string_equal(error.message,
-                        "/nonexistent/file: No such file or directory");
+    assert_string_equal(error.message, "/nonexistent/file: No such file or directory");
     assert_true(whole_check("/dev/full", &error));
 }
 

@@ -50,8 +50,7 @@ static bool run(void *context, const struct task *task, c205_error *error)
             return false;
         }
     if (task->number == bench->bad) {
-        snprintf(error->message, sizeof error->message, "bad %zu",
-                 task->number);
+        snprintf(error->message, sizeof error->message, "bad %zu", task->number);
         return false;
     }
     return true;
@@ -63,8 +62,7 @@ static double weight(const void *context, size_t number)
     return (double)(1 + number % 7);
 }
 
-static bool go(struct bench *bench, size_t jobs, bool watched,
-               c205_error *error)
+static bool go(struct bench *bench, size_t jobs, bool watched, c205_error *error)
 {
     const struct tasks tasks = { .count = bench->count,
                                  .jobs = jobs,
@@ -107,8 +105,7 @@ TEST(a_bad_one)
     c205_error error;
 
     for (int i = 0; i < 100; i++) {
-        struct bench bench = { .count = 1 + below(&random, MOST),
-                               .stop_at = SIZE_MAX };
+        struct bench bench = { .count = 1 + below(&random, MOST), .stop_at = SIZE_MAX };
         size_t jobs = below(&random, 5);
         char expected[32];
 
@@ -146,9 +143,7 @@ TEST(told_to_stop)
     c205_error error;
 
     for (size_t jobs = 0; jobs < 5; jobs++) {
-        struct bench bench = { .count = MOST,
-                               .bad = MOST,
-                               .stop_at = 500000 };
+        struct bench bench = { .count = MOST, .bad = MOST, .stop_at = 500000 };
         int ran = 0;
 
         assert_false(go(&bench, jobs, true, &error));

@@ -22,9 +22,8 @@ struct terminal {
     int master;
     pid_t process;
     struct text_buffer said;
-    size_t seen; /* of what was said */
-    unsigned
-        asked; /* questions whose answer shows that all before was done */
+    size_t seen;    /* of what was said */
+    unsigned asked; /* questions whose answer shows that all before was done */
 };
 
 /* ---- A process at a terminal ----------------------------------------------- */
@@ -43,16 +42,14 @@ static void become(const char *name, bool libedit, char *const *words)
     setenv("TERM", "xterm", 1);
     if (!libedit)
         setenv("LD_LIBRARY_PATH", folder, 1);
-    snprintf(command, sizeof command, "%s/%s", built ? built : "build",
-             words[0]);
+    snprintf(command, sizeof command, "%s/%s", built ? built : "build", words[0]);
     execv(command, words);
     _exit(127);
 }
 
 static void begin(struct terminal *terminal, bool libedit, char *const *words)
 {
-    *terminal = (struct terminal){ .master = posix_openpt(O_RDWR
-                                                          | O_NOCTTY) };
+    *terminal = (struct terminal){ .master = posix_openpt(O_RDWR | O_NOCTTY) };
     assert_true(terminal->master >= 0);
     assert_int_equal(grantpt(terminal->master), 0);
     assert_int_equal(unlockpt(terminal->master), 0);
@@ -86,15 +83,13 @@ static bool listen_on(struct terminal *terminal, int milliseconds)
     return count > 0;
 }
 
-static bool hears(struct terminal *terminal, const char *text,
-                  int milliseconds)
+static bool hears(struct terminal *terminal, const char *text, int milliseconds)
 {
     const char *found = NULL;
 
     do {
-        found = terminal->said.text
-                    ? strstr(terminal->said.text + terminal->seen, text)
-                    : NULL;
+        found = terminal->said.text ? strstr(terminal->said.text + terminal->seen, text)
+                                    : NULL;
     } while (!found && listen_on(terminal, milliseconds));
     if (found)
         terminal->seen = (size_t)(found - terminal->said.text) + strlen(text);
@@ -126,8 +121,7 @@ static int end(struct terminal *terminal)
     while (listen_on(terminal, MILLISECONDS_MOST))
         continue;
     close(terminal->master);
-    assert_int_equal(waitpid(terminal->process, &status, 0),
-                     terminal->process);
+    assert_int_equal(waitpid(terminal->process, &status, 0), terminal->process);
     text_buffer_free(&terminal->said);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
@@ -149,9 +143,8 @@ static char *const render_words[] = { "rt205", "render",  "scenes/first.pov",
  * beginning, and nothing that was dropped has been obeyed. */
 static void check_drops(struct terminal *terminal)
 {
-    static const char *const dropped[] = {
-        "", "delete", "dele", "qu", "quit", "delete 1", "q", "brea"
-    };
+    static const char *const dropped[] = { "",     "delete",   "dele", "qu",
+                                           "quit", "delete 1", "q",    "brea" };
 
     ask(terminal);
     type(terminal, "break insn EXIT\n");
@@ -225,8 +218,7 @@ TEST(ends)
         poll(NULL, 0, 100);
         kill(terminal.process, signals[i / 2 % 2]);
         if (end(&terminal) != 1)
-            fail_msg("typed '%s', signal %d", typed[i / 4],
-                     signals[i / 2 % 2]);
+            fail_msg("typed '%s', signal %d", typed[i / 4], signals[i / 2 % 2]);
     }
 }
 

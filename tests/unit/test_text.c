@@ -27,8 +27,8 @@ static struct character character_of(const struct primitive *primitive)
                                primitive->shape.quadratic_prism.high };
 }
 
-static void widen(const struct primitive *primitive, double x, double height,
-                  double z, double low[3], double high[3])
+static void widen(const struct primitive *primitive, double x, double height, double z,
+                  double low[3], double high[3])
 {
     double point[3] = { x, height, z };
 
@@ -44,8 +44,7 @@ static double along(const double *points, size_t k, double w)
 {
     double s = 1 - w;
 
-    return s * s * points[k] + 2 * s * w * points[2 + k]
-           + w * w * points[4 + k];
+    return s * s * points[k] + 2 * s * w * points[2 + k] + w * w * points[4 + k];
 }
 
 /* Where it turns back; within its ends. */
@@ -58,8 +57,7 @@ static double turning(const double *points, size_t k)
 }
 
 /* Where the ink of a scene's prisms ends, in the world. */
-static void extent_of(const struct scene *scene, double low[3],
-                      double high[3])
+static void extent_of(const struct scene *scene, double low[3], double high[3])
 {
     for (int k = 0; k < 3; k++) {
         low[k] = INFINITY;
@@ -78,8 +76,7 @@ static void extent_of(const struct scene *scene, double low[3],
             path_next(&walk);
             for (size_t k = 0; k < 2; k++) {
                 double w = turning(at, k);
-                widen(primitive, along(at, 0, w), one.low, along(at, 1, w),
-                      low, high);
+                widen(primitive, along(at, 0, w), one.low, along(at, 1, w), low, high);
             }
         }
     }
@@ -99,11 +96,7 @@ TEST(extents)
         { "cyrvetic", "C", "0", { 0, -.02102 }, { .63602, .74901 } },
         { "cyrvetic", "@", "0", { 0, -.15102 }, { .90602, .71602 } },
         { "cyrvetic", "CC", "0", { 0, -.02102 }, { 1.33402, .74902 } },
-        { "cyrvetic",
-          "CC",
-          "<.1, .05, .2>",
-          { 0, -.02102 },
-          { 1.43402, .79903 } },
+        { "cyrvetic", "CC", "<.1, .05, .2>", { 0, -.02102 }, { 1.43402, .79903 } },
         { "cyrvetic", "Crystal @", "0", { 0, -.22302 }, { 4.23602, .74907 } },
         { "timrom", "A", "0", { 0, 0 }, { .73602, .69601 } },
         { "timrom", "AV", "0", { 0, -.01602 }, { 1.27802, .69602 } },
@@ -137,8 +130,7 @@ TEST(extents)
     }
 }
 
-static double area_of(const double from[2], const double handle[2],
-                      const double to[2])
+static double area_of(const double from[2], const double handle[2], const double to[2])
 {
     double way[2] = { to[0] - from[0], to[1] - from[1] };
     double lead[2] = { handle[0] - from[0], handle[1] - from[1] };
@@ -150,8 +142,7 @@ static double area_of(const double from[2], const double handle[2],
 /* The dot of this font is round: its parabolas enclose as much as an ellipse. */
 TEST(curves)
 {
-    struct scene *scene = read_scene(
-        "text { ttf \"timrom.ttf\" \".\" 1, 0 }");
+    struct scene *scene = read_scene("text { ttf \"timrom.ttf\" \".\" 1, 0 }");
     struct character dot = character_of(scene->primitives);
     const double(*points)[2] = (const double(*)[2])dot.path->points;
     double low[3], high[3], area = 0, ellipse;
@@ -169,8 +160,7 @@ TEST(curves)
  * nearly nothing lies between these and the chords of its corners. */
 TEST(slanted)
 {
-    struct scene *scene = read_scene(
-        "text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
+    struct scene *scene = read_scene("text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
     struct character letter = character_of(scene->primitives);
     struct path_walk walk = { .path = letter.path, .apart = letter.apart };
     double bows = 0, area = 0;
@@ -190,8 +180,7 @@ TEST(slanted)
 /* Characters without curves are prisms of straight edges. */
 TEST(straight)
 {
-    struct scene *scene = read_scene(
-        "text { ttf \"cyrvetic.ttf\" \"TI\" 1, 0 }");
+    struct scene *scene = read_scene("text { ttf \"cyrvetic.ttf\" \"TI\" 1, 0 }");
 
     assert_int_equal(scene->primitive_count, 2);
     for (size_t i = 0; i < 2; i++)
@@ -291,8 +280,7 @@ static void check_font(const char *name, bool points)
 
 TEST(outlines)
 {
-    static const char *const names[] = { "timrom", "cyrvetic", "crystal",
-                                         "povlogo" };
+    static const char *const names[] = { "timrom", "cyrvetic", "crystal", "povlogo" };
 
     for (size_t i = 0; i < 2 * COUNT(names); i++)
         check_font(names[i / 2], i % 2);
@@ -304,8 +292,7 @@ enum { LOOP_MOST = 24 };
 
 /* Loops by chance on a small grid, so that they touch themselves: the same loop
  * from another point, which is there once if any is. */
-static void check_touching_loop(size_t corners, size_t apart,
-                                uint64_t *random)
+static void check_touching_loop(size_t corners, size_t apart, uint64_t *random)
 {
     size_t count = corners * apart, begin = 0;
     double before[LOOP_MOST][2] = { { 0 } }, after[LOOP_MOST][2];
@@ -322,8 +309,7 @@ static void check_touching_loop(size_t corners, size_t apart,
     while (begin < count && times[begin] > 1)
         begin += apart;
     for (size_t j = 0; j < count; j++)
-        assert_memory_equal(after[j], before[(begin + j) % count],
-                            sizeof *after);
+        assert_memory_equal(after[j], before[(begin + j) % count], sizeof *after);
 }
 
 TEST(touching_loops)
@@ -331,8 +317,8 @@ TEST(touching_loops)
     uint64_t random = RANDOM_SEED;
 
     for (size_t i = 0; i < 2000; i++)
-        check_touching_loop((size_t)xorshift_between(&random, 1, 12),
-                            1 + i % 2, &random);
+        check_touching_loop((size_t)xorshift_between(&random, 1, 12), 1 + i % 2,
+                            &random);
 }
 
 TEST(modifiers)
@@ -355,8 +341,7 @@ TEST(modifiers)
 
 TEST(blank)
 {
-    struct scene *scene = read_with("text { ttf \"timrom.ttf\" \" \" 1, 0 }",
-                                    1);
+    struct scene *scene = read_with("text { ttf \"timrom.ttf\" \" \" 1, 0 }", 1);
 
     assert_int_equal(scene->primitive_count, 0);
     scene_free(scene);

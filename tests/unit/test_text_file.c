@@ -145,19 +145,8 @@ static bool is_safe(const char *text)
 TEST(any_name)
 {
     static const char *const parts[] = {
-        "\x1B[31m",
-        "\x1B]0;title\x07",
-        "\x9B",
-        "\xC2\x9B",
-        "\r",
-        "\n",
-        "a",
-        "\xE2\x80\xAE",
-        "\xEF\xBB\xBF",
-        "\x7F",
-        "\xFF",
-        "b.s",
-        " ",
+        "\x1B[31m",     "\x1B]0;title\x07", "\x9B", "\xC2\x9B", "\r",  "\n", "a",
+        "\xE2\x80\xAE", "\xEF\xBB\xBF",     "\x7F", "\xFF",     "b.s", " ",
     };
 
     for (size_t i = 0; i < TEXTS; i++) {
@@ -179,8 +168,7 @@ TEST(any_name)
 
 TEST(name_in_diagnostic)
 {
-    const struct position position = { "a\x1B[2J.s", 1, 3, "x\x1B\xC2\xA0y",
-                                       5 };
+    const struct position position = { "a\x1B[2J.s", 1, 3, "x\x1B\xC2\xA0y", 5 };
     struct diagnostics reports = { 0 };
     struct text_buffer shown = { 0 };
     struct sink sink = text_buffer_sink(&shown);
@@ -188,13 +176,12 @@ TEST(name_in_diagnostic)
     diagnostics_add(&reports, SEVERITY_ERROR, &position, "no \x1B[31m\n");
     diagnostics_say(&reports, "said \x1B[31m\n\tnext\n");
     diagnostics_put(&reports, &sink);
-    assert_string_equal(shown.text,
-                        "a\\x1b[2J.s:1:3: error: no \\x1b[31m\\x0a "
-                        "(at the caret: U+00A0, a no-break "
-                        "space)\n"
-                        "    x??y\n"
-                        "      ^\n"
-                        "said \\x1b[31m\n\tnext\n");
+    assert_string_equal(shown.text, "a\\x1b[2J.s:1:3: error: no \\x1b[31m\\x0a "
+                                    "(at the caret: U+00A0, a no-break "
+                                    "space)\n"
+                                    "    x??y\n"
+                                    "      ^\n"
+                                    "said \\x1b[31m\n\tnext\n");
     text_buffer_free(&shown);
     diagnostics_free(&reports);
 }

@@ -23,17 +23,15 @@ struct study {
 
 static void find_rows(struct study *study)
 {
-    const struct factors_options options = {
-        .mode = TRACE_VECTOR,
-        .queue = 2000,
-        .points = 1024,
-        .repeats = 16,
-        .lattice = true,
-        .seed = 1,
-        .receiver_of = study->surfaces.surface_of,
-        .receivers = study->surfaces.count,
-        .model = prior_model
-    };
+    const struct factors_options options = { .mode = TRACE_VECTOR,
+                                             .queue = 2000,
+                                             .points = 1024,
+                                             .repeats = 16,
+                                             .lattice = true,
+                                             .seed = 1,
+                                             .receiver_of = study->surfaces.surface_of,
+                                             .receivers = study->surfaces.count,
+                                             .model = prior_model };
     size_t count = study->scene->primitive_count;
     c205_error error = { "" };
     struct factors *factors = factors_new(study->scene, &options, &error);
@@ -43,8 +41,7 @@ static void find_rows(struct study *study)
     assert_non_null(refusals);
     study->rows = calloc(count + 1, sizeof *study->rows);
     for (size_t i = 0; i < count; i++)
-        if (!refusals[i]
-            && !factors_find(factors, &i, 1, &study->rows[i], &error))
+        if (!refusals[i] && !factors_find(factors, &i, 1, &study->rows[i], &error))
             fail_msg("%s", error.message);
     factors_free(factors);
     free(refusals);
@@ -56,8 +53,7 @@ static struct study begin(const char *text, enum surfaces_by by)
     struct study study = { .scene = read_scene(text) };
 
     assert_true(named_parts_find(study.scene, &study.parts));
-    assert_true(
-        surfaces_find(study.scene, &study.parts, by, &study.surfaces));
+    assert_true(surfaces_find(study.scene, &study.parts, by, &study.surfaces));
     find_rows(&study);
     return study;
 }
@@ -96,9 +92,8 @@ static bool exchange(const struct study *study, const char *temperatures,
 
     give(study, &temperature_kind, temperatures, &temperature);
     give(study, &emissivity_kind, emissivities, &emissivity);
-    good = thermal_find(&study->surfaces, &study->parts, &emissivity,
-                        &temperature, TRACE_VECTOR, prior_model, thermal,
-                        error);
+    good = thermal_find(&study->surfaces, &study->parts, &emissivity, &temperature,
+                        TRACE_VECTOR, prior_model, thermal, error);
     given_free(&temperature);
     given_free(&emissivity);
     return good;
@@ -115,8 +110,7 @@ static void assert_flow(double found, double expected)
 static void assert_estimate(struct estimate found, double expected)
 {
     if (!(fabs(found.value - expected) <= 5 * found.error + 1e-9))
-        fail_msg("%.9g +- %.2g is not %.9g", found.value, found.error,
-                 expected);
+        fail_msg("%.9g +- %.2g is not %.9g", found.value, found.error, expected);
 }
 
 TEST(parts)
@@ -134,8 +128,7 @@ TEST(parts)
     assert_estimate(shell->factor[0], .25 * 4 / 10.25);
     assert_estimate(shell->factor[1], .75 * 4 / 10.25);
     assert_estimate(shell->factor[2], 6.25 / 10.25);
-    assert_int_equal(shell->count[0] + shell->count[1] + shell->count[2],
-                     shell->sent);
+    assert_int_equal(shell->count[0] + shell->count[1] + shell->count[2], shell->sent);
     assert_true(fabs(surfaces_reciprocity(&study.surfaces, 0, 1)) < 5);
     assert_true(isnan(surfaces_reciprocity(&study.surfaces, 1, 1)));
     assert_true(isnan(surfaces_reciprocity(&study.surfaces, 1, 2)));
@@ -170,8 +163,7 @@ TEST(flows)
     assert_int_equal(thermal.count, 3);
     assert_flow(thermal.exchange.flow[0], 25842.18560027);
     assert_flow(thermal.exchange.flow[2], -25842.18560027);
-    assert_flow(thermal.exchange.flow[1],
-                .5 * SIGMA * fourth * 4 * pi * 6.25);
+    assert_flow(thermal.exchange.flow[1], .5 * SIGMA * fourth * 4 * pi * 6.25);
     thermal_free(&thermal);
     end(&study);
 }
@@ -194,8 +186,7 @@ TEST(lines)
     c205_error error = { "" };
 
     assert_true(named_parts_find(study.scene, &study.parts));
-    assert_true(
-        surfaces_find(study.scene, &study.parts, BY_PART, &study.surfaces));
+    assert_true(surfaces_find(study.scene, &study.parts, BY_PART, &study.surfaces));
     by_part.surface_of = study.surfaces.surface_of;
     by_part.surfaces = study.surfaces.count;
     assert_true(global_lines_find(study.scene, &by_part, &found, &error));
@@ -205,8 +196,7 @@ TEST(lines)
     assert_estimate(study.surfaces.list[1].factor[0], .25 * 4 / 10.25);
     assert_true(surfaces_reciprocity(&study.surfaces, 0, 1) == 0);
     assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
-    assert_true(fabs(thermal.exchange.sum)
-                < 1e-9 * fabs(thermal.exchange.flow[0]));
+    assert_true(fabs(thermal.exchange.sum) < 1e-9 * fabs(thermal.exchange.flow[0]));
     thermal_free(&thermal);
     study.rows = calloc(study.scene->primitive_count, sizeof *study.rows);
     end(&study);
@@ -220,8 +210,8 @@ TEST(adiabatic)
     struct thermal thermal;
     c205_error error;
 
-    assert_true(exchange(&study, "Shell=adiabatic environment=300", "Ball=1",
-                         &thermal, &error));
+    assert_true(exchange(&study, "Shell=adiabatic environment=300", "Ball=1", &thermal,
+                         &error));
     assert_close(thermal.outside, 300, 0);
     assert_true(isnan(thermal.temperature[1]));
     assert_true(fabs(thermal.exchange.flow[1]) < 1e-6);
@@ -239,8 +229,7 @@ static void refuses(const struct study *study, const char *temperatures,
     struct thermal thermal;
     c205_error error = { "" };
 
-    assert_false(
-        exchange(study, temperatures, emissivities, &thermal, &error));
+    assert_false(exchange(study, temperatures, emissivities, &thermal, &error));
     if (!strstr(error.message, message))
         fail_msg("%s: %s", message, error.message);
 }
@@ -262,10 +251,9 @@ TEST(refused)
                   "#declare B = sphere { 3*x, 1 texture { Tin } }\n"
                   "object { A } object { B }\n",
                   BY_MATERIAL);
-    refuses(
-        &study, "A=300 B=400", "",
-        "surface Tin is of parts with other temperatures or emissivities, "
-        "A and B");
+    refuses(&study, "A=300 B=400", "",
+            "surface Tin is of parts with other temperatures or emissivities, "
+            "A and B");
     refuses(&study, "default=300", "A=.5", "A and B");
     end(&study);
 }

@@ -127,9 +127,7 @@ static void take_command(struct reader *reader, const char *line)
     assert_true(id < INSNS_MOST + 2);
     shown = &reader->shown[id];
     if (kind == 'I') {
-        assert_int_equal(sscanf(line, "I\t%lu\t%lu\t0%15s", &id, &second,
-                                word),
-                         2);
+        assert_int_equal(sscanf(line, "I\t%lu\t%lu\t0%15s", &id, &second, word), 2);
         assert_int_equal(id, reader->next++);
         assert_int_equal(reader->clock, reader->timeline->insns[id].arrived);
         shown->there = true;
@@ -137,23 +135,18 @@ static void take_command(struct reader *reader, const char *line)
     }
     assert_true(shown->there && !shown->retired);
     if (kind == 'L') {
-        assert_int_equal(sscanf(line, "L\t%lu\t%lu\t%299[^\n]", &id, &second,
-                                rest),
-                         3);
+        assert_int_equal(sscanf(line, "L\t%lu\t%lu\t%299[^\n]", &id, &second, rest), 3);
         assert_int_equal(second, shown->labels++);
     } else if (kind == 'R') {
         assert_string_equal(shown->stage, "");
         assert_int_equal(shown->labels, 2);
         assert_int_equal(reader->clock, reader->timeline->insns[id].done);
-        assert_int_equal(shown->worked,
-                         reader->timeline->insns[id].ready
-                             - reader->timeline->insns[id].issued);
+        assert_int_equal(shown->worked, reader->timeline->insns[id].ready
+                                            - reader->timeline->insns[id].issued);
         shown->retired = true;
     } else {
         assert_true(kind == 'S' || kind == 'E');
-        assert_int_equal(sscanf(line + 1, "\t%lu\t%lu\t%7s", &id, &second,
-                                word),
-                         3);
+        assert_int_equal(sscanf(line + 1, "\t%lu\t%lu\t%7s", &id, &second, word), 3);
         assert_int_equal(second, 0);
         take_stage(reader, shown, kind, word);
     }
@@ -259,8 +252,7 @@ static void check_program(const char *path)
 
 TEST(programs)
 {
-    static const char *const patterns[] = { "asm/examples/*.s",
-                                            "tests/programs/*.s",
+    static const char *const patterns[] = { "asm/examples/*.s", "tests/programs/*.s",
                                             "tests/programs/traps/*.s" };
 
     for (size_t i = 0; i < 3; i++) {

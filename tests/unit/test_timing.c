@@ -70,8 +70,7 @@ static uint64_t measured(struct little *on, const struct vector_case *one)
     return c205_clock(on->machine);
 }
 
-static void begin_with(struct little *on, const struct vector_case *one,
-                       unsigned times)
+static void begin_with(struct little *on, const struct vector_case *one, unsigned times)
 {
     begin(on);
     while (times-- > 0)
@@ -81,8 +80,7 @@ static void begin_with(struct little *on, const struct vector_case *one,
 
 /* ---- By the formula ---------------------------------------------------- */
 
-static double constant(const c205_model *model, const char *kind,
-                       const char *name)
+static double constant(const c205_model *model, const char *kind, const char *name)
 {
     char text[64];
     const c205_constant *found;
@@ -95,8 +93,7 @@ static double constant(const c205_model *model, const char *kind,
 
 /* ceil(n x rate / pipes), which make half_rate results of 32 bits in the time
  * of one; rates are exact in millionths. */
-static uint64_t stream(const c205_model *model, const char *name, uint64_t n,
-                       bool half)
+static uint64_t stream(const c205_model *model, const char *name, uint64_t n, bool half)
 {
     uint64_t million = 1000000;
     double value = constant(model, "stream", name);
@@ -119,8 +116,7 @@ static relation *relation_of(const c205_insn *row, unsigned g)
     static const struct {
         relation *of_words, *of_halves;
     } relations[C205_OPERATIONS] = {
-#define RELATION(name) \
-    [C205_OPERATION_##name] = { arith_##name, half_##name },
+#define RELATION(name) [C205_OPERATION_##name] = { arith_##name, half_##name },
 #include "vm/arith.def"
     };
 
@@ -130,8 +126,8 @@ static relation *relation_of(const c205_insn *row, unsigned g)
                            : relations[row->operation].of_words;
 }
 
-static c205_word unsigned_element(const struct vector_case *one,
-                                  enum role role, size_t i)
+static c205_word unsigned_element(const struct vector_case *one, enum role role,
+                                  size_t i)
 {
     const struct extent_of *vector = &one->vector[role];
     uint64_t at = vector->address - DATA + i * vector->width;
@@ -150,8 +146,7 @@ static c205_word unsigned_element(const struct vector_case *one,
 }
 
 /* A half word stands on the left. */
-static c205_word element(const struct vector_case *one, enum role role,
-                         size_t i)
+static c205_word element(const struct vector_case *one, enum role role, size_t i)
 {
     unsigned g = one->fields.g;
     bool half = g & C205_G_HALF;
@@ -159,8 +154,7 @@ static c205_word element(const struct vector_case *one, enum role role,
     uint64_t flags = 0;
 
     if (g & (role == ROLE_A ? C205_G_MAGNITUDE_A : C205_G_MAGNITUDE_B))
-        word = half ? half_absolute(word, &flags)
-                    : arith_absolute(word, &flags);
+        word = half ? half_absolute(word, &flags) : arith_absolute(word, &flags);
     if (role == ROLE_A && g & C205_G_NEGATE_A)
         word = half ? half_negate(word, &flags) : arith_negate(word, &flags);
     return word;
@@ -185,8 +179,7 @@ static size_t ones(const struct vector_case *one, bool x, bool y)
     size_t count = 0;
 
     for (size_t i = 0; i < one->n; i++)
-        count += (x && bit_of(one, ROLE_X, i))
-                 || (y && bit_of(one, ROLE_Y, i));
+        count += (x && bit_of(one, ROLE_X, i)) || (y && bit_of(one, ROLE_Y, i));
     return count;
 }
 
@@ -214,8 +207,7 @@ static uint64_t elements(const struct vector_case *one)
 }
 
 /* t(k) = max(t(k-1) + 1, free(bank(k))), for those not held back. */
-static uint64_t conflicts(const struct vector_case *one,
-                          const c205_model *model)
+static uint64_t conflicts(const struct vector_case *one, const c205_model *model)
 {
     uint64_t banks = (uint64_t)constant(model, "memory", "banks");
     uint64_t busy = (uint64_t)constant(model, "memory", "bank_busy");
@@ -248,8 +240,8 @@ TEST(closed_formula)
                      + stream(on->model, timing, elements(&one),
                               one.fields.g & C205_G_HALF);
             if (measured(on, &one) != clocks)
-                fail_msg("%s of %zu on %s: %llu clocks, not %llu",
-                         one.row->mnemonic, one.n, model_names[k % MODELS],
+                fail_msg("%s of %zu on %s: %llu clocks, not %llu", one.row->mnemonic,
+                         one.n, model_names[k % MODELS],
                          (unsigned long long)measured(on, &one),
                          (unsigned long long)clocks);
         }
@@ -263,28 +255,23 @@ static void set_lengths(struct vector_case *one, size_t length)
     for (int role = 0; role < ROLES; role++)
         if (letter_of(one->row, (enum role)role) && !one->scalar[role]
             && (role != ROLE_Z || one->fields.z))
-            one->reg[role_register[role]] =
-                descriptor(one->vector[role].address, length);
+            one->reg[role_register[role]] = descriptor(one->vector[role].address,
+                                                       length);
 }
 
-static void draw_plain(struct vector_case *one, const c205_insn *row,
-                       uint64_t *random)
+static void draw_plain(struct vector_case *one, const c205_insn *row, uint64_t *random)
 {
     do
         draw_case(one, row, random, LENGTH);
-    while (
-        reference_has_offset(row, &one->fields)
-        || one->fields.g & (C205_G_BROADCAST_A | C205_G_BROADCAST_B)
-        || one->fields.x
-               != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_X]
-                                                     : 0)
-        || one->fields.y
-               != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_Y]
-                                                     : 0));
+    while (reference_has_offset(row, &one->fields)
+           || one->fields.g & (C205_G_BROADCAST_A | C205_G_BROADCAST_B)
+           || one->fields.x
+                  != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_X] : 0)
+           || one->fields.y
+                  != (row->format == C205_FORMAT_SPARSE ? role_register[ROLE_Y] : 0));
 }
 
-static void check_fewer_pipes(const struct vector_case *one,
-                              const uint64_t *clocks)
+static void check_fewer_pipes(const struct vector_case *one, const uint64_t *clocks)
 {
     if (clocks[0] < clocks[1] || clocks[1] < clocks[2])
         fail_msg("%s is slower with more pipes", one->row->mnemonic);
@@ -314,8 +301,7 @@ TEST(longer_is_never_cheaper)
     static struct vector_case one;
     uint64_t random = 4205;
     for (size_t i = 0; i < c205_insn_count; i++)
-        for (unsigned times = 1; is_vector(&c205_insns[i]) && times <= 2;
-             times++) {
+        for (unsigned times = 1; is_vector(&c205_insns[i]) && times <= 2; times++) {
             draw_plain(&one, &c205_insns[i], &random);
             try_lengths(&one, times);
         }
@@ -367,8 +353,7 @@ static void try_program(uint64_t seed)
     for (int step = 0; step < STEPS && step_all(); step++)
         if (c205_clock(little[0].machine) < c205_clock(little[1].machine)
             || c205_clock(little[1].machine) < c205_clock(little[2].machine))
-            fail_msg("seed %llu is slower with more pipes",
-                     (unsigned long long)seed);
+            fail_msg("seed %llu is slower with more pipes", (unsigned long long)seed);
 }
 
 TEST(random_programs)
@@ -392,11 +377,9 @@ static const struct {
       " .data\nx: .space 100\n",
       3 + 84 + 1030 + 50 },
     { "Each waits for the one before: at 0, 5, 10; ready at 15.",
-      "ADDN r10, r11, r12\n ADDN r12, r11, r13\n ADDN r13, r11, r14\n EXIT",
-      15 },
+      "ADDN r10, r11, r12\n ADDN r12, r11, r13\n ADDN r13, r11, r14\n EXIT", 15 },
     { "At 0, 1, 2: the last is ready at 7.",
-      "ADDN r10, r11, r12\n ADDN r10, r11, r13\n ADDN r10, r11, r14\n EXIT",
-      7 },
+      "ADDN r10, r11, r12\n ADDN r10, r11, r13\n ADDN r10, r11, r14\n EXIT", 7 },
     { "The unit is busy for 54: at 0 and 54, ready at 108.",
       "DIVS r10, r11, r12\n DIVS r10, r11, r13\n EXIT", 108 },
     { "EX at 0; the page is in at 1 + 1030, when LOD issues; 15 until it is "
@@ -406,8 +389,7 @@ static const struct {
       1 + 1030 + 15 + 5 },
     { "ES at 0 and 1; DBNZ at 2: taken, 8 more; at 11: taken; at 20 not; "
       "EXIT at 21.",
-      "ES r10, 3\n EX r11, loop\nloop: DBNZ r10, [r11]\n EXIT",
-      2 + 9 + 9 + 1 + 1 },
+      "ES r10, 3\n EX r11, loop\nloop: DBNZ r10, [r11]\n EXIT", 2 + 9 + 9 + 1 + 1 },
     { "Descriptors at 0, 1, 2; the addition at 3: start-up 51, the page, "
       "which holds all, 1030, 100 elements by two pipes 50.",
       "EX r10, x\n ELEN r10, 100\n RTOR r10, r11\n"
@@ -447,8 +429,7 @@ TEST(small_programs)
         uint64_t clocks = clocks_of(programs[i].text);
         if (clocks != programs[i].clocks)
             fail_msg("%llu clocks, not %llu: %s", (unsigned long long)clocks,
-                     (unsigned long long)programs[i].clocks,
-                     programs[i].what);
+                     (unsigned long long)programs[i].clocks, programs[i].what);
     }
 }
 

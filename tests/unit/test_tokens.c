@@ -10,19 +10,17 @@ enum { TEXTS = 200, CUTS = 60, PIECES = 40, TEXT_MOST = 200 };
 /* Pieces that are other tokens with others behind them, or none. */
 static void draw_text(char *text)
 {
-    static const char *const pieces[] = {
-        "1",   "1e", "e",  "+",  "5",    ".",    "<",  "=", ">",
-        "!",   "/",  "*",  "/*", "*/",   "//",   "\n", " ", "a",
-        "end", "#",  "\"", "\\", "\x01", "1e+5", "{",  "}"
-    };
+    static const char *const pieces[] = { "1",  "1e",   "e",    "+", "5",   ".",  "<",
+                                          "=",  ">",    "!",    "/", "*",   "/*", "*/",
+                                          "//", "\n",   " ",    "a", "end", "#",  "\"",
+                                          "\\", "\x01", "1e+5", "{", "}" };
 
     text[0] = '\0';
     for (size_t i = 0; i < PIECES; i++)
         strcat(text, pieces[below(COUNT(pieces))]);
 }
 
-static struct text_place place_of(const struct scene_source *source,
-                                  size_t at)
+static struct text_place place_of(const struct scene_source *source, size_t at)
 {
     struct text_place place = { 0, 1, 0 };
 
@@ -34,23 +32,21 @@ static struct text_place place_of(const struct scene_source *source,
     return place;
 }
 
-static void assert_same(const struct scene_token *a,
-                        const struct scene_token *b, const char *text)
+static void assert_same(const struct scene_token *a, const struct scene_token *b,
+                        const char *text)
 {
     if (a->kind != b->kind || a->source != b->source || a->text != b->text
-        || a->length != b->length || a->sign != b->sign
-        || a->depth != b->depth || a->main_line != b->main_line
-        || a->fault != b->fault
+        || a->length != b->length || a->sign != b->sign || a->depth != b->depth
+        || a->main_line != b->main_line || a->fault != b->fault
         || memcmp(&a->number, &b->number, sizeof a->number) != 0
         || memcmp(&a->place, &b->place, sizeof a->place) != 0)
-        fail_msg("'%.*s' at %zu is kept as '%.*s' of\n%s", (int)a->length,
-                 a->text, a->place.at, (int)b->length, b->text, text);
+        fail_msg("'%.*s' at %zu is kept as '%.*s' of\n%s", (int)a->length, a->text,
+                 a->place.at, (int)b->length, b->text, text);
 }
 
 /* All tokens of a body, of both; some of them are gone back to. */
 static void compare(struct lexer *keeping, struct lexer *fresh,
-                    const struct scene_source *source, size_t from,
-                    size_t end)
+                    const struct scene_source *source, size_t from, size_t end)
 {
     struct text_place place = place_of(source, from);
     struct scene_token call = { .kind = TOKEN_WORD }, kept, read;
@@ -64,8 +60,8 @@ static void compare(struct lexer *keeping, struct lexer *fresh,
         kept = lexer_next(keeping);
         read = lexer_next(fresh);
         assert_same(&read, &kept, source->text);
-        assert_memory_equal(&lexer_top(fresh)->place,
-                            &lexer_top(keeping)->place, sizeof back);
+        assert_memory_equal(&lexer_top(fresh)->place, &lexer_top(keeping)->place,
+                            sizeof back);
         if (below(4) == 0) {
             lexer_jump(keeping, &back);
             kept = lexer_next(keeping);

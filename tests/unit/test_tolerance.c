@@ -35,8 +35,7 @@ static void check_said(const char *text, const char *said)
     if (!*said && report && *report)
         fail_msg("%s\nexpected nothing said, found %s", text, report);
     if (*said && (!report || !strstr(report, said)))
-        fail_msg("%s\nexpected '%s', found '%s'", text, said,
-                 report ? report : "");
+        fail_msg("%s\nexpected '%s', found '%s'", text, said, report ? report : "");
     free(report);
 }
 
@@ -57,8 +56,7 @@ TEST(tolerance)
     check_said(RUN "; expect: r12 = 5 ~ 0\n", "");
     check_said(RUN "; expect: r11 = 5.0 ~ 1e-9\n", "");
     check_said(RUN "; expect: h40 = 1.25 ~ 0.25\n", "");
-    check_said(RUN "; expect: h40 = 1.25 ~ 0.2\n",
-               "found X'EA60 0000' (1.5)");
+    check_said(RUN "; expect: h40 = 1.25 ~ 0.2\n", "found X'EA60 0000' (1.5)");
     check_said(RUN "; expect: [v] = 1.0, 2.25 ~ 0.25\n", "");
     check_said(RUN "; expect: [v] = 1.0, 2.25 ~ 0.2\n", "word 1, at");
     check_said(RUN "; expect: [v + 128] = 0.0 ~ 1e9\n", "indefinite");

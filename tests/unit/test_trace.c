@@ -65,9 +65,8 @@ static void add_torus(char *text, size_t size)
 {
     bool elliptical = xorshift(&traced.random) % 2;
 
-    add_text(text, size, "%storus { %.9f, %.9f",
-             elliptical ? "elliptical_" : "", between(.5, 1.2),
-             between(.1, .6));
+    add_text(text, size, "%storus { %.9f, %.9f", elliptical ? "elliptical_" : "",
+             between(.5, 1.2), between(.1, .6));
     if (elliptical)
         add_text(text, size, ", %.9f", between(.1, .6));
 }
@@ -95,8 +94,8 @@ static void add_quartic_or_torus(char *text, size_t size)
         add_quartic(text, size);
     else
         add_torus(text, size);
-    add_text(text, size, " rotate <%.2f, %.2f, %.2f> translate ",
-             between(-90, 90), between(-90, 90), between(-90, 90));
+    add_text(text, size, " rotate <%.2f, %.2f, %.2f> translate ", between(-90, 90),
+             between(-90, 90), between(-90, 90));
     add_point(text, size, 2);
     add_text(text, size, " ");
 }
@@ -115,8 +114,7 @@ static void add_discs(char *text, size_t size)
         add_text(text, size, ", %.4f, %.4f }\n", between(.3, 1),
                  below(2) ? between(0, .3) : 0);
     }
-    add_text(text, size, "scale <%.3f, 1, %.3f> ", between(.6, 1.4),
-             between(.6, 1.4));
+    add_text(text, size, "scale <%.3f, 1, %.3f> ", between(.6, 1.4), between(.6, 1.4));
 }
 
 TEST_CALL(random_simple_shapes, check_random_scenes(add_shape, 12))
@@ -140,8 +138,7 @@ TEST(light_straight_behind)
 
     for (size_t i = 0; i < PIXELS; i++) {
         assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][i]), 1);
-        assert_float_equal(c205_to_double(words->channel[CHANNEL_RED][i]),
-                           .25, 1e-3);
+        assert_float_equal(c205_to_double(words->channel[CHANNEL_RED][i]), .25, 1e-3);
     }
     free(words);
 }
@@ -151,8 +148,7 @@ static void check_normal_z(const char *text, double expected)
     struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
 
-    assert_float_equal(c205_to_double(
-                           words->channel[CHANNEL_NORMAL_Z][middle]),
+    assert_float_equal(c205_to_double(words->channel[CHANNEL_NORMAL_Z][middle]),
                        expected, 1e-12);
     free(words);
 }
@@ -179,9 +175,7 @@ TEST(numbers_beyond_doubles)
 {
     struct scene *scene = read_text(AHEAD "sphere { 0, 1\n"
                                           "interior { ior 1e-310 } }");
-    struct trace_options options = { .width = 1,
-                                     .height = 1,
-                                     .model = prior_model };
+    struct trace_options options = { .width = 1, .height = 1, .model = prior_model };
     c205_error error = { "" };
 
     assert_null(trace_new(scene, &options, &error));
@@ -195,8 +189,8 @@ TEST(numbers_beyond_doubles)
 /* Along a line of the surface turned by 45 degrees: a = 0. */
 TEST(rays_parallel_to_a_side)
 {
-    check_middle_within(AHEAD FUNNEL "translate -y rotate -45*x }", 1,
-                        5 - sqrt(2), 1e-6);
+    check_middle_within(AHEAD FUNNEL "translate -y rotate -45*x }", 1, 5 - sqrt(2),
+                        1e-6);
     check_middle_within(AHEAD FUNNEL "open translate -y rotate -45*x }", 1,
                         5 + sqrt(.5), 1e-6);
 }
@@ -212,8 +206,7 @@ TEST(empty_scene)
     struct words *words = same_frame(AHEAD "background { rgb <.5, .25, 1> }");
 
     assert_int_equal(hits(words), 0);
-    assert_float_equal(c205_to_double(words->channel[CHANNEL_GREEN][7]), .25,
-                       0);
+    assert_float_equal(c205_to_double(words->channel[CHANNEL_GREEN][7]), .25, 0);
     free(words);
 }
 

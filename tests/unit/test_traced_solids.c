@@ -21,8 +21,8 @@ static void write_scene(char *text, size_t size, size_t count)
         add_solid(text, size, 2);
         if (solids.clear)
             add_text(text, size, "interior { ior %.2f } ", between(1, 1.6));
-        add_text(text, size, "translate <%.2f, %.2f, %.2f> }\n",
-                 between(-2, 2), between(-1, 1), between(-1, 1));
+        add_text(text, size, "translate <%.2f, %.2f, %.2f> }\n", between(-2, 2),
+                 between(-1, 1), between(-1, 1));
     }
 }
 
@@ -67,8 +67,8 @@ static void check_every(const char *text)
         found = trace_words(scene, TRACE_VECTOR, queues[i]);
         traced.visible = VISIBLE_DEFAULT;
         if (memcmp(found, expected, sizeof *found) != 0)
-            fail_msg("queue %zu, every crossing: another frame of\n%s",
-                     queues[i], text);
+            fail_msg("queue %zu, every crossing: another frame of\n%s", queues[i],
+                     text);
         free(found);
         free(expected);
     }

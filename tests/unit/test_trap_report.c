@@ -21,16 +21,14 @@ static void check(const char *text, bool lines, const char *const *said)
     trap_report(lines ? object : NULL, "test.o", machine, &stop, &sink);
     for (; *said; said++)
         if (!strstr(report.text, *said))
-            fail_msg("%s\nexpected '%s', found\n%s", text, *said,
-                     report.text);
+            fail_msg("%s\nexpected '%s', found\n%s", text, *said, report.text);
     text_buffer_free(&report);
     object_free(object);
     c205_free(machine);
     c205_model_free(model);
 }
 
-#define CHECK(text, ...) \
-    check(text, true, (const char *const[]){ __VA_ARGS__, NULL })
+#define CHECK(text, ...) check(text, true, (const char *const[]){ __VA_ARGS__, NULL })
 
 #define DATA \
     " .include \"core.s\"\n .data\n .vector x, 3, 1.0, 2.0, 3.0\n" \
@@ -46,21 +44,17 @@ TEST(rules)
     CHECK(" ES r1, 64\n LOD [r1], r2\n", "test.s:2:2: error",
           "address 40: no memory is mapped there", "\n     LOD [r1], r2\n",
           "    r1 = X'0000 0000 0000 0040' (64)\n");
-    CHECK(DATA " MPYSV [a, o], [b], [c]\n",
-          "test.s:12:2: error: trap bad-descriptor",
-          "an offset must not be negative",
-          "    [r10, r13]: its offset is negative\n",
+    CHECK(DATA " MPYSV [a, o], [b], [c]\n", "test.s:12:2: error: trap bad-descriptor",
+          "an offset must not be negative", "    [r10, r13]: its offset is negative\n",
           "    [r11]: 3 words from 800000 on\n");
     CHECK(DATA " ES b, -1\n EXTB a, b, c\n", "must end within its word");
     CHECK(DATA " SWAP [a], r254, [r0]\n", "must end with 255");
     CHECK(DATA " MRKO a, r0, [c]\n", "one bit at the least");
     CHECK(" .half X'DA00 000A', 11\n", "trap undefined-instruction",
           "a sum in two registers begins with an even one");
-    CHECK(DATA " EX c, x + 32\n ELEN c, 2\n VTOV [a], [c]\n",
-          "trap misaligned-operand", "words must lie on words",
-          "[r12]: 2 words from 800020 on");
-    CHECK(DATA " EX a, x + 1\n BSAVE b, [a]\n",
-          "instructions must lie on half words");
+    CHECK(DATA " EX c, x + 32\n ELEN c, 2\n VTOV [a], [c]\n", "trap misaligned-operand",
+          "words must lie on words", "[r12]: 2 words from 800020 on");
+    CHECK(DATA " EX a, x + 1\n BSAVE b, [a]\n", "instructions must lie on half words");
     CHECK(DATA " EX a, x + 32\n ELEN a, 2\n EXIT a, r0, 6\n",
           "what is to be printed must lie on");
     CHECK(" EXIT r1, r2, 99\n", "trap bad-request",
@@ -76,12 +70,10 @@ TEST(links)
           "behind the prefix must stand two vector instructions");
     CHECK(LINK("MPYSV [a], o, [c]", "SUMV [c], z"),
           "behind the prefix must stand two vector instructions");
-    CHECK(LINK("SQRTV [a], [c]", "DIVSV [c], [b], [c]"),
-          "must be of different units");
+    CHECK(LINK("SQRTV [a], [c]", "DIVSV [c], [b], [c]"), "must be of different units");
     CHECK(LINK("CMPGEV [a], [b], [c]", "MPYSV [c], o, [c]"),
           "must make numbers, not bits");
-    CHECK(LINK("MPYSV,H [a], h40, [c]", "ADDNV [c], [b], [c]"),
-          "both on half words");
+    CHECK(LINK("MPYSV,H [a], h40, [c]", "ADDNV [c], [b], [c]"), "both on half words");
     CHECK(LINK("MPYSV [a], o, [c] ? [z]", "ADDNV [c], [b], [c]"),
           "must have no control vector");
     CHECK(LINK("MPYSV [a], o, [c, o]", "ADDNV [c], [b], [c]"),
@@ -91,8 +83,7 @@ TEST(links)
           "    r13 = X'0000 FFFF FFFF FFFF' (-1)\n");
     CHECK(LINK("MPYSV [a], o, [c]", "ADDNV [c, o], [b], [c]"),
           "that is linked must have no offset");
-    CHECK(LINK("MPYSV [a], [b], [c]", "ADDNV [c], [b], [c]"),
-          "two read paths");
+    CHECK(LINK("MPYSV [a], [b], [c]", "ADDNV [c], [b], [c]"), "two read paths");
     CHECK(DATA " ELEN b, 2\n LINKV\n MPYSV [a], o, [c]\n"
                " ADDNV [c], o, [b]\n",
           "must have one length");
@@ -101,8 +92,7 @@ TEST(links)
 TEST(without_lines)
 {
     static const char *const said[] = {
-        "test.o: error: trap unmapped-address at 400020: LOD: address 40",
-        NULL
+        "test.o: error: trap unmapped-address at 400020: LOD: address 40", NULL
     };
 
     check(" ES r1, 64\n LOD [r1], r2\n", false, said);

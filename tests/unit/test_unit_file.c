@@ -183,8 +183,7 @@ static void expect_and_mend(const struct written *written, long at)
 
 static long somewhere(const struct written *written)
 {
-    return HEAD
-           + (long)below((size_t)(written->end[written->count - 1] - HEAD));
+    return HEAD + (long)below((size_t)(written->end[written->count - 1] - HEAD));
 }
 
 TEST_WITH(cut_off, set_up, tear_down)
@@ -250,8 +249,7 @@ TEST_WITH(merged, set_up, tear_down)
         check_merge();
 }
 
-static void refuse_merge(struct unit_file *file, const char *path,
-                         const char *message)
+static void refuse_merge(struct unit_file *file, const char *path, const char *message)
 {
     c205_error error = { "" };
 
@@ -316,8 +314,7 @@ static pid_t open_elsewhere(void)
     if (child == 0) {
         c205_error error;
 
-        if (unit_file_open(paths[0], KEY, &error)
-            && write(ready[1], "", 1) == 1)
+        if (unit_file_open(paths[0], KEY, &error) && write(ready[1], "", 1) == 1)
             pause();
         _exit(1);
     }

@@ -111,8 +111,8 @@ static c205_word draw_word(struct bench *bench, enum contents contents)
     return draw_number(bench);
 }
 
-static void draw_vectors(struct bench *bench, const struct pool *pool,
-                         uint64_t begin, uint64_t spread, size_t longest)
+static void draw_vectors(struct bench *bench, const struct pool *pool, uint64_t begin,
+                         uint64_t spread, size_t longest)
 {
     c205_word *registers = bench->reference.now.registers;
     uint64_t places = spread * WORD / pool->width;
@@ -129,8 +129,7 @@ static void draw_pairs(struct bench *bench, const struct pool *pool)
     c205_word *registers = bench->reference.now.registers;
 
     for (unsigned i = 0; i < PAIRS; i++) {
-        registers[pool->pairs + 2 * i] =
-            registers[pool->first + below(bench, SINGLES)];
+        registers[pool->pairs + 2 * i] = registers[pool->first + below(bench, SINGLES)];
         registers[pool->pairs + 2 * i + 1] = below(bench, 4);
     }
 }
@@ -142,8 +141,7 @@ static void move_away(struct bench *bench, c205_word *vector)
     case 0: *vector += NOWHERE - DATA; break;
     case 1: *vector += 1; break;
     default:
-        *vector += borders[1 + below(bench, BORDERS - 1)].address
-                   - borders[0].address;
+        *vector += borders[1 + below(bench, BORDERS - 1)].address - borders[0].address;
     }
 }
 
@@ -187,8 +185,7 @@ static void draw_registers(struct bench *bench, size_t longest)
 static bool has_vectors(const c205_insn *row)
 {
     return row->format == C205_FORMAT_SWAP
-           || (c205_unit_is_vector(row->unit)
-               && row->format != C205_FORMAT_NONE);
+           || (c205_unit_is_vector(row->unit) && row->format != C205_FORMAT_NONE);
 }
 
 static const struct pool *pool_of_letter(char letter)
@@ -223,8 +220,7 @@ static uint64_t draw_scalar(struct bench *bench, char letter, bool half)
         return COUNT;
     if (one_in(bench, 4))
         return 0;
-    return half ? 2 * HALF_NUMBER + below(bench, 4)
-                : NUMBER + below(bench, 2);
+    return half ? 2 * HALF_NUMBER + below(bench, 4) : NUMBER + below(bench, 2);
 }
 
 /* What SWAP stores and loads are vectors, too. */
@@ -234,8 +230,8 @@ static uint64_t draw_swap(struct bench *bench, enum role role)
                           : draw_vector(bench, 'd', false);
 }
 
-static uint64_t draw_operand(struct bench *bench, const c205_insn *row,
-                             unsigned g, enum role role)
+static uint64_t draw_operand(struct bench *bench, const c205_insn *row, unsigned g,
+                             enum role role)
 {
     char letter = sized_letter(row, g, role);
 
@@ -249,8 +245,7 @@ static uint64_t draw_operand(struct bench *bench, const c205_insn *row,
     return strchr("xX", letter)
                ? TABLE
                : draw_vector(bench, letter,
-                             role == ROLE_C
-                                 && row->format != C205_FORMAT_SPARSE
+                             role == ROLE_C && row->format != C205_FORMAT_SPARSE
                                  && g & C205_G_OFFSET);
 }
 
@@ -264,8 +259,8 @@ static uint8_t draw_g(struct bench *bench, const c205_insn *row)
     return (uint8_t)(row->subop | (((unsigned)some | half) & legal));
 }
 
-static uint8_t draw_offset(struct bench *bench, const c205_insn *row,
-                           unsigned g, enum role role)
+static uint8_t draw_offset(struct bench *bench, const c205_insn *row, unsigned g,
+                           enum role role)
 {
     const char *syntax = c205_format_syntax(row->format);
     bool may = role == ROLE_A ? strchr(syntax, 'a') || strstr(syntax, "A+X")
@@ -285,8 +280,9 @@ static c205_fields draw_fields(struct bench *bench, const c205_insn *row)
     }
     for (int role = 0; role < ROLES; role++)
         if (letter_of(row, (enum role)role))
-            *field_of_role(&f, row, (enum role)role) = (uint8_t)
-                draw_operand(bench, row, f.g, (enum role)role);
+            *field_of_role(&f, row,
+                           (enum role)role) = (uint8_t)draw_operand(bench, row, f.g,
+                                                                    (enum role)role);
     if (f.z == 0)
         f.g &= (uint8_t)~C205_G_ZEROS;
     return f;
@@ -298,10 +294,9 @@ static void map(struct bench *bench, uint64_t page, c205_access access)
 {
     c205_error error = { "" };
 
-    plain_map(&bench->reference.memory, DATA + page * PAGE, C205_PAGE_WORDS,
-              access);
-    if (!c205_map(bench->little.machine, DATA + page * PAGE, C205_PAGE_WORDS,
-                  access, &error))
+    plain_map(&bench->reference.memory, DATA + page * PAGE, C205_PAGE_WORDS, access);
+    if (!c205_map(bench->little.machine, DATA + page * PAGE, C205_PAGE_WORDS, access,
+                  &error))
         fail_msg("%s", error.message);
 }
 
@@ -311,8 +306,7 @@ static void fill(struct bench *bench, size_t border, enum contents contents)
 
     for (size_t i = 0; i < borders[border].words; i++) {
         words[i] = draw_word(bench, contents);
-        plain_store(&bench->reference.memory, begin_of(border) + i * WORD,
-                    words[i]);
+        plain_store(&bench->reference.memory, begin_of(border) + i * WORD, words[i]);
     }
     assert_true(c205_write(bench->little.machine, begin_of(border), words,
                            borders[border].words));
@@ -348,8 +342,8 @@ static void fail_case(const struct bench *bench, const char *what)
     const c205_fields *f = &bench->fields;
 
     fail_msg("%s G %02X X %d A %d Y %d B %d Z %d C %d R %d S %d T %d: %s",
-             bench->row->mnemonic, f->g, f->x, f->a, f->y, f->b, f->z, f->c,
-             f->r, f->s, f->t, what);
+             bench->row->mnemonic, f->g, f->x, f->a, f->y, f->b, f->z, f->c, f->r, f->s,
+             f->t, what);
 }
 
 /* What the reference has stored is to be in memory; NULL: where no data
@@ -386,8 +380,7 @@ static void compare_memory(struct bench *bench)
     follow_changes(bench);
     for (size_t i = 0; i < BORDERS; i++) {
         size_t count = borders[i].words;
-        assert_true(
-            c205_read(bench->little.machine, begin_of(i), words, count));
+        assert_true(c205_read(bench->little.machine, begin_of(i), words, count));
         if (memcmp(words, bench->memory[i], count * sizeof *words) != 0)
             fail_case(bench, "memory");
     }
@@ -410,9 +403,9 @@ static bool has_fault(const struct bench *bench, const c205_stop *stop)
     bool names_address = stop->trap == C205_TRAP_UNMAPPED_ADDRESS
                          || stop->trap == C205_TRAP_PROTECTED_ADDRESS;
 
-    return names_address ? reference_has_fault(&bench->reference, stop->trap,
-                                               stop->address)
-                         : bench->reference.faults[stop->trap].possible;
+    return names_address
+               ? reference_has_fault(&bench->reference, stop->trap, stop->address)
+               : bench->reference.faults[stop->trap].possible;
 }
 
 /* Of an instruction with faults that are but possible either may come. */
@@ -511,8 +504,7 @@ static void draw_linkables(struct bench *bench, const c205_insn *rows[2])
     do
         for (size_t i = 0; i < 2; i++)
             rows[i] = draw_linkable(bench);
-    while ((rows[0]->unit == rows[1]->unit
-            || rows[0]->timing == C205_TIMING_vcompare)
+    while ((rows[0]->unit == rows[1]->unit || rows[0]->timing == C205_TIMING_vcompare)
            && !one_in(bench, 40));
 }
 
@@ -555,8 +547,7 @@ static void describe_handed(struct bench *bench, const c205_fields *second)
 {
     c205_word *registers = bench->reference.now.registers;
     uint64_t length = registers[second->c] >> 48;
-    uint64_t offset = second->g & C205_G_OFFSET ? registers[second->c + 1]
-                                                : 0;
+    uint64_t offset = second->g & C205_G_OFFSET ? registers[second->c + 1] : 0;
 
     length = offset < length ? length - offset : 0;
     registers[HANDED] = descriptor(WORD, one_in(bench, 30) ? 7 : length);

@@ -51,8 +51,7 @@ static struct vector_use use_of(const char *instruction)
     return sum;
 }
 
-static void check(const char *instruction, uint64_t controlled,
-                  uint64_t wanted)
+static void check(const char *instruction, uint64_t controlled, uint64_t wanted)
 {
     struct vector_use use = use_of(instruction);
 

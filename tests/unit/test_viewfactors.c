@@ -38,8 +38,8 @@ struct factor_scene {
     " object { " name " }\n"
 #define ROW(name, pitch, height, shift) \
     "#declare " name " = cylinder { -900*z, 900*z, .5 }\n" \
-    "#for (I, -200, 200) object { " name " translate <" pitch "*I+" shift \
-    ", " height ", 0> } #end\n"
+    "#for (I, -200, 200) object { " name " translate <" pitch "*I+" shift ", " height \
+    ", 0> } #end\n"
 #define BANK \
     "#declare Plane = mesh { triangle { <-1,0,0>, <-1,0,.001>, <1,0,.001> }" \
     " triangle { <-1,0,0>, <1,0,.001>, <1,0,0> } } object { Plane }\n"
@@ -67,8 +67,7 @@ static const char two_tubes[] =
     "translate 2*y }\n";
 
 static const struct factor_scene scenes[] = {
-    { SQUARE("A", "0", "z", "x+z", "x")
-          SQUARE("B", "y", "x+y", "x+y+z", "y+z"),
+    { SQUARE("A", "0", "z", "x+z", "x") SQUARE("B", "y", "x+y", "x+y+z", "y+z"),
       { { "parallel_cube", "A", "B", 0 } } },
     { SQUARE("A", "0", "z", "x+z", "x") SQUARE("B", "0", "x", "x+y", "y"),
       { { "perp_cube", "A", "B", 0 } } },
@@ -96,8 +95,8 @@ static const struct factor_scene scenes[] = {
       " object { B }",
       { { "cylinders_equal", "Piece", "B", 0 } } },
     { "#declare Plane = mesh { triangle { 0, <0,0,.001>, <1.7,0,.001> }"
-      " triangle { 0, <1.7,0,.001>, <1.7,0,0> } } object { Plane }\n" ROW(
-          "Row", "1.7", "3", "0"),
+      " triangle { 0, <1.7,0,.001>, <1.7,0,0> } } object { Plane }\n" ROW("Row", "1.7",
+                                                                          "3", "0"),
       { { "plane_row_1.7", "Plane", "Row", 0 } } },
     { BANK ROW("Row", "2", "1", "0") ROW("Second", "2", "1+sqrt(3)", "1"),
       { { "plane_row_2", "Plane", "Row", 0 },
@@ -136,8 +135,7 @@ static const struct factor_scene scenes[] = {
 static const struct factor_scene bores[] = {
     { BORE("A", "1", "0", "2"), { { "cylinder_self", "2", "2", 0 } } },
     { BORE("A", "1.8", "0", ".7") "cylinder { 0, .7*y, 1 }",
-      { { "coax_oi_1.8_.7", "2", "3", 0 },
-        { "coax_oo_1.8_.7", "2", "2", 0 } } },
+      { { "coax_oi_1.8_.7", "2", "3", 0 }, { "coax_oo_1.8_.7", "2", "2", 0 } } },
     { BORE("A", "2", "-9", "9")
           BORE("B", "2", "9", "900") "object { B rotate 180*x }\n"
                                      "cylinder { -900*y, 900*y, 1 }",
@@ -153,8 +151,7 @@ FIXTURE(read_table)
 {
     size_t length;
     c205_error error;
-    char *text = file_read("tests/unit/viewfactors.csv", 1 << 20, &length,
-                           &error);
+    char *text = file_read("tests/unit/viewfactors.csv", 1 << 20, &length, &error);
 
     assert_non_null(text);
     csv_table(text, &table);
@@ -198,8 +195,7 @@ static size_t named(const struct surfaces *surfaces, const char *name)
 {
     size_t i = 0;
 
-    while (name && i < surfaces->count
-           && strcmp(surfaces->list[i].name, name) != 0)
+    while (name && i < surfaces->count && strcmp(surfaces->list[i].name, name) != 0)
         i++;
     if (!name)
         return surfaces->count;
@@ -207,8 +203,8 @@ static size_t named(const struct surfaces *surfaces, const char *name)
     return i;
 }
 
-static bool emits(const struct factor_scene *what,
-                  const struct surfaces *surfaces, size_t surface)
+static bool emits(const struct factor_scene *what, const struct surfaces *surfaces,
+                  size_t surface)
 {
     for (const struct factor_case *which = what->cases; which->id; which++)
         if (named(surfaces, which->from) == surface)
@@ -219,17 +215,15 @@ static bool emits(const struct factor_scene *what,
 static void find_rows(const struct factor_scene *what, struct study *study,
                       enum trace_mode mode, size_t points)
 {
-    const struct factors_options options = {
-        .mode = mode,
-        .queue = 2000,
-        .points = points,
-        .repeats = 16,
-        .lattice = true,
-        .seed = 1,
-        .receiver_of = study->surfaces.surface_of,
-        .receivers = study->surfaces.count,
-        .model = prior_model
-    };
+    const struct factors_options options = { .mode = mode,
+                                             .queue = 2000,
+                                             .points = points,
+                                             .repeats = 16,
+                                             .lattice = true,
+                                             .seed = 1,
+                                             .receiver_of = study->surfaces.surface_of,
+                                             .receivers = study->surfaces.count,
+                                             .model = prior_model };
     size_t count = study->scene->primitive_count;
     c205_error error = { "" };
     struct factors *factors = factors_new(study->scene, &options, &error);
@@ -244,15 +238,13 @@ static void find_rows(const struct factor_scene *what, struct study *study,
     surfaces_combine(&study->surfaces, study->rows);
 }
 
-static struct study begin(const struct factor_scene *what,
-                          enum surfaces_by by, enum trace_mode mode,
-                          size_t points)
+static struct study begin(const struct factor_scene *what, enum surfaces_by by,
+                          enum trace_mode mode, size_t points)
 {
     struct study study = { .scene = read_scene(what->text) };
 
     assert_true(named_parts_find(study.scene, &study.parts));
-    assert_true(
-        surfaces_find(study.scene, &study.parts, by, &study.surfaces));
+    assert_true(surfaces_find(study.scene, &study.parts, by, &study.surfaces));
     find_rows(what, &study, mode, points);
     return study;
 }
@@ -267,8 +259,7 @@ static void end(struct study *study)
     scene_free(study->scene);
 }
 
-static void check_case(const struct factor_case *which,
-                       const struct surfaces *surfaces)
+static void check_case(const struct factor_case *which, const struct surfaces *surfaces)
 {
     double off = 0, expected = known(which, &off);
     struct estimate found = surfaces->list[named(surfaces, which->from)]
@@ -276,8 +267,8 @@ static void check_case(const struct factor_case *which,
 
     if (!(fabs(found.value - expected)
           <= SIGMAS * (found.error + off) + 1e-5 * expected))
-        fail_msg("%s: %.7g +- %.2g is not %.7g", which->id, found.value,
-                 found.error, expected);
+        fail_msg("%s: %.7g +- %.2g is not %.7g", which->id, found.value, found.error,
+                 expected);
 }
 
 /* Another form says the same as the vector one. */

@@ -14,8 +14,8 @@ static size_t scene_count = 6; /* of each sort */
 static void add_place(char *text, size_t size)
 {
     if (solids.gridded)
-        add_text(text, size, "translate <%zu, %zu, %zu> - 2 ", below(5),
-                 below(5), below(5));
+        add_text(text, size, "translate <%zu, %zu, %zu> - 2 ", below(5), below(5),
+                 below(5));
     else
         add_text(text, size, "translate <%.4f, %.4f, %.4f> ", between(-2, 2),
                  between(-2, 2), between(-2, 2));
@@ -23,14 +23,12 @@ static void add_place(char *text, size_t size)
 
 static void add_ball(char *text, size_t size)
 {
-    add_text(text, size, "sphere { 0, %.3f ",
-             solids.gridded ? .5 : between(.05, .4));
+    add_text(text, size, "sphere { 0, %.3f ", solids.gridded ? .5 : between(.05, .4));
 }
 
 static void add_block(char *text, size_t size)
 {
-    add_text(text, size, "box { -%.3f, .5 ",
-             solids.gridded ? .5 : between(.1, .4));
+    add_text(text, size, "box { -%.3f, .5 ", solids.gridded ? .5 : between(.1, .4));
 }
 
 static void add_bitten(char *text, size_t size)
@@ -43,15 +41,13 @@ static void add_bitten(char *text, size_t size)
 
 static void add_tube(char *text, size_t size)
 {
-    add_text(text, size, "cylinder { -.5*x, .5*x, .2 %s ",
-             below(2) ? "open" : "");
+    add_text(text, size, "cylinder { -.5*x, .5*x, .2 %s ", below(2) ? "open" : "");
 }
 
 /* Rays that do not see the thing. */
 static void add_hidden(char *text, size_t size, size_t rarity)
 {
-    static const char *const words[] = { "no_shadow", "no_image",
-                                         "no_reflection" };
+    static const char *const words[] = { "no_shadow", "no_image", "no_reflection" };
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (below(rarity) == 0)
@@ -61,9 +57,8 @@ static void add_hidden(char *text, size_t size, size_t rarity)
 /* The same thing, once or in several colours in one place. */
 static void add_thing(char *text, size_t size)
 {
-    static void (*const kinds[])(char *, size_t) = { add_ball,   add_ball,
-                                                     add_ball,   add_block,
-                                                     add_bitten, add_tube };
+    static void (*const kinds[])(char *, size_t) = { add_ball,  add_ball,   add_ball,
+                                                     add_block, add_bitten, add_tube };
     size_t kind = below(6), copies = below(5) ? 1 : 2 + below(2);
     uint64_t state = traced.random;
 
@@ -100,8 +95,7 @@ static void add_spheres(char *text)
                      solids.gridded ? .25 : size * between(.5, 2));
             add_place(text, TEXT_ROOM);
             traced.random = k == 2 ? traced.random : before ^ traced.random;
-            add_text(text, TEXT_ROOM,
-                     "pigment { %s rgb .%zu } finish { phong %zu } ",
+            add_text(text, TEXT_ROOM, "pigment { %s rgb .%zu } finish { phong %zu } ",
                      below(12) ? "color" : "checker", 1 + below(4), below(2));
             add_hidden(text, TEXT_ROOM, 200);
             add_text(text, TEXT_ROOM, "}\n");
@@ -121,8 +115,7 @@ static void write_scene(char *text, bool spheres)
              between(-7, 7), between(-2, 7), between(-2, 6), between(-2, 2),
              between(-2, 2), between(-6, -1));
     if (below(2))
-        add_text(text, TEXT_ROOM,
-                 "plane { y, -2.5 pigment { color rgb .8 } }\n");
+        add_text(text, TEXT_ROOM, "plane { y, -2.5 pigment { color rgb .8 } }\n");
     if (spheres)
         add_spheres(text);
     else
@@ -133,18 +126,17 @@ static void write_scene(char *text, bool spheres)
 /* --- comparisons --------------------------------------------------------- */
 
 static void check(const struct scene *scene, const char *text,
-                  const struct words *expected, enum trace_mode mode,
-                  size_t queue, const char *what)
+                  const struct words *expected, enum trace_mode mode, size_t queue,
+                  const char *what)
 {
     struct words *found = trace_words(scene, mode, queue);
 
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
             if (found->channel[channel][k] != expected->channel[channel][k])
-                fail_msg(
-                    "%s, queue %zu: channel %d, pixel %zu: another frame "
-                    "in\n%s",
-                    what, queue, channel, k, text);
+                fail_msg("%s, queue %zu: channel %d, pixel %zu: another frame "
+                         "in\n%s",
+                         what, queue, channel, k, text);
     free(found);
 }
 
@@ -219,10 +211,9 @@ static void write_window(char *text)
         add_text(text, TEXT_ROOM,
                  "%s scale %.3f translate <%.3f, %.3f, %.3f> "
                  "pigment { rgbf <%.3f, %.3f, %.3f, .9> } }\n",
-                 below(2) ? "sphere { 0, 1" : "box { <-1, -.1, -1>, 1",
-                 between(.2, .6), between(-2, 2), between(1, 6),
-                 between(-2, 2), between(.7, 1), between(.7, 1),
-                 between(.7, 1));
+                 below(2) ? "sphere { 0, 1" : "box { <-1, -.1, -1>, 1", between(.2, .6),
+                 between(-2, 2), between(1, 6), between(-2, 2), between(.7, 1),
+                 between(.7, 1), between(.7, 1));
 }
 
 TEST(windows)

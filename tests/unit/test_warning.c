@@ -26,8 +26,7 @@ static void check_none(const char *text, const char *choice)
     struct object *object = assembled(text, choice, &diagnostics);
 
     if (!object || diagnostics.count > 0)
-        fail_msg("%s\n%s", text,
-                 diagnostics.count ? diagnostics.items[0].message : "");
+        fail_msg("%s\n%s", text, diagnostics.count ? diagnostics.items[0].message : "");
     object_free(object);
     diagnostics_free(&diagnostics);
 }
@@ -41,8 +40,7 @@ static void check_one(const struct case_of *wanted)
     assert_non_null(object);
     if (diagnostics.count != 1 || diagnostics.errors != 0
         || found->severity != SEVERITY_WARNING || found->line != wanted->line
-        || found->column != wanted->column
-        || !strstr(found->message, wanted->message))
+        || found->column != wanted->column || !strstr(found->message, wanted->message))
         fail_msg("%s\n%zu: %zu:%zu: %s", wanted->text, diagnostics.count,
                  diagnostics.count ? found->line : 0,
                  diagnostics.count ? found->column : 0,
@@ -131,9 +129,8 @@ TEST(choice)
     diagnostics_free(&diagnostics);
     object = assembled(text, "no-run-off", &diagnostics);
     assert_int_equal(diagnostics.count, 1);
-    assert_int_equal(object->warned,
-                     WARNING_BIT(WARNING_RUN_OFF)
-                         | WARNING_BIT(WARNING_MISSPELT_EXPECT));
+    assert_int_equal(object->warned, WARNING_BIT(WARNING_RUN_OFF)
+                                         | WARNING_BIT(WARNING_MISSPELT_EXPECT));
     object_free(object);
     diagnostics_free(&diagnostics);
 
@@ -162,8 +159,7 @@ TEST(manual)
     for (i = 0; i < WARNINGS; i++) {
         char row[80];
 
-        snprintf(row, sizeof row, "\n| `%s` | ",
-                 warning_name((enum warning)i));
+        snprintf(row, sizeof row, "\n| `%s` | ", warning_name((enum warning)i));
         if (!strstr(text, row))
             fail_msg("no row%s in docs/assembly.md", row);
         assert_int_equal(warning_named(warning_name((enum warning)i)), i);

@@ -10,8 +10,7 @@
 #include "tests/random.h"
 #include "vm/number/arith.h"
 
-static char *watched(const struct object *object,
-                     const struct warning_choice *choice)
+static char *watched(const struct object *object, const struct warning_choice *choice)
 {
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
@@ -51,10 +50,8 @@ static void check(const char *text, const char *said)
     struct object *object = good(text);
     char *report = watched(object, &all);
 
-    if (*said ? count(report, said) != 1 || count(report, "[-W") != 1
-              : report != NULL)
-        fail_msg("%s\nexpected '%s', found '%s'", text, said,
-                 report ? report : "");
+    if (*said ? count(report, said) != 1 || count(report, "[-W") != 1 : report != NULL)
+        fail_msg("%s\nexpected '%s', found '%s'", text, said, report ? report : "");
     free(report);
     object_free(object);
 }
@@ -93,8 +90,7 @@ TEST(integers)
     check(" ES r1, 3\n ADDN r1, r0, r1\n MPYS r1, r1, r1\n EXIT\n", "");
     check(" ES r1, 4\n ES r2, 2\n MPYS r1, r2, r1\n EXIT\n", "");
     check(" ES r1, 2\n SQRT r1, r1\n EXIT\n", "1.4142135623731 becomes 1");
-    check(" EXH h2, 3\n EXH h4, 1\n MPYSH h2, h4, h2\n EXIT\n",
-          "h2 is the integer 3");
+    check(" EXH h2, 3\n EXH h4, 1\n MPYSH h2, h4, h2\n EXIT\n", "h2 is the integer 3");
     check(" ES r1, 9\n EX r2, top\n"
           "top: ES r3, 3\n DIVS r1, r1, r4\n ES r5, 1\n MPYS r3, r5, r4\n"
           " DBNZ r1, [r2]\n EXIT\n",
@@ -254,15 +250,13 @@ static c205_word some_operand(uint64_t *seed, bool half)
                           (int)xorshift_between(seed, -20, 5));
 
     if (xorshift(seed) % 2)
-        return half ? (c205_word)(small & 0xFFFFFF) << 32
-                    : c205_from_integer(small);
+        return half ? (c205_word)(small & 0xFFFFFF) << 32 : c205_from_integer(small);
     return half ? c205_half_from_double(number) : c205_from_double(number);
 }
 
 /* Whether the machine's own result is off by more than it should be. */
 static void check_loss(const char *mnemonic, arith_binary *operation,
-                       double (*exact)(double, double), bool half,
-                       uint64_t *seed)
+                       double (*exact)(double, double), bool half, uint64_t *seed)
 {
     const c205_insn *insn = c205_insn_named(mnemonic, strlen(mnemonic));
     double (*value)(c205_word) = half ? c205_half_to_double : c205_to_double;
@@ -277,18 +271,15 @@ static void check_loss(const char *mnemonic, arith_binary *operation,
         double wanted = exact(value(a), value(b));
         double found = value(operation(a, b, &flags));
         double off = fabs(found - wanted) / fabs(wanted);
-        bool told = precision_is_lost(precision_rule(insn), half, a, b,
-                                      &precision);
+        bool told = precision_is_lost(precision_rule(insn), half, a, b, &precision);
 
         if (!isfinite(wanted) || wanted == 0)
             assert_false(told);
         else if (told ? off < 0.9 * most : off > 1.1 * most)
-            fail_msg("%s %llX %llX: %g off by %g", mnemonic,
-                     (unsigned long long)a, (unsigned long long)b, wanted,
-                     off);
+            fail_msg("%s %llX %llX: %g off by %g", mnemonic, (unsigned long long)a,
+                     (unsigned long long)b, wanted, off);
         if (told && wanted > 0 && isfinite(wanted))
-            assert_true(fabs(precision.kept - found)
-                        <= fabs(found) * 0x1p-12);
+            assert_true(fabs(precision.kept - found) <= fabs(found) * 0x1p-12);
         lost += told;
     }
     assert_true(lost > 100);
@@ -324,8 +315,6 @@ TEST(loss)
     check_loss("ADDUH", half_add_upper, sum, true, &seed);
     check_loss("MPYSH", half_multiply_significant, product, true, &seed);
     check_loss("DIVSH", half_divide_significant, quotient, true, &seed);
-    assert_int_equal(precision_rule(c205_insn_named("ADDN", 4)),
-                     PRECISION_FULL);
-    assert_int_equal(precision_rule(c205_insn_named("MPYL", 4)),
-                     PRECISION_FULL);
+    assert_int_equal(precision_rule(c205_insn_named("ADDN", 4)), PRECISION_FULL);
+    assert_int_equal(precision_rule(c205_insn_named("MPYL", 4)), PRECISION_FULL);
 }

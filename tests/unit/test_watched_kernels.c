@@ -17,8 +17,7 @@ struct watched {
 static const struct warning_choice choice;
 static const struct sink *report;
 
-static void *begin(void *context, const struct object *program,
-                   c205_error *error)
+static void *begin(void *context, const struct object *program, c205_error *error)
 {
     struct watched *watched = calloc(1, sizeof *watched);
 
@@ -56,13 +55,13 @@ static void end(void *band)
     free(watched);
 }
 
-static void check(const char *path, const c205_model *model,
-                  enum trace_mode mode, enum visible visible)
+static void check(const char *path, const c205_model *model, enum trace_mode mode,
+                  enum visible visible)
 {
     struct diagnostics reports = { 0 };
-    const struct scene_options reading = {
-        .width = WIDTH, .height = HEIGHT, .read_raster = picture_read_raster
-    };
+    const struct scene_options reading = { .width = WIDTH,
+                                           .height = HEIGHT,
+                                           .read_raster = picture_read_raster };
     struct scene *scene = scene_read(path, &reading, &reports);
     warning_set warned = 0;
     const struct observer observer = { begin, listen, merge, end, &warned };

@@ -28,16 +28,11 @@ static c205_word read_all(const char *text)
 
 /* Machine notes, section 1. */
 static const known table[] = {
-    { "1", UINT64_C(0xFFD2400000000000) },
-    { "2", UINT64_C(0xFFD3400000000000) },
-    { "0.5", UINT64_C(0xFFD1400000000000) },
-    { "3", UINT64_C(0xFFD3600000000000) },
-    { "10", UINT64_C(0xFFD5500000000000) },
-    { "100", UINT64_C(0xFFD8640000000000) },
-    { "0.1", UINT64_C(0xFFCE666666666666) },
-    { "-1.5", UINT64_C(0xFFD2A00000000000) },
-    { "-1", UINT64_C(0xFFD1800000000000) },
-    { "0", C205_MACHINE_ZERO },
+    { "1", UINT64_C(0xFFD2400000000000) },   { "2", UINT64_C(0xFFD3400000000000) },
+    { "0.5", UINT64_C(0xFFD1400000000000) }, { "3", UINT64_C(0xFFD3600000000000) },
+    { "10", UINT64_C(0xFFD5500000000000) },  { "100", UINT64_C(0xFFD8640000000000) },
+    { "0.1", UINT64_C(0xFFCE666666666666) }, { "-1.5", UINT64_C(0xFFD2A00000000000) },
+    { "-1", UINT64_C(0xFFD1800000000000) },  { "0", C205_MACHINE_ZERO },
 };
 
 TEST(known_words)
@@ -47,8 +42,7 @@ TEST(known_words)
         assert_int_equal(read_all(table[i].text), table[i].word);
         c205_to_text(table[i].word, text);
         assert_string_equal(text, table[i].text);
-        assert_int_equal(c205_from_double(strtod(table[i].text, NULL)),
-                         table[i].word);
+        assert_int_equal(c205_from_double(strtod(table[i].text, NULL)), table[i].word);
     }
 }
 
@@ -139,8 +133,7 @@ TEST(where_text_ends)
 
 TEST(no_number)
 {
-    static const char *const texts[] = { "",   "-",  "+",  ".",
-                                         "-.", "e5", " 1", "x" };
+    static const char *const texts[] = { "", "-", "+", ".", "-.", "e5", " 1", "x" };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
         const char *end;
@@ -216,10 +209,8 @@ TEST(exact_text_of_doubles)
         double value = c205_to_double(word);
         snprintf(text, sizeof text, "%.*e", DIGITS, value);
         assert_int_equal(read_all(text), word);
-        snprintf(text, sizeof text, "%.*e", DIGITS,
-                 nextafter(value, -HUGE_VAL));
-        assert_int_equal(read_all(text),
-                         c205_from_double(nextafter(value, -HUGE_VAL)));
+        snprintf(text, sizeof text, "%.*e", DIGITS, nextafter(value, -HUGE_VAL));
+        assert_int_equal(read_all(text), c205_from_double(nextafter(value, -HUGE_VAL)));
     }
 }
 
@@ -238,8 +229,7 @@ TEST(text_comes_back)
     for (int i = 0; i < ROUNDS; i++)
         round_trip(xorshift_normalised(&seed, -200, 110));
     for (int i = 0; i < 40; i++)
-        round_trip(
-            xorshift_normalised(&seed, WORD_EXPONENT_MIN, WORD_EXPONENT_MAX));
+        round_trip(xorshift_normalised(&seed, WORD_EXPONENT_MIN, WORD_EXPONENT_MAX));
     for (int32_t e = -120; e < 60; e++) {
         round_trip(word_make(e, INT64_C(1) << 46));
         round_trip(word_make(e, WORD_COEFFICIENT_MIN));
@@ -274,14 +264,8 @@ TEST(text_is_shortest)
 TEST(layout_of_text)
 {
     static const known cases[] = {
-        { "0.00001", 0 },
-        { "1e-6", 0 },
-        { "123456", 0 },
-        { "-0.25", 0 },
-        { "1e16", 0 },
-        { "1.5e16", 0 },
-        { "1000000000000000", 0 },
-        { "12.5", 0 },
+        { "0.00001", 0 }, { "1e-6", 0 },   { "123456", 0 },           { "-0.25", 0 },
+        { "1e16", 0 },    { "1.5e16", 0 }, { "1000000000000000", 0 }, { "12.5", 0 },
         { "-1e-20", 0 },
     };
 
@@ -362,8 +346,7 @@ TEST(known_halves)
 
 TEST(half_doubles)
 {
-    assert_int_equal(c205_half_from_double(-0.1),
-                     UINT64_C(0xE699999900000000));
+    assert_int_equal(c205_half_from_double(-0.1), UINT64_C(0xE699999900000000));
     assert_int_equal(c205_half_from_double(1 + ldexp(1, -23)), C205_HALF_ONE);
     assert_int_equal(c205_half_from_double(-1 - ldexp(1, -52)),
                      UINT64_C(0xEABFFFFF00000000));
@@ -384,11 +367,9 @@ TEST(half_text)
     char text[C205_TEXT_SIZE];
 
     /* 2^134 is 2.1778071482940061661e40, 2^-90 8.0779356694631608874e-28. */
-    assert_int_equal(read_half("2.17780714829400616e40"),
-                     UINT64_C(0x6F7FFFFF00000000));
+    assert_int_equal(read_half("2.17780714829400616e40"), UINT64_C(0x6F7FFFFF00000000));
     assert_int_equal(read_half("2.17780714829400617e40"), C205_INDEFINITE);
-    assert_int_equal(read_half("8.0779356694631609e-28"),
-                     UINT64_C(0x9040000000000000));
+    assert_int_equal(read_half("8.0779356694631609e-28"), UINT64_C(0x9040000000000000));
     assert_int_equal(read_half("8.0779356694631608e-28"), C205_MACHINE_ZERO);
     assert_int_equal(read_half("1e9999"), C205_INDEFINITE);
     c205_half_to_text(UINT64_C(0x0100000300000000), text);
@@ -407,10 +388,8 @@ TEST(halves_come_back)
     for (int i = 0; i < ROUNDS; i++) {
         char text[C205_TEXT_SIZE], exact[200];
         c205_word half = xorshift_normalised_of(half_words, &seed,
-                                                format_exponent_min(
-                                                    half_words),
-                                                format_exponent_max(
-                                                    half_words));
+                                                format_exponent_min(half_words),
+                                                format_exponent_max(half_words));
         double value = c205_half_to_double(half);
         c205_half_to_text(half, text);
         assert_int_equal(read_half(text), half);

@@ -17,8 +17,7 @@ struct scene *read_text(const char *text)
     return scene;
 }
 
-struct trace *run_trace(const struct scene *scene,
-                        const struct trace_options *options)
+struct trace *run_trace(const struct scene *scene, const struct trace_options *options)
 {
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, options, &error);
@@ -28,8 +27,7 @@ struct trace *run_trace(const struct scene *scene,
     return trace;
 }
 
-struct words *trace_words(const struct scene *scene, enum trace_mode mode,
-                          size_t queue)
+struct words *trace_words(const struct scene *scene, enum trace_mode mode, size_t queue)
 {
     struct trace_options options = { .mode = mode,
                                      .width = traced.width,
@@ -68,14 +66,12 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
 
         for (int channel = 0; channel < FRAME_CHANNELS; channel++)
             for (size_t k = 0; k < traced.pixels; k++)
-                if (scalar->channel[channel][k]
-                    != vector->channel[channel][k])
+                if (scalar->channel[channel][k] != vector->channel[channel][k])
                     fail_msg("queue %zu, channel %d, pixel %zu: %016llX, "
                              "scalar %016llX in\n%s",
                              queue[i], channel, k,
                              (unsigned long long)vector->channel[channel][k],
-                             (unsigned long long)scalar->channel[channel][k],
-                             text);
+                             (unsigned long long)scalar->channel[channel][k], text);
         free(vector);
     }
     return scalar;
@@ -92,8 +88,7 @@ struct words *same_frame(const char *text)
 
 /* The first channel in which a pixel is not what the plain tracer sees, or
  * FRAME_CHANNELS. */
-static int other_channel(const struct words *words, const struct frame *plain,
-                         size_t k)
+static int other_channel(const struct words *words, const struct frame *plain, size_t k)
 {
     for (int channel = 0; channel < FRAME_CHANNELS; channel++) {
         c205_word word = words->channel[channel][k];
@@ -178,20 +173,17 @@ void add_point(char *text, size_t size, double reach)
 static void add_surface(char *text, size_t size)
 {
     add_text(text, size, "pigment { %s rgb <%.3f, %.3f, %.3f> } ",
-             xorshift(&traced.random) % 2 ? "checker" : "color",
-             between(0, 1), between(0, 1), between(0, 1));
+             xorshift(&traced.random) % 2 ? "checker" : "color", between(0, 1),
+             between(0, 1), between(0, 1));
     add_text(text, size,
              "finish { phong %.2f phong_size %.1f specular %.2f "
              "roughness %.3f } ",
-             xorshift(&traced.random) % 2 ? between(0, 1) : 0,
-             between(1, 200),
-             xorshift(&traced.random) % 2 ? between(0, 1) : 0,
-             between(.005, .2));
+             xorshift(&traced.random) % 2 ? between(0, 1) : 0, between(1, 200),
+             xorshift(&traced.random) % 2 ? between(0, 1) : 0, between(.005, .2));
     if (xorshift(&traced.random) % 2)
-        add_text(text, size,
-                 "scale <%.6f, %.6f, %.6f> rotate <%.3f, %.3f, %.3f>",
-                 between(.5, 1.5), between(.5, 1.5), between(.5, 1.5),
-                 between(-90, 90), between(-90, 90), between(-90, 90));
+        add_text(text, size, "scale <%.6f, %.6f, %.6f> rotate <%.3f, %.3f, %.3f>",
+                 between(.5, 1.5), between(.5, 1.5), between(.5, 1.5), between(-90, 90),
+                 between(-90, 90), between(-90, 90));
 }
 
 void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes)
@@ -214,17 +206,15 @@ void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes)
     assert_true(found > scenes * traced.pixels / 4);
 }
 
-void check_middle_within(const char *text, int64_t id, double depth,
-                         double tolerance)
+void check_middle_within(const char *text, int64_t id, double depth, double tolerance)
 {
     struct words *words = same_frame(text);
     size_t middle = traced.height / 2 * traced.width + traced.width / 2;
 
     assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), id);
     /* assert_float_equal rounds to single precision. */
-    assert_true(
-        fabs(c205_to_double(words->channel[CHANNEL_DEPTH][middle]) - depth)
-        <= tolerance);
+    assert_true(fabs(c205_to_double(words->channel[CHANNEL_DEPTH][middle]) - depth)
+                <= tolerance);
     free(words);
 }
 

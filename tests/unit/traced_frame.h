@@ -54,7 +54,7 @@ struct traced {
     enum visible visible;             /* likewise */
     enum trace_order order;           /* likewise */
     size_t samples;                   /* likewise */
-    bool reported; /* there may be reports about the scene */
+    bool reported;                    /* there may be reports about the scene */
 };
 extern struct traced traced;
 
@@ -72,8 +72,7 @@ static inline int set_up_frames(void **state)
 
 struct scene *read_text(const char *text);
 /* To the end. */
-struct trace *run_trace(const struct scene *scene,
-                        const struct trace_options *options);
+struct trace *run_trace(const struct scene *scene, const struct trace_options *options);
 struct words *trace_words(const struct scene *scene, enum trace_mode mode,
                           size_t queue);
 
@@ -109,8 +108,7 @@ void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes);
 /* Numbers chosen so that nothing is cut off: the middle ray is 0, 0, 1. */
 #define STRAIGHT HEAD "camera { location <0, 0, -5> " STRAIGHT_AHEAD " }\n"
 
-void check_middle_within(const char *text, int64_t id, double depth,
-                         double tolerance);
+void check_middle_within(const char *text, int64_t id, double depth, double tolerance);
 void check_middle(const char *text, int64_t id, double depth);
 
 #endif

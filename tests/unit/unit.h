@@ -36,8 +36,7 @@
 
 /* A test with functions that run before and after it; each may be NULL. */
 #define TEST_WITH(name, before, after) \
-    static const CMFixtureFunction before_##name = before, \
-                                   after_##name = after; \
+    static const CMFixtureFunction before_##name = before, after_##name = after; \
     static void test_##name(STATE)
 
 /* Such a function returns 0 if it succeeds. */
@@ -60,12 +59,10 @@ static inline size_t share_of(size_t all)
 }
 
 /* Begins a function that reads the arguments of the program. */
-#define ARGUMENTS(count, words) \
-    static void read_arguments(int count, char **words)
+#define ARGUMENTS(count, words) static void read_arguments(int count, char **words)
 
 /* The number that is the argument at a place; without one, the default. */
-static inline uint64_t argument(int count, char **words, int place,
-                                uint64_t otherwise)
+static inline uint64_t argument(int count, char **words, int place, uint64_t otherwise)
 {
     return count > place ? strtoull(words[place], NULL, 0) : otherwise;
 }

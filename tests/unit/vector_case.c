@@ -47,8 +47,7 @@ void mark(struct bits_of *bits, uint64_t address, uint64_t count)
         bits->memory[at / WORD] |= UINT64_C(1) << (WORD - 1 - at % WORD);
 }
 
-void mark_element(struct bits_of *bits, const struct extent_of *vector,
-                  size_t i)
+void mark_element(struct bits_of *bits, const struct extent_of *vector, size_t i)
 {
     if (i < vector->length)
         mark(bits, vector->address + i * vector->width, vector->width);
@@ -101,12 +100,10 @@ uint8_t register_name(const struct vector_case *one, enum role role)
 {
     if (!is_half(one, role))
         return role_register[role];
-    return letter_of(one->row, role) == 'p' ? role_half[role] & 0xFE
-                                            : role_half[role];
+    return letter_of(one->row, role) == 'p' ? role_half[role] & 0xFE : role_half[role];
 }
 
-void define(struct vector_case *one, unsigned number, c205_word word,
-            c205_word bits)
+void define(struct vector_case *one, unsigned number, c205_word word, c205_word bits)
 {
     one->reg[number] = word;
     one->defined.reg[number] = bits;
@@ -151,8 +148,8 @@ size_t draw_size(uint64_t *random)
 
 /* The descriptor of a vector that begins offset elements before its extent
  * and is as much longer. */
-static void place_vector(struct vector_case *one, enum role role,
-                         uint64_t *random, size_t length, size_t offset)
+static void place_vector(struct vector_case *one, enum role role, uint64_t *random,
+                         size_t length, size_t offset)
 {
     struct extent_of *vector = &one->vector[role];
     size_t start = WORD / (vector->width = width_of(one, role));
@@ -160,8 +157,7 @@ static void place_vector(struct vector_case *one, enum role role,
                     + draw(random, 0, start - 1) * vector->width;
     bool counts = length_matters(one, role);
 
-    define(one, role_register[role],
-           descriptor(zone, counts ? length + offset : 0),
+    define(one, role_register[role], descriptor(zone, counts ? length + offset : 0),
            counts ? UINT64_MAX : ADDRESS_BITS);
     vector->address = zone + offset * vector->width;
     vector->length = length;
@@ -187,14 +183,12 @@ c205_word draw_half(uint64_t *random)
     return draw_of(&oracle_half, random) >> HALF;
 }
 
-static void place_scalar(struct vector_case *one, enum role role,
-                         uint64_t *random)
+static void place_scalar(struct vector_case *one, enum role role, uint64_t *random)
 {
     char letter = letter_of(one->row, role);
 
     if (letter == 'i') /* the groups of a repeated mask */
-        define(one, role_register[role], (c205_word)draw(random, 1, 20),
-               ADDRESS_BITS);
+        define(one, role_register[role], (c205_word)draw(random, 1, 20), ADDRESS_BITS);
     else if (letter && strchr("wpk", letter)) /* results */
         return;
     else if (is_half(one, role))
@@ -203,8 +197,8 @@ static void place_scalar(struct vector_case *one, enum role role,
         define(one, role_register[role], draw_word(random), UINT64_MAX);
 }
 
-static size_t draw_offset(struct vector_case *one, uint64_t *random,
-                          uint8_t *field, enum role role)
+static size_t draw_offset(struct vector_case *one, uint64_t *random, uint8_t *field,
+                          enum role role)
 {
     size_t offset = draw(random, 0, OFFSET_MOST);
 
@@ -214,8 +208,7 @@ static size_t draw_offset(struct vector_case *one, uint64_t *random,
 }
 
 /* One in four has one, if it may. */
-static size_t source_offset(struct vector_case *one, uint64_t *random,
-                            enum role role)
+static size_t source_offset(struct vector_case *one, uint64_t *random, enum role role)
 {
     const char *syntax = c205_format_syntax(one->row->format);
     bool may = role == ROLE_A ? strchr(syntax, 'a') || strstr(syntax, "A+X")
@@ -223,8 +216,7 @@ static size_t source_offset(struct vector_case *one, uint64_t *random,
 
     if (!may || draw(random, 0, 3) > 0)
         return 0;
-    return draw_offset(one, random,
-                       role == ROLE_A ? &one->fields.x : &one->fields.y,
+    return draw_offset(one, random, role == ROLE_A ? &one->fields.x : &one->fields.y,
                        role);
 }
 
@@ -273,8 +265,7 @@ static void draw_g(struct vector_case *one, uint64_t *random)
 /* ---- Contents ----------------------------------------------------------- */
 
 
-static void put_word(struct vector_case *one, uint64_t address,
-                     c205_word word)
+static void put_word(struct vector_case *one, uint64_t address, c205_word word)
 {
     one->memory[(address - DATA) / WORD] = word;
 }
@@ -291,14 +282,12 @@ static void fill_indices(struct vector_case *one, uint64_t *random)
 
 static bool has_list(const c205_insn *row)
 {
-    return row->format == C205_FORMAT_TABLE
-           || row->format == C205_FORMAT_SPREAD;
+    return row->format == C205_FORMAT_TABLE || row->format == C205_FORMAT_SPREAD;
 }
 
 static bool is_periodic(const c205_insn *row)
 {
-    return row->format == C205_FORMAT_PERIODIC
-           || row->format == C205_FORMAT_SPACED;
+    return row->format == C205_FORMAT_PERIODIC || row->format == C205_FORMAT_SPACED;
 }
 
 bool has_indices(const c205_insn *row)
@@ -315,9 +304,8 @@ uint64_t indexed(const struct vector_case *one, size_t i)
 {
     const struct extent_of *table = &one->vector[table_of(one->row)];
     uint64_t list = one->vector[ROLE_A].address - DATA;
-    uint64_t index = is_periodic(one->row)
-                         ? (uint64_t)(one->period * (int64_t)i)
-                         : one->memory[list / WORD + i];
+    uint64_t index = is_periodic(one->row) ? (uint64_t)(one->period * (int64_t)i)
+                                           : one->memory[list / WORD + i];
 
     return table->address + index * table->width;
 }
@@ -389,8 +377,7 @@ static size_t elements_of(const struct vector_case *one)
         return v[ROLE_X].length > v[ROLE_Y].length ? v[ROLE_X].length
                                                    : v[ROLE_Y].length;
     case C205_FORMAT_TABLE:
-        return one->scalar[ROLE_A] || v[ROLE_A].length > n ? n
-                                                           : v[ROLE_A].length;
+        return one->scalar[ROLE_A] || v[ROLE_A].length > n ? n : v[ROLE_A].length;
     default: return n;
     }
 }
@@ -398,8 +385,8 @@ static size_t elements_of(const struct vector_case *one)
 /* ---- The whole ---------------------------------------------------------- */
 
 
-static void place_operand(struct vector_case *one, enum role role,
-                          uint64_t *random, size_t n, size_t offset)
+static void place_operand(struct vector_case *one, enum role role, uint64_t *random,
+                          size_t n, size_t offset)
 {
     bool exact = role == ROLE_C || role == ROLE_Z;
 
@@ -411,12 +398,10 @@ static void place_operand(struct vector_case *one, enum role role,
     if (one->scalar[role])
         place_scalar(one, role, random);
     else
-        place_vector(one, role, random, exact ? n : source_length(random, n),
-                     offset);
+        place_vector(one, role, random, exact ? n : source_length(random, n), offset);
 }
 
-static void place_operands(struct vector_case *one, uint64_t *random,
-                           size_t n)
+static void place_operands(struct vector_case *one, uint64_t *random, size_t n)
 {
     size_t offset;
 
@@ -434,8 +419,8 @@ static void place_operands(struct vector_case *one, uint64_t *random,
                       role == ROLE_C || role == ROLE_Z ? offset : 0);
 }
 
-void draw_case(struct vector_case *one, const c205_insn *row,
-               uint64_t *random, size_t n)
+void draw_case(struct vector_case *one, const c205_insn *row, uint64_t *random,
+               size_t n)
 {
     memset(one, 0, sizeof *one);
     one->row = row;

@@ -19,8 +19,8 @@ enum {
     HALF = 32,
     ZONE_WORDS = 1024,
     MEMORY_WORDS = (ROLES + 1) * ZONE_WORDS, /* one zone is nobody's */
-    LEAD = 40,    /* words of a zone before its operand */
-    LENGTH = 700, /* the longest operand */
+    LEAD = 40,                               /* words of a zone before its operand */
+    LENGTH = 700,                            /* the longest operand */
     OFFSET_MOST = 9
 };
 
@@ -41,8 +41,8 @@ struct vector_case {
     c205_fields fields;
     struct extent_of vector[ROLES];
     bool scalar[ROLES]; /* no vector but a register */
-    size_t n;       /* elements of the result, or of the operand scanned */
-    int64_t period; /* of a periodic gather or scatter */
+    size_t n;           /* elements of the result, or of the operand scanned */
+    int64_t period;     /* of a periodic gather or scatter */
     c205_word memory[MEMORY_WORDS], reg[C205_REGISTERS];
     struct bits_of defined, written;
 };
@@ -62,8 +62,7 @@ bool is_given(const struct vector_case *one);
 /* ---- Bits --------------------------------------------------------------- */
 
 void mark(struct bits_of *bits, uint64_t address, uint64_t count);
-void mark_element(struct bits_of *bits, const struct extent_of *vector,
-                  size_t i);
+void mark_element(struct bits_of *bits, const struct extent_of *vector, size_t i);
 bool bit_of(const struct vector_case *one, enum role role, size_t i);
 
 /* The control vector has a one, or a zero where those count. */
@@ -82,8 +81,7 @@ bool is_half(const struct vector_case *one, enum role role);
 /* What the field of the instruction says. */
 uint8_t register_name(const struct vector_case *one, enum role role);
 
-void define(struct vector_case *one, unsigned number, c205_word word,
-            c205_word bits);
+void define(struct vector_case *one, unsigned number, c205_word word, c205_word bits);
 void define_half(struct vector_case *one, unsigned number, c205_word word);
 
 /* ---- Lengths and places ------------------------------------------------- */
@@ -107,7 +105,7 @@ uint64_t indexed(const struct vector_case *one, size_t i);
 /* ---- The whole ---------------------------------------------------------- */
 
 /* Operands for a row; what of them is defined and written: mark_case. */
-void draw_case(struct vector_case *one, const c205_insn *row,
-               uint64_t *random, size_t n);
+void draw_case(struct vector_case *one, const c205_insn *row, uint64_t *random,
+               size_t n);
 
 #endif

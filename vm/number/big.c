@@ -109,8 +109,7 @@ void big_shift_left(big *number, int32_t places)
     if (number->count == 0)
         return;
     assert(number->count + limbs <= BIG_LIMBS);
-    memmove(number->limb + limbs, number->limb,
-            number->count * sizeof number->limb[0]);
+    memmove(number->limb + limbs, number->limb, number->count * sizeof number->limb[0]);
     memset(number->limb, 0, limbs * sizeof number->limb[0]);
     number->count += limbs;
 }
@@ -125,7 +124,6 @@ bool big_shift_right(big *number, int32_t places)
     for (size_t i = 0; i < limbs; i++)
         lost |= number->limb[i] != 0;
     number->count -= limbs;
-    memmove(number->limb, number->limb + limbs,
-            number->count * sizeof number->limb[0]);
+    memmove(number->limb, number->limb + limbs, number->count * sizeof number->limb[0]);
     return (divide(number, UINT32_C(1) << places % LIMB_BITS) != 0) | lost;
 }

@@ -124,8 +124,7 @@ static c205_word word_of_decimal(word_format f, decimal *d)
 static c205_word from_text(word_format f, const char *text, const char **end)
 {
     decimal d = { .negative = *text == '-' };
-    const char *p = take_digits(&d, *text == '-' || *text == '+' ? text + 1
-                                                                 : text);
+    const char *p = take_digits(&d, *text == '-' || *text == '+' ? text + 1 : text);
     if (!p) {
         *end = text;
         return C205_MACHINE_ZERO;
@@ -153,8 +152,7 @@ c205_word c205_half_from_text(const char *text, const char **end)
  */
 
 /* floor(c x 2^exponent / 10^power), and whether something was lost. */
-static uint64_t whole_units(int64_t c, int32_t exponent, int32_t power,
-                            bool *lost)
+static uint64_t whole_units(int64_t c, int32_t exponent, int32_t power, bool *lost)
 {
     int32_t twos = exponent - power;
     big number;
@@ -173,8 +171,7 @@ static uint64_t whole_units(int64_t c, int32_t exponent, int32_t power,
 }
 
 /* The floor, or the ceiling. */
-static uint64_t count_units(int64_t c, int32_t exponent, int32_t power,
-                            bool ceiling)
+static uint64_t count_units(int64_t c, int32_t exponent, int32_t power, bool ceiling)
 {
     bool lost;
     uint64_t units = whole_units(c, exponent, power, &lost);
@@ -222,18 +219,16 @@ static void write_decimal(char *text, bool negative, digits d)
 {
     enum { LEAST = -4, GREATEST = 16 };
     char number[24];
-    int length = snprintf(number, sizeof number, "%llu",
-                          (unsigned long long)d.number);
+    int length = snprintf(number, sizeof number, "%llu", (unsigned long long)d.number);
     int places = length + d.power; /* before the point */
     const char *sign = negative ? "-" : "";
     const char *point = length > 1 ? "." : "";
 
     if (places < LEAST || places > GREATEST)
-        snprintf(text, C205_TEXT_SIZE, "%s%.1s%s%se%d", sign, number, point,
-                 number + 1, places - 1);
+        snprintf(text, C205_TEXT_SIZE, "%s%.1s%s%se%d", sign, number, point, number + 1,
+                 places - 1);
     else if (places <= 0)
-        snprintf(text, C205_TEXT_SIZE, "%s0.%.*s%s", sign, -places, "0000",
-                 number);
+        snprintf(text, C205_TEXT_SIZE, "%s0.%.*s%s", sign, -places, "0000", number);
     else if (places < length)
         snprintf(text, C205_TEXT_SIZE, "%s%.*s.%s", sign, places, number,
                  number + places);
@@ -289,8 +284,7 @@ static uint64_t power_of_10(unsigned power)
 }
 
 /* The units of the last of so many places, a point among them. */
-static void write_fixed(char *text, bool negative, uint64_t units,
-                        unsigned places)
+static void write_fixed(char *text, bool negative, uint64_t units, unsigned places)
 {
     char number[24];
     int length = snprintf(number, sizeof number, "%0*llu", (int)places + 1,
@@ -308,8 +302,7 @@ static bool try_fixed(char *text, bool negative, uint64_t c, int32_t exponent,
     uint64_t units = 0;
 
     if (c != 0
-        && power_below(whole_words, exponent) + 1 + (int32_t)places
-               > C205_DIGITS)
+        && power_below(whole_words, exponent) + 1 + (int32_t)places > C205_DIGITS)
         return false;
     if (c != 0)
         units = nearest_units((int64_t)c, exponent, -(int32_t)places);
@@ -319,8 +312,8 @@ static bool try_fixed(char *text, bool negative, uint64_t c, int32_t exponent,
     return true;
 }
 
-static void write_scientific(char *text, bool negative, uint64_t c,
-                             int32_t exponent, unsigned count)
+static void write_scientific(char *text, bool negative, uint64_t c, int32_t exponent,
+                             unsigned count)
 {
     int32_t power = power_below(whole_words, exponent) + 1 - (int32_t)count;
     uint64_t units = nearest_units((int64_t)c, exponent, power);

@@ -75,11 +75,9 @@ static inline double moderate_value(c205_word w)
 {
     uint64_t exponent = w >> FLOORED_PLACE << DOUBLE_DIGITS;
     uint64_t large = exponent
-                     + (double_exponent(DOUBLE_DIGITS)
-                        | UINT64_C(1) << WORD_DIGITS);
+                     + (double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << WORD_DIGITS);
 
-    return floored_double(large ^ (w & WORD_COEFFICIENT_MASK))
-           - floored_double(large);
+    return floored_double(large ^ (w & WORD_COEFFICIENT_MASK)) - floored_double(large);
 }
 
 /* A double to a normalised word, rounded down; not of zero.  -2^46 is no
@@ -95,8 +93,7 @@ static inline c205_word floored_word(double value)
     uint64_t places = (shorter & field) - double_exponent(FLOORED_DIGITS);
     uint64_t large = double_exponent(DOUBLE_DIGITS) | UINT64_C(1) << 51;
     double c = floored_double(bits - places) + floored_double(large);
-    uint64_t exponent = (uint64_t)((int64_t)places
-                                   >> (DOUBLE_DIGITS - FLOORED_PLACE));
+    uint64_t exponent = (uint64_t)((int64_t)places >> (DOUBLE_DIGITS - FLOORED_PLACE));
 
     return format_with_coefficient(whole_words, exponent, floored_bits(c));
 }
@@ -108,8 +105,7 @@ static inline double floored_value(double value)
     uint64_t bits = floored_bits(value);
     uint64_t is_negative = (uint64_t)((int64_t)bits >> 63);
 
-    return floored_double((bits + (is_negative & BEYOND))
-                          & ~(uint64_t)BEYOND);
+    return floored_double((bits + (is_negative & BEYOND)) & ~(uint64_t)BEYOND);
 }
 
 /* ---- Operations ---------------------------------------------------------- */
@@ -198,11 +194,10 @@ static inline bool floored_end(const floored_block *block, uint64_t *flags)
         if (n < FLOORED_LEAST || !moderate_pair(a[0], b[0]) \
             || !host_round_down(&before)) \
             return false; \
-        EACH_LANE( \
-            take_edges(&block, a[j], b[j]); \
-            to[j] = result_word( \
-                take_result(&block, operation(moderate_value(a[j]), \
-                                              moderate_value(b[j]))));) \
+        EACH_LANE(take_edges(&block, a[j], b[j]); \
+                  to[j] = result_word( \
+                      take_result(&block, operation(moderate_value(a[j]), \
+                                                    moderate_value(b[j]))));) \
         host_round_as(before); \
         return floored_end(&block, flags); \
     }

@@ -32,8 +32,7 @@ static inline lane sum_lower(c205_word a, c205_word b, int64_t t)
     uint64_t places = excess(t, 2 * DIGITS);
 
     return odd_if(indefinite(l),
-                  zero_if(is_zero(l),
-                          lower(e + (int64_t)places, t >> places)));
+                  zero_if(is_zero(l), lower(e + (int64_t)places, t >> places)));
 }
 
 static inline lane lane_add_lower(c205_word a, c205_word b)
@@ -71,8 +70,7 @@ static inline lane lane_multiply_upper(c205_word a, c205_word b)
 
 static inline lane lane_multiply_lower(c205_word a, c205_word b)
 {
-    return special_product(a, b,
-                           lower(exponent(a) + exponent(b), product(a, b)));
+    return special_product(a, b, lower(exponent(a) + exponent(b), product(a, b)));
 }
 
 static inline lane lane_multiply_significant(c205_word a, c205_word b)
@@ -183,9 +181,7 @@ static inline lane lane_contract_rounded(c205_word a)
 static inline lane lane_extend(c205_word a)
 {
     c205_word digits = (a & ~EXPONENT_MASK) >> 8;
-    const lane result = {
-        (c205_word)(exponent(a) - MORE_DIGITS) << 48 | digits, 0
-    };
+    const lane result = { (c205_word)(exponent(a) - MORE_DIGITS) << 48 | digits, 0 };
 
     return special_product(a, a, result);
 }

@@ -15,8 +15,7 @@ enum host_vectors { HOST_WORDS, HOST_LANES, HOST_AVX2, HOST_AVX512 };
 #if defined(__x86_64__) && defined(__GNUC__)
 #define HOST_VERSIONS
 #define AVX2_FEATURES "avx2,bmi,bmi2"
-#define AVX512_FEATURES \
-    AVX2_FEATURES ",avx512f,avx512bw,avx512cd,avx512dq,avx512vl"
+#define AVX512_FEATURES AVX2_FEATURES ",avx512f,avx512bw,avx512cd,avx512dq,avx512vl"
 #endif
 
 static inline enum host_vectors host_vectors(void)
@@ -24,10 +23,8 @@ static inline enum host_vectors host_vectors(void)
 #if defined(HOST_VECTORS) /* for tests: that of another host */
     return HOST_VECTORS;
 #elif defined(HOST_VERSIONS)
-    if (__builtin_cpu_supports("avx512bw")
-        && __builtin_cpu_supports("avx512cd")
-        && __builtin_cpu_supports("avx512dq")
-        && __builtin_cpu_supports("avx512vl"))
+    if (__builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512cd")
+        && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
         return HOST_AVX512;
     if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi2"))
         return HOST_AVX2;
@@ -50,8 +47,7 @@ static inline enum host_vectors host_vectors(void)
     }
 #define VERSIONS(name, plain, parameters, arguments) \
     VERSION(noinline, name##_alone, plain, parameters, arguments) \
-    VERSION(target(AVX2_FEATURES), name##_avx2, name##_span, parameters, \
-            arguments) \
+    VERSION(target(AVX2_FEATURES), name##_avx2, name##_span, parameters, arguments) \
     VERSION(target(AVX512_FEATURES), name##_avx512, name##_span, parameters, \
             arguments) \
     void name parameters \

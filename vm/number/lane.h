@@ -68,8 +68,7 @@ static inline int64_t quotient(int64_t ca, int64_t cb)
 {
     uint64_t dividend = magnitude(ca), divisor = magnitude(cb);
     double scale = (double)(INT64_C(1) << WORD_DIGITS);
-    uint64_t nearest = to_nearest(to_double(dividend) * scale
-                                  / to_double(divisor));
+    uint64_t nearest = to_nearest(to_double(dividend) * scale / to_double(divisor));
     uint64_t remainder = (dividend << WORD_DIGITS) - nearest * divisor;
     int64_t q = (int64_t)(nearest - (remainder >> 63));
 
@@ -106,8 +105,7 @@ static inline lane lane_square_root(c205_word a)
     uint64_t negative = a << 16;
 
     return zero_if(is_zero(a),
-                   odd_if(unnormalised(a) | negative | indefinite(a),
-                          result));
+                   odd_if(unnormalised(a) | negative | indefinite(a), result));
 }
 
 /* ---- Usual words ---------------------------------------------------------
@@ -130,8 +128,7 @@ static inline c205_word usual_divide_significant(c205_word a, c205_word b)
 {
     int64_t e = exponent(a) - exponent(b) - WORD_DIGITS;
 
-    return significant(e, quotient(coefficient(a), coefficient(b)), DIGITS)
-        .word;
+    return significant(e, quotient(coefficient(a), coefficient(b)), DIGITS).word;
 }
 
 #endif

@@ -104,8 +104,7 @@ static inline double to_double(uint64_t n)
 
 static inline uint64_t to_nearest(double d)
 {
-    return bits_of_double(d + double_of_bits(two_to_52))
-           & ((UINT64_C(1) << 51) - 1);
+    return bits_of_double(d + double_of_bits(two_to_52)) & ((UINT64_C(1) << 51) - 1);
 }
 
 enum { LENGTH = 51 };
@@ -190,8 +189,7 @@ static inline lane fitted(int64_t e, int64_t t)
 /* What comes of special factors: machine zeros are the smallest words. */
 static inline lane special_product(c205_word a, c205_word b, lane result)
 {
-    return odd_if(indefinite(larger(a, b)),
-                  zero_if(is_zero(smaller(a, b)), result));
+    return odd_if(indefinite(larger(a, b)), zero_if(is_zero(smaller(a, b)), result));
 }
 
 /* ---- Add, subtract ------------------------------------------------------ */
@@ -217,8 +215,7 @@ static inline int64_t shifted(int64_t c, uint64_t distance)
  * normalised: at distances of 0 and 1 nothing is lost, and beyond them the
  * sum moves by one place at most.  If the guard holds all digits, it is all
  * there is. */
-static inline int64_t sum_of(c205_word l, int64_t value_l, c205_word s,
-                             int64_t value_s)
+static inline int64_t sum_of(c205_word l, int64_t value_l, c205_word s, int64_t value_s)
 {
     return value_l + shifted(value_s, apart(l, s, 63));
 }
@@ -285,8 +282,7 @@ static inline lane sum_normalised(c205_word a, c205_word b, int64_t t)
     uint64_t too_short = LANE_GUARD < DIGITS ? unnormalised(l) : 0;
     const lane result = { with_sum(l, t), 0 };
 
-    return odd_if(is_zero(l) ? 0 : is_extreme(l) | too_short,
-                  zero_if(t == 0, result));
+    return odd_if(is_zero(l) ? 0 : is_extreme(l) | too_short, zero_if(t == 0, result));
 }
 
 static inline lane lane_add_upper(c205_word a, c205_word b)
@@ -373,11 +369,10 @@ static inline lane lane_negate(c205_word a)
     bool too_long = c == -2 * half, too_short = c == half;
     int64_t moved = too_short ? e - 1 : e;
 
-    return odd_if(indefinite(a),
-                  zero_if(is_zero(a), number(too_long ? e + 1 : moved,
-                                             too_long    ? half
-                                             : too_short ? -2 * half
-                                                         : -c)));
+    return odd_if(indefinite(a), zero_if(is_zero(a), number(too_long ? e + 1 : moved,
+                                                            too_long    ? half
+                                                            : too_short ? -2 * half
+                                                                        : -c)));
 }
 
 /* A machine zero stays as it is, if its digits are those of no negative

@@ -16,10 +16,8 @@ ZEROS_BLOCK(zeros_subtract, GIVE_NEITHER, GIVE_OTHERS)
 ZEROS_BLOCK(zeros_multiply, GIVE_ZEROS, GIVE_ZEROS)
 USUAL_BLOCK(usual_multiply, usual_multiply_significant)
 EITHER_BLOCK(usual_block_add_normalised, zeros_add, floored_add_block)
-EITHER_BLOCK(usual_block_subtract_normalised, zeros_subtract,
-             floored_subtract_block)
-EITHER_BLOCK(floored_or_usual_multiply, floored_multiply_block,
-             usual_multiply)
+EITHER_BLOCK(usual_block_subtract_normalised, zeros_subtract, floored_subtract_block)
+EITHER_BLOCK(floored_or_usual_multiply, floored_multiply_block, usual_multiply)
 EITHER_BLOCK(usual_block_multiply_significant, zeros_multiply,
              floored_or_usual_multiply)
 USUAL_BLOCK(usual_block_divide_significant, usual_divide_significant)
@@ -36,8 +34,7 @@ USUAL_BLOCK(usual_block_divide_significant, usual_divide_significant)
 #define VERSIONS_VECTORS(kind, name) VERSIONS_REGISTERS(kind, name)
 
 #define BINARY_FAST(name, registers) \
-    BINARY_SPAN(lanes_##name, BLOCK_##registers(name), lane_##name, \
-                arith_##name) \
+    BINARY_SPAN(lanes_##name, BLOCK_##registers(name), lane_##name, arith_##name) \
     VERSIONS_##registers(BINARY, name)
 #define BINARY_HALVES_FAST(name, registers) BINARY_EXACT(name, registers)
 #define BINARY_EXACT(name, registers) BINARY_WORDS(lanes_##name, arith_##name)
@@ -48,7 +45,6 @@ USUAL_BLOCK(usual_block_divide_significant, usual_divide_significant)
 #define BINARY_WRITTEN(name, registers)
 #define UNARY_WRITTEN(name, registers)
 
-#define BINARY(name, spans, registers, specials) \
-    BINARY_##spans(name, registers)
+#define BINARY(name, spans, registers, specials) BINARY_##spans(name, registers)
 #define UNARY(name, spans, registers, specials) UNARY_##spans(name, registers)
 #include "vm/arith.def"

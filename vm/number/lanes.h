@@ -15,17 +15,16 @@
 
 #include "vm/number/arith.h"
 
-typedef void lanes_binary(c205_word *c, const c205_word *a,
-                          const c205_word *b, size_t n, uint64_t *flags);
-typedef void lanes_unary(c205_word *c, const c205_word *a, size_t n,
-                         uint64_t *flags);
+typedef void lanes_binary(c205_word *c, const c205_word *a, const c205_word *b,
+                          size_t n, uint64_t *flags);
+typedef void lanes_unary(c205_word *c, const c205_word *a, size_t n, uint64_t *flags);
 /* bits[i / 64] gets bit i % 64 counted from the left (the machine's order);
  * the unused low bits of the last word are zero. */
-typedef void lanes_compare(uint64_t *bits, const c205_word *a,
-                           const c205_word *b, size_t n);
+typedef void lanes_compare(uint64_t *bits, const c205_word *a, const c205_word *b,
+                           size_t n);
 /* In element order, from *accumulator on. */
-typedef void lanes_reduction(c205_word *accumulator, const c205_word *a,
-                             size_t n, uint64_t *flags);
+typedef void lanes_reduction(c205_word *accumulator, const c205_word *a, size_t n,
+                             uint64_t *flags);
 
 /* lanes_NAME is of words, halves_NAME of half words. */
 #define BINARY(name, ...) lanes_binary lanes_##name, halves_##name;
@@ -44,7 +43,7 @@ typedef void lanes_reduction(c205_word *accumulator, const c205_word *a,
 void lanes_fill(c205_word *c, c205_word word, size_t n);
 
 /* c[i] = bit i of bits (as above) ? a[i] : c[i] */
-void lanes_store_masked(c205_word *c, const c205_word *a,
-                        const uint64_t *bits, size_t n);
+void lanes_store_masked(c205_word *c, const c205_word *a, const uint64_t *bits,
+                        size_t n);
 
 #endif

@@ -11,23 +11,22 @@ enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
 
 #define PAIR_BLOCK(name, first, second) \
     LANEWISE bool name##_block(c205_word *restrict to, const c205_word *a, \
-                               const c205_word *b, const c205_word *d, \
-                               size_t n, uint64_t *flags, \
-                               enum constants constants) \
+                               const c205_word *b, const c205_word *d, size_t n, \
+                               uint64_t *flags, enum constants constants) \
     { \
         c205_word constant_a = a[0], constant_b = b[0]; \
         floored_block block = floored_begin; \
         host_rounding before; \
         if (!host_round_down(&before)) \
             return false; \
-        EACH_LANE(c205_word x = constants == CONSTANT_A ? constant_a : a[j]; \
-                  c205_word y = constants == CONSTANT_B ? constant_b : b[j]; \
-                  take_edges(&block, x, y); take_edges(&block, d[j], d[j]); \
-                  double handed = floored_value( \
-                      take_result(&block, first(moderate_value(x), \
-                                                moderate_value(y)))); \
-                  double other = moderate_value(d[j]); \
-                  to[j] = result_word(take_result(&block, second));) \
+        EACH_LANE( \
+            c205_word x = constants == CONSTANT_A ? constant_a : a[j]; \
+            c205_word y = constants == CONSTANT_B ? constant_b : b[j]; \
+            take_edges(&block, x, y); take_edges(&block, d[j], d[j]); \
+            double handed = floored_value( \
+                take_result(&block, first(moderate_value(x), moderate_value(y)))); \
+            double other = moderate_value(d[j]); \
+            to[j] = result_word(take_result(&block, second));) \
         host_round_as(before); \
         return floored_end(&block, flags); \
     }
@@ -35,22 +34,19 @@ enum constants { NO_CONSTANT, CONSTANT_A, CONSTANT_B };
 /* ---- Spans --------------------------------------------------------------- */
 
 #define PAIR_PARAMETERS \
-    (bool *done, c205_word *c, pair_operand a, pair_operand b, \
-     const c205_word *d, size_t n, uint64_t *flags)
+    (bool *done, c205_word *c, pair_operand a, pair_operand b, const c205_word *d, \
+     size_t n, uint64_t *flags)
 #define PAIR_ARGUMENTS (done, c, a, b, d, n, flags)
 
 /* What is not moderate mostly is so from the beginning; two constants are rare. */
-static inline bool may_be_done(pair_operand a, pair_operand b,
-                               const c205_word *d, size_t n)
+static inline bool may_be_done(pair_operand a, pair_operand b, const c205_word *d,
+                               size_t n)
 {
-    return n >= FLOORED_LEAST && n <= PAIR_LENGTH
-           && !(a.is_constant && b.is_constant)
-           && moderate_pair(a.words[0], b.words[0])
-           && moderate_pair(d[0], d[0]);
+    return n >= FLOORED_LEAST && n <= PAIR_LENGTH && !(a.is_constant && b.is_constant)
+           && moderate_pair(a.words[0], b.words[0]) && moderate_pair(d[0], d[0]);
 }
 
-static inline bool pair_meets(const c205_word *c, pair_operand operand,
-                              size_t n)
+static inline bool pair_meets(const c205_word *c, pair_operand operand, size_t n)
 {
     return !operand.is_constant && spans_meet(c, operand.words, n);
 }
@@ -65,14 +61,11 @@ static inline bool pair_meets(const c205_word *c, pair_operand operand,
         if (!may_be_done(a, b, d, n)) \
             *done = false; \
         else if (a.is_constant) \
-            *done = name##_block(to, a.words, b.words, d, n, flags, \
-                                 CONSTANT_A); \
+            *done = name##_block(to, a.words, b.words, d, n, flags, CONSTANT_A); \
         else if (b.is_constant) \
-            *done = name##_block(to, a.words, b.words, d, n, flags, \
-                                 CONSTANT_B); \
+            *done = name##_block(to, a.words, b.words, d, n, flags, CONSTANT_B); \
         else \
-            *done = name##_block(to, a.words, b.words, d, n, flags, \
-                                 NO_CONSTANT); \
+            *done = name##_block(to, a.words, b.words, d, n, flags, NO_CONSTANT); \
         if (*done && !apart) \
             copy_block(c, space, n); \
     }
@@ -92,8 +85,8 @@ PAIR(subtract_multiply, floored_subtract, floored_multiply(handed, other))
 
 /* ---- Which of them ------------------------------------------------------- */
 
-lanes_pair *lanes_pair_of(lanes_binary *first, lanes_binary *second,
-                          bool hands_a, bool hands_b)
+lanes_pair *lanes_pair_of(lanes_binary *first, lanes_binary *second, bool hands_a,
+                          bool hands_b)
 {
     if (hands_a == hands_b)
         return NULL;

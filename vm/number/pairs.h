@@ -22,13 +22,12 @@ enum { PAIR_LENGTH = 512 }; /* at the most */
  * words.  Where c overlaps an operand it begins there or below.  Not *done: it is
  * to be done otherwise; of c, where it overlaps no operand, anything may be
  * stored. */
-typedef void lanes_pair(bool *done, c205_word *c, pair_operand a,
-                        pair_operand b, const c205_word *d, size_t n,
-                        uint64_t *flags);
+typedef void lanes_pair(bool *done, c205_word *c, pair_operand a, pair_operand b,
+                        const c205_word *d, size_t n, uint64_t *flags);
 
 /* hands_a, hands_b: what the first gives is the second's first operand, its
  * second one.  NULL: there is none for these. */
-lanes_pair *lanes_pair_of(lanes_binary *first, lanes_binary *second,
-                          bool hands_a, bool hands_b);
+lanes_pair *lanes_pair_of(lanes_binary *first, lanes_binary *second, bool hands_a,
+                          bool hands_b);
 
 #endif

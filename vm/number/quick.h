@@ -57,13 +57,11 @@ static inline int64_t quick_twice(c205_word w)
     return (int64_t)(w << 16) >> 15;
 }
 
-static inline c205_word quick_add_normalised(c205_word a, c205_word b,
-                                             uint64_t *flags)
+static inline c205_word quick_add_normalised(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word c;
 
-    if (usual_pair(a, b)
-        && quick_sum(a, quick_twice(a), b, quick_twice(b), &c))
+    if (usual_pair(a, b) && quick_sum(a, quick_twice(a), b, quick_twice(b), &c))
         return c;
     return arith_add_normalised(a, b, flags);
 }
@@ -74,8 +72,7 @@ static inline c205_word quick_subtract_normalised(c205_word a, c205_word b,
 {
     c205_word c;
 
-    if (usual_pair(a, b)
-        && quick_sum(a, quick_twice(a), b, -quick_twice(b), &c))
+    if (usual_pair(a, b) && quick_sum(a, quick_twice(a), b, -quick_twice(b), &c))
         return c;
     if (a == C205_MACHINE_ZERO && usual_word(b)
         && quick_sum(b, -quick_twice(b), b, 0, &c))
@@ -130,8 +127,7 @@ static inline c205_word quick_square_root(c205_word a, uint64_t *flags)
 
     if (!usual_word(a) || c < 0)
         return arith_square_root(a, flags);
-    uint64_t root = (uint64_t)(int64_t)sqrt((double)c
-                                            * (e & 1 ? 0x1p47 : 0x1p46));
+    uint64_t root = (uint64_t)(int64_t)sqrt((double)c * (e & 1 ? 0x1p47 : 0x1p46));
     uint64_t left = ((uint64_t)c << k) - root * root;
     return quick_word((e - k) / 2, (int64_t)(root - (left >> 63)));
 }

@@ -67,8 +67,7 @@ static c205_word indefinite(uint64_t cause, uint64_t *flags)
 }
 
 /* The range rule: it looks at the exponent only. */
-static c205_word ranged(int64_t exponent, int64_t coefficient,
-                        uint64_t *flags)
+static c205_word ranged(int64_t exponent, int64_t coefficient, uint64_t *flags)
 {
     if (exponent > format_exponent_max(RULE_FORMAT))
         return indefinite(FLAG_EXPONENT_OVERFLOW, flags);
@@ -92,8 +91,7 @@ static bool wide_is_zero(wide w)
 static wide wide_negate(wide w)
 {
     int64_t borrow = w.lo != 0;
-    const wide negated = { -w.hi - borrow, -w.lo & MAX_COEFFICIENT,
-                           w.exponent };
+    const wide negated = { -w.hi - borrow, -w.lo & MAX_COEFFICIENT, w.exponent };
 
     return negated;
 }
@@ -202,8 +200,7 @@ static bool both_machine_zero(c205_word a, c205_word b)
     return word_is_machine_zero(a) && word_is_machine_zero(b);
 }
 
-static c205_word add_upper(c205_word a, c205_word b, bool subtract,
-                           uint64_t *flags)
+static c205_word add_upper(c205_word a, c205_word b, bool subtract, uint64_t *flags)
 {
     if (either_indefinite(a, b))
         return indefinite(0, flags);
@@ -212,8 +209,7 @@ static c205_word add_upper(c205_word a, c205_word b, bool subtract,
     return wide_upper(sum(a, b, subtract), flags);
 }
 
-static c205_word add_lower(c205_word a, c205_word b, bool subtract,
-                           uint64_t *flags)
+static c205_word add_lower(c205_word a, c205_word b, bool subtract, uint64_t *flags)
 {
     if (either_indefinite(a, b))
         return indefinite(0, flags);
@@ -339,8 +335,7 @@ c205_word RULE(multiply_lower)(c205_word a, c205_word b, uint64_t *flags)
     return wide_lower(product(a, b), flags);
 }
 
-c205_word RULE(multiply_significant)(c205_word a, c205_word b,
-                                     uint64_t *flags)
+c205_word RULE(multiply_significant)(c205_word a, c205_word b, uint64_t *flags)
 {
     c205_word special;
 
@@ -432,8 +427,7 @@ c205_word RULE(square_root)(c205_word a, uint64_t *flags)
     int32_t places = DIGITS - word_significant_bits(c);
     int32_t exponent = exponent_of(a) - places;
     int32_t k = exponent % 2 == 0 ? DIGITS - 1 : DIGITS;
-    return ranged((exponent - k) / 2 + places, root(c << places, k) >> places,
-                  flags);
+    return ranged((exponent - k) / 2 + places, root(c << places, k) >> places, flags);
 }
 
 /* ---- Parts of a number, sign ------------------------------------------- */
@@ -463,14 +457,12 @@ c205_word RULE(ceiling)(c205_word a, uint64_t *flags)
 
     if (exponent >= 0 || word_is_machine_zero(a))
         return kept(a, flags);
-    return made(0,
-                -(-coefficient_of(a) >> (exponent < -63 ? 63 : -exponent)));
+    return made(0, -(-coefficient_of(a) >> (exponent < -63 ? 63 : -exponent)));
 }
 
 c205_word RULE(truncate)(c205_word a, uint64_t *flags)
 {
-    return coefficient_of(a) < 0 ? RULE(ceiling)(a, flags)
-                                 : RULE(floor)(a, flags);
+    return coefficient_of(a) < 0 ? RULE(ceiling)(a, flags) : RULE(floor)(a, flags);
 }
 
 /* A normalised number stays normalised: 2^d does not fit, and -2^(d - 1) is

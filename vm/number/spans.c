@@ -125,12 +125,10 @@ static inline uint64_t exponent_bits(word_format f, c205_word w)
 /* The places of a word's bits. */
 #define PLACES(i) \
     FIRST >> (i), FIRST >> (i + 1), FIRST >> (i + 2), FIRST >> (i + 3), \
-        FIRST >> (i + 4), FIRST >> (i + 5), FIRST >> (i + 6), \
-        FIRST >> (i + 7)
+        FIRST >> (i + 4), FIRST >> (i + 5), FIRST >> (i + 6), FIRST >> (i + 7)
 #define FIRST (UINT64_C(1) << (BITS - 1))
-static const uint64_t places[BITS] = { PLACES(0),  PLACES(8),  PLACES(16),
-                                       PLACES(24), PLACES(32), PLACES(40),
-                                       PLACES(48), PLACES(56) };
+static const uint64_t places[BITS] = { PLACES(0),  PLACES(8),  PLACES(16), PLACES(24),
+                                       PLACES(32), PLACES(40), PLACES(48), PLACES(56) };
 
 /* The first bit to all places. */
 static inline uint64_t copied(uint64_t bit)
@@ -156,8 +154,7 @@ static inline uint64_t copied(uint64_t bit)
         c205_word x = zero_as_number(a[i + j]); \
         c205_word y = zero_as_number(b[i + j]); \
         uint64_t holds = (uint64_t)(coefficient_bits(format, x) \
-                                        relation coefficient_bits(format, \
-                                                                  y)); \
+                                        relation coefficient_bits(format, y)); \
         word |= (0 - (holds ^ inverse)) & places[j]; \
         exponents |= exponent_bits(format, x) | exponent_bits(format, y); \
     }
@@ -200,19 +197,16 @@ static inline uint64_t copied(uint64_t bit)
             size_t length = lesser(n - i, BITS); \
             uint64_t word = 0; \
             for (size_t j = 0; j < length; j++) \
-                word |= (uint64_t)holds(a[i + j], b[i + j]) \
-                        << (BITS - 1 - j); \
+                word |= (uint64_t)holds(a[i + j], b[i + j]) << (BITS - 1 - j); \
             bits[i / BITS] = word; \
         } \
     }
 #define COMPARE(name, is, relation, inverse) \
     COMPARE_SPAN(lanes_##name, whole_words, is, relation, inverse) \
     COMPARE_WORDS(lanes_##name##_words, quick_##name) \
-    VERSIONS(lanes_##name, lanes_##name##_words, COMPARE_PARAMETERS, \
-             (bits, a, b, n)) \
+    VERSIONS(lanes_##name, lanes_##name##_words, COMPARE_PARAMETERS, (bits, a, b, n)) \
     COMPARE_SPAN(halves_##name, half_words, is, relation, inverse) \
-    VERSIONS(halves_##name, halves_##name##_span, COMPARE_PARAMETERS, \
-             (bits, a, b, n))
+    VERSIONS(halves_##name, halves_##name##_span, COMPARE_PARAMETERS, (bits, a, b, n))
 
 COMPARE(equal, EQUAL, ==, 0)
 COMPARE(not_equal, NOT_EQUAL, ==, 1)
@@ -233,8 +227,8 @@ LANEWISE void lanes_fill_span(c205_word *c, c205_word word, size_t n)
     for (size_t i = 0; i < n; i++)
         c[i] = word;
 }
-VERSIONS(lanes_fill, lanes_fill_span,
-         (c205_word * c, c205_word word, size_t n), (c, word, n))
+VERSIONS(lanes_fill, lanes_fill_span, (c205_word * c, c205_word word, size_t n),
+         (c, word, n))
 
 LANEWISE void lanes_store_masked_span(c205_word *restrict c,
                                       const c205_word *restrict a,
@@ -255,8 +249,7 @@ VERSIONS(lanes_store_masked, lanes_store_masked_span,
 /* ---- Reductions --------------------------------------------------------- */
 
 #define REDUCTION_SPAN(name, exact) \
-    void name(c205_word *accumulator, const c205_word *a, size_t n, \
-              uint64_t *flags) \
+    void name(c205_word *accumulator, const c205_word *a, size_t n, uint64_t *flags) \
     { \
         c205_word result = *accumulator; \
         for (size_t i = 0; i < n; i++) \

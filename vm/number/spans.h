@@ -10,10 +10,8 @@
 #include "vm/number/usual.h"
 
 #define BINARY_PARAMETERS \
-    (c205_word * c, const c205_word *a, const c205_word *b, size_t n, \
-     uint64_t *flags)
-#define UNARY_PARAMETERS \
-    (c205_word * c, const c205_word *a, size_t n, uint64_t *flags)
+    (c205_word * c, const c205_word *a, const c205_word *b, size_t n, uint64_t *flags)
+#define UNARY_PARAMETERS (c205_word * c, const c205_word *a, size_t n, uint64_t *flags)
 
 #define BINARY_VERSIONS(name, plain) \
     VERSIONS(name, plain, BINARY_PARAMETERS, (c, a, b, n, flags))
@@ -41,9 +39,8 @@ static inline size_t lesser(size_t a, size_t b)
 
 /* Where the first bit of odd is 1, by the exact rule; the others are right,
  * and raise the flag of their zeros. */
-static inline void binary_again(arith_binary *exact, c205_word *c,
-                                const c205_word *a, const c205_word *b,
-                                const uint64_t *odd, size_t n,
+static inline void binary_again(arith_binary *exact, c205_word *c, const c205_word *a,
+                                const c205_word *b, const uint64_t *odd, size_t n,
                                 uint64_t *flags)
 {
     for (size_t i = 0; i < n; i++)
@@ -53,9 +50,8 @@ static inline void binary_again(arith_binary *exact, c205_word *c,
             *flags |= FLAG_MACHINE_ZERO;
 }
 
-static inline void unary_again(arith_unary *exact, c205_word *c,
-                               const c205_word *a, const uint64_t *odd,
-                               size_t n, uint64_t *flags)
+static inline void unary_again(arith_unary *exact, c205_word *c, const c205_word *a,
+                               const uint64_t *odd, size_t n, uint64_t *flags)
 {
     for (size_t i = 0; i < n; i++)
         if (odd[i] >> 63)
@@ -73,8 +69,7 @@ static inline void unary_again(arith_unary *exact, c205_word *c,
  * before, and fewer than that are done with others behind them. */
 enum { BLOCK = 256, LANES = 8 };
 
-static inline bool spans_meet(const c205_word *one, const c205_word *other,
-                              size_t n)
+static inline bool spans_meet(const c205_word *one, const c205_word *other, size_t n)
 {
     uintptr_t a = (uintptr_t)one, b = (uintptr_t)other;
 
@@ -87,8 +82,7 @@ static inline void copy_block(c205_word *to, const c205_word *from, size_t n)
 }
 
 /* n words, 1 to LANES of them, and the first again behind them. */
-static inline void fill_lanes(c205_word *lanes, const c205_word *words,
-                              size_t n)
+static inline void fill_lanes(c205_word *lanes, const c205_word *words, size_t n)
 {
     for (size_t i = 0; i < LANES; i++)
         lanes[i] = words[0];
@@ -111,17 +105,16 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
     LANEWISE void name##_block parameters \
     { \
         uint64_t odd[BLOCK], odds = 0, zeros = 0; \
-        EACH_LANE(lane result = of_lane; odd[j] = result.odd; \
-                  odds |= result.odd; zeros |= zero(result.word); \
-                  to[j] = result.word;) \
+        EACH_LANE(lane result = of_lane; odd[j] = result.odd; odds |= result.odd; \
+                  zeros |= zero(result.word); to[j] = result.word;) \
         if (odds >> 63) \
             exactly; \
         else if (zeros >> 63) \
             *flags |= FLAG_MACHINE_ZERO; \
     }
 #define BLOCK_PARAMETERS \
-    (c205_word *restrict to, const c205_word *a, const c205_word *b, \
-     size_t n, uint64_t *flags)
+    (c205_word *restrict to, const c205_word *a, const c205_word *b, size_t n, \
+     uint64_t *flags)
 #define BINARY_SPAN(name, usual_block, lane_function, exact) \
     BLOCK_OF(name, BLOCK_PARAMETERS, lane_function(a[j], b[j]), \
              binary_again(exact, to, a, b, odd, n, flags)) \
@@ -149,8 +142,7 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
     }
 #define UNARY_SPAN(name, lane_function, exact) \
     BLOCK_OF(name, \
-             (c205_word *restrict to, const c205_word *a, size_t n, \
-              uint64_t *flags), \
+             (c205_word *restrict to, const c205_word *a, size_t n, uint64_t *flags), \
              lane_function(a[j]), unary_again(exact, to, a, odd, n, flags)) \
     LANEWISE void name##_span UNARY_PARAMETERS \
     { \
@@ -164,8 +156,8 @@ static inline void fill_lanes(c205_word *lanes, const c205_word *words,
                 fill_lanes(some_a, x, length); \
                 x = some_a; \
             } \
-            name##_block(apart && !few ? c + i : space, x, \
-                         few ? LANES : length, flags); \
+            name##_block(apart && !few ? c + i : space, x, few ? LANES : length, \
+                         flags); \
             if (few || !apart) \
                 copy_block(c + i, space, length); \
         } \
@@ -214,8 +206,8 @@ LANEWISE bool zero_lanes(const c205_word *a, size_t n)
 enum zeros_give { GIVE_ZEROS, GIVE_OTHERS, GIVE_NEITHER };
 
 LANEWISE bool block_of_zeros(c205_word *restrict to, const c205_word *zeros,
-                             const c205_word *others, size_t n,
-                             enum zeros_give gives, uint64_t *flags)
+                             const c205_word *others, size_t n, enum zeros_give gives,
+                             uint64_t *flags)
 {
     if (gives == GIVE_NEITHER || !zero_lanes(zeros, n))
         return false;

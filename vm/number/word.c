@@ -45,8 +45,7 @@ static c205_word from_double(word_format f, double value)
     double fraction = frexp(fabs(value), &exponent);
     int64_t digits = (int64_t)ldexp(fraction, DOUBLE_DIGITS);
     return word_cut(f, value < 0, digits >> excess,
-                    (digits & ((INT64_C(1) << excess) - 1)) != 0,
-                    exponent - f.digits);
+                    (digits & ((INT64_C(1) << excess) - 1)) != 0, exponent - f.digits);
 }
 
 c205_word c205_from_double(double value)
@@ -65,8 +64,7 @@ static double to_double(word_format f, c205_word word)
         return NAN;
     if (word_is_machine_zero(word))
         return 0;
-    return ldexp((double)format_coefficient(f, word),
-                 format_exponent(f, word));
+    return ldexp((double)format_coefficient(f, word), format_exponent(f, word));
 }
 
 double c205_to_double(c205_word word)
@@ -81,7 +79,7 @@ double c205_half_to_double(c205_word half)
 
 void c205_to_hex(c205_word word, char text[C205_TEXT_SIZE])
 {
-    snprintf(text, C205_TEXT_SIZE, "%04X %04X %04X %04X",
-             (unsigned)(word >> 48), (unsigned)(word >> 32 & 0xFFFF),
-             (unsigned)(word >> 16 & 0xFFFF), (unsigned)(word & 0xFFFF));
+    snprintf(text, C205_TEXT_SIZE, "%04X %04X %04X %04X", (unsigned)(word >> 48),
+             (unsigned)(word >> 32 & 0xFFFF), (unsigned)(word >> 16 & 0xFFFF),
+             (unsigned)(word & 0xFFFF));
 }

@@ -19,7 +19,7 @@
 
 typedef struct word_format {
     int32_t exponent_bits; /* 4 or more */
-    int32_t digits; /* bits of a coefficient without its sign; odd, 47 at
+    int32_t digits;        /* bits of a coefficient without its sign; odd, 47 at
                        the most */
 } word_format;
 
@@ -137,8 +137,8 @@ static inline bool word_is_indefinite(c205_word w)
  * usable one. */
 static inline bool format_is_normalised(word_format f, c205_word w)
 {
-    return ((w ^ w << 1) >> (63 - f.exponent_bits) & 1) != 0
-           && !word_is_machine_zero(w) && !word_is_indefinite(w);
+    return ((w ^ w << 1) >> (63 - f.exponent_bits) & 1) != 0 && !word_is_machine_zero(w)
+           && !word_is_indefinite(w);
 }
 
 static inline bool word_is_normalised(c205_word w)
@@ -217,14 +217,12 @@ static inline c205_word format_pack(word_format f, c205_word a, c205_word b)
 
 /* Left circular by a count modulo the width; right, the first bit copied in,
  * by a negative one. */
-static inline c205_word format_shift(word_format f, c205_word a,
-                                     int64_t count)
+static inline c205_word format_shift(word_format f, c205_word a, int64_t count)
 {
     int32_t width = format_width(f);
     uint64_t left = (uint64_t)count % (uint64_t)width;
     c205_word around = a >> (((uint64_t)width - left) & 63);
-    c205_word right = (c205_word)((int64_t)a
-                                  >> (count < -63 ? 63 : -count & 63));
+    c205_word right = (c205_word)((int64_t)a >> (count < -63 ? 63 : -count & 63));
 
     return (count < 0 ? right : a << left | around) & format_mask(f);
 }

@@ -33,8 +33,7 @@ static size_t names_size(const char *const *names, size_t count)
 bool accounts_open(struct clock_accounts *accounts, const char *const *names,
                    size_t count)
 {
-    struct clock_accounts opened = { count,
-                                     calloc(count, sizeof(c205_account)),
+    struct clock_accounts opened = { count, calloc(count, sizeof(c205_account)),
                                      calloc(count, sizeof(c205_account)),
                                      malloc(names_size(names, count)) };
     if (!opened.account || !opened.kept || !opened.names) {

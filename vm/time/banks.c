@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool banks_init(struct banks *banks, size_t count, uint64_t access,
-                uint64_t busy)
+bool banks_init(struct banks *banks, size_t count, uint64_t access, uint64_t busy)
 {
     banks->count = count;
     banks->access = access;
@@ -95,8 +94,7 @@ struct begun {
 
 /* What does not depend on the last access is known one access earlier: each
  * waits for one sum and one choice. */
-static void begin_accesses(struct begun *begun, const struct waits *waits,
-                           size_t n)
+static void begin_accesses(struct begun *begun, const struct waits *waits, size_t n)
 {
     struct begun now = *begun;
     int64_t earliest = later(now.second + waits->second[0],
@@ -122,8 +120,7 @@ static uint64_t conflicts_of_latest(const struct banks *banks, uint64_t table,
     struct waits waits;
     for (size_t i = 0, n; i < count; i += n) {
         n = count - i < SPAN ? count - i : SPAN;
-        find_banks(bank + LATEST, indices + i, n, table, step,
-                   (double)banks->count);
+        find_banks(bank + LATEST, indices + i, n, table, step, (double)banks->count);
         find_waits(&waits, bank, n, access, busy);
         begin_accesses(&begun, &waits, n);
         memmove(bank, bank + n, LATEST * sizeof *bank);
@@ -132,8 +129,7 @@ static uint64_t conflicts_of_latest(const struct banks *banks, uint64_t table,
 }
 
 static uint64_t conflicts_of_all(const struct banks *banks, uint64_t table,
-                                 unsigned step, const c205_word *indices,
-                                 size_t count)
+                                 unsigned step, const c205_word *indices, size_t count)
 {
     uint64_t *free_at = banks->free_at;
     uint64_t clock = 0;
@@ -141,8 +137,8 @@ static uint64_t conflicts_of_all(const struct banks *banks, uint64_t table,
     memset(free_at, 0, banks->count * sizeof *free_at);
     for (size_t i = 0; i < count; i++) {
         if (i % SPAN == 0)
-            find_banks(bank, indices + i, count - i < SPAN ? count - i : SPAN,
-                       table, step, (double)banks->count);
+            find_banks(bank, indices + i, count - i < SPAN ? count - i : SPAN, table,
+                       step, (double)banks->count);
         uint64_t *free = &free_at[(size_t)bank[i % SPAN]];
         clock = clock < *free ? *free : clock;
         *free = clock + banks->busy;
@@ -151,9 +147,8 @@ static uint64_t conflicts_of_all(const struct banks *banks, uint64_t table,
     return clock - count * banks->access;
 }
 
-static uint64_t conflicts(const struct banks *banks, uint64_t table,
-                          unsigned step, const c205_word *indices,
-                          size_t count)
+static uint64_t conflicts(const struct banks *banks, uint64_t table, unsigned step,
+                          const c205_word *indices, size_t count)
 {
     return banks->busy <= (LATEST + 1) * banks->access
                ? conflicts_of_latest(banks, table, step, indices, count)
@@ -181,7 +176,6 @@ uint64_t banks_conflicts(struct banks *banks, uint64_t table, unsigned step,
         return latest->conflicts;
     latest->number = list->number;
     latest->whole = whole;
-    latest->conflicts = conflicts(banks, table, step, list->indices,
-                                  list->count);
+    latest->conflicts = conflicts(banks, table, step, list->indices, list->count);
     return latest->conflicts;
 }

@@ -25,8 +25,7 @@ struct banks {
     struct bank_list latest;
 };
 
-bool banks_init(struct banks *banks, size_t count, uint64_t access,
-                uint64_t busy);
+bool banks_init(struct banks *banks, size_t count, uint64_t access, uint64_t busy);
 void banks_free(struct banks *banks);
 
 /* By how much the accesses to table + step x index, in this order, take

@@ -29,13 +29,13 @@ static void note(const struct clock *clock, uint64_t clocks, c205_cause cause,
         record->piece[C205_PIECES - 1].clocks += clocks;
         return;
     }
-    record->piece[record->piece_count++] = (c205_piece){
-        clocks, cause, region, pc, reason.wait, reason.number
-    };
+    record->piece[record->piece_count++] = (c205_piece){ clocks,      cause,
+                                                         region,      pc,
+                                                         reason.wait, reason.number };
 }
 
-static inline void spend_for(struct clock *clock, uint64_t clocks,
-                             c205_cause cause, struct reason reason)
+static inline void spend_for(struct clock *clock, uint64_t clocks, c205_cause cause,
+                             struct reason reason)
 {
     if (clock->record)
         note(clock, clocks, cause, clock->region, clock->record->pc, reason);
@@ -43,14 +43,13 @@ static inline void spend_for(struct clock *clock, uint64_t clocks,
     clock->now += clocks;
 }
 
-static inline void spend(struct clock *clock, uint64_t clocks,
-                         c205_cause cause)
+static inline void spend(struct clock *clock, uint64_t clocks, c205_cause cause)
 {
     spend_for(clock, clocks, cause, own_work);
 }
 
-static inline void wait_until(struct clock *clock, uint64_t until,
-                              c205_cause cause, struct reason reason)
+static inline void wait_until(struct clock *clock, uint64_t until, c205_cause cause,
+                              struct reason reason)
 {
     if (clock->now < until)
         spend_for(clock, until - clock->now, cause, reason);
@@ -67,8 +66,7 @@ static inline void wait_through_phases(struct clock *clock, uint64_t until,
         uint64_t end = phase->end < until ? phase->end : until;
         if (now < end) {
             if (clock->record)
-                note(clock, end - now, phase->cause, phase->region, phase->pc,
-                     reason);
+                note(clock, end - now, phase->cause, phase->region, phase->pc, reason);
             accounts[phase->region].clocks[phase->cause] += end - now;
             now = end;
         }
@@ -87,13 +85,11 @@ static void wait_for_slot(struct clock *clock, uint16_t slot)
     if (clock->awaits[slot] == FOR_VECTOR)
         wait_through_phases(clock, clock->ready[slot], reason);
     else
-        wait_until(clock, clock->ready[slot], (c205_cause)clock->awaits[slot],
-                   reason);
+        wait_until(clock, clock->ready[slot], (c205_cause)clock->awaits[slot], reason);
 }
 
 /* Sources must be ready; a result still on its way must have arrived. */
-static void wait_for_registers(struct clock *clock,
-                               const struct decoded *decoded)
+static void wait_for_registers(struct clock *clock, const struct decoded *decoded)
 {
     for (unsigned i = 0; i < decoded->source_count; i++)
         if (clock->ready[decoded->source[i]] > clock->now)
@@ -127,8 +123,7 @@ static inline uint64_t at_rate(struct rate rate, uint64_t n)
 
 /* ---- The scalar unit ----------------------------------------------------- */
 
-static void note_times(const struct clock *clock, uint64_t ready,
-                       uint64_t unit_free)
+static void note_times(const struct clock *clock, uint64_t ready, uint64_t unit_free)
 {
     clock->record->issued = clock->issued;
     clock->record->ready = ready;
@@ -253,8 +248,7 @@ static void charge_monitor(struct clock *clock, const struct decoded *decoded)
 
 /* ---- The vector unit ----------------------------------------------------- */
 
-static void note_phase(const struct clock *clock, uint64_t clocks,
-                       c205_cause cause)
+static void note_phase(const struct clock *clock, uint64_t clocks, c205_cause cause)
 {
     c205_times *record = clock->record;
     size_t i = record->phase_count++;
@@ -264,8 +258,7 @@ static void note_phase(const struct clock *clock, uint64_t clocks,
 }
 
 /* From the vector unit's end on, which moves. */
-static inline void add_phase(struct clock *clock, uint64_t clocks,
-                             c205_cause cause)
+static inline void add_phase(struct clock *clock, uint64_t clocks, c205_cause cause)
 {
     struct phase *phase = &clock->phase[clock->phase_count];
     if (clocks == 0)
@@ -300,8 +293,7 @@ static uint64_t lesser(uint64_t a, uint64_t b)
  * up to overlap clocks of it hide under the stream of the one before. */
 static uint64_t vector_free_at(const struct clock *clock, uint64_t startup)
 {
-    uint64_t hidden = lesser(lesser(clock->overlap, startup),
-                             clock->vector_tail);
+    uint64_t hidden = lesser(lesser(clock->overlap, startup), clock->vector_tail);
     return clock->vector_end - hidden;
 }
 
@@ -318,8 +310,7 @@ static inline struct rate class_rate(const struct clock *clock,
 }
 
 /* A linked pair is of one size, and goes at the rate of the slowest. */
-static struct rate pair_rate(const struct clock *clock,
-                             const struct decoded *decoded)
+static struct rate pair_rate(const struct clock *clock, const struct decoded *decoded)
 {
     const struct decoded *const *linked = decoded->linked;
     bool half = linked[0]->fields.g & C205_G_HALF;
@@ -355,8 +346,7 @@ static inline uint64_t startup_of(const struct clock *clock,
     return startup;
 }
 
-static inline void add_phases(struct clock *clock,
-                              const struct decoded *decoded,
+static inline void add_phases(struct clock *clock, const struct decoded *decoded,
                               const struct effect *effect, uint64_t startup)
 {
     struct translation met = translate(clock, effect);
@@ -367,14 +357,13 @@ static inline void add_phases(struct clock *clock,
     clock->vector_pc = decoded->pc;
     add_phase(clock, startup, C205_VECTOR_STARTUP);
     if (met.misses > 0) { /* no fault without */
-        add_phase(clock, met.misses * clock->translation_miss,
-                  C205_TRANSLATION_MISS);
+        add_phase(clock, met.misses * clock->translation_miss, C205_TRANSLATION_MISS);
         add_phase(clock, met.faults * clock->page_fault, C205_PAGE_FAULT);
     }
     if (effect->indices)
         add_phase(clock,
-                  banks_conflicts(&clock->banks, effect->table,
-                                  effect->table_step, &clock->list),
+                  banks_conflicts(&clock->banks, effect->table, effect->table_step,
+                                  &clock->list),
                   C205_BANK_CONFLICT);
     add_phase(clock, stream, C205_VECTOR_STREAM);
 }
@@ -387,8 +376,7 @@ static void wait_for_pair(struct clock *clock, const struct decoded *decoded)
             wait_for_registers(clock, decoded->linked[i]);
 }
 
-static inline void charge_vector(struct clock *clock,
-                                 const struct decoded *decoded,
+static inline void charge_vector(struct clock *clock, const struct decoded *decoded,
                                  const struct effect *effect)
 {
     uint64_t startup = startup_of(clock, decoded);
@@ -407,8 +395,7 @@ static inline void charge_vector(struct clock *clock,
     set_results(clock, decoded, clock->vector_end, FOR_VECTOR);
     clock->account->vector_instructions++;
     clock->account->elements += effect->elements;
-    clock->account->operations += decoded->flops
-                                  * (effect->elements - effect->idle);
+    clock->account->operations += decoded->flops * (effect->elements - effect->idle);
 }
 
 /* ---- One instruction ----------------------------------------------------- */
@@ -488,8 +475,7 @@ static uint64_t registers_ready(const struct clock *clock,
 }
 
 /* When a vector instruction begins to stream. */
-static uint64_t stream_begin(const struct clock *clock,
-                             const struct decoded *decoded)
+static uint64_t stream_begin(const struct clock *clock, const struct decoded *decoded)
 {
     uint64_t startup = startup_of(clock, decoded);
     uint64_t issue = later(clock->now, registers_ready(clock, decoded));
@@ -513,12 +499,11 @@ static size_t in_clocks(struct rate rate, uint64_t clocks)
     return (size_t)(whole * rate.per + divided(rest * rate.per, rate.clocks));
 }
 
-size_t clock_elements(const struct clock *clock,
-                      const struct decoded *decoded, uint64_t until)
+size_t clock_elements(const struct clock *clock, const struct decoded *decoded,
+                      uint64_t until)
 {
     uint64_t begin = stream_begin(clock, decoded);
-    return in_clocks(stream_rate(clock, decoded),
-                     until > begin ? until - begin : 0);
+    return in_clocks(stream_rate(clock, decoded), until > begin ? until - begin : 0);
 }
 
 static void keep_charged(struct clock *clock)
@@ -539,8 +524,7 @@ static void cut_at(struct clock *clock, uint64_t until)
     clock->loads_done = lesser(clock->loads_done, until);
 }
 
-void clock_show(struct clock *clock, const struct decoded *decoded,
-                uint64_t until)
+void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until)
 {
     uint64_t begin = stream_begin(clock, decoded);
     struct clock cut = *clock; /* with the same accounts */

@@ -31,8 +31,8 @@ struct clock *clock_new(const c205_model *model, c205_error *error);
 void clock_free(struct clock *clock);
 
 /* Name the regions, whose accounts start at zero.  names[0] is "". */
-bool clock_set_regions(struct clock *clock, const char *const *names,
-                       size_t count, c205_error *error);
+bool clock_set_regions(struct clock *clock, const char *const *names, size_t count,
+                       c205_error *error);
 
 /* Time and accounts to zero, pipes empty; which pages are resident and in
  * the associative registers stays.  clock_forget_pages forgets that too. */
@@ -48,8 +48,8 @@ void clock_charge(struct clock *clock, const struct decoded *decoded,
 /* The first so many of a block have executed; the effect is that of all.
  * From the first block on until it is unfolded a clock is folded, and may be
  * asked for nothing but clock_now. */
-void clock_charge_block(struct clock *clock, struct code_block *block,
-                        unsigned count, const struct effect *effect);
+void clock_charge_block(struct clock *clock, struct code_block *block, unsigned count,
+                        const struct effect *effect);
 void clock_unfold(struct clock *clock);
 /* A block is new. */
 void clock_measure(const struct clock *clock, struct code_block *block);
@@ -66,12 +66,11 @@ uint64_t clock_issued(const struct clock *clock);
 /* How many elements of a vector instruction that comes next will have
  * streamed at a clock.  What only its execution tells, misses, faults and
  * conflicts, does not count. */
-size_t clock_elements(const struct clock *clock,
-                      const struct decoded *decoded, uint64_t until);
+size_t clock_elements(const struct clock *clock, const struct decoded *decoded,
+                      uint64_t until);
 /* Show how the clock stands at that clock, within that instruction; or when
  * everything in flight is done. */
-void clock_show(struct clock *clock, const struct decoded *decoded,
-                uint64_t until);
+void clock_show(struct clock *clock, const struct decoded *decoded, uint64_t until);
 void clock_show_drained(struct clock *clock);
 /* Go back to what has been charged; or charge what is shown. */
 void clock_go_back(struct clock *clock);

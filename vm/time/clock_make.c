@@ -29,8 +29,7 @@ static void read_constants(struct clock *clock, const c205_model *model)
     clock->overlap = model_whole(model, CONSTANT_OVERLAP);
     clock->branch_taken = model_whole(model, CONSTANT_BRANCH_TAKEN);
     clock->branch_not_taken = model_whole(model, CONSTANT_BRANCH_NOT_TAKEN);
-    clock->branch_out_of_stack = model_whole(model,
-                                             CONSTANT_BRANCH_OUT_OF_STACK);
+    clock->branch_out_of_stack = model_whole(model, CONSTANT_BRANCH_OUT_OF_STACK);
     clock->translation_miss = model_whole(model, CONSTANT_TRANSLATION_MISS);
     clock->page_fault = model_whole(model, CONSTANT_PAGE_FAULT);
     clock->swap_word = model_rate(model, CONSTANT_SWAP_WORD);
@@ -49,8 +48,7 @@ static bool make_parts(struct clock *clock, const c205_model *model)
                       model_whole(model, CONSTANT_REAL_WORDS),
                       model_count(model, CONSTANT_REGISTERS))
            && banks_init(&clock->banks, model_count(model, CONSTANT_BANKS),
-                         model_ticks(model),
-                         model_whole(model, CONSTANT_BANK_BUSY))
+                         model_ticks(model), model_whole(model, CONSTANT_BANK_BUSY))
            && accounts_open(&clock->accounts, outside, 1);
 }
 
@@ -84,8 +82,8 @@ void clock_free(struct clock *clock)
     free(clock);
 }
 
-bool clock_set_regions(struct clock *clock, const char *const *names,
-                       size_t count, c205_error *error)
+bool clock_set_regions(struct clock *clock, const char *const *names, size_t count,
+                       c205_error *error)
 {
     if (!accounts_open(&clock->accounts, names, count)) {
         snprintf(error->message, sizeof error->message,

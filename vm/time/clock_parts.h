@@ -44,8 +44,7 @@ static inline void stack_begin(struct stack *stack, uint64_t address)
 }
 
 /* Up to a next address; it has room for so many words. */
-static inline void stack_extend(struct stack *stack, uint64_t next,
-                                uint64_t words)
+static inline void stack_extend(struct stack *stack, uint64_t next, uint64_t words)
 {
     uint64_t word = (next - 1) >> WORD_SHIFT;
     if (stack->high < word)
@@ -66,8 +65,8 @@ struct flight;
 
 struct clock {
     uint64_t now;
-    bool ahead;        /* now and the accounts show a later time than .. */
-    uint64_t kept_now; /* .. this, with the accounts kept, from which the
+    bool ahead;            /* now and the accounts show a later time than .. */
+    uint64_t kept_now;     /* .. this, with the accounts kept, from which the
                               clock goes on */
     c205_account *account; /* of the region in which the program is */
     size_t region;
@@ -80,8 +79,8 @@ struct clock {
     uint64_t load_end[LOADS_MOST]; /* of the last loads_in_flight loads */
     size_t load;                   /* the oldest of them */
 
-    uint64_t issued;             /* the latest instruction did then .. */
-    struct c205_times *record;  /* .. and this is all about its time; NULL:
+    uint64_t issued;           /* the latest instruction did then .. */
+    struct c205_times *record; /* .. and this is all about its time; NULL:
                                     nobody listens */
 
     struct phase phase[PHASES];

@@ -7,12 +7,9 @@
  * with what one instruction costs do not overflow. */
 #define LATEST (UINT64_MAX >> 2)
 
-static const char wrong_account[] =
-    "the accounts of the saved machine are wrong";
-static const char wrong_flight[] =
-    "what the saved machine has in flight is wrong";
-static const char wrong_pages[] =
-    "the list of pages of the saved machine is wrong";
+static const char wrong_account[] = "the accounts of the saved machine are wrong";
+static const char wrong_flight[] = "what the saved machine has in flight is wrong";
+static const char wrong_pages[] = "the list of pages of the saved machine is wrong";
 
 /* ---- Accounts ------------------------------------------------------------ */
 
@@ -44,8 +41,7 @@ static void walk_accounts(struct clock *clock, struct tape *tape)
     walk_region(clock, tape);
     tape_word(tape, &clock->now);
     tape_require(tape,
-                 accounts_sum(&clock->accounts) == clock->now
-                     && clock->now <= LATEST,
+                 accounts_sum(&clock->accounts) == clock->now && clock->now <= LATEST,
                  wrong_account);
 }
 
@@ -80,8 +76,7 @@ static void walk_time(uint64_t *time, struct tape *tape)
 }
 
 /* What is over is saved as if it had been over at clock 0. */
-static void walk_pending(const struct clock *clock, uint64_t *time,
-                         struct tape *tape)
+static void walk_pending(const struct clock *clock, uint64_t *time, struct tape *tape)
 {
     uint64_t pending = *time > charged(clock) ? *time : 0;
     walk_time(&pending, tape);
@@ -103,8 +98,7 @@ static void walk_loads(struct clock *clock, struct tape *tape)
 {
     size_t loads = (size_t)clock->loads_in_flight, oldest = 0;
     for (size_t i = 0; i < loads; i++)
-        walk_pending(clock, &clock->load_end[(clock->load + i) % loads],
-                     tape);
+        walk_pending(clock, &clock->load_end[(clock->load + i) % loads], tape);
     tape_size(tape, &oldest, loads - 1);
     if (tape_is_read(tape))
         clock->load = oldest;
@@ -140,8 +134,7 @@ static bool phases_are_sound(const struct clock *clock)
     if (clock->phase_count == 0)
         return clock->vector_end <= charged(clock) && clock->vector_tail == 0;
     const struct phase *last = &clock->phase[clock->phase_count - 1];
-    if (last->end != clock->vector_end
-        || clock->vector_tail > clock->vector_end)
+    if (last->end != clock->vector_end || clock->vector_tail > clock->vector_end)
         return false;
     for (const struct phase *phase = clock->phase; phase < last; phase++)
         if (phase->end > phase[1].end

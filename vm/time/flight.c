@@ -16,8 +16,8 @@ static uint64_t hash_flight(const struct flight *flight)
 {
     uint64_t hash = hash_word(HASH_BEGIN, flight->results_done);
     hash = hash_word(hash, flight->loads_done);
-    hash = hash_word(hash, flight->registers << 16 | flight->units << 8
-                               | flight->loads);
+    hash = hash_word(hash,
+                     flight->registers << 16 | flight->units << 8 | flight->loads);
     for (size_t i = 0; i < pending_count(flight); i++)
         hash = hash_word(hash, (uint64_t)flight->pending[i].clocks << 32
                                    | (uint64_t)flight->pending[i].place << 16
@@ -28,16 +28,14 @@ static uint64_t hash_flight(const struct flight *flight)
 static bool same_flight(const struct flight *one, const struct flight *other)
 {
     return one->results_done == other->results_done
-           && one->loads_done == other->loads_done
-           && one->registers == other->registers && one->units == other->units
-           && one->loads == other->loads
+           && one->loads_done == other->loads_done && one->registers == other->registers
+           && one->units == other->units && one->loads == other->loads
            && memcmp(one->pending, other->pending,
                      pending_count(one) * sizeof *one->pending)
                   == 0;
 }
 
-const struct flight *flight_named(struct flights *flights,
-                                  const struct flight *flight)
+const struct flight *flight_named(struct flights *flights, const struct flight *flight)
 {
     struct flight **first = &flights->hashed[hash_flight(flight) % FLIGHTS];
     struct flight *known = *first;
@@ -75,8 +73,7 @@ static bool add_pending(struct flight *flight, size_t *count, size_t place,
         return true;
     if (i == PENDING_MOST || clocks > UINT32_MAX)
         return false;
-    struct pending pending = { (uint32_t)clocks, (uint16_t)place,
-                               (uint16_t)awaits };
+    struct pending pending = { (uint32_t)clocks, (uint16_t)place, (uint16_t)awaits };
     flight->pending[i] = pending;
     ++*count;
     if (flight->latest < clocks)
@@ -94,15 +91,13 @@ bool flight_look(const struct clock *clock, struct flight *flight)
     flight->registers = flight->units = flight->loads = 0;
     for (size_t i = 0; i < SLOTS && fits; i++)
         fits = add_pending(flight, &flight->registers, i,
-                           from_now(clock, clock->ready[i]),
-                           clock->awaits[i]);
+                           from_now(clock, clock->ready[i]), clock->awaits[i]);
     for (size_t i = 0; i < C205_UNITS && fits; i++)
         fits = add_pending(flight, &flight->units, i,
                            from_now(clock, clock->free_at[i]), 0);
     for (size_t i = 0; i < loads && fits; i++)
         fits = add_pending(flight, &flight->loads, i,
-                           from_now(clock, clock->load_end[(clock->load + i)
-                                                           % loads]),
+                           from_now(clock, clock->load_end[(clock->load + i) % loads]),
                            0);
     return fits;
 }

@@ -19,8 +19,7 @@ static c205_word spread_of(const c205_word *indices, size_t count)
 }
 
 /* Without memory for it no list is that of before. */
-static void keep(struct index_list *list, const c205_word *indices,
-                 size_t count)
+static void keep(struct index_list *list, const c205_word *indices, size_t count)
 {
     list->kept_count = SIZE_MAX;
     if (count > list->room) {
@@ -34,8 +33,7 @@ static void keep(struct index_list *list, const c205_word *indices,
     list->kept_count = count;
 }
 
-void index_list_meet(struct index_list *list, const c205_word *indices,
-                     size_t count)
+void index_list_meet(struct index_list *list, const c205_word *indices, size_t count)
 {
     list->indices = indices;
     list->count = count;

@@ -19,8 +19,7 @@ struct index_list {
 };
 
 /* All zeros before. */
-void index_list_meet(struct index_list *list, const c205_word *indices,
-                     size_t count);
+void index_list_meet(struct index_list *list, const c205_word *indices, size_t count);
 void index_list_free(struct index_list *list);
 
 #endif

@@ -20,19 +20,16 @@
 
 /* What a machine has to say, and behind it what a projection has. */
 static const struct rule rules[CONSTANTS + PROJECTION_CONSTANTS] = {
-#define CONSTANT(id, name, kind, unit, least, most) \
-    { name, kind, unit, least, most },
+#define CONSTANT(id, name, kind, unit, least, most) { name, kind, unit, least, most },
 #include "vm/time/constants.def"
 #define TIMING(name, kind) kind(name),
 #include "vm/insn.def"
-#define CONSTANT(id, name, kind, unit, least, most) \
-    { name, kind, unit, least, most },
+#define CONSTANT(id, name, kind, unit, least, most) { name, kind, unit, least, most },
 #include "vm/time/projection.def"
 };
 
 static const char shared_rate[] = "clk*pipe/element";
-static const char *const rate_units[] = { shared_rate, "clk/element",
-                                          "clk/bit" };
+static const char *const rate_units[] = { shared_rate, "clk/element", "clk/bit" };
 enum { RATE_UNITS = sizeof rate_units / sizeof rate_units[0] };
 
 struct model_reader {
@@ -47,8 +44,7 @@ static bool fail(struct model_reader *reader, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(reader->error->message, sizeof reader->error->message, format,
-              arguments);
+    vsnprintf(reader->error->message, sizeof reader->error->message, format, arguments);
     va_end(arguments);
     reader->place.column = (unsigned)(reader->at - reader->line) + 1;
     return false;
@@ -118,34 +114,32 @@ static bool refuse(c205_error *error, const char *format, ...)
     return false;
 }
 
-bool model_check_whole(const struct rule *rule, const char *text,
-                       uint64_t millionths, c205_error *error)
+bool model_check_whole(const struct rule *rule, const char *text, uint64_t millionths,
+                       c205_error *error)
 {
     bool whole = rule->kind == WHOLE || rule->kind == PAGE;
     return !whole || millionths % MILLION == 0
-           || refuse(error, "%s must be a whole number, not %.20s",
-                     rule->name, text);
+           || refuse(error, "%s must be a whole number, not %.20s", rule->name, text);
 }
 
 /* Small pages (source R), large pages (P). */
-static bool check_page(const struct rule *rule, const char *text,
-                       uint64_t millionths, c205_error *error)
+static bool check_page(const struct rule *rule, const char *text, uint64_t millionths,
+                       c205_error *error)
 {
     static const uint64_t sizes[] = { 512, 2048, 8192, C205_PAGE_WORDS };
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++)
         if (millionths == sizes[i] * MILLION)
             return true;
-    return refuse(error, "%s must be 512, 2048, 8192 or 65536, not %.20s",
-                  rule->name, text);
+    return refuse(error, "%s must be 512, 2048, 8192 or 65536, not %.20s", rule->name,
+                  text);
 }
 
-bool model_check_range(const struct rule *rule, const char *text,
-                       uint64_t millionths, c205_error *error)
+bool model_check_range(const struct rule *rule, const char *text, uint64_t millionths,
+                       c205_error *error)
 {
     if (rule->kind == PAGE)
         return check_page(rule, text, millionths, error);
-    return (millionths >= rule->least * MILLION
-            && millionths <= rule->most * MILLION)
+    return (millionths >= rule->least * MILLION && millionths <= rule->most * MILLION)
            || refuse(error, "%s must lie between %lu and %lu", rule->name,
                      (unsigned long)rule->least, (unsigned long)rule->most);
 }
@@ -173,14 +167,13 @@ static bool check_unit(struct model_reader *reader, const struct rule *rule,
 {
     if (rule->kind != RATE)
         return !strcmp(unit, rule->unit)
-               || fail(reader, "the unit of %s is %s, not '%.20s'",
-                       rule->name, rule->unit, unit);
+               || fail(reader, "the unit of %s is %s, not '%.20s'", rule->name,
+                       rule->unit, unit);
     for (size_t i = 0; i < RATE_UNITS; i++)
         if (!strcmp(unit, rate_units[i]))
             return true;
-    return fail(reader, "the unit of %s is %s, %s or %s, not '%.20s'",
-                rule->name, rate_units[0], rate_units[1], rate_units[2],
-                unit);
+    return fail(reader, "the unit of %s is %s, %s or %s, not '%.20s'", rule->name,
+                rate_units[0], rate_units[1], rate_units[2], unit);
 }
 
 bool model_find_rule(const c205_model *model, const char *name, size_t *index)
@@ -192,8 +185,8 @@ bool model_find_rule(const c205_model *model, const char *name, size_t *index)
 }
 
 /* name value unit source # remark */
-static bool read_constant(struct model_reader *reader, const char *name,
-                          char *line, char *remark)
+static bool read_constant(struct model_reader *reader, const char *name, char *line,
+                          char *remark)
 {
     c205_model *model = reader->model;
     size_t i;
@@ -221,14 +214,11 @@ static bool read_constant(struct model_reader *reader, const char *name,
                     "not '%.20s'",
                     name, source);
     if (*rest_of(reader, line))
-        return fail(reader, "'%.40s' is not expected here",
-                    rest_of(reader, line));
-    c205_constant shown = { model->rules[i].name,
-                            text,
-                            (double)millionths / MILLION,
-                            unit,
-                            *source,
-                            rest_of(reader, remark) };
+        return fail(reader, "'%.40s' is not expected here", rest_of(reader, line));
+    c205_constant shown = {
+        model->rules[i].name,   text, (double)millionths / MILLION, unit, *source,
+        rest_of(reader, remark)
+    };
     model->constant[i].shown = shown;
     model->constant[i].millionths = millionths;
     model->constant[i].line = reader->place.line;
@@ -246,8 +236,7 @@ static bool read_projection(struct model_reader *reader, char *line)
 {
     c205_model *model = reader->model;
     if (*rest_of(reader, line))
-        return fail(reader, "'%.40s' is not expected here",
-                    rest_of(reader, line));
+        return fail(reader, "'%.40s' is not expected here", rest_of(reader, line));
     for (size_t i = 0; i < model->count; i++)
         if (model->constant[i].shown.text)
             return fail(reader, "'projection' must stand before the "
@@ -273,8 +262,7 @@ static bool read_like(struct model_reader *reader, char *line)
     for (size_t i = 0; i < model->count; i++)
         if (model->constant[i].line)
             return fail(reader, "'like' must stand before the constants");
-    if (c205_model_is_projection(model)
-        && !c205_model_is_projection(model->like))
+    if (c205_model_is_projection(model) && !c205_model_is_projection(model->like))
         return fail(reader, "%.60s is no projection", name);
     take_rules(model, c205_model_is_projection(model->like));
     for (size_t i = 0; i < model->count; i++) {
@@ -303,10 +291,9 @@ static bool read_belief(struct model_reader *reader, const char *keyword,
     sscanf(line, "%6u figures, at most %lf %% off: %n", &belief->figures,
            &belief->largest, &used);
     belief->worst = rest_of(reader, line + used);
-    return (used && *line != '-' && belief->figures
-            && fabs(belief->largest) < MILLION && *belief->worst)
-           || fail(reader,
-                   "after '%s' comes 'N figures, at most E %% off: NAME'",
+    return (used && *line != '-' && belief->figures && fabs(belief->largest) < MILLION
+            && *belief->worst)
+           || fail(reader, "after '%s' comes 'N figures, at most E %% off: NAME'",
                    keyword);
 }
 
@@ -342,15 +329,12 @@ static bool check_complete(struct model_reader *reader)
     const c205_model *model = reader->model;
     for (size_t i = 0; i < model->count; i++)
         if (!model->constant[i].shown.text)
-            return fail(reader, "the constant %s is missing",
-                        model->rules[i].name);
+            return fail(reader, "the constant %s is missing", model->rules[i].name);
     c205_error why;
-    return model_check_together(model, &why)
-           || fail(reader, "%s", why.message);
+    return model_check_together(model, &why) || fail(reader, "%s", why.message);
 }
 
-static bool read_model(c205_model *model, c205_place *place,
-                       c205_error *error)
+static bool read_model(c205_model *model, c205_place *place, c205_error *error)
 {
     struct model_reader reader = { .model = model, .error = error };
     bool good = true;
@@ -398,8 +382,8 @@ static char *copy_plain(const char *text, c205_error *error)
     return NULL;
 }
 
-c205_model *c205_model_read(const char *name, const char *text,
-                            c205_place *place, c205_error *error)
+c205_model *c205_model_read(const char *name, const char *text, c205_place *place,
+                            c205_error *error)
 {
     c205_model *model = calloc(1, sizeof *model);
     *place = (c205_place){ 0, 0 };
@@ -416,15 +400,14 @@ c205_model *c205_model_read(const char *name, const char *text,
     return NULL;
 }
 
-c205_model *c205_model_parse(const char *name, const char *text,
-                             c205_error *error)
+c205_model *c205_model_parse(const char *name, const char *text, c205_error *error)
 {
     c205_error why;
     c205_place place;
     c205_model *model = c205_model_read(name, text, &place, &why);
     if (!model && place.line)
-        snprintf(error->message, sizeof error->message, "%.80s:%u: %.160s",
-                 name, place.line, why.message);
+        snprintf(error->message, sizeof error->message, "%.80s:%u: %.160s", name,
+                 place.line, why.message);
     else if (!model)
         *error = why;
     return model;
@@ -482,12 +465,10 @@ const c205_constant *c205_model_constant(const c205_model *model, size_t i)
     return &model->constant[i].shown;
 }
 
-const c205_constant *c205_model_lookup(const c205_model *model,
-                                       const char *name)
+const c205_constant *c205_model_lookup(const c205_model *model, const char *name)
 {
     size_t i;
-    return model_find_rule(model, name, &i) ? &model->constant[i].shown
-                                            : NULL;
+    return model_find_rule(model, name, &i) ? &model->constant[i].shown : NULL;
 }
 
 uint64_t model_millionths(const c205_model *model, enum constant id)
@@ -511,8 +492,7 @@ static struct rate rate_of(const c205_model *model, enum constant id,
 {
     struct rate rate = { model_millionths(model, id), MILLION };
     if (is_shared(model, id))
-        rate.per *= model_whole(model, CONSTANT_PIPES)
-                    * model_whole(model, at_once);
+        rate.per *= model_whole(model, CONSTANT_PIPES) * model_whole(model, at_once);
     return rate;
 }
 

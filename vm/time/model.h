@@ -28,9 +28,8 @@ enum { MILLION = 1000000, LOADS_MOST = 64 };
 
 /* As c205_model_change, and with all times in ticks, so many of them a clock:
  * the values need not be whole then. */
-c205_model *model_in_ticks(const c205_model *model,
-                           const c205_setting *settings, size_t count,
-                           uint64_t ticks, c205_error *error);
+c205_model *model_in_ticks(const c205_model *model, const c205_setting *settings,
+                           size_t count, uint64_t ticks, c205_error *error);
 uint64_t model_ticks(const c205_model *model);
 
 /* In millionths of the constant's unit. */

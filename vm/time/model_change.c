@@ -14,8 +14,7 @@ enum { VALUE_SIZE = 32 };
 /* Of what no constant can be: OUT_OF_RANGE. */
 static uint64_t millionths_of(double value)
 {
-    return value >= 0 && value < 1e10 ? (uint64_t)(value * MILLION + .5)
-                                      : OUT_OF_RANGE;
+    return value >= 0 && value < 1e10 ? (uint64_t)(value * MILLION + .5) : OUT_OF_RANGE;
 }
 
 /* As a model file would have it: "3.25". */
@@ -35,22 +34,22 @@ static void write_value(double value, char *text)
     text[length] = '\0';
 }
 
-static bool check_value(const struct rule *rule, const char *text,
-                        uint64_t millionths, bool whole, c205_error *error)
+static bool check_value(const struct rule *rule, const char *text, uint64_t millionths,
+                        bool whole, c205_error *error)
 {
     return (!whole || model_check_whole(rule, text, millionths, error))
            && model_check_range(rule, text, millionths, error);
 }
 
 /* The text is filled and stays with the model. */
-static bool set_value(c205_model *model, const c205_setting *setting,
-                      bool whole, char *text, c205_error *error)
+static bool set_value(c205_model *model, const c205_setting *setting, bool whole,
+                      char *text, c205_error *error)
 {
     uint64_t millionths = millionths_of(setting->value);
     size_t i;
     if (!model_find_rule(model, setting->name, &i)) {
-        snprintf(error->message, sizeof error->message,
-                 "there is no constant '%.60s'", setting->name);
+        snprintf(error->message, sizeof error->message, "there is no constant '%.60s'",
+                 setting->name);
         return false;
     }
     write_value(setting->value, text);
@@ -93,8 +92,7 @@ static c205_model *copy_model(const c205_model *model, size_t count)
 }
 
 /* "NAME with machine.pipes 4, page.words 512" */
-static bool name_change(c205_model *changed, const c205_setting *settings,
-                        size_t count)
+static bool name_change(c205_model *changed, const c205_setting *settings, size_t count)
 {
     const char *name = changed->like->name;
     size_t size = strlen(name) + 1;
@@ -106,23 +104,20 @@ static bool name_change(c205_model *changed, const c205_setting *settings,
     char *at = changed->name, *end = at + size;
     at += snprintf(at, size, "%s", name);
     for (size_t i = 0; i < count; i++)
-        at += snprintf(at, (size_t)(end - at), "%s %s %s",
-                       i == 0 ? " with" : ",", settings[i].name,
-                       value_text(changed, i));
+        at += snprintf(at, (size_t)(end - at), "%s %s %s", i == 0 ? " with" : ",",
+                       settings[i].name, value_text(changed, i));
     return true;
 }
 
-static c205_model *change(const c205_model *model,
-                          const c205_setting *settings, size_t count,
-                          bool whole, c205_error *error)
+static c205_model *change(const c205_model *model, const c205_setting *settings,
+                          size_t count, bool whole, c205_error *error)
 {
     c205_model *changed = copy_model(model, count);
     if (!changed)
         return model_out_of_memory(error);
     bool good = true;
     for (size_t i = 0; good && i < count; i++)
-        good = set_value(changed, &settings[i], whole, value_text(changed, i),
-                         error);
+        good = set_value(changed, &settings[i], whole, value_text(changed, i), error);
     good = good && model_check_together(changed, error);
     if (good && name_change(changed, settings, count))
         return changed;
@@ -132,9 +127,8 @@ static c205_model *change(const c205_model *model,
     return NULL;
 }
 
-c205_model *c205_model_change(const c205_model *model,
-                              const c205_setting *settings, size_t count,
-                              c205_error *error)
+c205_model *c205_model_change(const c205_model *model, const c205_setting *settings,
+                              size_t count, c205_error *error)
 {
     return change(model, settings, count, true, error);
 }
@@ -159,9 +153,8 @@ static void scale(c205_model *model, uint64_t ticks)
     }
 }
 
-c205_model *model_in_ticks(const c205_model *model,
-                           const c205_setting *settings, size_t count,
-                           uint64_t ticks, c205_error *error)
+c205_model *model_in_ticks(const c205_model *model, const c205_setting *settings,
+                           size_t count, uint64_t ticks, c205_error *error)
 {
     c205_model *changed = change(model, settings, count, false, error);
     if (changed)

@@ -18,7 +18,7 @@ struct rule {
 
 struct c205_model {
     char *name;
-    char *text; /* cut into the strings that the constants point to */
+    char *text;             /* cut into the strings that the constants point to */
     const c205_model *like; /* whose constants it took over, or NULL .. */
     c205_model *own;        /* .. the same, if it goes with this model */
     const char *title;
@@ -33,14 +33,13 @@ struct c205_model {
     } constant[CONSTANTS];
 };
 
-bool model_find_rule(const c205_model *model, const char *name,
-                     size_t *index);
+bool model_find_rule(const c205_model *model, const char *name, size_t *index);
 /* Whether a constant may have this value, given as text for the message;
  * whether it is whole where it must be, and whether it lies in range. */
-bool model_check_whole(const struct rule *rule, const char *text,
-                       uint64_t millionths, c205_error *error);
-bool model_check_range(const struct rule *rule, const char *text,
-                       uint64_t millionths, c205_error *error);
+bool model_check_whole(const struct rule *rule, const char *text, uint64_t millionths,
+                       c205_error *error);
+bool model_check_range(const struct rule *rule, const char *text, uint64_t millionths,
+                       c205_error *error);
 /* What two constants must be to each other. */
 bool model_check_together(const c205_model *model, c205_error *error);
 

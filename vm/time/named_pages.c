@@ -48,14 +48,12 @@ LANEWISE void find_places_span FIND_PLACES_PARAMETERS
 {
     struct page_walk of = *walk;
     for (size_t i = 0; i < n; i++)
-        place[i] = (uint8_t)((address_of(&of, indices[i]) >> of.shift)
-                             - of.low);
+        place[i] = (uint8_t)((address_of(&of, indices[i]) >> of.shift) - of.low);
 }
 
 static void find_range FIND_RANGE_PARAMETERS;
 static void find_places FIND_PLACES_PARAMETERS;
-VERSIONS(find_range, find_range_span, FIND_RANGE_PARAMETERS,
-         (walk, indices, n))
+VERSIONS(find_range, find_range_span, FIND_RANGE_PARAMETERS, (walk, indices, n))
 VERSIONS(find_places, find_places_span, FIND_PLACES_PARAMETERS,
          (place, walk, indices, n))
 
@@ -63,8 +61,8 @@ VERSIONS(find_places, find_places_span, FIND_PLACES_PARAMETERS,
 
 /* How many of the list it takes to name each page for the last time; 0: it does
  * not. */
-static void find_last(const struct page_walk *walk,
-                      const struct index_list *list, uint32_t *last)
+static void find_last(const struct page_walk *walk, const struct index_list *list,
+                      uint32_t *last)
 {
     uint8_t place[SPAN];
     for (size_t first = 0, n; first < list->count; first += n) {
@@ -76,8 +74,8 @@ static void find_last(const struct page_walk *walk,
 }
 
 /* To its place by `last`; there are not many. */
-static void add_page(struct named_pages *named, uint64_t low,
-                     const uint32_t *last, uint64_t page)
+static void add_page(struct named_pages *named, uint64_t low, const uint32_t *last,
+                     uint64_t page)
 {
     size_t at = named->count++;
     for (; at > 0 && last[named->page[at - 1] - low] > last[page - low]; at--)
@@ -85,21 +83,17 @@ static void add_page(struct named_pages *named, uint64_t low,
     named->page[at] = page;
 }
 
-static bool is_known(const struct named_pages *named,
-                     const struct index_list *list, uint64_t table,
-                     unsigned places)
+static bool is_known(const struct named_pages *named, const struct index_list *list,
+                     uint64_t table, unsigned places)
 {
     return named->number == list->number && named->places == places
            && table - named->table <= named->slack;
 }
 
-bool named_pages_find(struct named_pages *named,
-                      const struct index_list *list, uint64_t table,
-                      unsigned places, unsigned shift)
+bool named_pages_find(struct named_pages *named, const struct index_list *list,
+                      uint64_t table, unsigned places, unsigned shift)
 {
-    struct page_walk walk = { .shift = shift,
-                              .places = places,
-                              .table = table };
+    struct page_walk walk = { .shift = shift, .places = places, .table = table };
     uint32_t last[NAMED_MOST] = { 0 };
     if (is_known(named, list, table, places))
         return true;

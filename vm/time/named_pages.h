@@ -19,8 +19,7 @@ struct named_pages {
 };
 
 /* For pages of 2^shift bits.  False: they lie too far apart to be told. */
-bool named_pages_find(struct named_pages *named,
-                      const struct index_list *list, uint64_t table,
-                      unsigned places, unsigned shift);
+bool named_pages_find(struct named_pages *named, const struct index_list *list,
+                      uint64_t table, unsigned places, unsigned shift);
 
 #endif

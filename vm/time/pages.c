@@ -136,8 +136,7 @@ static uint32_t make_room(struct pages *pages)
 
 /* ---- Looking up ---------------------------------------------------------- */
 
-void pages_look_up(struct pages *pages, uint64_t page,
-                   struct translation *met)
+void pages_look_up(struct pages *pages, uint64_t page, struct translation *met)
 {
     uint32_t at = find(pages, page);
     bool known = at && pages->resident[at].known;
@@ -166,8 +165,7 @@ bool pages_know(const struct pages *pages, uint64_t page)
 }
 
 /* Most references are to the page of the one before. */
-static inline void touch(struct pages *pages, uint64_t address,
-                         struct translation *met)
+static inline void touch(struct pages *pages, uint64_t address, struct translation *met)
 {
     uint64_t page = (address & ADDRESS_MASK) >> pages->shift;
     if (page != pages->latest)
@@ -186,8 +184,7 @@ void pages_touch_all(struct pages *pages, uint64_t address, uint64_t bits,
 
 /* ---- Lists of indices ----------------------------------------------------- */
 
-static bool all_known(const struct pages *pages,
-                      const struct named_pages *named)
+static bool all_known(const struct pages *pages, const struct named_pages *named)
 {
     for (size_t i = 0; i < named->count; i++)
         if (!pages_know(pages, named->page[i]))
@@ -198,8 +195,7 @@ static bool all_known(const struct pages *pages,
 /* Where the registers know all of them nobody drops out, and in the end they
  * stand as they were named last. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
-                         const struct index_list *list,
-                         struct translation *met)
+                         const struct index_list *list, struct translation *met)
 {
     struct named_pages *named = &pages->named;
     if (named_pages_find(named, list, table, power_of_two(step), pages->shift)

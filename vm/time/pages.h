@@ -55,8 +55,7 @@ void pages_forget(struct pages *pages);
 
 /* Look up a page by its number; add to *met.  The pages in memory, looked up
  * from the oldest to the latest, make the same list anew. */
-void pages_look_up(struct pages *pages, uint64_t page,
-                   struct translation *met);
+void pages_look_up(struct pages *pages, uint64_t page, struct translation *met);
 /* Do the registers know it? */
 bool pages_know(const struct pages *pages, uint64_t page);
 /* Every page of a range of bits, in order. */
@@ -64,18 +63,15 @@ void pages_touch_all(struct pages *pages, uint64_t address, uint64_t bits,
                      struct translation *met);
 
 /* The same; mostly there is one, that of the reference before. */
-static inline void pages_touch(struct pages *pages, uint64_t address,
-                               uint64_t bits, struct translation *met)
+static inline void pages_touch(struct pages *pages, uint64_t address, uint64_t bits,
+                               struct translation *met)
 {
     uint64_t last = (address + bits - 1) >> pages->shift;
-    if (bits > 0
-        && (last != pages->latest
-            || address >> pages->shift != pages->latest))
+    if (bits > 0 && (last != pages->latest || address >> pages->shift != pages->latest))
         pages_touch_all(pages, address, bits, met);
 }
 /* The pages of table + step x index for a list of indices. */
 void pages_touch_indexed(struct pages *pages, uint64_t table, unsigned step,
-                         const struct index_list *list,
-                         struct translation *met);
+                         const struct index_list *list, struct translation *met);
 
 #endif

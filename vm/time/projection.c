@@ -57,13 +57,11 @@ static uint64_t whole(const c205_model *model, enum projection_constant id)
     return model_whole(model, (enum constant)id);
 }
 
-static void read_constants(c205_projection *projection,
-                           const c205_model *model)
+static void read_constants(c205_projection *projection, const c205_model *model)
 {
     static const enum projection_constant units[UNIT_KINDS] = {
-        PROJECTION_UNITS_SINGLE, PROJECTION_UNITS_ADD,
-        PROJECTION_UNITS_MULTIPLY, PROJECTION_UNITS_DIVIDE,
-        PROJECTION_UNITS_LOGICAL
+        PROJECTION_UNITS_SINGLE, PROJECTION_UNITS_ADD, PROJECTION_UNITS_MULTIPLY,
+        PROJECTION_UNITS_DIVIDE, PROJECTION_UNITS_LOGICAL
     };
     for (int i = 0; i < C205_TIMINGS; i++)
         if (classes[i].known)
@@ -74,13 +72,11 @@ static void read_constants(c205_projection *projection,
     projection->not_taken = whole(model, PROJECTION_NOT_TAKEN);
     projection->out_of_stack = whole(model, PROJECTION_OUT_OF_STACK);
     projection->interval = whole(model, PROJECTION_INTERVAL);
-    projection->stack_bits = whole(model, PROJECTION_STACK_HALVES)
-                             * INSTRUCTION_STEP;
+    projection->stack_bits = whole(model, PROJECTION_STACK_HALVES) * INSTRUCTION_STEP;
     projection->overlap = whole(model, PROJECTION_OVERLAP_UNITS);
 }
 
-c205_projection *c205_projection_new(const c205_model *model,
-                                     c205_error *error)
+c205_projection *c205_projection_new(const c205_model *model, c205_error *error)
 {
     c205_projection *projection = calloc(1, sizeof *projection);
     const char *wrong = NULL;
@@ -133,8 +129,7 @@ static uint64_t operands_ready(const c205_projection *projection,
 
 /* When a register that it writes is free to be named again, and to be
  * written. */
-static uint64_t results_free(const uint64_t *times,
-                             const struct decoded *decoded)
+static uint64_t results_free(const uint64_t *times, const struct decoded *decoded)
 {
     uint64_t free_at = 0;
     for (unsigned i = 0; i < decoded->result_count; i++)
@@ -142,16 +137,15 @@ static uint64_t results_free(const uint64_t *times,
     return free_at;
 }
 
-static void go_through_unit(c205_projection *projection,
-                            const struct decoded *decoded, uint64_t time)
+static void go_through_unit(c205_projection *projection, const struct decoded *decoded,
+                            uint64_t time)
 {
     enum unit_kind kind = classes[decoded->insn->timing].units;
     uint64_t *unit = first_free(projection, kind);
     uint64_t issued = later(later(projection->now, *unit),
                             results_free(projection->ready, decoded));
     uint64_t begun = later(issued, operands_ready(projection, decoded));
-    uint64_t ended = later(begun + time,
-                           results_free(projection->read, decoded));
+    uint64_t ended = later(begun + time, results_free(projection->read, decoded));
     for (unsigned i = 0; i < decoded->source_count; i++) {
         uint64_t *read = &projection->read[decoded->source[i]];
         *read = later(*read, begun);
@@ -170,8 +164,7 @@ static void wait_for_all(c205_projection *projection)
     projection->now = later(projection->now, projection->done);
 }
 
-static void operate(c205_projection *projection,
-                    const struct decoded *decoded)
+static void operate(c205_projection *projection, const struct decoded *decoded)
 {
     uint64_t time = projection->time[decoded->insn->timing];
     if (projection->overlap)
@@ -194,21 +187,17 @@ static void swap(c205_projection *projection, const struct effect *effect)
     }
     wait_for_all(projection);
     if (effect->swapped > 0)
-        projection->now += effect->swapped * address
-                               / projection->units[UNITS_SINGLE]
-                           + later(loads ? load : 0,
-                                   effect->saved ? store : 0);
+        projection->now += effect->swapped * address / projection->units[UNITS_SINGLE]
+                           + later(loads ? load : 0, effect->saved ? store : 0);
 }
 
 static uint64_t branch_time(const c205_projection *projection,
-                            const struct decoded *decoded,
-                            const struct effect *effect)
+                            const struct decoded *decoded, const struct effect *effect)
 {
     uint64_t time = projection->not_taken;
     if (effect->taken)
         time = effect->target <= decoded->pc
-                       && decoded->pc - effect->target
-                              <= projection->stack_bits
+                       && decoded->pc - effect->target <= projection->stack_bits
                    ? projection->taken
                    : projection->out_of_stack;
     if (decoded->insn->format == C205_FORMAT_FLOAT)
@@ -222,8 +211,7 @@ static void branch(c205_projection *projection, const struct decoded *decoded,
                    const struct effect *effect)
 {
     if (projection->overlap)
-        projection->now = later(projection->now,
-                                operands_ready(projection, decoded));
+        projection->now = later(projection->now, operands_ready(projection, decoded));
     projection->now += branch_time(projection, decoded, effect);
     for (unsigned i = 0; i < decoded->result_count; i++)
         projection->ready[decoded->result[i]] = projection->now;
@@ -235,8 +223,7 @@ static bool make_room(c205_projection *projection, size_t region)
 {
     if (region < projection->regions)
         return true;
-    struct share *shares = realloc(projection->shares,
-                                   (region + 1) * sizeof *shares);
+    struct share *shares = realloc(projection->shares, (region + 1) * sizeof *shares);
     if (!shares) {
         projection->no_memory = true;
         return false;
@@ -248,8 +235,7 @@ static bool make_room(c205_projection *projection, size_t region)
     return true;
 }
 
-void projection_charge(c205_projection *projection,
-                       const struct decoded *decoded,
+void projection_charge(c205_projection *projection, const struct decoded *decoded,
                        const struct effect *effect)
 {
     uint64_t before = projection->now;
@@ -266,18 +252,14 @@ void projection_charge(c205_projection *projection,
     projection->shares[decoded->region].clocks += projection->now - before;
 }
 
-uint64_t c205_projected_clocks(const c205_projection *projection,
-                               size_t region)
+uint64_t c205_projected_clocks(const c205_projection *projection, size_t region)
 {
-    return region < projection->regions ? projection->shares[region].clocks
-                                        : 0;
+    return region < projection->regions ? projection->shares[region].clocks : 0;
 }
 
-uint64_t projection_strangers(const c205_projection *projection,
-                              size_t region)
+uint64_t projection_strangers(const c205_projection *projection, size_t region)
 {
-    return region < projection->regions ? projection->shares[region].strangers
-                                        : 0;
+    return region < projection->regions ? projection->shares[region].strangers : 0;
 }
 
 bool projection_complete(const c205_projection *projection, c205_error *error)
@@ -288,8 +270,7 @@ bool projection_complete(const c205_projection *projection, c205_error *error)
     return !projection->no_memory;
 }
 
-bool c205_projection_holds(const c205_projection *projection,
-                           c205_error *error)
+bool c205_projection_holds(const c205_projection *projection, c205_error *error)
 {
     uint64_t strangers = 0;
     for (size_t i = 0; i < projection->regions; i++)

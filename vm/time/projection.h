@@ -25,14 +25,11 @@
 #include "vm/decode.h"
 
 /* Charge an instruction that has executed. */
-void projection_charge(c205_projection *projection,
-                       const struct decoded *decoded,
+void projection_charge(c205_projection *projection, const struct decoded *decoded,
                        const struct effect *effect);
 
 /* Vector instructions in a region: its clocks say nothing if there are any. */
-uint64_t projection_strangers(const c205_projection *projection,
-                              size_t region);
-bool projection_complete(const c205_projection *projection,
-                         c205_error *error);
+uint64_t projection_strangers(const c205_projection *projection, size_t region);
+bool projection_complete(const c205_projection *projection, c205_error *error);
 
 #endif

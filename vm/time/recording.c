@@ -77,8 +77,7 @@ static void add_word(c205_recording *recording, uint64_t word)
     if (recording->no_memory)
         return;
     if (recording->word_count == recording->word_room) {
-        uint64_t *words = grown(recording->words, &recording->word_room,
-                                sizeof *words);
+        uint64_t *words = grown(recording->words, &recording->word_room, sizeof *words);
         if (!words) {
             recording->no_memory = true;
             return;
@@ -92,8 +91,7 @@ static bool make_room(c205_recording *recording)
 {
     if (recording->kept_count < recording->kept_room)
         return true;
-    struct kept **kept = grown(recording->kept, &recording->kept_room,
-                               sizeof *kept);
+    struct kept **kept = grown(recording->kept, &recording->kept_room, sizeof *kept);
     if (kept)
         recording->kept = kept;
     return kept;
@@ -118,11 +116,9 @@ static uint32_t keep(c205_recording *recording, const struct decoded *decoded)
     return (uint32_t)recording->kept_count;
 }
 
-static uint32_t number_of(c205_recording *recording,
-                          const struct decoded *decoded)
+static uint32_t number_of(c205_recording *recording, const struct decoded *decoded)
 {
-    uint32_t *found = &recording
-                           ->finder[decoded->pc / INSTRUCTION_STEP % FINDERS];
+    uint32_t *found = &recording->finder[decoded->pc / INSTRUCTION_STEP % FINDERS];
     if (*found) {
         const struct decoded *kept = &recording->kept[*found - 1]->decoded;
         if (kept->pc == decoded->pc && kept->version == decoded->version)
@@ -133,16 +129,13 @@ static uint32_t number_of(c205_recording *recording,
 
 static unsigned flags_of(const struct effect *effect)
 {
-    return (effect->elements ? HAS_ELEMENTS : 0u)
-           | (effect->idle ? HAS_IDLE : 0u)
+    return (effect->elements ? HAS_ELEMENTS : 0u) | (effect->idle ? HAS_IDLE : 0u)
            | (effect->recurrent ? HAS_RECURRENT : 0u)
-           | (effect->taken ? HAS_TARGET : 0u)
-           | (effect->swapped ? HAS_SWAPPED : 0u)
+           | (effect->taken ? HAS_TARGET : 0u) | (effect->swapped ? HAS_SWAPPED : 0u)
            | (effect->indices ? HAS_INDICES : 0u);
 }
 
-static void add_indices(c205_recording *recording,
-                        const struct effect *effect)
+static void add_indices(c205_recording *recording, const struct effect *effect)
 {
     add_word(recording, effect->index_count);
     add_word(recording, effect->table);
@@ -178,8 +171,7 @@ void recording_add(c205_recording *recording, const struct decoded *decoded,
 {
     uint32_t number = number_of(recording, decoded);
     add_word(recording, (uint64_t)flags_of(effect) << FLAG_SHIFT
-                            | (uint64_t)effect->touch_count << TOUCH_SHIFT
-                            | number);
+                            | (uint64_t)effect->touch_count << TOUCH_SHIFT | number);
     add_effect(recording, effect);
     if (recording->regions <= region)
         recording->regions = region + 1;
@@ -229,8 +221,7 @@ static void play(const c205_recording *recording, const struct player *player)
     memset(&effect, 0, sizeof effect);
     while (at < end) {
         uint64_t head = *at;
-        const struct decoded *decoded = &recording->kept[(uint32_t)head - 1]
-                                             ->decoded;
+        const struct decoded *decoded = &recording->kept[(uint32_t)head - 1]->decoded;
         at = read_effect(at + 1, head, &effect);
         if (player->clock)
             clock_charge(player->clock, decoded, &effect);
@@ -249,9 +240,8 @@ static double clocks_of(const c205_account *account)
     return (double)clocks;
 }
 
-static bool retime_machine(const c205_recording *recording,
-                           const c205_model *model, double *clocks,
-                           size_t regions, c205_error *error)
+static bool retime_machine(const c205_recording *recording, const c205_model *model,
+                           double *clocks, size_t regions, c205_error *error)
 {
     struct player player = { clock_new(model, error), NULL };
     const char **names = malloc((recording->regions + 1) * sizeof *names);
@@ -262,22 +252,19 @@ static bool retime_machine(const c205_recording *recording,
     for (size_t i = 0; good && i <= recording->regions; i++)
         names[i] = "";
     good = good
-           && clock_set_regions(player.clock, names, recording->regions + 1,
-                                error);
+           && clock_set_regions(player.clock, names, recording->regions + 1, error);
     if (good)
         play(recording, &player);
     for (size_t i = 0; good && i < regions; i++)
-        clocks[i] = i < recording->regions
-                        ? clocks_of(clock_account(player.clock, i))
-                        : 0;
+        clocks[i] = i < recording->regions ? clocks_of(clock_account(player.clock, i))
+                                           : 0;
     free(names);
     clock_free(player.clock);
     return good;
 }
 
-static bool retime_projection(const c205_recording *recording,
-                              const c205_model *model, double *clocks,
-                              size_t regions, c205_error *error)
+static bool retime_projection(const c205_recording *recording, const c205_model *model,
+                              double *clocks, size_t regions, c205_error *error)
 {
     struct player player = { NULL, c205_projection_new(model, error) };
     if (!player.projection)
@@ -296,8 +283,7 @@ bool c205_retime(const c205_recording *recording, const c205_model *model,
                  const c205_setting *settings, size_t count, unsigned ticks,
                  double *clocks, size_t regions, c205_error *error)
 {
-    c205_model *changed = model_in_ticks(model, settings, count, ticks,
-                                         error);
+    c205_model *changed = model_in_ticks(model, settings, count, ticks, error);
     bool good = changed;
     if (good && recording->no_memory) {
         snprintf(error->message, sizeof error->message,

@@ -57,8 +57,7 @@ static bool fold(struct clock *clock)
     return clock->flight;
 }
 
-static void add_times(c205_account *account, const c205_account *once,
-                      uint64_t times)
+static void add_times(c205_account *account, const c205_account *once, uint64_t times)
 {
     for (int cause = 0; cause < C205_CAUSES; cause++)
         account->clocks[cause] += times * once->clocks[cause];
@@ -97,13 +96,10 @@ static bool touches_memory(const struct decoded *decoded)
 /* SWAP uses two ranges, each on two pages at the most. */
 static uint64_t pages_most(const struct decoded *decoded)
 {
-    return decoded->insn->timing == C205_TIMING_swap
-               ? 4
-               : touches_memory(decoded);
+    return decoded->insn->timing == C205_TIMING_swap ? 4 : touches_memory(decoded);
 }
 
-static uint64_t longest_of(const struct clock *clock,
-                           const struct decoded *decoded)
+static uint64_t longest_of(const struct clock *clock, const struct decoded *decoded)
 {
     const struct clock_timing *timing = &clock->timing[decoded->insn->timing];
     struct rate swap_word = clock->swap_word;
@@ -114,8 +110,7 @@ static uint64_t longest_of(const struct clock *clock,
     if (decoded->insn->timing == C205_TIMING_swap)
         longest += 2 * C205_REGISTERS * swap_word.clocks / swap_word.per + 1;
     return longest
-           + pages_most(decoded)
-                 * (clock->translation_miss + clock->page_fault);
+           + pages_most(decoded) * (clock->translation_miss + clock->page_fault);
 }
 
 void clock_measure(const struct clock *clock, struct code_block *block)
@@ -142,8 +137,7 @@ uint64_t clock_all_done(const struct clock *clock)
 
 /* Touching pages that are known changes only their order; done twice, it
  * changes nothing more. */
-static bool reach_known_pages(struct pages *pages,
-                              const struct effect *effect)
+static bool reach_known_pages(struct pages *pages, const struct effect *effect)
 {
     struct translation met = { 0, 0 };
     for (unsigned i = 0; i < effect->touch_count; i++) {
@@ -162,12 +156,10 @@ static bool reach_known_pages(struct pages *pages,
 }
 
 static struct schedule *find_schedule(const struct clock *clock,
-                                      const struct code_block *block,
-                                      uint64_t leaves)
+                                      const struct code_block *block, uint64_t leaves)
 {
     struct schedule *schedule = block->schedules;
-    while (schedule
-           && (schedule->from != clock->flight || schedule->leaves != leaves))
+    while (schedule && (schedule->from != clock->flight || schedule->leaves != leaves))
         schedule = schedule->next;
     return schedule;
 }
@@ -195,8 +187,7 @@ static void charge_each(struct clock *clock, const struct code_block *block,
     clock_charge(clock, &block->insn[count - 1], &own);
 }
 
-static c205_account difference(const c205_account *account,
-                               const c205_account *before)
+static c205_account difference(const c205_account *account, const c205_account *before)
 {
     c205_account more = { .name = NULL };
     for (int cause = 0; cause < C205_CAUSES; cause++)
@@ -206,8 +197,7 @@ static c205_account difference(const c205_account *account,
     return more;
 }
 
-static void keep_schedule(struct schedules *schedules,
-                          struct code_block *block,
+static void keep_schedule(struct schedules *schedules, struct code_block *block,
                           const struct schedule *found)
 {
     struct schedule *schedule = &schedules->schedule[schedules->count++];
@@ -218,9 +208,8 @@ static void keep_schedule(struct schedules *schedules,
 }
 
 /* Charged one by one, between two flights that are known by name. */
-static void find_out(struct clock *clock, struct code_block *block,
-                     unsigned count, const struct effect *effect,
-                     uint64_t leaves)
+static void find_out(struct clock *clock, struct code_block *block, unsigned count,
+                     const struct effect *effect, uint64_t leaves)
 {
     struct schedule found = { .from = clock->flight, .leaves = leaves };
     clock_unfold(clock);
@@ -239,8 +228,7 @@ static void find_out(struct clock *clock, struct code_block *block,
     keep_schedule(clock->schedules, block, &found);
 }
 
-static void check_generation(const struct clock *clock,
-                             struct code_block *block)
+static void check_generation(const struct clock *clock, struct code_block *block)
 {
     if (block->generation == clock->generation)
         return;
@@ -250,16 +238,14 @@ static void check_generation(const struct clock *clock,
 }
 
 /* False: it is to be charged one by one. */
-static bool charge_whole(struct clock *clock, struct code_block *block,
-                         unsigned count, const struct effect *effect)
+static bool charge_whole(struct clock *clock, struct code_block *block, unsigned count,
+                         const struct effect *effect)
 {
     struct stack stack = clock->stack;
-    if ((!clock->flight && !fold(clock))
-        || !reach_known_pages(&clock->pages, effect))
+    if ((!clock->flight && !fold(clock)) || !reach_known_pages(&clock->pages, effect))
         return false;
     check_generation(clock, block);
-    uint64_t leaves = stack_follow(&stack, clock->stack_words, block, count,
-                                   effect);
+    uint64_t leaves = stack_follow(&stack, clock->stack_words, block, count, effect);
     struct schedule *schedule = find_schedule(clock, block, leaves);
     if (schedule) {
         clock->stack = stack;
@@ -272,8 +258,8 @@ static bool charge_whole(struct clock *clock, struct code_block *block,
     return true;
 }
 
-void clock_charge_block(struct clock *clock, struct code_block *block,
-                        unsigned count, const struct effect *effect)
+void clock_charge_block(struct clock *clock, struct code_block *block, unsigned count,
+                        const struct effect *effect)
 {
     if (count == 0)
         return;

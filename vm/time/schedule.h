@@ -36,8 +36,7 @@ enum { GOES_ON, TAKEN, TAKEN_OUT_OF_STACK, COUNT_SHIFT = 2, SWAP_SHIFT = 16 };
 /* Where control leaves a block, and how, and how many registers were swapped
  * there; and the instruction stack behind. */
 static inline uint64_t stack_follow(struct stack *stack, uint64_t words,
-                                    const struct code_block *block,
-                                    unsigned count,
+                                    const struct code_block *block, unsigned count,
                                     const struct effect *effect)
 {
     uint64_t leaves = (uint64_t)effect->swapped << SWAP_SHIFT
@@ -69,8 +68,7 @@ static inline bool touches_latest(const struct pages *pages,
     return others == 0;
 }
 
-static inline void follow_schedule(struct clock *clock,
-                                   struct schedule *schedule)
+static inline void follow_schedule(struct clock *clock, struct schedule *schedule)
 {
     clock->now += schedule->clocks;
     clock->flight = schedule->to;
@@ -81,8 +79,7 @@ static inline void follow_schedule(struct clock *clock,
 }
 
 /* The quick way of clock_charge_block; false: it must go the other one. */
-static inline bool clock_repeat(struct clock *clock,
-                                const struct code_block *block,
+static inline bool clock_repeat(struct clock *clock, const struct code_block *block,
                                 unsigned count, const struct effect *effect)
 {
     if (count == 0 || block->region != clock->region
@@ -90,11 +87,9 @@ static inline bool clock_repeat(struct clock *clock,
         || !touches_latest(&clock->pages, effect))
         return false;
     struct stack stack = clock->stack;
-    uint64_t leaves = stack_follow(&stack, clock->stack_words, block, count,
-                                   effect);
+    uint64_t leaves = stack_follow(&stack, clock->stack_words, block, count, effect);
     struct schedule *schedule = block->schedules;
-    while (schedule
-           && (schedule->from != clock->flight || schedule->leaves != leaves))
+    while (schedule && (schedule->from != clock->flight || schedule->leaves != leaves))
         schedule = schedule->next;
     if (!schedule)
         return false;
@@ -106,8 +101,7 @@ static inline bool clock_repeat(struct clock *clock,
 /* Will a block have ended before a limit, whatever it meets?  False: perhaps
  * not. */
 static inline bool clock_ends_before(const struct clock *clock,
-                                     const struct code_block *block,
-                                     uint64_t limit)
+                                     const struct code_block *block, uint64_t limit)
 {
     uint64_t latest = clock->flight ? clock->now + clock->flight->latest
                                     : clock_all_done(clock);

@@ -81,8 +81,8 @@ char *copy_of(const char *text)
 
 /* ---- Members of a request ------------------------------------------------------ */
 
-bool take_text_or(const struct json_value *request, const char *key,
-                  const char **text, c205_error *error)
+bool take_text_or(const struct json_value *request, const char *key, const char **text,
+                  c205_error *error)
 {
     const struct json_value *value = json_member(request, key);
 
@@ -93,16 +93,16 @@ bool take_text_or(const struct json_value *request, const char *key,
     return true;
 }
 
-bool take_text(const struct json_value *request, const char *key,
-               const char **text, c205_error *error)
+bool take_text(const struct json_value *request, const char *key, const char **text,
+               c205_error *error)
 {
     *text = NULL;
     return take_text_or(request, key, text, error)
            && (*text || refuse(error, "\"%s\" is missing", key));
 }
 
-bool take_truth(const struct json_value *request, const char *key,
-                bool *truth, c205_error *error)
+bool take_truth(const struct json_value *request, const char *key, bool *truth,
+                c205_error *error)
 {
     const struct json_value *value = json_member(request, key);
 
@@ -113,8 +113,8 @@ bool take_truth(const struct json_value *request, const char *key,
     return true;
 }
 
-bool take_count(const struct json_value *request, const char *key,
-                uint64_t *count, c205_error *error)
+bool take_count(const struct json_value *request, const char *key, uint64_t *count,
+                c205_error *error)
 {
     int64_t value = 0;
 
@@ -187,8 +187,7 @@ bool slice_is_full(const struct engine *engine)
 {
     const struct slice *slice = &engine->slice;
 
-    return (slice->clocks > 0 && slice->spent >= slice->clocks)
-           || time_is_over(slice);
+    return (slice->clocks > 0 && slice->spent >= slice->clocks) || time_is_over(slice);
 }
 
 /* ---- Requests ---------------------------------------------------------------------- */
@@ -201,16 +200,14 @@ static void drop_work(struct engine *engine)
     engine->goes_on = NULL;
 }
 
-static bool answer_more(struct engine *engine,
-                        const struct json_value *request, struct json *reply,
-                        c205_error *error)
+static bool answer_more(struct engine *engine, const struct json_value *request,
+                        struct json *reply, c205_error *error)
 {
     engine_slice *goes_on = engine->goes_on;
 
     if (!goes_on)
         return refuse(error, "nothing is left to be done");
-    return take_slice(engine, request, error)
-           && goes_on(engine, reply, error);
+    return take_slice(engine, request, error) && goes_on(engine, reply, error);
 }
 
 /* What becomes of work that waits for `more`. */
@@ -276,8 +273,7 @@ static char *put_refusal(const struct engine *engine, const char *why)
     return NULL;
 }
 
-static char *answer_read(struct engine *engine,
-                         const struct json_value *request)
+static char *answer_read(struct engine *engine, const struct json_value *request)
 {
     struct text_buffer text = { .text = NULL };
     c205_error error = { "no memory" };
@@ -298,10 +294,8 @@ char *engine_answer(struct engine *engine, const char *request, size_t length)
 {
     struct arena arena = { 0 };
     c205_error error;
-    const struct json_value *read = json_read(&arena, request, length,
-                                              &error);
-    char *text = read ? answer_read(engine, read)
-                      : put_refusal(engine, error.message);
+    const struct json_value *read = json_read(&arena, request, length, &error);
+    char *text = read ? answer_read(engine, read) : put_refusal(engine, error.message);
 
     diagnostics_free(&engine->diagnostics);
     engine->diagnostics = (struct diagnostics){ 0 };

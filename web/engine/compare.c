@@ -41,21 +41,19 @@ void compare_drop(struct engine *engine)
 /* ---- Runs -------------------------------------------------------------------- */
 
 /* *over: it has come to its end, and its accounts are kept. */
-static bool run(struct engine *engine, struct text_comparison *comparison,
-                bool *over, c205_error *error)
+static bool run(struct engine *engine, struct text_comparison *comparison, bool *over,
+                c205_error *error)
 {
     enum { AT_ONCE = 1 << 18 };
     c205 *machine = comparison->machine;
     uint64_t clock = c205_clock(machine);
     bool last = comparison->limit <= clock + AT_ONCE;
-    c205_stop stop = c205_run(machine,
-                              last ? comparison->limit : clock + AT_ONCE);
+    c205_stop stop = c205_run(machine, last ? comparison->limit : clock + AT_ONCE);
 
     engine->slice.spent += c205_clock(machine) - clock;
     *over = stop.trap == C205_TRAP_NONE;
     if (*over)
-        return compared_take(&comparison->sides[comparison->which].run,
-                             machine)
+        return compared_take(&comparison->sides[comparison->which].run, machine)
                || refuse(error, "no memory");
     if (stop.trap == C205_TRAP_CLOCK_LIMIT && !last)
         return true;
@@ -92,8 +90,8 @@ static bool go_on(struct engine *engine, struct text_comparison *comparison,
 /* ---- The reply ------------------------------------------------------------------ */
 
 /* As c205 compare has it in its JSON, and its sentence. */
-static bool put_comparison(const struct text_comparison *comparison,
-                           struct json *reply, c205_error *error)
+static bool put_comparison(const struct text_comparison *comparison, struct json *reply,
+                           c205_error *error)
 {
     struct compared_run runs[COMPARED_RUNS];
     char sentence[COMPARED_SENTENCE];
@@ -103,8 +101,7 @@ static bool put_comparison(const struct text_comparison *comparison,
         runs[i] = comparison->sides[i].run;
         json_object(reply, NULL);
         json_text(reply, "name", comparison->sides[i].name);
-        json_text(reply, "model",
-                  c205_model_name(comparison->sides[i].model));
+        json_text(reply, "model", c205_model_name(comparison->sides[i].model));
         json_end(reply);
     }
     json_end(reply);
@@ -115,8 +112,7 @@ static bool put_comparison(const struct text_comparison *comparison,
            && put_table(compared_figures(runs), "figures", reply, error);
 }
 
-static bool slice(struct engine *engine, struct json *reply,
-                  c205_error *error)
+static bool slice(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct text_comparison *comparison = engine->comparison;
     bool good = true;
@@ -126,8 +122,7 @@ static bool slice(struct engine *engine, struct json *reply,
         if (good && slice_is_full(engine))
             break;
     }
-    engine->goes_on = good && comparison->which < COMPARED_RUNS ? slice
-                                                                : NULL;
+    engine->goes_on = good && comparison->which < COMPARED_RUNS ? slice : NULL;
     if (good)
         json_truth(reply, "done", !engine->goes_on);
     if (good && !engine->goes_on)
@@ -140,8 +135,7 @@ static bool slice(struct engine *engine, struct json *reply,
 /* ---- The request ------------------------------------------------------------------ */
 
 static bool take_side(struct engine *engine, const struct json_value *request,
-                      const struct json_value *from,
-                      const struct asm_options *options,
+                      const struct json_value *from, const struct asm_options *options,
                       struct compared_text *side, c205_error *error)
 {
     const char *name = "program.s", *text, *model = NULL;
@@ -161,8 +155,7 @@ static bool take_side(struct engine *engine, const struct json_value *request,
     return side->model;
 }
 
-static bool take_sides(struct engine *engine,
-                       const struct json_value *request,
+static bool take_sides(struct engine *engine, const struct json_value *request,
                        const struct asm_options *options, c205_error *error)
 {
     const struct json_value *text = json_member_first(request, "texts");

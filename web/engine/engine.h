@@ -186,7 +186,6 @@ void engine_bound(struct engine *engine, uint64_t clocks);
 
 /* The reply to a request of so many bytes, whatever they are: a text to be freed.  NULL:
  * there is no memory even for that. */
-char *engine_answer(struct engine *engine, const char *request,
-                    size_t length);
+char *engine_answer(struct engine *engine, const char *request, size_t length);
 
 #endif

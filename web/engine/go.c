@@ -18,8 +18,7 @@ static enum moved go_to_stop(struct engine *engine)
 static enum moved go_steps(struct engine *engine)
 {
     return motion_steps(engine->debugger,
-                        engine->movement.step
-                            - debugger_step(engine->debugger));
+                        engine->movement.step - debugger_step(engine->debugger));
 }
 
 /* A call that was interrupted goes on to where it comes back. */
@@ -30,11 +29,9 @@ static enum moved go_next(struct engine *engine)
 
     while (movement->left > 0 && moved == MOVED_ON) {
         if (!movement->inside)
-            movement->inside = motion_is_call(engine->debugger,
-                                              &movement->behind);
-        moved = movement->inside
-                    ? motion_to(engine->debugger, movement->behind)
-                    : motion_steps(engine->debugger, 1);
+            movement->inside = motion_is_call(engine->debugger, &movement->behind);
+        moved = movement->inside ? motion_to(engine->debugger, movement->behind)
+                                 : motion_steps(engine->debugger, 1);
         if (moved == MOVED_INTERRUPTED)
             break;
         movement->inside = false;
@@ -85,8 +82,7 @@ static const char *why(const struct engine *engine, enum moved moved)
 
     switch (moved) {
     case MOVED_TO_STOP: return "breakpoint";
-    case MOVED_TO_HALT:
-        return halt && halt->trap != C205_TRAP_NONE ? "trap" : "end";
+    case MOVED_TO_HALT: return halt && halt->trap != C205_TRAP_NONE ? "trap" : "end";
     case MOVED_TO_START: return "start";
     case MOVED_INTERRUPTED: return "limit";
     default: return "moved";
@@ -100,8 +96,8 @@ static void put_place(const struct engine *engine, struct json *reply)
     json_count(reply, "clock", c205_clock(engine_machine(engine)));
 }
 
-static bool arrive(struct engine *engine, enum moved moved,
-                   struct json *reply, c205_error *error)
+static bool arrive(struct engine *engine, enum moved moved, struct json *reply,
+                   c205_error *error)
 {
     json_truth(reply, "done", true);
     json_text(reply, "why", why(engine, moved));
@@ -113,8 +109,7 @@ static bool arrive(struct engine *engine, enum moved moved,
     return put_said(engine, reply, "message", error);
 }
 
-static bool go_on(struct engine *engine, struct json *reply,
-                  c205_error *error)
+static bool go_on(struct engine *engine, struct json *reply, c205_error *error)
 {
     enum moved moved = engine->movement.move(engine);
 
@@ -139,16 +134,15 @@ static uint64_t plus(uint64_t a, uint64_t b)
     return a > UINT64_MAX - b ? UINT64_MAX : a + b;
 }
 
-static bool take_movement(struct engine *engine,
-                          const struct json_value *request, c205_error *error)
+static bool take_movement(struct engine *engine, const struct json_value *request,
+                          c205_error *error)
 {
     const char *how;
     uint64_t n = UINT64_MAX, limit = ENGINE_LIMIT;
     bool given;
     size_t i = 0;
 
-    if (!take_text(request, "how", &how, error)
-        || !take_count(request, "n", &n, error)
+    if (!take_text(request, "how", &how, error) || !take_count(request, "n", &n, error)
         || !take_limit(engine, request, &limit, error))
         return false;
     while (i < WAYS && strcmp(ways[i].how, how) != 0)
@@ -174,8 +168,7 @@ bool answer_go(struct engine *engine, const struct json_value *request,
                struct json *reply, c205_error *error)
 {
     return needs_program(engine, error) && take_slice(engine, request, error)
-           && take_movement(engine, request, error)
-           && go_on(engine, reply, error);
+           && take_movement(engine, request, error) && go_on(engine, reply, error);
 }
 
 /* ---- say --------------------------------------------------------------------------- */

@@ -10,8 +10,8 @@
 
 /* ---- The next one -------------------------------------------------------------- */
 
-static void put_text(const struct engine *engine, const char *key,
-                     uint64_t pc, struct json *reply)
+static void put_text(const struct engine *engine, const char *key, uint64_t pc,
+                     struct json *reply)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
 
@@ -32,8 +32,7 @@ static void put_vector(const struct vector_view *vector, struct json *reply)
 
 static void put_operand(const struct engine *engine,
                         const struct instruction_view *view,
-                        const struct operand_view *operand,
-                        struct json *reply)
+                        const struct operand_view *operand, struct json *reply)
 {
     struct vector_view vector = vector_of_operand(view, operand);
     char letter[2] = { operand->field, '\0' };
@@ -59,8 +58,7 @@ static void put_operand(const struct engine *engine,
 /* Not where it goes on, nor that there is no control vector. */
 static bool is_shown(const struct operand_view *operand)
 {
-    return operand->field
-           && !(operand->letter == 'z' && operand->number == 0);
+    return operand->field && !(operand->letter == 'z' && operand->number == 0);
 }
 
 static void put_operands(const struct engine *engine, struct json *reply)
@@ -90,16 +88,14 @@ void put_next_insn(const struct engine *engine, struct json *reply)
 
 /* ---- The last one ----------------------------------------------------------------- */
 
-static void put_term(const struct sink *sink, const char *before,
-                     uint64_t clocks, c205_cause cause)
+static void put_term(const struct sink *sink, const char *before, uint64_t clocks,
+                     c205_cause cause)
 {
-    sink_print(sink, "%s%" PRIu64 " %s", before, clocks,
-               c205_cause_name(cause));
+    sink_print(sink, "%s%" PRIu64 " %s", before, clocks, c205_cause_name(cause));
 }
 
 /* "101 = 51 vector start-up + 50 vector stream": sums of what the clock has told. */
-static bool put_formula(const c205_event *event, struct json *reply,
-                        c205_error *error)
+static bool put_formula(const c205_event *event, struct json *reply, c205_error *error)
 {
     const c205_times *record = event->record;
     struct text_buffer text = { .text = NULL };
@@ -113,15 +109,12 @@ static bool put_formula(const c205_event *event, struct json *reply,
                  record->piece[i].cause);
     if (record->phase_count > 0)
         sink_print(&sink, "; the vector unit works for %" PRIu64,
-                   record->phase[record->phase_count - 1].end
-                       - record->phase[0].begin);
+                   record->phase[record->phase_count - 1].end - record->phase[0].begin);
     for (size_t i = 0; i < record->phase_count; i++)
         put_term(&sink, i == 0 ? " = " : " + ",
-                 record->phase[i].end - record->phase[i].begin,
-                 record->phase[i].cause);
+                 record->phase[i].end - record->phase[i].begin, record->phase[i].cause);
     if (event->elements > 0)
-        sink_print(&sink, ", %zu element%s", event->elements,
-                   plural(event->elements));
+        sink_print(&sink, ", %zu element%s", event->elements, plural(event->elements));
     good = !text.failed;
     if (good)
         json_text(reply, "formula", text.text);
@@ -141,13 +134,13 @@ static void put_constant(const c205_constant *constant, struct json *reply)
     json_end(reply);
 }
 
-static void put_constants(const struct engine *engine,
-                          const c205_times *record, struct json *reply)
+static void put_constants(const struct engine *engine, const c205_times *record,
+                          struct json *reply)
 {
     json_array(reply, "constants");
     for (size_t i = 0; i < record->phase_count; i++) {
-        const c205_constant *constant =
-            debugger_constant(engine->debugger, record->phase[i].cause);
+        const c205_constant *constant = debugger_constant(engine->debugger,
+                                                          record->phase[i].cause);
 
         if (constant)
             put_constant(constant, reply);
@@ -187,8 +180,7 @@ static void put_phases(const c205_times *record, struct json *reply)
     json_end(reply);
 }
 
-bool put_last_insn(const struct engine *engine, struct json *reply,
-                   c205_error *error)
+bool put_last_insn(const struct engine *engine, struct json *reply, c205_error *error)
 {
     const c205_event *last = debugger_last(engine->debugger);
     const c205_times *end = debugger_end(engine->debugger);

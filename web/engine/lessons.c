@@ -49,8 +49,8 @@ bool put_lessons(struct json *reply, c205_error *error)
 
 /* ---- grade -------------------------------------------------------------------- */
 
-static bool put_words(const struct lesson_verdict *verdict,
-                      struct json *reply, c205_error *error)
+static bool put_words(const struct lesson_verdict *verdict, struct json *reply,
+                      c205_error *error)
 {
     struct text_buffer text = { .text = NULL };
     struct sink sink = text_buffer_sink(&text);
@@ -62,12 +62,11 @@ static bool put_words(const struct lesson_verdict *verdict,
     return !text.failed || refuse(error, "no memory");
 }
 
-static bool grade(const struct lesson *lesson, const char *name,
-                  const char *text, struct json *reply, c205_error *error)
+static bool grade(const struct lesson *lesson, const char *name, const char *text,
+                  struct json *reply, c205_error *error)
 {
     struct lesson_verdict verdict = { .lesson = NULL };
-    bool good = lesson_grade(&verdict, lesson, name, text, strlen(text),
-                             error);
+    bool good = lesson_grade(&verdict, lesson, name, text, strlen(text), error);
 
     if (good)
         lesson_verdict_json(&verdict, reply);

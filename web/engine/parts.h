@@ -22,10 +22,10 @@
 /* It is over when so many milliseconds of the host have passed, or so many clocks of the
  * machine. */
 struct slice {
-    double begun, ms; /* ms below 0: as long as it takes */
-    uint64_t clocks;  /* 0: as many as it takes */
-    uint64_t from;    /* the clock at which it began */
-    uint64_t spent; /* by other work than the program's: clocks, or points */
+    double begun, ms;  /* ms below 0: as long as it takes */
+    uint64_t clocks;   /* 0: as many as it takes */
+    uint64_t from;     /* the clock at which it began */
+    uint64_t spent;    /* by other work than the program's: clocks, or points */
     uint64_t ends_at;  /* this one ends the whole movement */
     bool to_the_limit; /* it has */
 };
@@ -73,12 +73,10 @@ struct replay {
 
 /* ---- An engine ------------------------------------------------------------------------ */
 
-typedef bool engine_request(struct engine *engine,
-                            const struct json_value *request,
+typedef bool engine_request(struct engine *engine, const struct json_value *request,
                             struct json *reply, c205_error *error);
 /* The next slice; it clears goes_on when all is done. */
-typedef bool engine_slice(struct engine *engine, struct json *reply,
-                          c205_error *error);
+typedef bool engine_slice(struct engine *engine, struct json *reply, c205_error *error);
 
 struct engine {
     char *name; /* of the program; NULL: there is none */
@@ -98,9 +96,9 @@ struct engine {
     struct text_comparison *comparison; /* likewise */
 };
 
-engine_request answer_about, answer_load, answer_breaks, answer_go,
-    answer_view, answer_timeline, answer_profile, answer_accounts, answer_say,
-    answer_sweep, answer_compare, answer_grade;
+engine_request answer_about, answer_load, answer_breaks, answer_go, answer_view,
+    answer_timeline, answer_profile, answer_accounts, answer_say, answer_sweep,
+    answer_compare, answer_grade;
 
 /* Of about. */
 bool put_lessons(struct json *reply, c205_error *error);
@@ -111,17 +109,17 @@ void compare_drop(struct engine *engine);
 /* ---- Members of a request (answer.c) --------------------------------------------------- */
 
 /* False after telling: it is missing, or no text. */
-bool take_text(const struct json_value *request, const char *key,
-               const char **text, c205_error *error);
+bool take_text(const struct json_value *request, const char *key, const char **text,
+               c205_error *error);
 /* One that may be missing, and is no text of another kind then. */
-bool take_text_or(const struct json_value *request, const char *key,
-                  const char **text, c205_error *error);
+bool take_text_or(const struct json_value *request, const char *key, const char **text,
+                  c205_error *error);
 /* true or false; missing: it stays. */
-bool take_truth(const struct json_value *request, const char *key,
-                bool *truth, c205_error *error);
+bool take_truth(const struct json_value *request, const char *key, bool *truth,
+                c205_error *error);
 /* An integer from 0 on; missing: it stays. */
-bool take_count(const struct json_value *request, const char *key,
-                uint64_t *count, c205_error *error);
+bool take_count(const struct json_value *request, const char *key, uint64_t *count,
+                c205_error *error);
 /* "limit" of a request, unless it is missing: clocks, not beyond the engine's bound. */
 bool take_limit(const struct engine *engine, const struct json_value *request,
                 uint64_t *limit, c205_error *error);
@@ -153,8 +151,7 @@ bool needs_program(const struct engine *engine, c205_error *error);
 /* ---- Programs (program.c) --------------------------------------------------------- */
 
 void program_drop(struct engine *engine);
-void put_diagnostics(const struct diagnostics *diagnostics,
-                     struct json *reply);
+void put_diagnostics(const struct diagnostics *diagnostics, struct json *reply);
 /* "defines" and "files" of a request, kept in an arena. */
 bool take_options(const struct json_value *request, struct arena *arena,
                   struct asm_options *options, c205_error *error);
@@ -162,13 +159,11 @@ bool take_options(const struct json_value *request, struct arena *arena,
 bool take_warm(const struct json_value *request, struct object *object,
                c205_error *error);
 /* Whether one of the programs uses each name that is defined. */
-bool uses_defines(const struct asm_options *options,
-                  struct object *const *objects, size_t count,
-                  c205_error *error);
+bool uses_defines(const struct asm_options *options, struct object *const *objects,
+                  size_t count, c205_error *error);
 /* NULL: it cannot be assembled, the diagnostics of the engine say why. */
 struct object *engine_assemble(struct engine *engine, const char *name,
-                               const char *text,
-                               const struct asm_options *options,
+                               const char *text, const struct asm_options *options,
                                c205_error *error);
 /* The model by that name, or that which the program names, or the usual; NULL: there is
  * none. */
@@ -192,14 +187,11 @@ void put_hex(struct json *json, const char *key, c205_word word);
 void put_word(struct json *json, const char *key, c205_word word);
 void put_half(struct json *json, const char *key, c205_word half);
 void put_registers(const struct engine *engine, bool all, struct json *reply);
-bool put_vectors(const struct engine *engine,
-                 const struct json_value *request, struct json *reply,
-                 c205_error *error);
+bool put_vectors(const struct engine *engine, const struct json_value *request,
+                 struct json *reply, c205_error *error);
 void put_next_insn(const struct engine *engine, struct json *reply);
-bool put_last_insn(const struct engine *engine, struct json *reply,
-                   c205_error *error);
-bool put_accounts(const struct engine *engine, struct json *reply,
-                  c205_error *error);
+bool put_last_insn(const struct engine *engine, struct json *reply, c205_error *error);
+bool put_accounts(const struct engine *engine, struct json *reply, c205_error *error);
 
 /* The table is freed. */
 bool put_table(struct table *table, const char *key, struct json *reply,
@@ -215,8 +207,8 @@ bool replay_begin(struct engine *engine, struct line_profile *profile,
                   struct timeline *timeline, uint64_t end, c205_error *error);
 /* As far as the slice allows; when all has been heard it is put, else there will be more by
  * `again`. */
-bool replay_slice(struct engine *engine, struct json *reply,
-                  engine_slice *again, engine_slice *put, c205_error *error);
+bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again,
+                  engine_slice *put, c205_error *error);
 /* Nobody listens any more, and the program stands where it stood. */
 void replay_drop(struct engine *engine);
 

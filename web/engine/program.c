@@ -33,8 +33,7 @@ static size_t length_of(const struct diagnostic *diagnostic)
     return length > 0 ? length : 1;
 }
 
-void put_diagnostics(const struct diagnostics *diagnostics,
-                     struct json *reply)
+void put_diagnostics(const struct diagnostics *diagnostics, struct json *reply)
 {
     json_array(reply, "diagnostics");
     for (size_t i = 0; i < diagnostics->count; i++) {
@@ -46,8 +45,7 @@ void put_diagnostics(const struct diagnostics *diagnostics,
         json_count(reply, "line", diagnostic->line);
         json_count(reply, "column", diagnostic->column);
         json_count(reply, "length", length_of(diagnostic));
-        json_text(reply, "message",
-                  diagnostic->message ? diagnostic->message : "");
+        json_text(reply, "message", diagnostic->message ? diagnostic->message : "");
         json_end(reply);
     }
     json_end(reply);
@@ -73,9 +71,8 @@ static bool is_object(const struct json_value *value)
 enum { DEFINES_MOST = 100 }; /* as many as a sweep takes */
 
 /* "defines": { "n": 100 } */
-static bool take_defines(const struct json_value *request,
-                         struct arena *arena, struct asm_options *options,
-                         c205_error *error)
+static bool take_defines(const struct json_value *request, struct arena *arena,
+                         struct asm_options *options, c205_error *error)
 {
     const struct json_value *defines = json_member(request, "defines");
     size_t count = count_of(defines);
@@ -87,8 +84,8 @@ static bool take_defines(const struct json_value *request,
     if (!is_object(defines) || count > DEFINES_MOST)
         return refuse(error, "\"defines\" has at most %d names with integers",
                       DEFINES_MOST);
-    for (const struct json_value *item = defines ? defines->first : NULL;
-         item; item = item->next, list++) {
+    for (const struct json_value *item = defines ? defines->first : NULL; item;
+         item = item->next, list++) {
         if (item->kind != JSON_NUMBER
             || !json_member_whole(defines, item->key, &list->value))
             return refuse(error, "\"defines\" has names with integers");
@@ -133,30 +130,25 @@ bool take_options(const struct json_value *request, struct arena *arena,
            && (!arena->failed || refuse(error, "no memory"));
 }
 
-bool uses_defines(const struct asm_options *options,
-                  struct object *const *objects, size_t count,
-                  c205_error *error)
+bool uses_defines(const struct asm_options *options, struct object *const *objects,
+                  size_t count, c205_error *error)
 {
     const char *unused = asm_unused_define(options->defines, objects, count);
 
-    return !unused
-           || refuse(error, "'%.100s' is defined, and not used", unused);
+    return !unused || refuse(error, "'%.100s' is defined, and not used", unused);
 }
 
 struct object *engine_assemble(struct engine *engine, const char *name,
-                               const char *text,
-                               const struct asm_options *options,
+                               const char *text, const struct asm_options *options,
                                c205_error *error)
 {
-    struct object *object = assemble_text(name, text, options,
-                                          &engine->diagnostics);
+    struct object *object = assemble_text(name, text, options, &engine->diagnostics);
 
     if (!object && engine->diagnostics.errors == 0)
         refuse(error, "no memory");
     else if (!object)
         refuse(error, "%.100s cannot be assembled: %zu error%s", name,
-               engine->diagnostics.errors,
-               engine->diagnostics.errors == 1 ? "" : "s");
+               engine->diagnostics.errors, engine->diagnostics.errors == 1 ? "" : "s");
     return object;
 }
 
@@ -176,8 +168,7 @@ c205_model *program_model(const char *name, const struct object *object,
     if (!model || !c205_model_is_projection(model))
         return model;
     c205_model_free(model);
-    refuse(error, "programs do not run on '%.60s', which only tells times",
-           name);
+    refuse(error, "programs do not run on '%.60s', which only tells times", name);
     return NULL;
 }
 
@@ -187,8 +178,7 @@ static void keep_mark(struct printed *printed, uint64_t step)
 {
     struct printed_mark *grown;
 
-    if (printed->count > 0
-        && printed->marks[printed->count - 1].step == step) {
+    if (printed->count > 0 && printed->marks[printed->count - 1].step == step) {
         printed->marks[printed->count - 1].length = printed->text.length;
         return;
     }
@@ -198,14 +188,12 @@ static void keep_mark(struct printed *printed, uint64_t step)
         return;
     }
     printed->marks = grown;
-    grown[printed->count++] = (struct printed_mark){ step,
-                                                     printed->text.length };
+    grown[printed->count++] = (struct printed_mark){ step, printed->text.length };
 }
 
 void printed_forget(struct printed *printed, uint64_t step)
 {
-    while (printed->count > 0
-           && printed->marks[printed->count - 1].step > step) {
+    while (printed->count > 0 && printed->marks[printed->count - 1].step > step) {
         printed->count--;
         printed->cut = false;
     }
@@ -250,8 +238,7 @@ size_t printed_until(const struct printed *printed, uint64_t step)
 bool printed_is_cut(const struct printed *printed, uint64_t step)
 {
     return printed->cut
-           && (printed->count == 0
-               || printed->marks[printed->count - 1].step <= step);
+           && (printed->count == 0 || printed->marks[printed->count - 1].step <= step);
 }
 
 static void forget_printed(struct printed *printed)
@@ -317,9 +304,7 @@ size_t program_line(const struct engine *engine, uint64_t address)
 {
     const struct asm_line *line = object_line(engine->object, address);
 
-    return line && strcmp(line->call_file, engine->name) == 0
-               ? line->call_number
-               : 0;
+    return line && strcmp(line->call_file, engine->name) == 0 ? line->call_number : 0;
 }
 
 static const char *contents_name(enum asm_contents contents)
@@ -394,15 +379,13 @@ bool take_warm(const struct json_value *request, struct object *object,
 
 /* In place of the one before. */
 static bool begin_program(struct engine *engine, const char *name,
-                          struct object *object, c205_model *model,
-                          c205_error *error)
+                          struct object *object, c205_model *model, c205_error *error)
 {
     program_drop(engine);
     engine->object = object;
     engine->model = model;
     engine->name = copy_of(name);
-    if (engine->name ? make_debugger(engine, error)
-                     : refuse(error, "no memory"))
+    if (engine->name ? make_debugger(engine, error) : refuse(error, "no memory"))
         return true;
     program_drop(engine);
     return false;
@@ -453,8 +436,8 @@ bool answer_load(struct engine *engine, const struct json_value *request,
 /* ---- breaks -------------------------------------------------------------------------------- */
 
 /* Each of them, and where it really stands; what cannot be is told with it. */
-static bool put_break(struct engine *engine, struct json *reply,
-                      int64_t wanted, c205_error *error)
+static bool put_break(struct engine *engine, struct json *reply, int64_t wanted,
+                      c205_error *error)
 {
     size_t line = 0;
     bool told = true;
@@ -463,8 +446,7 @@ static bool put_break(struct engine *engine, struct json *reply,
     json_number(reply, "wanted", (double)wanted);
     if (wanted < 1)
         json_text(reply, "message", "lines are counted from 1");
-    else if (debugger_break_line(engine->debugger, engine->name,
-                                 (size_t)wanted, &line))
+    else if (debugger_break_line(engine->debugger, engine->name, (size_t)wanted, &line))
         json_count(reply, "line", line);
     else
         told = put_said(engine, reply, "message", error);
@@ -482,15 +464,13 @@ bool answer_breaks(struct engine *engine, const struct json_value *request,
         return false;
     if (!lines || lines->kind != JSON_ARRAY)
         return refuse(error, "\"lines\" is a list of line numbers");
-    for (const struct json_value *line = lines->first; line;
-         line = line->next)
+    for (const struct json_value *line = lines->first; line; line = line->next)
         if (line->kind != JSON_NUMBER || line->number != floor(line->number)
             || fabs(line->number) > 1e9)
             return refuse(error, "\"lines\" is a list of line numbers");
     debugger_forget_lines(engine->debugger);
     json_array(reply, "lines");
-    for (const struct json_value *line = lines->first; line && good;
-         line = line->next)
+    for (const struct json_value *line = lines->first; line && good; line = line->next)
         good = put_break(engine, reply, (int64_t)line->number, error);
     json_end(reply);
     return good;

@@ -72,14 +72,13 @@ static const char *half_name(const struct engine *engine, unsigned number)
     const struct object *object = engine->object;
 
     for (size_t i = object->register_count; i-- > 0;)
-        if (object->registers[i].half
-            && object->registers[i].number == number)
+        if (object->registers[i].half && object->registers[i].number == number)
             return object->registers[i].name;
     return NULL;
 }
 
-static void put_halves(const struct engine *engine, unsigned number,
-                       c205_word word, struct json *reply)
+static void put_halves(const struct engine *engine, unsigned number, c205_word word,
+                       struct json *reply)
 {
     static const char *const keys[] = { "left", "right" };
 
@@ -117,8 +116,8 @@ static bool is_shown(const struct engine *engine, unsigned number)
 {
     return c205_register(engine_machine(engine), number) != 0
            || *debug_register_name(engine->debugger, number)
-           || half_name(engine, 2 * number)
-           || half_name(engine, 2 * number + 1) || is_written(engine, number);
+           || half_name(engine, 2 * number) || half_name(engine, 2 * number + 1)
+           || is_written(engine, number);
 }
 
 void put_registers(const struct engine *engine, bool all, struct json *reply)
@@ -148,8 +147,8 @@ static unsigned width_of(const struct asm_symbol *symbol)
 }
 
 /* Which elements the last instruction stored into, of so many ranges. */
-static bool put_stored(const struct engine *engine,
-                       const struct vector_view *vector, struct json *reply)
+static bool put_stored(const struct engine *engine, const struct vector_view *vector,
+                       struct json *reply)
 {
     const c205_event *last = debugger_last(engine->debugger);
     uint64_t from = vector->address;
@@ -169,8 +168,8 @@ static bool put_stored(const struct engine *engine,
         json_object(reply, NULL);
         json_count(reply, "first", (low - from) / vector->width);
         json_count(reply, "count",
-                   (high - 1 - from) / vector->width
-                       - (low - from) / vector->width + 1);
+                   (high - 1 - from) / vector->width - (low - from) / vector->width
+                       + 1);
         json_end(reply);
     }
     json_end(reply);
@@ -178,16 +177,14 @@ static bool put_stored(const struct engine *engine,
 }
 
 /* Numbers are texts in a list, bits one text. */
-static bool put_values(const struct engine *engine,
-                       const struct vector_view *vector, size_t first,
-                       size_t count, struct json *reply)
+static bool put_values(const struct engine *engine, const struct vector_view *vector,
+                       size_t first, size_t count, struct json *reply)
 {
     c205_word *words = malloc((count + 1) * sizeof *words);
     char *bits = vector->width == 1 ? calloc(count + 1, 1) : NULL;
     bool good = words && (bits || vector->width != 1);
     bool mapped = good
-                  && vector_get(engine_machine(engine), vector, first, count,
-                                words);
+                  && vector_get(engine_machine(engine), vector, first, count, words);
 
     if (good && !bits)
         json_array(reply, "values");
@@ -195,8 +192,7 @@ static bool put_values(const struct engine *engine,
         if (bits)
             bits[i] = words[i] & 1 ? '1' : '0';
         else
-            (vector->width == 32 ? put_half : put_word)(reply, NULL,
-                                                        words[i]);
+            (vector->width == 32 ? put_half : put_word)(reply, NULL, words[i]);
     if (bits)
         json_text(reply, "values", bits);
     else if (good)
@@ -210,8 +206,7 @@ struct window {
     uint64_t first, most;
 };
 
-static bool put_symbol(const struct engine *engine,
-                       const struct asm_symbol *symbol,
+static bool put_symbol(const struct engine *engine, const struct asm_symbol *symbol,
                        const struct window *window, struct json *reply)
 {
     struct vector_view vector = { .address = (uint64_t)symbol->value,
@@ -228,8 +223,7 @@ static bool put_symbol(const struct engine *engine,
     json_count(reply, "count", symbol->count);
     json_count(reply, "first", first);
     good = put_values(engine, &vector, (size_t)first,
-                      (size_t)(left < window->most ? left : window->most),
-                      reply);
+                      (size_t)(left < window->most ? left : window->most), reply);
     json_truth(reply, "changed", put_stored(engine, &vector, reply));
     json_end(reply);
     return good;
@@ -240,13 +234,11 @@ static bool take_window(const struct json_value *request, const char *label,
                         struct window *window, c205_error *error)
 {
     window->first = 0;
-    return take_count(json_member(request, "first"), label, &window->first,
-                      error);
+    return take_count(json_member(request, "first"), label, &window->first, error);
 }
 
-bool put_vectors(const struct engine *engine,
-                 const struct json_value *request, struct json *reply,
-                 c205_error *error)
+bool put_vectors(const struct engine *engine, const struct json_value *request,
+                 struct json *reply, c205_error *error)
 {
     const struct object *object = engine->object;
     const struct json_value *first = json_member(request, "first");

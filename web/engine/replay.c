@@ -5,8 +5,7 @@
 
 /* ---- Once more ------------------------------------------------------------------ */
 
-void replay_listen(void *context, const c205 *machine,
-                   const c205_event *event)
+void replay_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct engine *engine = context;
 
@@ -91,8 +90,7 @@ static bool go_on(struct engine *engine, bool *done, c205_error *error)
 
         moved = motion_to_step(engine->debugger,
                                step + (left < AT_ONCE ? left : AT_ONCE));
-        if (moved == MOVED_ON && !has_heard_all(engine)
-            && slice_is_over(engine))
+        if (moved == MOVED_ON && !has_heard_all(engine) && slice_is_over(engine))
             moved = MOVED_INTERRUPTED;
     }
     if (moved == MOVED_NOT)
@@ -104,8 +102,8 @@ static bool go_on(struct engine *engine, bool *done, c205_error *error)
     return true;
 }
 
-bool replay_slice(struct engine *engine, struct json *reply,
-                  engine_slice *again, engine_slice *put, c205_error *error)
+bool replay_slice(struct engine *engine, struct json *reply, engine_slice *again,
+                  engine_slice *put, c205_error *error)
 {
     bool done = false, good = go_on(engine, &done, error);
 
@@ -124,20 +122,17 @@ bool replay_slice(struct engine *engine, struct json *reply,
 /* ---- profile ---------------------------------------------------------------------- */
 
 /* As c205 run --profile has it in its JSON. */
-static bool put_profile(struct engine *engine, struct json *reply,
-                        c205_error *error)
+static bool put_profile(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct profile_view view = { engine->replay.in_order ? PROFILE_AS_WRITTEN
                                                          : PROFILE_HOTTEST,
                                  false };
-    struct table *table = line_profile_table(engine->replay.profile, view,
-                                             false);
+    struct table *table = line_profile_table(engine->replay.profile, view, false);
 
     return put_table(table, "lines", reply, error);
 }
 
-static bool profile_slice(struct engine *engine, struct json *reply,
-                          c205_error *error)
+static bool profile_slice(struct engine *engine, struct json *reply, c205_error *error)
 {
     return replay_slice(engine, reply, profile_slice, put_profile, error);
 }

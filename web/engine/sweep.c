@@ -58,13 +58,11 @@ static bool put_sweep(const struct program_sweep *sweep, struct json *reply,
            && put_table(swept_lines(sweep), "lines", reply, error)
            && put_table(swept_causes(sweep), "causes", reply, error)
            && (sweep->program_count < SWEPT_PROGRAMS
-               || put_table(swept_crossings(sweep), "crossings", reply,
-                            error))
+               || put_table(swept_crossings(sweep), "crossings", reply, error))
            && put_picture(sweep, reply, error);
 }
 
-static bool slice(struct engine *engine, struct json *reply,
-                  c205_error *error)
+static bool slice(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct program_sweep *sweep = &engine->laboratory->sweep;
     bool over = false, good = true;
@@ -87,8 +85,7 @@ static bool slice(struct engine *engine, struct json *reply,
 
 /* ---- The request ------------------------------------------------------------------ */
 
-static bool take_values(const struct engine *engine,
-                        const struct json_value *request,
+static bool take_values(const struct engine *engine, const struct json_value *request,
                         struct program_sweep *sweep, c205_error *error)
 {
     struct swept_range *range = &sweep->range;
@@ -102,9 +99,8 @@ static bool take_values(const struct engine *engine,
         || !take_limit(engine, request, &sweep->clocks_most, error))
         return false;
     sweep->asked = (size_t)points;
-    if (range->from < 1 || range->from >= range->to
-        || range->to > SWEPT_LARGEST || range->factor == 1
-        || (range->step > 0 && range->factor > 0))
+    if (range->from < 1 || range->from >= range->to || range->to > SWEPT_LARGEST
+        || range->factor == 1 || (range->step > 0 && range->factor > 0))
         return refuse(error, "the range goes from 1 or more up, by a "
                              "\"step\", a \"factor\" or neither");
     if (points == 1 || points > SWEPT_POINTS_MOST
@@ -136,9 +132,8 @@ static struct asm_options *at_first(struct laboratory *laboratory)
 }
 
 /* The first value of it is assembled for what there is to be said of the text. */
-static bool take_program(struct engine *engine,
-                         const struct json_value *request, const char *key,
-                         const char *name_key, c205_error *error)
+static bool take_program(struct engine *engine, const struct json_value *request,
+                         const char *key, const char *name_key, c205_error *error)
 {
     struct laboratory *laboratory = engine->laboratory;
     struct program_sweep *sweep = &laboratory->sweep;
@@ -171,8 +166,8 @@ static bool take_program(struct engine *engine,
     return !laboratory->arena.failed || refuse(error, "no memory");
 }
 
-static bool take_sweep(struct engine *engine,
-                       const struct json_value *request, c205_error *error)
+static bool take_sweep(struct engine *engine, const struct json_value *request,
+                       c205_error *error)
 {
     struct laboratory *laboratory = engine->laboratory;
     struct program_sweep *sweep = &laboratory->sweep;
@@ -182,13 +177,11 @@ static bool take_sweep(struct engine *engine,
     if (!take_text(request, "constant", &constant, error)
         || !take_truth(request, "warm", &warm, error)
         || !take_values(engine, request, sweep, error)
-        || !take_options(request, &laboratory->arena, &laboratory->options,
-                         error))
+        || !take_options(request, &laboratory->arena, &laboratory->options, error))
         return false;
     sweep->warm = given && warm;
     sweep->cold = given && !warm;
-    sweep->constant = arena_text(&laboratory->arena, constant,
-                                 strlen(constant));
+    sweep->constant = arena_text(&laboratory->arena, constant, strlen(constant));
     sweep->options = &laboratory->options;
     sweep->report = text_buffer_sink(&laboratory->report);
     if (!sweep->constant)
@@ -209,8 +202,7 @@ bool answer_sweep(struct engine *engine, const struct json_value *request,
         return refuse(error, "no memory");
     engine->laboratory = laboratory;
     laboratory->sweep.clocks_most = ENGINE_SWEEP_LIMIT;
-    if (take_slice(engine, request, error)
-        && take_sweep(engine, request, error))
+    if (take_slice(engine, request, error) && take_sweep(engine, request, error))
         return slice(engine, reply, error);
     sweep_drop(engine);
     return false;

@@ -6,8 +6,8 @@
 
 /* ---- Spans ------------------------------------------------------------------------ */
 
-static void put_pieces(const struct timed_piece *pieces, size_t first,
-                       size_t count, const char *key, struct json *reply)
+static void put_pieces(const struct timed_piece *pieces, size_t first, size_t count,
+                       const char *key, struct json *reply)
 {
     json_array(reply, key);
     for (size_t i = first; i < first + count; i++) {
@@ -29,17 +29,14 @@ static void put_insn(const struct engine *engine, struct json *reply,
     json_count(reply, "pc", insn->pc);
     json_count(reply, "line", program_line(engine, insn->pc));
     json_text(reply, "text", insn->text);
-    json_text(reply, "unit",
-              insn->insn ? c205_unit_name(insn->insn->unit) : "");
+    json_text(reply, "unit", insn->insn ? c205_unit_name(insn->insn->unit) : "");
     json_count(reply, "elements", insn->elements);
     json_count(reply, "arrived", insn->arrived);
     json_count(reply, "issued", insn->issued);
     json_count(reply, "ready", insn->ready);
     json_count(reply, "done", insn->done);
-    put_pieces(timeline->phases, insn->first_phase, insn->phase_count,
-               "phases", reply);
-    put_pieces(timeline->pieces, insn->first_piece, insn->piece_count,
-               "pieces", reply);
+    put_pieces(timeline->phases, insn->first_phase, insn->phase_count, "phases", reply);
+    put_pieces(timeline->pieces, insn->first_piece, insn->piece_count, "pieces", reply);
     json_end(reply);
 }
 
@@ -58,8 +55,8 @@ static void put_span(const struct timeline *timeline, struct json *reply,
 }
 
 /* What the clock was charged to is in the first lane. */
-static void put_lanes(const struct timeline *timeline,
-                      const struct lanes *lanes, struct json *reply)
+static void put_lanes(const struct timeline *timeline, const struct lanes *lanes,
+                      struct json *reply)
 {
     json_array(reply, "lanes");
     for (int i = 0; i < LANES; i++) {
@@ -79,8 +76,7 @@ static void put_lanes(const struct timeline *timeline,
             json_object(reply, NULL);
             json_count(reply, "begin", lanes->spans[i].begin);
             json_count(reply, "end", lanes->spans[i].end);
-            json_text(reply, "cause",
-                      c205_cause_name(lanes->spans[i].piece->cause));
+            json_text(reply, "cause", c205_cause_name(lanes->spans[i].piece->cause));
             json_end(reply);
         }
     json_end(reply);
@@ -107,8 +103,7 @@ static bool put_spans(const struct engine *engine, struct json *reply,
 /* ---- Files ------------------------------------------------------------------------ */
 
 /* As c205 timeline writes one of this form. */
-static bool put_file(const struct engine *engine, struct json *reply,
-                     c205_error *error)
+static bool put_file(const struct engine *engine, struct json *reply, c205_error *error)
 {
     const struct replay *replay = &engine->replay;
     struct text_buffer text = { .text = NULL };
@@ -116,10 +111,9 @@ static bool put_file(const struct engine *engine, struct json *reply,
     char title[TIMELINE_TITLE];
     bool good;
 
-    timeline_title(replay->timeline, engine->name,
-                   c205_model_name(engine->model), title);
-    good = timeline_write(replay->timeline, replay->form, title, &sink)
-           && !text.failed;
+    timeline_title(replay->timeline, engine->name, c205_model_name(engine->model),
+                   title);
+    good = timeline_write(replay->timeline, replay->form, title, &sink) && !text.failed;
     if (good)
         json_text(reply, "file", text.text);
     text_buffer_free(&text);
@@ -128,8 +122,7 @@ static bool put_file(const struct engine *engine, struct json *reply,
 
 /* ---- timeline --------------------------------------------------------------------- */
 
-static bool put_timeline(struct engine *engine, struct json *reply,
-                         c205_error *error)
+static bool put_timeline(struct engine *engine, struct json *reply, c205_error *error)
 {
     struct timeline *timeline = engine->replay.timeline;
 
@@ -143,8 +136,7 @@ static bool put_timeline(struct engine *engine, struct json *reply,
                                : put_spans(engine, reply, error);
 }
 
-static bool timeline_slice(struct engine *engine, struct json *reply,
-                           c205_error *error)
+static bool timeline_slice(struct engine *engine, struct json *reply, c205_error *error)
 {
     return replay_slice(engine, reply, timeline_slice, put_timeline, error);
 }
@@ -182,8 +174,7 @@ bool answer_timeline(struct engine *engine, const struct json_value *request,
     if (timeline->from >= timeline->to)
         return refuse(error, "\"from\" is before \"to\"");
     timeline->most = most < TIMELINE_MOST ? (size_t)most : TIMELINE_MOST;
-    if (!replay_begin(engine, NULL, timeline,
-                      debugger_known(engine->debugger), error))
+    if (!replay_begin(engine, NULL, timeline, debugger_known(engine->debugger), error))
         return false;
     engine->replay.form = form;
     return timeline_slice(engine, reply, error);

@@ -30,13 +30,12 @@ static void put_causes(const uint64_t clocks[C205_CAUSES], uint64_t all,
 static double mean_length(const c205_account *account)
 {
     return account->vector_instructions > 0
-               ? (double)account->elements
-                     / (double)account->vector_instructions
+               ? (double)account->elements / (double)account->vector_instructions
                : NAN;
 }
 
-static void put_account(const struct accounts *accounts,
-                        const c205_account *account, struct json *reply)
+static void put_account(const struct accounts *accounts, const c205_account *account,
+                        struct json *reply)
 {
     json_count(reply, "clocks", accounts_clocks(account));
     json_count(reply, "instructions", account->instructions);
@@ -48,8 +47,7 @@ static void put_account(const struct accounts *accounts,
 }
 
 /* Of the regions those that took time. */
-bool put_accounts(const struct engine *engine, struct json *reply,
-                  c205_error *error)
+bool put_accounts(const struct engine *engine, struct json *reply, c205_error *error)
 {
     struct accounts accounts = { .model = engine->model };
     c205_account all;
@@ -97,10 +95,9 @@ bool answer_accounts(struct engine *engine, const struct json_value *request,
         return false;
     json_count(reply, "clocks", c205_clock(engine_machine(engine)));
     good = accounts_add(&accounts, engine_machine(engine))
-               ? put_table(accounts_by_cause(&accounts), "causes", reply,
-                           error)
-                     && put_table(accounts_by_region(&accounts), "regions",
-                                  reply, error)
+               ? put_table(accounts_by_cause(&accounts), "causes", reply, error)
+                     && put_table(accounts_by_region(&accounts), "regions", reply,
+                                  error)
                : refuse(error, "no memory");
     accounts_free(&accounts);
     return good;
@@ -122,12 +119,10 @@ static void put_place(const struct engine *engine, struct json *reply)
         json_number(reply, "status", (double)halt->status);
     }
     json_count(reply, "clock", clock);
-    json_number(reply, "microseconds",
-                1e6 * accounts_seconds(engine->model, clock));
+    json_number(reply, "microseconds", 1e6 * accounts_seconds(engine->model, clock));
     json_count(reply, "pc", c205_pc(machine));
     json_count(reply, "line", program_line(engine, c205_pc(machine)));
-    json_text(reply, "region",
-              object_region(engine->object, c205_pc(machine)));
+    json_text(reply, "region", object_region(engine->object, c205_pc(machine)));
 }
 
 static bool put_printed(const struct engine *engine, struct json *reply,
@@ -137,8 +132,7 @@ static bool put_printed(const struct engine *engine, struct json *reply,
     uint64_t step = debugger_step(engine->debugger);
     size_t length = printed_until(printed, step);
     struct arena arena = { 0 };
-    char *text = arena_text(&arena, length > 0 ? printed->text.text : "",
-                            length);
+    char *text = arena_text(&arena, length > 0 ? printed->text.text : "", length);
 
     if (text) {
         json_text(reply, "printed", text);
@@ -159,8 +153,7 @@ bool answer_view(struct engine *engine, const struct json_value *request,
     put_place(engine, reply);
     put_next_insn(engine, reply);
     put_registers(engine, all, reply);
-    return put_last_insn(engine, reply, error)
-           && put_accounts(engine, reply, error)
+    return put_last_insn(engine, reply, error) && put_accounts(engine, reply, error)
            && put_vectors(engine, request, reply, error)
            && put_printed(engine, reply, error);
 }

@@ -9,8 +9,7 @@ static bool mpi_begin(size_t *rank, size_t *count)
 {
     int own, all, offered;
 
-    if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &offered)
-            != MPI_SUCCESS
+    if (MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &offered) != MPI_SUCCESS
         || offered < MPI_THREAD_FUNNELED)
         return false;
     MPI_Comm_rank(MPI_COMM_WORLD, &own);
@@ -43,8 +42,8 @@ static void mpi_send(size_t to, const uint64_t *words, size_t count)
         return;
     }
     memcpy(sent.words, words, count * sizeof *words);
-    MPI_Isend(sent.words, (int)count, MPI_UINT64_T, (int)to, 0,
-              MPI_COMM_WORLD, &sent.request);
+    MPI_Isend(sent.words, (int)count, MPI_UINT64_T, (int)to, 0, MPI_COMM_WORLD,
+              &sent.request);
 }
 
 static bool mpi_ready(size_t *from, size_t *count)
@@ -74,6 +73,5 @@ static void mpi_end(void)
 }
 
 extern const struct ranks_adapter rt205_ranks_adapter;
-const struct ranks_adapter rt205_ranks_adapter = { mpi_begin, mpi_send,
-                                                   mpi_ready, mpi_receive,
-                                                   mpi_end };
+const struct ranks_adapter rt205_ranks_adapter = { mpi_begin, mpi_send, mpi_ready,
+                                                   mpi_receive, mpi_end };

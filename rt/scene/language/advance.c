@@ -31,8 +31,7 @@ static uint64_t reading_most(const struct reader *reader)
 {
     const struct scene_options *options = reader->options;
 
-    return options && options->reading_most ? options->reading_most
-                                            : READING_MOST;
+    return options && options->reading_most ? options->reading_most : READING_MOST;
 }
 
 bool reader_spend(struct reader *reader, size_t bytes)
@@ -81,8 +80,7 @@ void reader_step(struct reader *reader)
         reader->token = lexer_next(&reader->lexer);
         if (reader->token.fault)
             reader_fault(reader, &reader->token, "%s", reader->token.fault);
-        if (!reader_spend(reader,
-                          top->place.at - reader->before.at + TOKEN_COST))
+        if (!reader_spend(reader, top->place.at - reader->before.at + TOKEN_COST))
             return;
         if (reader->token.kind != TOKEN_BAD)
             return;

@@ -53,8 +53,7 @@ static bool array_takes(struct array *array, const struct scene_value *value)
     return array->kind == value->kind && array->terms == terms;
 }
 
-const char *array_set(struct array *array, size_t element,
-                      struct scene_value *value)
+const char *array_set(struct array *array, size_t element, struct scene_value *value)
 {
     struct scene_value **cell = &array->cell[element];
 

@@ -21,8 +21,8 @@ enum { STEPS_MOST = 20 };
 
 /* The words before the points. */
 enum patch_word { PATCH_TYPE, PATCH_FLATNESS, PATCH_U, PATCH_V, PATCH_WORDS };
-static const char *const patch_words[PATCH_WORDS] = { "type", "flatness",
-                                                      "u_steps", "v_steps" };
+static const char *const patch_words[PATCH_WORDS] = { "type", "flatness", "u_steps",
+                                                      "v_steps" };
 
 /* Rows go with u, columns with v. */
 struct patch_points {
@@ -70,8 +70,7 @@ static void weigh(double t, double points[4], double differences[3])
 }
 
 /* False: the two are parallel, or one of them is 0. */
-static bool unit_product(const double a[3], const double b[3],
-                         double product[3])
+static bool unit_product(const double a[3], const double b[3], double product[3])
 {
     double square;
 
@@ -84,8 +83,8 @@ static bool unit_product(const double a[3], const double b[3],
 }
 
 /* Of length one; as in POV-Ray x where there is none. */
-static void patch_normal(const struct patch_points *points, double u,
-                         double v, double normal[3])
+static void patch_normal(const struct patch_points *points, double u, double v,
+                         double normal[3])
 {
     static const double none[3] = { 1, 0, 0 };
     const double(*at)[4][3] = points->at;
@@ -129,8 +128,7 @@ static bool is_flat(const struct patch_points *points, double flatness)
 /* ---- Its pieces ---------------------------------------------------------- */
 
 /* One of the four points of row or column `line` across an axis. */
-static double *point_of(struct patch_points *points, int axis, int line,
-                        int i)
+static double *point_of(struct patch_points *points, int axis, int line, int i)
 {
     return axis == 0 ? points->at[i][line] : points->at[line][i];
 }
@@ -143,8 +141,8 @@ static void middle(const double a[3], const double b[3], double between[3])
 
 /* By de Casteljau: of points a b c d the lower half is a ab abc abcd, the upper
  * one abcd bcd cd d. */
-static void halve_line(struct patch_points *low, struct patch_points *high,
-                       int axis, int line)
+static void halve_line(struct patch_points *low, struct patch_points *high, int axis,
+                       int line)
 {
     double *l[4], *h[4], bc[3];
 
@@ -175,17 +173,15 @@ static struct piece cut_off(struct piece *piece, int axis)
 
 /* ---- Its triangles ------------------------------------------------------- */
 
-static void put_corner(const struct patch_cutting *cutting,
-                       const struct piece *piece, bool u, bool v,
-                       struct triangle *triangle, int k)
+static void put_corner(const struct patch_cutting *cutting, const struct piece *piece,
+                       bool u, bool v, struct triangle *triangle, int k)
 {
     copy3(piece->points.at[u ? 3 : 0][v ? 3 : 0], triangle->corners[k]);
     patch_normal(&cutting->points, u ? piece->to[0] : piece->from[0],
                  v ? piece->to[1] : piece->from[1], triangle->normals[k]);
 }
 
-static bool add_triangle(struct patch_cutting *cutting,
-                         const struct triangle *triangle)
+static bool add_triangle(struct patch_cutting *cutting, const struct triangle *triangle)
 {
     struct reader *reader = cutting->reader;
     struct triangles *triangles = &cutting->triangles;
@@ -227,8 +223,7 @@ static bool add_piece(struct patch_cutting *cutting, struct piece *piece)
         cut[axis] = piece->depth < numbers[PATCH_U + axis];
     if (!reader_spend(cutting->reader, TOKEN_COST))
         return false;
-    if ((!cut[0] && !cut[1])
-        || is_flat(&piece->points, numbers[PATCH_FLATNESS]))
+    if ((!cut[0] && !cut[1]) || is_flat(&piece->points, numbers[PATCH_FLATNESS]))
         return add_leaf(cutting, piece);
     piece->depth++;
     parts[count++] = *piece;
@@ -247,15 +242,13 @@ bool bicubic_patch_cut(struct reader *reader, struct scene_part *part,
                        const struct scene_token *at)
 {
     struct primitive *primitive = &part->primitive;
-    struct patch_cutting cutting = { .reader = reader,
-                                     .at = at,
-                                     .patch = part->patch,
-                                     .points = part->patch->points };
+    struct patch_cutting cutting = {
+        .reader = reader, .at = at, .patch = part->patch, .points = part->patch->points
+    };
     struct piece whole = { .to = { 1, 1 } };
 
     for (int i = 0; i < 16; i++)
-        transform_point(&primitive->to_world,
-                        cutting.points.at[i / 4][i % 4]);
+        transform_point(&primitive->to_world, cutting.points.at[i / 4][i % 4]);
     primitive->to_world = placement_none.to_world;
     primitive->to_local = placement_none.to_local;
     whole.points = cutting.points;
@@ -282,8 +275,8 @@ static bool read_word(struct reader *reader, struct bicubic_patch *patch,
     if (word == PATCH_TYPE && number < 0)
         return reader_fault(reader, &at, "the type of a patch is below 0");
     if ((word == PATCH_U || word == PATCH_V) && number > STEPS_MOST)
-        return reader_fault(reader, &at, "'%s' is more than %d",
-                            patch_words[word], STEPS_MOST);
+        return reader_fault(reader, &at, "'%s' is more than %d", patch_words[word],
+                            STEPS_MOST);
     patch->given[word] = true;
     patch->numbers[word] = number;
     return true;

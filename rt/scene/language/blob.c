@@ -15,8 +15,7 @@ struct blob_reading {
     struct scene_object object; /* first: what the modifiers are given */
     struct scene_token at;      /* its word */
     struct blob_parts parts;    /* of array_grow, up to the end */
-    struct scene_token
-        look_at; /* the first texture of a component; it is that
+    struct scene_token look_at; /* the first texture of a component; it is that
                                    of the object's part */
 };
 
@@ -57,20 +56,17 @@ static bool read_ends(struct reader *reader, struct blob_part *part)
     if (!read_vector(reader, part->cap))
         return false;
     subtract3(part->cap, part->base, axis);
-    return length3(axis) > 0
-           || reader_fault(reader, &at, "the cylinder has no length");
+    return length3(axis) > 0 || reader_fault(reader, &at, "the cylinder has no length");
 }
 
 static bool read_part(struct reader *reader, struct blob_part *part)
 {
-    return (part->cylinder ? read_ends(reader, part)
-                           : read_vector(reader, part->base))
+    return (part->cylinder ? read_ends(reader, part) : read_vector(reader, part->base))
            && read_radius(reader, &part->radius)
            && read_strength(reader, &part->strength);
 }
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct part_reading *reading = subject;
     struct blob_part *part = &reading->part;
@@ -93,20 +89,17 @@ static struct texture *own_texture(struct part_reading *reading,
     return &reading->texture;
 }
 
-static bool read_texture(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_texture(struct reader *reader, void *subject, const struct item *item)
 {
     return texture_read(reader, own_texture(subject, item));
 }
 
-static bool read_pigment(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
 {
     return pigment_read(reader, &own_texture(subject, item)->pigment);
 }
 
-static bool read_finish(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_finish(struct reader *reader, void *subject, const struct item *item)
 {
     return finish_read(reader, &own_texture(subject, item)->finish);
 }
@@ -121,13 +114,12 @@ static const struct keyword part_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar part_grammar = {
-    "a word that moves the component", { part_words }, NULL
-};
+static const struct grammar part_grammar = { "a word that moves the component",
+                                             { part_words },
+                                             NULL };
 
 static bool add_part(struct reader *reader, struct blob_reading *blob,
-                     const struct blob_part *part,
-                     const struct scene_token *at)
+                     const struct blob_part *part, const struct scene_token *at)
 {
     struct blob_part *list;
 
@@ -143,8 +135,7 @@ static bool add_part(struct reader *reader, struct blob_reading *blob,
 }
 
 /* POV-Ray mixes the textures of components; here the blob has one. */
-static void take_look(struct blob_reading *blob,
-                      const struct part_reading *reading)
+static void take_look(struct blob_reading *blob, const struct part_reading *reading)
 {
     struct scene_part *part = blob->object.parts;
 
@@ -185,8 +176,7 @@ static bool read_bare_component(struct reader *reader, void *subject,
 
     memset(&part, 0, sizeof part);
     part.to_blob = part.to_local = placement_none.to_world;
-    if (!read_strength(reader, &part.strength)
-        || !read_radius(reader, &part.radius))
+    if (!read_strength(reader, &part.strength) || !read_radius(reader, &part.radius))
         return false;
     reader_comma(reader);
     return read_vector(reader, part.base)
@@ -214,9 +204,7 @@ static const struct keyword blob_words[] = {
 };
 
 static const struct grammar blob_grammar = {
-    "a component or a word that changes the blob",
-    { blob_words },
-    &modifier_grammar
+    "a component or a word that changes the blob", { blob_words }, &modifier_grammar
 };
 
 static bool begin(struct reader *reader, struct blob_reading *blob,

@@ -81,9 +81,8 @@ static bool block_close(struct reader *reader, const struct block *block)
     if (reader_accept_sign(reader, block->closing))
         return true;
     return reader_fault(reader, &reader->token,
-                        "expected '%c' for the '%c' of line %zu",
-                        block->closing, block->open.sign,
-                        block->open.place.line);
+                        "expected '%c' for the '%c' of line %zu", block->closing,
+                        block->open.sign, block->open.place.line);
 }
 
 /* To the next word of the grammar or directive, behind the next inner block,
@@ -94,8 +93,7 @@ static void recover(struct reader *reader, const struct block *block,
     while (!at_close(reader, block)) {
         const struct scene_token *token = &reader->token;
         if (reader->braces == block->level
-            && (reader->closed || reader->directed
-                || grammar_find(grammar, token)
+            && (reader->closed || reader->directed || grammar_find(grammar, token)
                 || (grammar->then && grammar_find(grammar->then, token))))
             break;
         reader_next(reader);
@@ -105,8 +103,7 @@ static void recover(struct reader *reader, const struct block *block,
 static bool read_item(struct reader *reader, const struct grammar **grammar,
                       void *subject)
 {
-    struct item item = { grammar_find(*grammar, &reader->token),
-                         reader->token };
+    struct item item = { grammar_find(*grammar, &reader->token), reader->token };
 
     if (!item.keyword && (*grammar)->then) {
         item.keyword = grammar_find((*grammar)->then, &reader->token);
@@ -140,8 +137,7 @@ bool block_items(struct reader *reader, const struct block *block,
     return block_close(reader, block) && good;
 }
 
-bool block_read(struct reader *reader, const struct grammar *grammar,
-                void *subject)
+bool block_read(struct reader *reader, const struct grammar *grammar, void *subject)
 {
     struct block block;
 
@@ -192,8 +188,7 @@ void skip_arguments(struct reader *reader)
         block_skip(reader);
 }
 
-bool item_left_out(struct reader *reader, void *subject,
-                   const struct item *item)
+bool item_left_out(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
     reader_report(reader, &item->at, "'%s' is not supported and left out",
@@ -202,8 +197,7 @@ bool item_left_out(struct reader *reader, void *subject,
     return true;
 }
 
-bool item_passed_over(struct reader *reader, void *subject,
-                      const struct item *item)
+bool item_passed_over(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
     (void)item;
@@ -211,18 +205,15 @@ bool item_passed_over(struct reader *reader, void *subject,
     return true;
 }
 
-bool item_unsupported(struct reader *reader, void *subject,
-                      const struct item *item)
+bool item_unsupported(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
-    reader_fault(reader, &item->at, "'%s' is not supported",
-                 item->keyword->word);
+    reader_fault(reader, &item->at, "'%s' is not supported", item->keyword->word);
     skip_arguments(reader);
     return false;
 }
 
-bool item_unmarked(struct reader *reader, void *subject,
-                   const struct item *item)
+bool item_unmarked(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
     reader_warn(reader, &item->at, "'%s' without '#' is read as '#%s'",

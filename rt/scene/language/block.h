@@ -10,8 +10,7 @@
 #include "rt/scene/language/reader.h"
 
 struct item;
-typedef bool item_reader(struct reader *reader, void *subject,
-                         const struct item *item);
+typedef bool item_reader(struct reader *reader, void *subject, const struct item *item);
 
 struct keyword {
     const char *word; /* "": the name of an object, which is left to read */
@@ -27,9 +26,9 @@ struct item {
 
 enum { GRAMMAR_TABLES = 4 };
 struct grammar {
-    const char *expected; /* "a word of finish", for messages */
+    const char *expected;                         /* "a word of finish", for messages */
     const struct keyword *tables[GRAMMAR_TABLES]; /* each ends with NULL */
-    const struct grammar *then; /* words that may follow all these */
+    const struct grammar *then;                   /* words that may follow all these */
 };
 
 struct block {
@@ -55,8 +54,7 @@ bool block_open_from(struct reader *reader, struct block *block,
 bool block_items(struct reader *reader, const struct block *block,
                  const struct grammar *grammar, void *subject, bool good);
 /* Both. */
-bool block_read(struct reader *reader, const struct grammar *grammar,
-                void *subject);
+bool block_read(struct reader *reader, const struct grammar *grammar, void *subject);
 /* The rest of an open block, whatever it is. */
 bool block_finish(struct reader *reader, const struct block *block);
 /* .. up to its closing sign, which is left. */

@@ -38,8 +38,7 @@ static bool read_vector_of(struct reader *reader, void *subject,
     return read_vector(reader, member);
 }
 
-static bool read_span(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_span(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_reading *reading = subject;
 
@@ -47,8 +46,7 @@ static bool read_span(struct reader *reader, void *subject,
     return read_vector_of(reader, subject, item);
 }
 
-static bool read_look_at(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_look_at(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_reading *reading = subject;
 
@@ -57,8 +55,7 @@ static bool read_look_at(struct reader *reader, void *subject,
     return read_vector(reader, reading->look_at);
 }
 
-static bool read_angle(struct reader *reader, void *subject,
-                       const struct item *item)
+static bool read_angle(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_reading *reading = subject;
 
@@ -70,8 +67,7 @@ static bool read_angle(struct reader *reader, void *subject,
 }
 
 /* perspective, orthographic: the detail. */
-static bool read_kind(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_kind(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_reading *reading = subject;
 
@@ -82,8 +78,7 @@ static bool read_kind(struct reader *reader, void *subject,
 
 /* POV-Ray's rays start at up to a quarter of its aperture from the location
  * (measured). */
-static bool read_aperture(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_aperture(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_reading *reading = subject;
     double aperture;
@@ -104,8 +99,7 @@ static bool read_lens_points(struct reader *reader, void *subject,
     if (!read_number(reader, &points))
         return false;
     if (points < 1)
-        return reader_fault(reader, &item->at,
-                            "'blur_samples' is not 1 or more");
+        return reader_fault(reader, &item->at, "'blur_samples' is not 1 or more");
     if (points > LENS_POINTS_MOST)
         reader_report(reader, &item->at, "'blur_samples' counts as %d",
                       LENS_POINTS_MOST);
@@ -123,8 +117,7 @@ static bool read_focal_point(struct reader *reader, void *subject,
     return read_vector(reader, reading->focal_point);
 }
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_reading *reading = subject;
     struct placement step;
@@ -171,19 +164,15 @@ static const struct keyword left_out[] = {
 };
 
 static const struct keyword unsupported[] = {
-    { "cylinder", item_unsupported, 0 },
-    { "fisheye", item_unsupported, 0 },
-    { "mesh_camera", item_unsupported, 0 },
-    { "omnimax", item_unsupported, 0 },
-    { "panoramic", item_unsupported, 0 },
-    { "spherical", item_unsupported, 0 },
-    { "ultra_wide_angle", item_unsupported, 0 },
-    { NULL, NULL, 0 },
+    { "cylinder", item_unsupported, 0 },         { "fisheye", item_unsupported, 0 },
+    { "mesh_camera", item_unsupported, 0 },      { "omnimax", item_unsupported, 0 },
+    { "panoramic", item_unsupported, 0 },        { "spherical", item_unsupported, 0 },
+    { "ultra_wide_angle", item_unsupported, 0 }, { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a word of camera", { words, passed_over, left_out, unsupported }, NULL
-};
+static const struct grammar grammar = { "a word of camera",
+                                        { words, passed_over, left_out, unsupported },
+                                        NULL };
 
 static void set_length(double vector[3], double length)
 {
@@ -194,9 +183,8 @@ static void set_length(double vector[3], double length)
 static void apply_angle(struct camera *camera, double angle)
 {
     if (angle > 0)
-        set_length(camera->direction, length3(camera->right)
-                                          / elementary_tan(angle * PI / 360)
-                                          / 2);
+        set_length(camera->direction,
+                   length3(camera->right) / elementary_tan(angle * PI / 360) / 2);
 }
 
 /* An orthographic camera shows as much of what it looks at as one in perspective
@@ -245,8 +233,7 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
     cross3(reading->setting.sky, camera->direction, camera->right);
     if (fabs(camera->right[0]) < NEAR && fabs(camera->right[1]) < NEAR
         && fabs(camera->right[2]) < NEAR) {
-        reader_report(reader, at,
-                      "the camera looks along its sky: right is kept");
+        reader_report(reader, at, "the camera looks along its sky: right is kept");
         memcpy(camera->right, before.right, sizeof camera->right);
     }
     set_length(camera->right, 1);
@@ -259,8 +246,7 @@ static bool apply_look_at(struct reader *reader, const struct scene_token *at,
 
 /* The distance to the focal point is that of what is sharp, wherever the point is;
  * it is as the words say, before any step (measured). */
-static void apply_focal_point(struct reader *reader,
-                              const struct scene_token *at,
+static void apply_focal_point(struct reader *reader, const struct scene_token *at,
                               struct camera_reading *reading)
 {
     struct camera *camera = &reading->setting.camera;
@@ -279,8 +265,7 @@ static void apply_focal_point(struct reader *reader,
     }
 }
 
-static void apply_placement(struct camera *camera,
-                            const struct transform *transform)
+static void apply_placement(struct camera *camera, const struct transform *transform)
 {
     transform_point(transform, camera->location);
     transform_direction(transform, camera->direction);
@@ -295,16 +280,14 @@ static bool is_sound(const struct camera *camera)
 
     return isfinite(volume) && volume != 0
            && isfinite(dot3(camera->location, camera->location))
-           && isfinite(camera->focal_distance)
-           && isfinite(camera->lens_radius);
+           && isfinite(camera->focal_distance) && isfinite(camera->lens_radius);
 }
 
 bool camera_read(struct reader *reader, const struct scene_token *at,
                  struct camera_setting *setting)
 {
-    struct camera_reading reading = {
-        *setting, 0, { 0, 0, 1 }, false, false, { 0 }, false, placement_none
-    };
+    struct camera_reading reading = { *setting, 0,     { 0, 0, 1 }, false,
+                                      false,    { 0 }, false,       placement_none };
     struct camera *camera = &reading.setting.camera;
     struct block block;
 
@@ -320,6 +303,5 @@ bool camera_read(struct reader *reader, const struct scene_token *at,
     apply_placement(camera, &reading.placement.to_world);
     *setting = reading.setting;
     return is_sound(camera)
-           || reader_fault(reader, at,
-                           "direction, right and up span no picture");
+           || reader_fault(reader, at, "direction, right and up span no picture");
 }

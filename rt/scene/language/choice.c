@@ -21,8 +21,7 @@ static bool to_next(struct reader *reader, struct scene_condition *condition)
     return false;
 }
 
-bool switch_begin(struct reader *reader, void *subject,
-                  const struct item *item)
+bool switch_begin(struct reader *reader, void *subject, const struct item *item)
 {
     double value = 0;
     bool good = condition_read(reader, &value);
@@ -57,8 +56,7 @@ static bool read_bounds(struct reader *reader, bool range, double *lowest,
            && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
 }
 
-bool switch_case(struct reader *reader, void *subject,
-                 const struct item *item)
+bool switch_case(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
     double lowest = 0, highest = 0;
@@ -66,10 +64,8 @@ bool switch_case(struct reader *reader, void *subject,
     bool good;
 
     (void)subject;
-    if (!condition || condition->kind != CONDITION_SWITCH
-        || condition->in_else)
-        return reader_fault(reader, &item->at,
-                            "there is no '#switch' for this '#%s'",
+    if (!condition || condition->kind != CONDITION_SWITCH || condition->in_else)
+        return reader_fault(reader, &item->at, "there is no '#switch' for this '#%s'",
                             item->keyword->word);
     sealed = condition_seal(reader);
     good = read_bounds(reader, item->keyword->detail == SWITCH_RANGE, &lowest,

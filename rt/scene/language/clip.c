@@ -16,8 +16,7 @@ struct clipping {
 };
 
 /* It must say of each point on which side it is. */
-static bool check_inside(struct reader *reader,
-                         const struct scene_object *object,
+static bool check_inside(struct reader *reader, const struct scene_object *object,
                          const struct scene_token *at)
 {
     if (object->light_count > 0)
@@ -26,24 +25,20 @@ static bool check_inside(struct reader *reader,
                             "cut");
     for (size_t i = 0; i < object->part_count; i++)
         if (shape_is_surface(&object->parts[i].primitive))
-            return reader_fault(reader, at,
-                                "a %s has no inside, by which to cut",
-                                primitive_kind_name(
-                                    object->parts[i].primitive.kind));
+            return reader_fault(reader, at, "a %s has no inside, by which to cut",
+                                primitive_kind_name(object->parts[i].primitive.kind));
     return object->part_count > 0
            || reader_fault(reader, at, "there is nothing by which to cut");
 }
 
-static bool read_solid(struct reader *reader, void *subject,
-                       const struct item *item)
+static bool read_solid(struct reader *reader, void *subject, const struct item *item)
 {
     struct clipping *clipping = subject;
     struct scene_object solid;
     bool done;
 
     memset(&solid, 0, sizeof solid);
-    done = shape_read(reader, &solid, item)
-           && fields_fill(reader, &solid, &item->at)
+    done = shape_read(reader, &solid, item) && fields_fill(reader, &solid, &item->at)
            && check_inside(reader, &solid, &item->at)
            && ((object_join(&solid) && object_add(&clipping->solids, &solid))
                || reader_no_memory(reader));
@@ -51,8 +46,7 @@ static bool read_solid(struct reader *reader, void *subject,
     return done;
 }
 
-static bool read_as_said(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_as_said(struct reader *reader, void *subject, const struct item *item)
 {
     struct clipping *clipping = subject;
 
@@ -63,8 +57,7 @@ static bool read_as_said(struct reader *reader, void *subject,
 }
 
 /* Of all of them. */
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct clipping *clipping = subject;
     struct placement step;
@@ -91,12 +84,12 @@ static const struct keyword bounded_by_word[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar of_clip = {
-    "an object to clip by", { solids, other_shapes, bounded_by_word }, NULL
-};
-static const struct grammar of_bound = {
-    "an object as a bound", { solids, other_shapes, clipped_by_word }, NULL
-};
+static const struct grammar of_clip = { "an object to clip by",
+                                        { solids, other_shapes, bounded_by_word },
+                                        NULL };
+static const struct grammar of_bound = { "an object as a bound",
+                                         { solids, other_shapes, clipped_by_word },
+                                         NULL };
 
 /* ---- clipped_by ---------------------------------------------------------- */
 
@@ -125,8 +118,7 @@ static size_t count_solids(const struct scene_object *object)
 {
     size_t count = 0;
 
-    for (size_t i = 0; i < object->branch_count;
-         i += object->branches[i].size)
+    for (size_t i = 0; i < object->branch_count; i += object->branches[i].size)
         count++;
     return count;
 }
@@ -156,15 +148,13 @@ static bool clip(struct reader *reader, struct scene_object *object,
            && (object_clip(object, by) || reader_no_memory(reader));
 }
 
-bool clipped_by_read(struct reader *reader, void *subject,
-                     const struct item *item)
+bool clipped_by_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct clipping clipping;
     bool done;
 
     memset(&clipping, 0, sizeof clipping);
-    done = block_read(reader, &of_clip, &clipping)
-           && make_whole(reader, subject);
+    done = block_read(reader, &of_clip, &clipping) && make_whole(reader, subject);
     if (done && clipping.solids.part_count > 0)
         done = clip(reader, subject, &clipping.solids, &item->at);
     scene_object_free(&clipping.solids);
@@ -188,8 +178,7 @@ static bool box_holds(const struct primitive *box, const double point[3])
     return true;
 }
 
-static bool sphere_holds(const struct primitive *sphere,
-                         const double point[3])
+static bool sphere_holds(const struct primitive *sphere, const double point[3])
 {
     double from[3];
 
@@ -210,14 +199,12 @@ static bool holds(const struct primitive *bound, const double point[3])
 }
 
 /* The bound is convex: it holds a box if it holds its corners. */
-static bool holds_box(const struct primitive *bound,
-                      const struct bound *about)
+static bool holds_box(const struct primitive *bound, const struct bound *about)
 {
     for (int i = 0; i < 8; i++) {
         double corner[3];
         for (int axis = 0; axis < 3; axis++)
-            corner[axis] = i >> axis & 1 ? about->high[axis]
-                                         : about->low[axis];
+            corner[axis] = i >> axis & 1 ? about->high[axis] : about->low[axis];
         if (!holds(bound, corner))
             return false;
     }
@@ -238,8 +225,7 @@ static double radius_in_world(const struct primitive *sphere)
     return fabs(sphere->shape.sphere.radius) * sqrt(square);
 }
 
-static bool holds_sphere(const struct primitive *bound,
-                         const struct bound *about)
+static bool holds_sphere(const struct primitive *bound, const struct bound *about)
 {
     double from[3];
 
@@ -249,8 +235,7 @@ static bool holds_sphere(const struct primitive *bound,
     transform_point(&bound->to_world, from);
     for (int i = 0; i < 3; i++)
         from[i] -= about->center[i];
-    return length3(from) + about->radius
-           <= radius_in_world(bound) * (1 + SLACK);
+    return length3(from) + about->radius <= radius_in_world(bound) * (1 + SLACK);
 }
 
 /* Without the margin that rays need. */
@@ -262,8 +247,8 @@ static void bound_part(const struct primitive *primitive, struct bound *bound)
 }
 
 /* What is about a branch.  *part: its first leaf, then what is behind it. */
-static void bound_branch(const struct scene_object *object, size_t at,
-                         size_t *part, struct bound *whole)
+static void bound_branch(const struct scene_object *object, size_t at, size_t *part,
+                         struct bound *whole)
 {
     const struct branch *branches = object->branches;
     enum tree_operation operation = branches[at].operation;
@@ -277,8 +262,7 @@ static void bound_branch(const struct scene_object *object, size_t at,
     bound_branch(object, at + 1, part, &both[0]);
     for (at += 1 + branches[at + 1].size; at < end; at += branches[at].size) {
         bound_branch(object, at, part, &both[1]);
-        (operation == TREE_AND ? bound_common : bound_enclose)(both, 2,
-                                                               whole);
+        (operation == TREE_AND ? bound_common : bound_enclose)(both, 2, whole);
         both[0] = *whole;
     }
     *whole = operation == TREE_NOT ? bound_none : both[0];
@@ -291,11 +275,9 @@ static bool holds_object(const struct scene_object *bound,
     size_t part = 0;
 
     if (bound->branch_count != 1
-        || (primitive->kind != PRIMITIVE_BOX
-            && primitive->kind != PRIMITIVE_SPHERE))
+        || (primitive->kind != PRIMITIVE_BOX && primitive->kind != PRIMITIVE_SPHERE))
         return false;
-    for (size_t i = 0; i < object->branch_count;
-         i += object->branches[i].size) {
+    for (size_t i = 0; i < object->branch_count; i += object->branches[i].size) {
         struct bound about;
         bound_branch(object, i, &part, &about);
         if (!holds_box(primitive, &about) && !holds_sphere(primitive, &about))
@@ -318,20 +300,17 @@ static bool is_forgotten(const struct scene_object *object)
 static bool changes_nothing(const struct clipping *clipping,
                             const struct scene_object *object)
 {
-    return clipping->as_said || is_forgotten(object)
-           || clipping->solids.part_count == 0
+    return clipping->as_said || is_forgotten(object) || clipping->solids.part_count == 0
            || holds_object(&clipping->solids, object);
 }
 
-bool bounded_by_read(struct reader *reader, void *subject,
-                     const struct item *item)
+bool bounded_by_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct clipping clipping;
     bool done;
 
     memset(&clipping, 0, sizeof clipping);
-    done = block_read(reader, &of_bound, &clipping)
-           && make_whole(reader, subject);
+    done = block_read(reader, &of_bound, &clipping) && make_whole(reader, subject);
     if (done && !changes_nothing(&clipping, subject))
         reader_report(reader, &item->at,
                       "'bounded_by' is left out: whether it cuts the object "

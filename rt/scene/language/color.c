@@ -66,13 +66,11 @@ static double from_srgb(double value, double gamma)
 {
     double linear = srgb_light(value);
 
-    return gamma > 0 && gamma != 1 && linear > 0
-               ? elementary_pow(linear, 1 / gamma)
-               : linear;
+    return gamma > 0 && gamma != 1 && linear > 0 ? elementary_pow(linear, 1 / gamma)
+                                                 : linear;
 }
 
-static bool read_ordered(struct reader *reader,
-                         const struct color_order *order,
+static bool read_ordered(struct reader *reader, const struct color_order *order,
                          struct numbers *color)
 {
     struct scene_token at = reader->token;
@@ -90,9 +88,9 @@ static bool read_ordered(struct reader *reader,
     numbers_widen(&given, order->count);
     for (int i = 0; i < order->count; i++) {
         bool convert = order->srgb && order->terms[i] <= BLUE;
-        color->n[order->terms[i]] =
-            convert ? from_srgb(given.n[i], reader->scene->assumed_gamma)
-                    : given.n[i];
+        color->n[order->terms[i]] = convert ? from_srgb(given.n[i],
+                                                        reader->scene->assumed_gamma)
+                                            : given.n[i];
     }
     return true;
 }
@@ -129,8 +127,7 @@ bool read_color_after(struct reader *reader, const struct scene_token *word,
         order = order_find(&reader->token);
         reader_next(reader);
     }
-    if (!(order ? read_ordered(reader, order, color)
-                : read_plain(reader, color))
+    if (!(order ? read_ordered(reader, order, color) : read_plain(reader, color))
         || !read_terms(reader, color))
         return false;
     return numbers_are_finite(color)

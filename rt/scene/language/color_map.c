@@ -14,8 +14,8 @@ struct map_reading {
     struct numbers first; /* the first one's colour, all terms */
 };
 
-static void put_stop(struct color_map *map, struct color_stop *stop,
-                     double at, const double terms[COLOR_TERMS])
+static void put_stop(struct color_map *map, struct color_stop *stop, double at,
+                     const double terms[COLOR_TERMS])
 {
     stop->at = at;
     copy3(terms, stop->color);
@@ -25,15 +25,15 @@ static void put_stop(struct color_map *map, struct color_stop *stop,
     map->count++;
 }
 
-static bool add_stop(struct reader *reader, struct map_reading *reading,
-                     double at, const struct numbers *color)
+static bool add_stop(struct reader *reader, struct map_reading *reading, double at,
+                     const struct numbers *color)
 {
     struct color_map *map = &reading->map;
     struct color_stop *stop = &reading->stops[map->count];
 
     if (map->count == STOPS_MOST)
-        return reader_fault(reader, &reader->token,
-                            "more than %d entries in a map", STOPS_MOST);
+        return reader_fault(reader, &reader->token, "more than %d entries in a map",
+                            STOPS_MOST);
     if (greatest3(color->n) > COLOR_MOST)
         return reader_fault(reader, &reader->token,
                             "a colour of a map is out of range");
@@ -58,8 +58,7 @@ static bool read_stops(struct reader *reader, struct map_reading *reading)
         reader_comma(reader);
     }
     for (int i = 0; i < count; i++) {
-        if (!read_color(reader, &color)
-            || !add_stop(reader, reading, at[i], &color))
+        if (!read_color(reader, &color) || !add_stop(reader, reading, at[i], &color))
             return false;
         reader_comma(reader);
     }
@@ -71,8 +70,7 @@ static bool read_entries(struct reader *reader, struct map_reading *reading)
     struct block entry;
 
     do {
-        bool good = block_open(reader, &entry, '[')
-                    && read_stops(reader, reading);
+        bool good = block_open(reader, &entry, '[') && read_stops(reader, reading);
         if (!good || !reader_at_sign(reader, ']'))
             return good ? reader_expected(reader, "']'") : false;
         if (!block_finish(reader, &entry))
@@ -97,9 +95,8 @@ static bool keep_map(struct reader *reader, const struct color_stop *stops,
 
 bool color_map_gray(struct reader *reader, struct color_map *map)
 {
-    static const struct color_stop stops[2] = {
-        { .at = 0, .color = { 0, 0, 0 } }, { .at = 1, .color = { 1, 1, 1 } }
-    };
+    static const struct color_stop stops[2] = { { .at = 0, .color = { 0, 0, 0 } },
+                                                { .at = 1, .color = { 1, 1, 1 } } };
 
     *map = (struct color_map){ .count = 2 };
     return keep_map(reader, stops, map);
@@ -107,19 +104,17 @@ bool color_map_gray(struct reader *reader, struct color_map *map)
 
 bool color_map_round(struct reader *reader, struct color_map *map)
 {
-    static const struct color_stop stops[4] = {
-        { .at = 0, .color = { 0, 1, 1 } },
-        { .at = .333, .color = { 1, 1, 0 } },
-        { .at = .666, .color = { 1, 0, 1 } },
-        { .at = 1, .color = { 0, 1, 1 } }
-    };
+    static const struct color_stop stops[4] = { { .at = 0, .color = { 0, 1, 1 } },
+                                                { .at = .333, .color = { 1, 1, 0 } },
+                                                { .at = .666, .color = { 1, 0, 1 } },
+                                                { .at = 1, .color = { 0, 1, 1 } } };
 
     *map = (struct color_map){ .count = 4 };
     return keep_map(reader, stops, map);
 }
 
-bool color_map_listed(struct reader *reader, const struct numbers *colors,
-                      size_t count, struct color_map *map)
+bool color_map_listed(struct reader *reader, const struct numbers *colors, size_t count,
+                      struct color_map *map)
 {
     struct color_stop stops[LISTED_MOST];
 

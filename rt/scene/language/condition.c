@@ -16,8 +16,8 @@ static const char *const to_other[] = { "else", "elseif", "end", NULL };
 
 static bool unclosed(struct reader *reader, const struct scene_token *at)
 {
-    return reader_fault(reader, at, "no '#end' closes this '#%.*s'",
-                        (int)at->length, at->text);
+    return reader_fault(reader, at, "no '#end' closes this '#%.*s'", (int)at->length,
+                        at->text);
 }
 
 bool condition_skip(struct reader *reader, const struct scene_token *at,
@@ -44,14 +44,12 @@ struct scene_condition *condition_top(struct reader *reader)
     size_t serial = lexer_top(&reader->lexer)->serial;
     size_t count = reader->condition_count;
 
-    return count > reader->sealed
-                   && reader->conditions[count - 1].frame == serial
+    return count > reader->sealed && reader->conditions[count - 1].frame == serial
                ? &reader->conditions[count - 1]
                : NULL;
 }
 
-struct scene_condition *condition_push(struct reader *reader,
-                                       enum condition_kind kind,
+struct scene_condition *condition_push(struct reader *reader, enum condition_kind kind,
                                        const struct scene_token *at)
 {
     struct scene_condition *condition;
@@ -161,8 +159,8 @@ static bool choose(struct reader *reader, struct scene_condition *condition)
 
 /* The token is the last one of the condition, or that is wrong: then all that
  * depends on it is left out. */
-static bool begin(struct reader *reader, const struct scene_token *at,
-                  bool good, bool holds)
+static bool begin(struct reader *reader, const struct scene_token *at, bool good,
+                  bool holds)
 {
     struct scene_condition *condition = NULL;
 
@@ -177,8 +175,7 @@ static bool begin(struct reader *reader, const struct scene_token *at,
     return holds || choose(reader, condition);
 }
 
-bool condition_if(struct reader *reader, void *subject,
-                  const struct item *item)
+bool condition_if(struct reader *reader, void *subject, const struct item *item)
 {
     double value = 0;
     bool good = condition_read(reader, &value);
@@ -202,8 +199,7 @@ static bool read_name(struct reader *reader, double *defined)
     return done;
 }
 
-bool condition_ifdef(struct reader *reader, void *subject,
-                     const struct item *item)
+bool condition_ifdef(struct reader *reader, void *subject, const struct item *item)
 {
     bool wanted = item->keyword->detail == CONDITION_WHEN_DEFINED;
     double defined = 0;
@@ -214,24 +210,21 @@ bool condition_ifdef(struct reader *reader, void *subject,
 }
 
 /* What stands before it has been read, so the rest is not. */
-bool condition_else(struct reader *reader, void *subject,
-                    const struct item *item)
+bool condition_else(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
 
     (void)subject;
-    if (condition && condition->kind == CONDITION_SWITCH
-        && !condition->in_else && !strcmp(item->keyword->word, "else"))
+    if (condition && condition->kind == CONDITION_SWITCH && !condition->in_else
+        && !strcmp(item->keyword->word, "else"))
         return switch_else(reader, condition);
     if (!condition || condition->kind != CONDITION_IF || condition->in_else)
-        return reader_fault(reader, &item->at,
-                            "there is no '#if' for this '#%s'",
+        return reader_fault(reader, &item->at, "there is no '#if' for this '#%s'",
                             item->keyword->word);
     return condition_leave(reader, condition);
 }
 
-bool condition_end(struct reader *reader, void *subject,
-                   const struct item *item)
+bool condition_end(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_condition *condition = condition_top(reader);
 
@@ -239,8 +232,7 @@ bool condition_end(struct reader *reader, void *subject,
     if (!condition)
         return reader_fault(reader, &item->at,
                             "there is nothing for this '#end' to close");
-    if (condition->kind == CONDITION_WHILE
-        || condition->kind == CONDITION_FOR)
+    if (condition->kind == CONDITION_WHILE || condition->kind == CONDITION_FOR)
         return loop_end(reader, condition);
     reader->condition_count--;
     return true;
@@ -254,8 +246,7 @@ static struct scene_condition *breakable(struct reader *reader)
     size_t serial = lexer_top(&reader->lexer)->serial;
     size_t count = reader->condition_count;
 
-    while (count > reader->sealed
-           && reader->conditions[count - 1].frame == serial) {
+    while (count > reader->sealed && reader->conditions[count - 1].frame == serial) {
         struct scene_condition *condition = &reader->conditions[--count];
         if (condition->kind != CONDITION_IF)
             return condition;
@@ -278,8 +269,7 @@ static bool end_macro(struct reader *reader, const struct scene_token *at)
     return true;
 }
 
-bool condition_break(struct reader *reader, void *subject,
-                     const struct item *item)
+bool condition_break(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_condition *condition = breakable(reader);
     size_t inner;
@@ -287,8 +277,7 @@ bool condition_break(struct reader *reader, void *subject,
     (void)subject;
     if (!condition)
         return end_macro(reader, &item->at);
-    inner = (size_t)(&reader->conditions[reader->condition_count]
-                     - condition);
+    inner = (size_t)(&reader->conditions[reader->condition_count] - condition);
     reader->condition_count -= inner;
     if (!condition_skip(reader, &condition->at, skip_to_end, inner))
         return false;

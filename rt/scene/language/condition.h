@@ -38,14 +38,12 @@ bool condition_holds(double value);
 size_t condition_seal(struct reader *reader);
 void condition_unseal(struct reader *reader, size_t before);
 /* A new condition on the stack; NULL after an error. */
-struct scene_condition *condition_push(struct reader *reader,
-                                       enum condition_kind kind,
+struct scene_condition *condition_push(struct reader *reader, enum condition_kind kind,
                                        const struct scene_token *at);
 /* The innermost one, if it is of this frame; or NULL. */
 struct scene_condition *condition_top(struct reader *reader);
 /* To behind its #end; it is forgotten. */
-bool condition_leave(struct reader *reader,
-                     struct scene_condition *condition);
+bool condition_leave(struct reader *reader, struct scene_condition *condition);
 /* The #end of a loop comes next: another turn, or none. */
 bool loop_end(struct reader *reader, struct scene_condition *loop);
 bool switch_else(struct reader *reader, struct scene_condition *condition);

@@ -57,8 +57,7 @@ static bool open_file(struct reader *reader, struct target *target)
                            target_assign(reader, target, &value));
 }
 
-bool data_file_open(struct reader *reader, void *subject,
-                    const struct item *item)
+bool data_file_open(struct reader *reader, void *subject, const struct item *item)
 {
     struct target target = { .local = false };
     struct declared_name *symbol;
@@ -69,8 +68,7 @@ bool data_file_open(struct reader *reader, void *subject,
     if (!target_read(reader, &target))
         return false;
     if (target.is_element)
-        return reader_fault(reader, &target.name,
-                            "an element cannot stand for a file");
+        return reader_fault(reader, &target.name, "an element cannot stand for a file");
     symbol = target.name.reference.symbol;
     if (symbol)
         symbol_hold(symbol);
@@ -94,8 +92,8 @@ static const struct data_file *expect_file(struct reader *reader)
 /* A macro's parameter goes with the macro; what it stands for is closed. */
 static void forget(struct reader *reader, const struct scene_token *name)
 {
-    const struct declared_name *own = symbols_find(&reader->symbols,
-                                                   name->text, name->length);
+    const struct declared_name *own = symbols_find(&reader->symbols, name->text,
+                                                   name->length);
     struct scene_value closed = { .kind = VALUE_FILE };
 
     if (own == name->reference.symbol)
@@ -104,8 +102,7 @@ static void forget(struct reader *reader, const struct scene_token *name)
         reference_assign(&name->reference, &closed);
 }
 
-bool data_file_close(struct reader *reader, void *subject,
-                     const struct item *item)
+bool data_file_close(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_token name;
 
@@ -181,8 +178,7 @@ static bool take_value(struct datum *datum, struct scene_value *value)
 
 /* A value, and the comma behind it. */
 static bool take_datum(struct datum *datum, const struct data_file *file,
-                       const struct scene_token *at,
-                       struct scene_value *value)
+                       const struct scene_token *at, struct scene_value *value)
 {
     if (!take_value(datum, value))
         return reader_fault(datum->reader, at,
@@ -198,8 +194,7 @@ static bool take_datum(struct datum *datum, const struct data_file *file,
  * source any more, and there may be no value: VALUE_FAULTY.  The file's frame lies
  * on the others meanwhile. */
 static bool read_datum(struct reader *reader, struct data_file *file,
-                       const struct scene_token *at,
-                       struct scene_value *value)
+                       const struct scene_token *at, struct scene_value *value)
 {
     struct datum datum = { .reader = reader };
     size_t begin = file->place.at, end;
@@ -208,8 +203,8 @@ static bool read_datum(struct reader *reader, struct data_file *file,
     *value = (struct scene_value){ .kind = VALUE_FAULTY };
     if (!file->source)
         return true;
-    if (!lexer_call(&reader->lexer, file->source, file->place,
-                    file->source->length, at))
+    if (!lexer_call(&reader->lexer, file->source, file->place, file->source->length,
+                    at))
         return reader_fault(reader, at,
                             "more than %d files and macros lie within each "
                             "other",
@@ -274,14 +269,12 @@ static bool read_all(struct reader *reader, const struct scene_token *name,
     reader_step(reader);
     value.is.file = *file;
     if (file->source)
-        return reader_check(reader, name,
-                            reference_assign(&name->reference, &value));
+        return reader_check(reader, name, reference_assign(&name->reference, &value));
     forget(reader, name);
     return true;
 }
 
-bool data_file_read(struct reader *reader, void *subject,
-                    const struct item *item)
+bool data_file_read(struct reader *reader, void *subject, const struct item *item)
 {
     const struct data_file *open = read_handle(reader, true);
     struct scene_token name = reader->token;
@@ -315,8 +308,7 @@ static bool read_written(struct reader *reader)
     return true;
 }
 
-bool data_file_write(struct reader *reader, void *subject,
-                     const struct item *item)
+bool data_file_write(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
     (void)item;

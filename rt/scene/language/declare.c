@@ -30,10 +30,9 @@ static bool declare_pigment(struct reader *reader, void *subject,
 
     value->kind = (enum scene_value_kind)item->keyword->detail;
     *pigment = reader->default_texture.pigment;
-    return value->kind == VALUE_COLOR_MAP ? color_map_read(reader, pigment)
-           : value->kind == VALUE_PIGMENT_MAP
-               ? pigment_map_read(reader, pigment)
-               : pigment_read(reader, pigment);
+    return value->kind == VALUE_COLOR_MAP     ? color_map_read(reader, pigment)
+           : value->kind == VALUE_PIGMENT_MAP ? pigment_map_read(reader, pigment)
+                                              : pigment_read(reader, pigment);
 }
 
 static bool declare_finish(struct reader *reader, void *subject,
@@ -99,8 +98,7 @@ static bool declare_function(struct reader *reader, void *subject,
 }
 
 /* Where it is used nothing of it is drawn, which is reported there. */
-static bool declare_look(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool declare_look(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_value *value = subject;
 
@@ -112,8 +110,7 @@ static bool declare_look(struct reader *reader, void *subject,
     return true;
 }
 
-static bool declare_sky(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool declare_sky(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_value *value = subject;
 
@@ -122,8 +119,7 @@ static bool declare_sky(struct reader *reader, void *subject,
     return sky_read(reader, &value->is.sky);
 }
 
-static bool declare_fog(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool declare_fog(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_value *value = subject;
 
@@ -252,9 +248,8 @@ static bool read_string(struct reader *reader, struct scene_value *value)
 static bool read_numbers(struct reader *reader, struct scene_value *value)
 {
     value->kind = VALUE_NUMBERS;
-    return is_color_word(&reader->token)
-               ? read_color(reader, &value->is.numbers)
-               : read_expression(reader, &value->is.numbers);
+    return is_color_word(&reader->token) ? read_color(reader, &value->is.numbers)
+                                         : read_expression(reader, &value->is.numbers);
 }
 
 static bool read_statement(struct reader *reader, struct scene_value *value)
@@ -305,9 +300,8 @@ bool value_read(struct reader *reader, struct scene_value *value)
 
 bool is_reserved(const struct scene_token *token)
 {
-    return is_expression_word(token) || is_color_word(token)
-           || is_string_word(token) || is_token(token, "array")
-           || grammar_find(&file_grammar, token)
+    return is_expression_word(token) || is_color_word(token) || is_string_word(token)
+           || is_token(token, "array") || grammar_find(&file_grammar, token)
            || grammar_find(&modifier_grammar, token);
 }
 
@@ -320,8 +314,7 @@ bool name_expected(struct reader *reader, const struct scene_token *token)
     if (!is_reserved(&name))
         return true;
     reader_step(reader);
-    return reader_fault(reader, &name,
-                        "'%.*s' is a word of the language, not a name",
+    return reader_fault(reader, &name, "'%.*s' is a word of the language, not a name",
                         (int)name.length, name.text);
 }
 
@@ -336,8 +329,7 @@ static bool read_right_side(struct reader *reader, size_t depth,
     size_t hold = reader_hold(reader);
     bool done;
 
-    reader->declared = (struct declared_value){ .brackets = 1,
-                                                .depth = depth };
+    reader->declared = (struct declared_value){ .brackets = 1, .depth = depth };
     done = value_read(reader, value);
     reader_release(reader, hold);
     if (done && value->kind == VALUE_NUMBERS && !reader_at_sign(reader, ';'))
@@ -361,12 +353,12 @@ const char *target_assign(struct reader *reader, const struct target *target,
 
     if (target->is_element)
         return reference_assign(&name->reference, value);
-    symbol = target->local ? symbols_find_at(symbols, target->level,
-                                             name->text, name->length)
-                           : symbols_find(symbols, name->text, name->length);
+    symbol = target->local
+                 ? symbols_find_at(symbols, target->level, name->text, name->length)
+                 : symbols_find(symbols, name->text, name->length);
     if (!symbol)
-        return symbols_add(symbols, target->local ? target->level : 0,
-                           name->text, name->length, value);
+        return symbols_add(symbols, target->local ? target->level : 0, name->text,
+                           name->length, value);
     reference = reference_to(symbol);
     return reference_assign(&reference, value);
 }
@@ -393,8 +385,7 @@ bool target_read(struct reader *reader, struct target *target)
         return false;
     if (reader_look_up(reader, &reader->token)) {
         hops = reader->token.reference.hops;
-        if (reader->token.value->kind == VALUE_ARRAY
-            && !element_read_place(reader))
+        if (reader->token.value->kind == VALUE_ARRAY && !element_read_place(reader))
             return false;
     }
     target->name = reader->token;
@@ -421,8 +412,7 @@ static bool declare_value(struct reader *reader, struct target *target)
     return reader_check(reader, &target->name, fault) && done;
 }
 
-bool read_declare(struct reader *reader, void *subject,
-                  const struct item *item)
+bool read_declare(struct reader *reader, void *subject, const struct item *item)
 {
     struct target target = { .local = item->keyword->detail };
     struct declared_name *symbol;

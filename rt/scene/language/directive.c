@@ -47,13 +47,11 @@ static bool open_file(struct reader *reader, const struct scene_token *at,
     opened = lexer_open(&reader->lexer, source);
     reader_step(reader);
     return opened
-           || reader_fault(reader, at,
-                           "more than %d files include each other",
+           || reader_fault(reader, at, "more than %d files include each other",
                            INCLUDE_DEPTH);
 }
 
-static bool read_include(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_include(struct reader *reader, void *subject, const struct item *item)
 {
     size_t depth = reader->lexer.depth;
     struct scene_token at;
@@ -71,8 +69,7 @@ static bool read_include(struct reader *reader, void *subject,
 }
 
 /* Before 3.5 a camera's words were applied in the order of the text. */
-static bool read_version(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_version(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_token at;
     double version;
@@ -132,9 +129,9 @@ static const struct keyword default_words[] = {
     { "normal", default_normal, 0 },   { NULL, NULL, 0 },
 };
 
-static const struct grammar default_grammar = {
-    "texture, pigment, normal or finish", { default_words }, NULL
-};
+static const struct grammar default_grammar = { "texture, pigment, normal or finish",
+                                                { default_words },
+                                                NULL };
 
 bool default_read(struct reader *reader)
 {
@@ -146,8 +143,7 @@ bool default_read(struct reader *reader)
     return done;
 }
 
-static bool read_default(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_default(struct reader *reader, void *subject, const struct item *item)
 {
     struct note_page *page = notes_suspend(&reader->notebook);
     size_t hold = reader_hold(reader);
@@ -162,8 +158,7 @@ static bool read_default(struct reader *reader, void *subject,
 
 /* #debug, #render and #statistics say what follows; #warning reports it, and
  * #error makes it an error. */
-static bool tell(struct reader *reader, const struct item *item,
-                 const char *text)
+static bool tell(struct reader *reader, const struct item *item, const char *text)
 {
     if (item->keyword->detail == MESSAGE_IS_ERROR)
         return reader_fault(reader, &item->at, "%s", text);
@@ -171,13 +166,11 @@ static bool tell(struct reader *reader, const struct item *item,
         reader_warn(reader, &item->at, "%s", text);
     else if (!diagnostics_say(reader->reports, text))
         reader_warn(reader, &item->at,
-                    "more than %d bytes are said: the rest is left out",
-                    SAID_MOST);
+                    "more than %d bytes are said: the rest is left out", SAID_MOST);
     return true;
 }
 
-static bool read_message(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_message(struct reader *reader, void *subject, const struct item *item)
 {
     size_t hold;
     char *text;

@@ -24,8 +24,7 @@ static bool read_size(struct reader *reader, double most, size_t *size)
     if (!read_number(reader, &value))
         return false;
     if (value < 0 || value >= most + 1)
-        return reader_fault(reader, &at, "%g is not between 0 and %.0f",
-                            value, most);
+        return reader_fault(reader, &at, "%g is not between 0 and %.0f", value, most);
     *size = (size_t)value;
     return reader_at_sign(reader, ']') || reader_expected(reader, "']'");
 }
@@ -99,8 +98,7 @@ bool element_read_place(struct reader *reader)
         name.reference = (struct reference){ NULL, 0, { 0 } };
         name.value = NULL;
         reader->token = name;
-        return reader_fault(reader, &name,
-                            "the array of this element is gone");
+        return reader_fault(reader, &name, "the array of this element is gone");
     }
     if (done)
         reader->token = name;
@@ -122,11 +120,11 @@ bool element_read(struct reader *reader)
 
 /* ---- Arrays ------------------------------------------------------------- */
 
-static bool read_row(struct reader *reader, struct array *array,
-                     size_t dimension, size_t *element);
+static bool read_row(struct reader *reader, struct array *array, size_t dimension,
+                     size_t *element);
 
-static bool read_cell(struct reader *reader, struct array *array,
-                      size_t dimension, size_t *element)
+static bool read_cell(struct reader *reader, struct array *array, size_t dimension,
+                      size_t *element)
 {
     struct scene_token at = reader->token;
     struct scene_value value;
@@ -146,8 +144,8 @@ static bool read_cell(struct reader *reader, struct array *array,
     return reader_check(reader, &at, array_set(array, (*element)++, &value));
 }
 
-static bool read_row(struct reader *reader, struct array *array,
-                     size_t dimension, size_t *element)
+static bool read_row(struct reader *reader, struct array *array, size_t dimension,
+                     size_t *element)
 {
     if (!reader_expect_sign(reader, '{'))
         return false;
@@ -159,8 +157,7 @@ static bool read_row(struct reader *reader, struct array *array,
     return reader_expect_sign(reader, '}');
 }
 
-static bool read_sizes(struct reader *reader, size_t *dimensions,
-                       size_t *sizes)
+static bool read_sizes(struct reader *reader, size_t *dimensions, size_t *sizes)
 {
     *dimensions = 0;
     do {

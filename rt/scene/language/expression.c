@@ -27,8 +27,7 @@
 /* One minus, or not, before a factor; false: there is none. */
 static bool accept_prefix(struct reader *reader, char *prefix)
 {
-    *prefix = reader->token.kind == TOKEN_SIGN
-                      && reader->token.sign < SIGN_UNEQUAL
+    *prefix = reader->token.kind == TOKEN_SIGN && reader->token.sign < SIGN_UNEQUAL
                   ? (char)reader->token.sign
                   : '\0';
     if (!*prefix || !strchr("+-!", *prefix))
@@ -99,12 +98,11 @@ static bool is_sign_of(const struct reader *reader, const struct level *level)
     return false;
 }
 
-static bool apply(struct reader *reader, const struct scene_token *at,
-                  bool floats, struct numbers *left, struct numbers *right)
+static bool apply(struct reader *reader, const struct scene_token *at, bool floats,
+                  struct numbers *left, struct numbers *right)
 {
     if (floats
-        && !(operand_float(reader, at, left)
-             && operand_float(reader, at, right)))
+        && !(operand_float(reader, at, left) && operand_float(reader, at, right)))
         return false;
     numbers_widen(left, right->count);
     numbers_widen(right, left->count);
@@ -170,9 +168,8 @@ static bool read_comparison(struct reader *reader, const struct level *level,
 
     if (!string_read_within(reader, &left))
         return false;
-    done = is_sign_of(reader, level)
-               ? compare_strings(reader, left, value)
-               : reader_expected(reader, "a comparison");
+    done = is_sign_of(reader, level) ? compare_strings(reader, left, value)
+                                     : reader_expected(reader, "a comparison");
     free(left);
     return done;
 }
@@ -234,8 +231,7 @@ bool read_number(struct reader *reader, double *value)
     struct scene_token at = reader->token;
     struct numbers numbers;
 
-    if (!read_expression(reader, &numbers)
-        || !operand_float(reader, &at, &numbers))
+    if (!read_expression(reader, &numbers) || !operand_float(reader, &at, &numbers))
         return false;
     *value = numbers.n[0];
     return true;

@@ -30,8 +30,7 @@ struct field_body {
 static void add(struct field_body *body, const double a[3], const double b[3],
                 const double c[3])
 {
-    struct triangle *triangle = &body->triangles
-                                     .list[body->triangles.count++];
+    struct triangle *triangle = &body->triangles.list[body->triangles.count++];
 
     memset(triangle, 0, sizeof *triangle);
     copy3(a, triangle->corners[0]);
@@ -39,8 +38,7 @@ static void add(struct field_body *body, const double a[3], const double b[3],
     copy3(c, triangle->corners[2]);
 }
 
-static void below(const struct field_body *body, const double point[3],
-                  double foot[3])
+static void below(const struct field_body *body, const double point[3], double foot[3])
 {
     copy3(point, foot);
     foot[1] = body->ground;
@@ -69,8 +67,7 @@ static int compare_edges(const void *a, const void *b)
     return first ? first : compare_points(one->ends[1], other->ends[1]);
 }
 
-static void take_edges(const struct triangles *surface,
-                       struct field_edge *edges)
+static void take_edges(const struct triangles *surface, struct field_edge *edges)
 {
     for (size_t i = 0; i < 3 * surface->count; i++) {
         const struct triangle *triangle = &surface->list[i / 3];
@@ -112,17 +109,16 @@ static void add_walls(struct field_body *body, const struct field_edge *edges,
 
 /* ---- The body ------------------------------------------------------------ */
 
-static void add_surface(struct field_body *body,
-                        const struct triangles *surface)
+static void add_surface(struct field_body *body, const struct triangles *surface)
 {
     for (size_t i = 0; i < surface->count; i++) {
         struct triangle triangle = surface->list[i];
 
         for (int k = 0; k < 9; k++)
-            triangle.corners[k / 3][k % 3] =
-                GRAIN * round(triangle.corners[k / 3][k % 3] / GRAIN);
-        add(body, triangle.corners[0], triangle.corners[1],
-            triangle.corners[2]);
+            triangle.corners[k / 3][k % 3] = GRAIN
+                                             * round(triangle.corners[k / 3][k % 3]
+                                                     / GRAIN);
+        add(body, triangle.corners[0], triangle.corners[1], triangle.corners[2]);
         for (int k = 0; k < 3; k++)
             body->ground = fmin(body->ground, triangle.corners[k][1]);
     }
@@ -140,8 +136,7 @@ static void add_ground(struct field_body *body, size_t count)
 }
 
 /* A bit of a corner's number for each axis: 1 of x, 2 of y, 4 of z. */
-static void column_corner(const struct field_body *body, int number,
-                          double corner[3])
+static void column_corner(const struct field_body *body, int number, double corner[3])
 {
     corner[0] = number & 1;
     corner[1] = number & 2 ? body->ground : body->ground - COLUMN_DEPTH;
@@ -151,9 +146,8 @@ static void column_corner(const struct field_body *body, int number,
 static void add_column(struct field_body *body)
 {
     static const int faces[COLUMN_FACES][3] = {
-        { 0, 1, 3 }, { 0, 3, 2 }, { 4, 5, 7 }, { 4, 7, 6 },
-        { 0, 2, 6 }, { 0, 6, 4 }, { 1, 3, 7 }, { 1, 7, 5 },
-        { 0, 4, 5 }, { 0, 5, 1 }, { 2, 6, 7 }, { 2, 7, 3 },
+        { 0, 1, 3 }, { 0, 3, 2 }, { 4, 5, 7 }, { 4, 7, 6 }, { 0, 2, 6 }, { 0, 6, 4 },
+        { 1, 3, 7 }, { 1, 7, 5 }, { 0, 4, 5 }, { 0, 5, 1 }, { 2, 6, 7 }, { 2, 7, 3 },
     };
 
     for (int i = 0; i < COLUMN_FACES; i++) {
@@ -183,8 +177,7 @@ static bool make_body(struct reader *reader, const struct triangles *surface,
                       struct field_body *body)
 {
     size_t most = 8 * surface->count + COLUMN_FACES;
-    struct field_edge *edges = malloc((3 * surface->count + 1)
-                                      * sizeof *edges);
+    struct field_edge *edges = malloc((3 * surface->count + 1) * sizeof *edges);
     bool good;
 
     body->ground = INFINITY;
@@ -220,9 +213,7 @@ static bool fill_part(struct reader *reader, struct scene_part *part,
 
     if (!part->field || own->count > 0)
         return true;
-    done = reader_spend(reader,
-                        TOKEN_COST
-                            * part->primitive.shape.mesh.triangles.count)
+    done = reader_spend(reader, TOKEN_COST * part->primitive.shape.mesh.triangles.count)
            && make_body(reader, &part->primitive.shape.mesh.triangles, &body);
     if (!done)
         return false;

@@ -4,8 +4,7 @@
 
 #include <string.h>
 
-static bool read_distance(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_distance(struct reader *reader, void *subject, const struct item *item)
 {
     struct fog_setting *reading = subject;
 
@@ -13,8 +12,7 @@ static bool read_distance(struct reader *reader, void *subject,
     return read_number(reader, &reading->fog.distance);
 }
 
-static bool read_type(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_type(struct reader *reader, void *subject, const struct item *item)
 {
     struct fog_setting *reading = subject;
     double type;
@@ -108,8 +106,7 @@ bool fog_take(struct reader *reader, const struct fog_setting *setting,
     if (setting->fog.distance == 0)
         return true; /* as in POV-Ray there is none */
     if (setting->fog.distance < 0) {
-        reader_report(reader, at,
-                      "a fog with a distance below 0 is left out");
+        reader_report(reader, at, "a fog with a distance below 0 is left out");
         return true;
     }
     if (scene->fog_count == FOGS_MOST)

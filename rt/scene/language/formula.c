@@ -72,12 +72,11 @@ struct compiler {
 };
 
 /* `takes` floats become one. */
-static bool add_step(struct compiler *compiler,
-                     const struct formula_step *step, size_t takes)
+static bool add_step(struct compiler *compiler, const struct formula_step *step,
+                     size_t takes)
 {
-    struct formula_step *steps = arena_grow(&compiler->reader->arena,
-                                            compiler->steps, compiler->count,
-                                            &compiler->capacity,
+    struct formula_step *steps = arena_grow(&compiler->reader->arena, compiler->steps,
+                                            compiler->count, &compiler->capacity,
                                             sizeof *steps);
 
     if (!steps)
@@ -93,16 +92,15 @@ static bool add_step(struct compiler *compiler,
 static bool read_whole(struct compiler *compiler);
 
 /* "(" full, ... ")" */
-static bool read_arguments(struct compiler *compiler, size_t least,
-                           size_t most, size_t *count)
+static bool read_arguments(struct compiler *compiler, size_t least, size_t most,
+                           size_t *count)
 {
     struct reader *reader = compiler->reader;
 
     *count = 0;
     if (!reader_expect_sign(reader, '('))
         return false;
-    while (*count < least
-           || (*count < most && !reader_at_sign(reader, ')'))) {
+    while (*count < least || (*count < most && !reader_at_sign(reader, ')'))) {
         if (*count && !reader_expect_sign(reader, ','))
             return false;
         if (!read_whole(compiler))
@@ -112,13 +110,11 @@ static bool read_arguments(struct compiler *compiler, size_t least,
     return reader_expect_sign(reader, ')');
 }
 
-static bool read_function(struct compiler *compiler,
-                          const struct function *function)
+static bool read_function(struct compiler *compiler, const struct function *function)
 {
     struct reader *reader = compiler->reader;
     size_t least = strspn(function->takes, "f"), most = least;
-    struct formula_step step = { .kind = FORMULA_FUNCTION,
-                                 .is.function = function };
+    struct formula_step step = { .kind = FORMULA_FUNCTION, .is.function = function };
 
     if (strchr(function->takes, 'v'))
         return reader_expected(reader, "a function of floats");
@@ -149,8 +145,7 @@ static bool read_term(struct reader *reader, size_t *term)
 }
 
 /* Any arguments, any component: there will be no value. */
-static bool read_other_call(struct compiler *compiler,
-                            const struct formula *called)
+static bool read_other_call(struct compiler *compiler, const struct formula *called)
 {
     struct reader *reader = compiler->reader;
     struct formula_step step = { .kind = FORMULA_CALL, .is.formula = called };
@@ -167,8 +162,7 @@ static bool read_other_call(struct compiler *compiler,
     return add_step(compiler, &step, step.count);
 }
 
-static bool read_formula_call(struct compiler *compiler,
-                              const struct formula *called)
+static bool read_formula_call(struct compiler *compiler, const struct formula *called)
 {
     struct reader *reader = compiler->reader;
     struct formula_step step = { .kind = FORMULA_CALL, .is.formula = called };
@@ -304,10 +298,8 @@ static bool read_parameter(struct compiler *compiler)
     if (token->kind != TOKEN_WORD)
         return reader_expected(reader, "the name of a parameter, or ')'");
     if (number == PARAMETERS_MOST)
-        return reader_fault(reader, token, "more than %d parameters",
-                            PARAMETERS_MOST);
-    compiler->parameters[number] = (struct name){ token->text,
-                                                  token->length };
+        return reader_fault(reader, token, "more than %d parameters", PARAMETERS_MOST);
+    compiler->parameters[number] = (struct name){ token->text, token->length };
     compiler->formula->parameter_count++;
     reader_next(reader);
     reader_comma(reader);
@@ -334,8 +326,7 @@ static bool read_parameters(struct compiler *compiler)
 /* What no formula can do: its text is passed over. */
 static const char *find_other(const struct reader *reader)
 {
-    static const char *const words[] = { "internal", "pattern", "pigment",
-                                         "spline" };
+    static const char *const words[] = { "internal", "pattern", "pigment", "spline" };
 
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (is_token(&reader->token, words[i]))
@@ -384,8 +375,7 @@ const struct formula *formula_read(struct reader *reader)
         || !read_body(&compiler, &block)
         || !reader_spend(reader, MEMORY_COST
                                      * (sizeof *compiler.formula
-                                        + compiler.capacity
-                                              * sizeof *compiler.steps)))
+                                        + compiler.capacity * sizeof *compiler.steps)))
         return NULL;
     return compiler.formula;
 }
@@ -398,9 +388,8 @@ struct formula_caller {
     const struct scene_token *at;
 };
 
-static bool evaluate(const struct formula_caller *call,
-                     const struct formula *formula, const double *arguments,
-                     double *value);
+static bool evaluate(const struct formula_caller *call, const struct formula *formula,
+                     const double *arguments, double *value);
 
 static double operate(int sign, double a, double b)
 {
@@ -421,8 +410,7 @@ static double operate(int sign, double a, double b)
 }
 
 /* `count` floats become one, where the first of them is. */
-static void apply(const struct function *function, size_t count,
-                  double *arguments)
+static void apply(const struct function *function, size_t count, double *arguments)
 {
     struct numbers taken[ARGUMENTS_MOST], result;
 
@@ -437,8 +425,8 @@ static void apply(const struct function *function, size_t count,
 }
 
 static bool take_step(const struct formula_caller *call,
-                      const struct formula_step *step,
-                      const double *arguments, double **top)
+                      const struct formula_step *step, const double *arguments,
+                      double **top)
 {
     double value[3];
 
@@ -462,13 +450,11 @@ static bool take_step(const struct formula_caller *call,
         break;
     }
     return isfinite((*top)[-1])
-           || reader_fault(call->reader, call->at,
-                           "the value is not a finite number");
+           || reader_fault(call->reader, call->at, "the value is not a finite number");
 }
 
-static bool take_steps(const struct formula_caller *call,
-                       const struct formula *formula, const double *arguments,
-                       double *stack, double *value)
+static bool take_steps(const struct formula_caller *call, const struct formula *formula,
+                       const double *arguments, double *stack, double *value)
 {
     double *top = stack;
 
@@ -480,9 +466,8 @@ static bool take_steps(const struct formula_caller *call,
 }
 
 /* Formulas of formulas may take very long, so that it counts as reading. */
-static bool evaluate(const struct formula_caller *call,
-                     const struct formula *formula, const double *arguments,
-                     double *value)
+static bool evaluate(const struct formula_caller *call, const struct formula *formula,
+                     const double *arguments, double *value)
 {
     struct reader *reader = call->reader;
     double *stack;
@@ -504,8 +489,7 @@ static bool evaluate(const struct formula_caller *call,
 }
 
 /* "(" floats ")" behind its name. */
-static bool take_arguments(struct reader *reader, size_t count,
-                           double *arguments)
+static bool take_arguments(struct reader *reader, size_t count, double *arguments)
 {
     reader_next(reader);
     if (!reader_expect_sign(reader, '('))

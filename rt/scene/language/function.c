@@ -81,8 +81,7 @@ static long bits_of(const struct numbers *number)
     return value > -WHOLE_MOST && value < WHOLE_MOST ? (long)value : 0;
 }
 
-static void apply_bitwise_and(const struct numbers *a, size_t n,
-                              struct numbers *r)
+static void apply_bitwise_and(const struct numbers *a, size_t n, struct numbers *r)
 {
     long bits = bits_of(&a[0]);
 
@@ -91,8 +90,7 @@ static void apply_bitwise_and(const struct numbers *a, size_t n,
     give(r, (double)bits);
 }
 
-static void apply_bitwise_or(const struct numbers *a, size_t n,
-                             struct numbers *r)
+static void apply_bitwise_or(const struct numbers *a, size_t n, struct numbers *r)
 {
     long bits = bits_of(&a[0]);
 
@@ -101,8 +99,7 @@ static void apply_bitwise_or(const struct numbers *a, size_t n,
     give(r, (double)bits);
 }
 
-static void apply_bitwise_xor(const struct numbers *a, size_t n,
-                              struct numbers *r)
+static void apply_bitwise_xor(const struct numbers *a, size_t n, struct numbers *r)
 {
     long bits = bits_of(&a[0]);
 
@@ -139,16 +136,14 @@ static void apply_vdot(const struct numbers *a, size_t n, struct numbers *r)
     give(r, dot3(a[0].n, a[1].n));
 }
 
-static void apply_vlength(const struct numbers *a, size_t n,
-                          struct numbers *r)
+static void apply_vlength(const struct numbers *a, size_t n, struct numbers *r)
 {
     (void)n;
     give(r, length3(a[0].n));
 }
 
 /* The zero vector stays as it is. */
-static void apply_vnormalize(const struct numbers *a, size_t n,
-                             struct numbers *r)
+static void apply_vnormalize(const struct numbers *a, size_t n, struct numbers *r)
 {
     double length = length3(a[0].n);
 
@@ -158,8 +153,7 @@ static void apply_vnormalize(const struct numbers *a, size_t n,
         scale3(1 / length, r->n);
 }
 
-static void apply_vrotate(const struct numbers *a, size_t n,
-                          struct numbers *r)
+static void apply_vrotate(const struct numbers *a, size_t n, struct numbers *r)
 {
     struct placement rotation = placement_rotation(a[1].n);
 
@@ -169,8 +163,7 @@ static void apply_vrotate(const struct numbers *a, size_t n,
 }
 
 /* Rodrigues' formula: v cos + (k x v) sin + k (k.v)(1 - cos). */
-static void apply_vaxis_rotate(const struct numbers *a, size_t n,
-                               struct numbers *r)
+static void apply_vaxis_rotate(const struct numbers *a, size_t n, struct numbers *r)
 {
     double angle = radians(a[2].n[0]), c = elementary_cos(angle),
            s = elementary_sin(angle);

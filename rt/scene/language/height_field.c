@@ -47,14 +47,13 @@ struct field_point {
 /* Of the triangle between a point and its neighbours along x and z, of length
  * one, where a step along the grid and one of the height are of the same
  * length. */
-static void add_normal(const struct heights *heights, size_t x, size_t z,
-                       int right, int up, double sum[3])
+static void add_normal(const struct heights *heights, size_t x, size_t z, int right,
+                       int up, double sum[3])
 {
     double height = height_at(heights, x, z);
     double beside = height_at(heights, x + (size_t)right, z);
     double behind = height_at(heights, x, z + (size_t)up);
-    double normal[3] = { right * (height - beside), 1,
-                         up * (height - behind) };
+    double normal[3] = { right * (height - beside), 1, up * (height - behind) };
     double length = length3(normal);
 
     for (int i = 0; i < 3; i++)
@@ -75,23 +74,19 @@ static void point_normal(const struct heights *heights, size_t x, size_t z,
         normal[i] = 0;
     for (int right = -1; right <= 1; right += 2)
         for (int up = -1; up <= 1; up += 2)
-            if (x + (size_t)right < heights->columns
-                && z + (size_t)up < heights->rows)
+            if (x + (size_t)right < heights->columns && z + (size_t)up < heights->rows)
                 add_normal(heights, x, z, right, up, normal);
     length = length3(normal);
     for (int i = 0; i < 3; i++)
         normal[i] = trunc(normal[i] / length * NORMAL_STEPS) * steps[i];
 }
 
-static struct field_point point_of(const struct height_field *field, size_t x,
-                                   size_t z)
+static struct field_point point_of(const struct height_field *field, size_t x, size_t z)
 {
     const struct heights *heights = &field->heights;
-    struct field_point point = {
-        .place = { (double)x / (double)(heights->columns - 1),
-                   height_at(heights, x, z) / HEIGHT_ONE,
-                   (double)z / (double)(heights->rows - 1) }
-    };
+    struct field_point point = { .place = { (double)x / (double)(heights->columns - 1),
+                                            height_at(heights, x, z) / HEIGHT_ONE,
+                                            (double)z / (double)(heights->rows - 1) } };
 
     if (field->smooth) {
         point_normal(heights, x, z, point.normal);
@@ -145,14 +140,11 @@ static size_t cut_triangle(const struct height_field *field,
     return count;
 }
 
-static void put_triangle(struct height_field *field,
-                         const struct field_point *a,
-                         const struct field_point *b,
-                         const struct field_point *c)
+static void put_triangle(struct height_field *field, const struct field_point *a,
+                         const struct field_point *b, const struct field_point *c)
 {
     const struct field_point *points[3] = { a, b, c };
-    struct triangle *triangle = &field->triangles
-                                     .list[field->triangles.count];
+    struct triangle *triangle = &field->triangles.list[field->triangles.count];
 
     memset(triangle, 0, sizeof *triangle);
     triangle->smooth = field->smooth;
@@ -164,8 +156,7 @@ static void put_triangle(struct height_field *field,
 }
 
 /* Counts them only, as long as there is no room for them. */
-static void add_half(struct height_field *field, size_t x, size_t z,
-                     bool upper)
+static void add_half(struct height_field *field, size_t x, size_t z, bool upper)
 {
     struct field_point corners[3], left[4];
     size_t count;
@@ -203,8 +194,7 @@ static bool make_triangles(struct height_field *field)
         return false;
     field->triangles.list = arena_take(&reader->scene->kept,
                                        (count + 1) * sizeof(struct triangle));
-    return field->triangles.list ? add_cells(field)
-                                 : reader_no_memory(reader);
+    return field->triangles.list ? add_cells(field) : reader_no_memory(reader);
 }
 
 /* ---- In the world -------------------------------------------------------- */
@@ -217,8 +207,7 @@ static void carry_normal(const struct transform *to_local, double normal[3])
 }
 
 /* Others of their own. */
-static bool place_triangles(struct reader *reader,
-                            const struct primitive *primitive,
+static bool place_triangles(struct reader *reader, const struct primitive *primitive,
                             struct triangles *triangles)
 {
     size_t count = triangles->count;
@@ -267,8 +256,7 @@ static bool read_words(struct height_field *field)
     }
 }
 
-static bool add_mesh(const struct height_field *field,
-                     struct scene_object *object)
+static bool add_mesh(const struct height_field *field, struct scene_object *object)
 {
     struct primitive primitive;
 

@@ -27,11 +27,10 @@
  * there. */
 enum { COARSE = 0xf8, TGA_BITS = 16 };
 
-#define FUNCTION_MOST \
-    32000. /* beyond, POV-Ray's whole numbers are too small */
+#define FUNCTION_MOST 32000. /* beyond, POV-Ray's whole numbers are too small */
 
-static bool allocate(struct reader *reader, struct heights *heights,
-                     size_t columns, size_t rows)
+static bool allocate(struct reader *reader, struct heights *heights, size_t columns,
+                     size_t rows)
 {
     heights->columns = columns;
     heights->rows = rows;
@@ -54,8 +53,7 @@ static bool check_size(struct reader *reader, const struct scene_token *at,
                             "a height_field needs two rows of two heights at "
                             "least");
     return 2 * (columns - 1) * (rows - 1) <= TRIANGLES_MOST
-           || reader_fault(reader, at,
-                           "more than %d triangles in one height_field",
+           || reader_fault(reader, at, "more than %d triangles in one height_field",
                            TRIANGLES_MOST);
 }
 
@@ -80,14 +78,12 @@ static uint32_t grey_height(const struct pixels *pixels, uint32_t sample)
 {
     uint32_t most = pixels->raster.most;
 
-    if (pixels->kind == RASTER_PNG && most == UINT8_MAX
-        && pixels->raster.channels == 1)
+    if (pixels->kind == RASTER_PNG && most == UINT8_MAX && pixels->raster.channels == 1)
         return 257 * grey_png_steps((float)sample / (float)most);
     return (uint32_t)((uint64_t)sample * UINT16_MAX / most);
 }
 
-static uint32_t color_height(const struct pixels *pixels,
-                             const uint16_t *sample)
+static uint32_t color_height(const struct pixels *pixels, const uint16_t *sample)
 {
     uint32_t most = pixels->raster.most;
     float color[3];
@@ -134,8 +130,8 @@ static bool take_pixels(struct reader *reader, const struct scene_token *at,
     if (pixels->kind == RASTER_TIFF)
         cut_to_bytes(raster);
     for (size_t i = 0; i < columns * rows; i++)
-        heights->list[(rows - 1 - i / columns) * columns + i % columns] =
-            (uint16_t)pixel_height(pixels, i);
+        heights->list[(rows - 1 - i / columns) * columns + i % columns] = (uint16_t)
+            pixel_height(pixels, i);
     return true;
 }
 
@@ -181,8 +177,7 @@ static bool read_image(struct reader *reader, struct heights *heights)
 {
     struct image_file file;
 
-    return image_file_read(reader,
-                           "the kind of an image, its name, or 'function'",
+    return image_file_read(reader, "the kind of an image, its name, or 'function'",
                            &file)
            && take_file(reader, &file, heights);
 }
@@ -198,8 +193,7 @@ static bool take_value(struct reader *reader, const struct scene_token *at,
                       "the function has values below 0 or above 1, which "
                       "count as others within");
     if (fabs(value) > FUNCTION_MOST)
-        return reader_fault(reader, at, "the function has the value %g",
-                            value);
+        return reader_fault(reader, at, "the function has the value %g", value);
     *height = (uint16_t)(int32_t)(value * UINT16_MAX);
     return true;
 }
@@ -207,8 +201,7 @@ static bool take_value(struct reader *reader, const struct scene_token *at,
 /* x goes from 0 to 1 with the columns; y with the rows of an image, from the
  * greatest z down; z is 0. */
 static bool take_values(struct reader *reader, const struct scene_token *at,
-                        const struct formula *formula,
-                        struct heights *heights)
+                        const struct formula *formula, struct heights *heights)
 {
     size_t columns = heights->columns, rows = heights->rows;
 

@@ -36,8 +36,7 @@ const char *image_kind_unsupported(const struct reader *reader)
 static bool find_file(struct reader *reader, const struct image_word *word,
                       const char *name, struct image_file *file)
 {
-    const struct scene_source *source = reader_find(reader, &file->at, name,
-                                                    false);
+    const struct scene_source *source = reader_find(reader, &file->at, name, false);
 
     if (!source)
         return false;
@@ -46,8 +45,7 @@ static bool find_file(struct reader *reader, const struct image_word *word,
     file->source = source;
     file->kind = raster_kind_of(source->text, source->length);
     if (word && word->kind != file->kind)
-        return reader_fault(reader, &file->at, "the file is not '%s'",
-                            word->word);
+        return reader_fault(reader, &file->at, "the file is not '%s'", word->word);
     return true;
 }
 
@@ -60,13 +58,11 @@ bool image_file_read(struct reader *reader, const char *expected,
 
     if (word && word->kind == RASTER_KINDS)
         return reader_fault(reader, &reader->token,
-                            "images of the kind '%s' are not supported",
-                            word->word);
+                            "images of the kind '%s' are not supported", word->word);
     if (word)
         reader_next(reader);
     if (!starts_string(reader))
-        return reader_expected(reader,
-                               word ? "the name of an image" : expected);
+        return reader_expected(reader, word ? "the name of an image" : expected);
     file->at = reader->token;
     if (!file_name_read(reader, &name))
         return false;
@@ -78,12 +74,10 @@ bool image_file_read(struct reader *reader, const char *expected,
 bool image_file_pixels(struct reader *reader, const struct image_file *file,
                        const char *bytes, struct raster *raster)
 {
-    raster_reader *reads = reader->options ? reader->options->read_raster
-                                           : NULL;
+    raster_reader *reads = reader->options ? reader->options->read_raster : NULL;
     c205_error error;
 
-    return raster_read(file->kind, bytes, file->source->length, reads, raster,
-                       &error)
+    return raster_read(file->kind, bytes, file->source->length, reads, raster, &error)
            || reader_fault(reader, &file->at, "the image cannot be read: %s",
                            error.message);
 }

@@ -52,8 +52,7 @@ static bool take_samples(struct reader *reader, const struct raster *raster,
                          struct kept_image *kept)
 {
     size_t pixels = raster->width * raster->height, n = raster->channels;
-    uint16_t *samples = arena_take(&reader->scene->kept,
-                                   3 * pixels * sizeof *samples);
+    uint16_t *samples = arena_take(&reader->scene->kept, 3 * pixels * sizeof *samples);
 
     if (!samples)
         return reader_no_memory(reader);
@@ -86,8 +85,7 @@ static bool check_size(struct reader *reader, const struct raster *raster,
 }
 
 static bool take_table(struct reader *reader, const struct raster *raster,
-                       const struct image_reading *reading,
-                       struct kept_image *kept)
+                       const struct image_reading *reading, struct kept_image *kept)
 {
     if (!check_size(reader, raster, &reading->file.at))
         return false;
@@ -97,8 +95,7 @@ static bool take_table(struct reader *reader, const struct raster *raster,
     kept->table.width = raster->width;
     kept->table.height = raster->height;
     kept->table.most = raster->most;
-    kept->table.light = decode(reader, raster, &reading->file,
-                               &reading->transfer);
+    kept->table.light = decode(reader, raster, &reading->file, &reading->transfer);
     if (!kept->table.light)
         return reader_no_memory(reader);
     return take_samples(reader, raster, kept);
@@ -115,8 +112,8 @@ static const struct kept_image *new_image(struct reader *reader,
         reader_no_memory(reader);
         return NULL;
     }
-    done = image_file_pixels(reader, &reading->file,
-                             reading->file.source->text, &raster)
+    done = image_file_pixels(reader, &reading->file, reading->file.source->text,
+                             &raster)
            && take_table(reader, &raster, reading, kept);
     free(raster.samples);
     if (!done)
@@ -141,8 +138,7 @@ static const struct kept_image *image_of(struct reader *reader,
 
 /* ---- Words --------------------------------------------------------------- */
 
-static bool read_once(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_once(struct reader *reader, void *subject, const struct item *item)
 {
     struct image_reading *reading = subject;
 
@@ -153,8 +149,7 @@ static bool read_once(struct reader *reader, void *subject,
 }
 
 /* POV-Ray's numbers: 0, 1, 2 and 5. */
-static bool read_type(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_type(struct reader *reader, void *subject, const struct item *item)
 {
     static const int types[IMAGE_MAPPINGS] = { 0, 1, 2, 5 };
     struct image_reading *reading = subject;
@@ -167,14 +162,13 @@ static bool read_type(struct reader *reader, void *subject,
             reading->map.mapping = (enum image_mapping)i;
             return true;
         }
-    reader_report(reader, &item->at,
-                  "'map_type %g' is not supported and replaced by 0", type);
+    reader_report(reader, &item->at, "'map_type %g' is not supported and replaced by 0",
+                  type);
     reading->map.mapping = IMAGE_PLANAR;
     return true;
 }
 
-static bool read_sampling(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_sampling(struct reader *reader, void *subject, const struct item *item)
 {
     struct image_reading *reading = subject;
     double number;
@@ -191,8 +185,7 @@ static bool read_sampling(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_gamma(struct reader *reader, void *subject,
-                       const struct item *item)
+static bool read_gamma(struct reader *reader, void *subject, const struct item *item)
 {
     struct image_reading *reading = subject;
     struct transfer_function *transfer = &reading->transfer;
@@ -210,13 +203,11 @@ static bool read_gamma(struct reader *reader, void *subject,
 
 static void report_opaque(struct reader *reader, const struct scene_token *at)
 {
-    reader_report(reader, at,
-                  "an image that lets light pass is drawn opaque");
+    reader_report(reader, at, "an image that lets light pass is drawn opaque");
 }
 
 /* filter, transmit: of one number of a colour, or of all. */
-static bool read_passing(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_passing(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
     report_opaque(reader, &item->at);
@@ -241,9 +232,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of image_map",
-                                        { words },
-                                        NULL };
+static const struct grammar grammar = { "a word of image_map", { words }, NULL };
 
 /* ---- The pigment --------------------------------------------------------- */
 
@@ -264,8 +253,8 @@ static void show(const struct image_map *map, struct pigment *pigment)
 
 /* Before version 3.7 only a PNG file that states its gamma is decoded, and no
  * file while assumed_gamma is not given. */
-static struct transfer_function
-default_transfer(const struct reader *reader, const struct image_file *file)
+static struct transfer_function default_transfer(const struct reader *reader,
+                                                 const struct image_file *file)
 {
     const struct scene_source *source = file->source;
     bool before = reader_is_before(reader, 3.7);
@@ -317,16 +306,14 @@ static bool leave_out(struct reader *reader, const struct block *block,
                       struct pigment *pigment, const char *what)
 {
     reader_report(reader, &reader->token,
-                  "an image of the kind '%s' is not supported and left black",
-                  what);
+                  "an image of the kind '%s' is not supported and left black", what);
     pigment->kind = PIGMENT_COLOR;
     memset(pigment->color, 0, sizeof pigment->color);
     pigment->filter[0] = pigment->transmit[0] = 0;
     return block_finish(reader, block);
 }
 
-bool image_map_read(struct reader *reader, void *subject,
-                    const struct item *item)
+bool image_map_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct image_reading reading = { .map = { .mapping = IMAGE_PLANAR } };
     const char *other;

@@ -2,8 +2,7 @@
 #include "rt/scene/language/expression.h"
 #include "rt/scene/language/statement.h"
 
-static bool read_ior(struct reader *reader, void *subject,
-                     const struct item *item)
+static bool read_ior(struct reader *reader, void *subject, const struct item *item)
 {
     double *ior = subject;
 

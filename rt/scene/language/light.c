@@ -26,8 +26,7 @@ static bool read_shadowless(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct placement step;
 
@@ -59,8 +58,7 @@ static bool read_looks_like(struct reader *reader, void *subject,
 }
 
 /* .. with the edge that it has unless it is told; both measured. */
-static bool read_beam(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_beam(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
     bool cone = item->keyword->detail == BEAM_CONE;
@@ -79,8 +77,7 @@ static bool read_beam(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_parallel(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_parallel(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
 
@@ -91,8 +88,7 @@ static bool read_parallel(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_point_at(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_point_at(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
     double point[3];
@@ -106,8 +102,7 @@ static bool read_point_at(struct reader *reader, void *subject,
 }
 
 /* The keyword's detail is the member's offset. */
-static bool read_fading(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_fading(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
     double number;
@@ -122,8 +117,7 @@ static bool read_fading(struct reader *reader, void *subject,
 }
 
 /* As in POV-Ray a beam is named before its measures. */
-static bool read_measure(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_measure(struct reader *reader, void *subject, const struct item *item)
 {
     const struct scene_object *object = subject;
 
@@ -137,8 +131,7 @@ static bool read_measure(struct reader *reader, void *subject,
 }
 
 /* POV-Ray's: what is behind the decimal point is cut off. */
-static bool read_side(struct reader *reader, const struct item *item,
-                      size_t *size)
+static bool read_side(struct reader *reader, const struct item *item, size_t *size)
 {
     double number;
 
@@ -153,8 +146,7 @@ static bool read_side(struct reader *reader, const struct item *item,
     return true;
 }
 
-static bool read_area(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_area(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
     double axes[2][3];
@@ -177,8 +169,7 @@ static bool read_area(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_circular(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_circular(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
 
@@ -242,8 +233,7 @@ static bool read_point(struct reader *reader, struct scene_object *object)
 }
 
 /* What has an axis, has a way to go. */
-static bool check_beams(struct reader *reader,
-                        const struct scene_object *object,
+static bool check_beams(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
     for (size_t i = 0; i < object->light_count; i++) {
@@ -251,14 +241,12 @@ static bool check_beams(struct reader *reader,
         double way[3];
 
         subtract3(light->point_at, light->position, way);
-        if ((light->beam != BEAM_NONE || light->parallel)
-            && !(length3(way) > 0))
+        if ((light->beam != BEAM_NONE || light->parallel) && !(length3(way) > 0))
             return reader_fault(reader, at,
                                 "the light is at the point that it points "
                                 "at");
         if (light->tightness < TIGHTNESS_LEAST)
-            return reader_fault(reader, at, "a tightness below %d",
-                                TIGHTNESS_LEAST);
+            return reader_fault(reader, at, "a tightness below %d", TIGHTNESS_LEAST);
         if (light->beam == BEAM_CYLINDER && !(light->falloff > 0))
             return reader_fault(reader, at,
                                 "a cylinder with a falloff that is not above "
@@ -268,8 +256,7 @@ static bool check_beams(struct reader *reader,
 }
 
 /* An error of POV-Ray's, too. */
-static bool check_areas(struct reader *reader,
-                        const struct scene_object *object,
+static bool check_areas(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
     for (size_t i = 0; i < object->light_count; i++) {
@@ -286,8 +273,7 @@ static bool check_areas(struct reader *reader,
 
 /* POV-Ray gives parallel rays other shadows with an area than without, which are
  * not understood. */
-static void leave_out_areas(struct reader *reader,
-                            struct scene_object *object,
+static void leave_out_areas(struct reader *reader, struct scene_object *object,
                             const struct scene_token *at)
 {
     for (size_t i = 0; i < object->light_count; i++) {
@@ -316,8 +302,7 @@ bool light_read(struct reader *reader, struct scene_object *object)
         good = shape_copy(reader, object, &value->is.object);
         reader_next(reader);
     } else {
-        good = shape_count(reader, 1, &block.open)
-               && read_point(reader, object);
+        good = shape_count(reader, 1, &block.open) && read_point(reader, object);
     }
     object->is_light = true;
     if (!block_items(reader, &block, &grammar, object, good)

@@ -12,8 +12,7 @@ static bool leave_out(struct reader *reader, const struct scene_token *at)
 }
 
 /* The text that a turn begins with is in the frame of its #end. */
-static bool same_frame(struct reader *reader,
-                       const struct scene_condition *loop)
+static bool same_frame(struct reader *reader, const struct scene_condition *loop)
 {
     return lexer_top(&reader->lexer)->serial == loop->frame
            || reader_fault(reader, &loop->at,
@@ -21,8 +20,8 @@ static bool same_frame(struct reader *reader,
 }
 
 /* The token is the last one before the body. */
-static bool turn(struct reader *reader, struct scene_condition *loop,
-                 bool good, bool holds)
+static bool turn(struct reader *reader, struct scene_condition *loop, bool good,
+                 bool holds)
 {
     if (!good || !holds)
         return condition_leave(reader, loop) && good;
@@ -34,8 +33,7 @@ static bool turn(struct reader *reader, struct scene_condition *loop,
 static bool may_go_on(struct reader *reader, struct scene_condition *loop)
 {
     if (++loop->turns == TURNS_MOST)
-        return reader_fault(reader, &loop->at, "more than %d turns",
-                            TURNS_MOST);
+        return reader_fault(reader, &loop->at, "more than %d turns", TURNS_MOST);
     return reader->reports->errors == loop->errors;
 }
 
@@ -51,8 +49,7 @@ static bool begin_turn(struct reader *reader, struct scene_condition *loop)
 
 bool loop_while(struct reader *reader, void *subject, const struct item *item)
 {
-    struct scene_condition *loop = condition_push(reader, CONDITION_WHILE,
-                                                  &item->at);
+    struct scene_condition *loop = condition_push(reader, CONDITION_WHILE, &item->at);
 
     (void)subject;
     if (!loop)
@@ -63,14 +60,14 @@ bool loop_while(struct reader *reader, void *subject, const struct item *item)
 
 /* ---- #for --------------------------------------------------------------- */
 
-static bool set_variable(struct reader *reader,
-                         const struct scene_token *name, double number)
+static bool set_variable(struct reader *reader, const struct scene_token *name,
+                         double number)
 {
     struct scene_value value = { .kind = VALUE_NUMBERS,
                                  .is.numbers = numbers_of(number) };
     size_t level = reader->lexer.depth;
-    struct declared_name *symbol = symbols_find_at(&reader->symbols, level,
-                                                   name->text, name->length);
+    struct declared_name *symbol = symbols_find_at(&reader->symbols, level, name->text,
+                                                   name->length);
     struct reference reference;
 
     if (!symbol)
@@ -82,8 +79,8 @@ static bool set_variable(struct reader *reader,
 }
 
 /* The body may have changed it, as in POV-Ray. */
-static bool get_variable(struct reader *reader,
-                         const struct scene_token *name, double *number)
+static bool get_variable(struct reader *reader, const struct scene_token *name,
+                         double *number)
 {
     struct scene_token found = *name;
 
@@ -125,16 +122,14 @@ static bool read_head(struct reader *reader, struct scene_condition *loop,
         return false;
     reader_step(reader);
     return reader_expect_sign(reader, ',') && read_full_number(reader, start)
-           && reader_expect_sign(reader, ',')
-           && read_full_number(reader, &loop->end)
+           && reader_expect_sign(reader, ',') && read_full_number(reader, &loop->end)
            && read_step(reader, &loop->step)
            && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
 }
 
 bool loop_for(struct reader *reader, void *subject, const struct item *item)
 {
-    struct scene_condition *loop = condition_push(reader, CONDITION_FOR,
-                                                  &item->at);
+    struct scene_condition *loop = condition_push(reader, CONDITION_FOR, &item->at);
     double start = 0;
     size_t sealed;
     bool good;

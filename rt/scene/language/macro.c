@@ -21,8 +21,7 @@ static bool read_parameter(struct reader *reader, struct scene_macro *macro)
                             "'%.*s' is a word of the language, not a name",
                             (int)token->length, token->text);
     if (macro->count == PARAMETERS_MOST)
-        return reader_fault(reader, token, "more than %d parameters",
-                            PARAMETERS_MOST);
+        return reader_fault(reader, token, "more than %d parameters", PARAMETERS_MOST);
     macro->parameters[macro->count].text = token->text;
     macro->parameters[macro->count].length = token->length;
     macro->count++;
@@ -56,14 +55,13 @@ static bool add_macro(struct reader *reader, const struct scene_token *name,
 
     if (!before)
         return reader_check(reader, name,
-                            symbols_add(&reader->symbols, 0, name->text,
-                                        name->length, &value));
+                            symbols_add(&reader->symbols, 0, name->text, name->length,
+                                        &value));
     reference = reference_to(before);
     return reader_check(reader, name, reference_assign(&reference, &value));
 }
 
-bool macro_define(struct reader *reader, void *subject,
-                  const struct item *item)
+bool macro_define(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_macro *macro = calloc(1, sizeof *macro);
     struct scene_token name = reader->token;
@@ -130,9 +128,8 @@ static bool read_arguments(struct reader *reader, struct call *call)
         if (reader_at_sign(reader, ')'))
             return reader_fault(reader, &reader->token,
                                 "'%.*s' takes %zu argument%s, found %zu",
-                                (int)call->at.length, call->at.text,
-                                macro->count, plural(macro->count),
-                                call->count);
+                                (int)call->at.length, call->at.text, macro->count,
+                                plural(macro->count), call->count);
         call->count++;
         if (!read_argument(reader, &call->arguments[call->count - 1]))
             return false;
@@ -152,11 +149,11 @@ static bool bind(struct reader *reader, struct call *call)
         const char *name = call->macro.parameters[i].text;
         size_t length = call->macro.parameters[i].length;
         if (argument->reference.symbol)
-            fault = symbols_refer(&reader->symbols, reader->lexer.depth, name,
-                                  length, &argument->reference);
+            fault = symbols_refer(&reader->symbols, reader->lexer.depth, name, length,
+                                  &argument->reference);
         else
-            fault = symbols_add(&reader->symbols, reader->lexer.depth, name,
-                                length, &argument->value);
+            fault = symbols_add(&reader->symbols, reader->lexer.depth, name, length,
+                                &argument->value);
         memset(&argument->value, 0, sizeof argument->value);
     }
     return reader_check(reader, &call->at, fault);
@@ -171,8 +168,7 @@ static bool enter_body(struct reader *reader, struct call *call)
     if (!lexer_call(&reader->lexer, macro->source, macro->body, macro->end,
                     &call->at)) {
         reader_fault(reader, &call->at,
-                     "more than %d macros and files within each other",
-                     FRAMES_MOST);
+                     "more than %d macros and files within each other", FRAMES_MOST);
         return reader_stop(reader);
     }
     if (!bind(reader, call))
@@ -196,8 +192,7 @@ static struct call *new_call(const struct reader *reader)
 {
     const struct scene_macro *macro = reader->token.value->is.macro;
     struct call *call = calloc(1,
-                               sizeof *call
-                                   + macro->count * sizeof *call->arguments);
+                               sizeof *call + macro->count * sizeof *call->arguments);
 
     if (call) {
         call->macro = *macro;

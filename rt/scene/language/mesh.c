@@ -29,16 +29,14 @@ static bool make_unit(double normal[3])
 }
 
 /* As POV-Ray has it, which warns of that too. */
-void mesh_direct(struct reader *reader, const struct scene_token *at,
-                 double normal[3])
+void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3])
 {
     bool none = true;
 
     for (int i = 0; i < 3; i++)
         none = none && fabs(normal[i]) < NORMAL_SAME;
     if (none) {
-        reader_report(reader, at,
-                      "a normal of a mesh is 0: it counts as <1, 0, 0>");
+        reader_report(reader, at, "a normal of a mesh is 0: it counts as <1, 0, 0>");
         for (int i = 0; i < 3; i++)
             normal[i] = i == 0;
     }
@@ -76,8 +74,7 @@ static bool has_texture(const struct primitive *primitive,
 
     return own->kind == other->kind
            && !memcmp(own->color, other->color, sizeof *own - numbers)
-           && !memcmp(&primitive->finish, &texture->finish,
-                      sizeof texture->finish)
+           && !memcmp(&primitive->finish, &texture->finish, sizeof texture->finish)
            && has_bumps(&primitive->bumps, &texture->bumps);
 }
 
@@ -105,8 +102,7 @@ static void settle_look(struct reader *reader, struct mesh_reading *mesh)
     struct scene_part *part = mesh->object.parts;
     bool own = mesh->object.textured;
 
-    if (!part->textured
-        || (!mesh->differ && mesh->looks == mesh->triangles.count))
+    if (!part->textured || (!mesh->differ && mesh->looks == mesh->triangles.count))
         return;
     reader_report(reader, &mesh->look_at,
                   "the textures of a mesh's triangles are replaced by %s",
@@ -142,13 +138,11 @@ size_t mesh_triangles(const struct scene_object *object)
     return count;
 }
 
-bool mesh_count(struct reader *reader, size_t more,
-                const struct scene_token *at)
+bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at)
 {
     reader->triangles += more;
     return reader->triangles <= TRIANGLES_MOST
-           || reader_fault(reader, at,
-                           "more than %d triangles, copies counted",
+           || reader_fault(reader, at, "more than %d triangles, copies counted",
                            TRIANGLES_MOST);
 }
 
@@ -173,10 +167,9 @@ bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
 /* Nothing is seen of it, which is no error. */
 static bool leave_out(struct reader *reader, struct mesh_reading *mesh)
 {
-    primitive_leave_out(
-        reader, &mesh->object.parts->primitive, &mesh->at,
-        mesh->lone ? "the triangle has no area, or a normal that is 0"
-                   : "no triangle of the mesh has an area");
+    primitive_leave_out(reader, &mesh->object.parts->primitive, &mesh->at,
+                        mesh->lone ? "the triangle has no area, or a normal that is 0"
+                                   : "no triangle of the mesh has an area");
     return true;
 }
 
@@ -221,8 +214,7 @@ bool mesh_close(struct reader *reader, const struct block *block, bool good)
 
 /* ---- Its words ----------------------------------------------------------- */
 
-static bool read_corners(struct reader *reader, bool smooth,
-                         struct triangle *triangle)
+static bool read_corners(struct reader *reader, bool smooth, struct triangle *triangle)
 {
     memset(triangle, 0, sizeof *triangle);
     triangle->smooth = smooth;
@@ -262,8 +254,7 @@ static bool read_uv_vectors(struct reader *reader, void *subject,
     return mesh_pass_vectors(reader, 3);
 }
 
-static bool read_texture(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_texture(struct reader *reader, void *subject, const struct item *item)
 {
     struct texture texture = reader->default_texture;
 
@@ -304,13 +295,12 @@ static const struct keyword triangle_words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar triangle_grammar = {
-    "a word of a mesh's triangle", { triangle_words }, NULL
-};
+static const struct grammar triangle_grammar = { "a word of a mesh's triangle",
+                                                 { triangle_words },
+                                                 NULL };
 
 /* The keyword's detail: whether it is smooth. */
-static bool read_triangle(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_triangle(struct reader *reader, void *subject, const struct item *item)
 {
     bool smooth = item->keyword->detail;
     struct mesh_reading *mesh = subject;
@@ -330,8 +320,7 @@ static bool read_triangle(struct reader *reader, void *subject,
 }
 
 /* A mesh with one is solid; as in POV-Ray one of 0 is none. */
-bool read_inside_vector(struct reader *reader, void *subject,
-                        const struct item *item)
+bool read_inside_vector(struct reader *reader, void *subject, const struct item *item)
 {
     struct mesh_reading *mesh = subject;
     double vector[3];
@@ -339,8 +328,7 @@ bool read_inside_vector(struct reader *reader, void *subject,
     (void)item;
     if (!read_vector(reader, vector))
         return false;
-    mesh->object.parts->primitive.shape.mesh.solid = greatest3(vector)
-                                                     >= NORMAL_SAME;
+    mesh->object.parts->primitive.shape.mesh.solid = greatest3(vector) >= NORMAL_SAME;
     return true;
 }
 
@@ -352,16 +340,13 @@ static const struct keyword mesh_words[] = {
 };
 
 static const struct grammar mesh_grammar = {
-    "a triangle or a word that changes the mesh",
-    { mesh_words },
-    &modifier_grammar
+    "a triangle or a word that changes the mesh", { mesh_words }, &modifier_grammar
 };
 
 /* ---- The statements ------------------------------------------------------ */
 
 /* Alone it keeps equal normals: so does POV-Ray. */
-static bool read_lone(struct reader *reader, struct mesh_reading *mesh,
-                      bool smooth)
+static bool read_lone(struct reader *reader, struct mesh_reading *mesh, bool smooth)
 {
     struct triangle triangle;
     bool seen = true;
@@ -388,7 +373,7 @@ bool mesh_read(struct reader *reader, struct scene_object *object,
     if (!mesh_begin(reader, &mesh, item) || !block_open(reader, &block, '{'))
         return mesh_end(reader, &mesh, false, object);
     good = !lone || read_lone(reader, &mesh, shape == SHAPE_SMOOTH_TRIANGLE);
-    good = block_items(reader, &block,
-                       lone ? &modifier_grammar : &mesh_grammar, &mesh, good);
+    good = block_items(reader, &block, lone ? &modifier_grammar : &mesh_grammar, &mesh,
+                       good);
     return mesh_end(reader, &mesh, good, object);
 }

@@ -27,16 +27,14 @@ bool mesh_end(struct reader *reader, struct mesh_reading *mesh, bool good,
 /* Those of all its meshes. */
 size_t mesh_triangles(const struct scene_object *object);
 /* So many more triangles, within the bound of TRIANGLES_MOST. */
-bool mesh_count(struct reader *reader, size_t more,
-                const struct scene_token *at);
+bool mesh_count(struct reader *reader, size_t more, const struct scene_token *at);
 bool mesh_add(struct reader *reader, struct mesh_reading *mesh,
               const struct triangle *triangle, const struct scene_token *at);
 /* The texture of a triangle. */
 void mesh_look(struct mesh_reading *mesh, const struct texture *texture,
                const struct scene_token *at);
 /* A normal of a mesh gets the length one. */
-void mesh_direct(struct reader *reader, const struct scene_token *at,
-                 double normal[3]);
+void mesh_direct(struct reader *reader, const struct scene_token *at, double normal[3]);
 /* Whether a triangle with such normals is smooth. */
 bool mesh_is_smooth(const struct triangle *triangle);
 /* '}' and before it nothing more. */

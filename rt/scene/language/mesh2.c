@@ -36,18 +36,16 @@ struct mesh2_reading {
     bool given[SECTIONS];
     int rank;         /* of the last one in the order, */
     const char *last; /* .. and its word */
-    bool faulty; /* one was not read well: what is named may be missing */
+    bool faulty;      /* one was not read well: what is named may be missing */
 };
 
-typedef bool row_reader(struct reader *reader, struct mesh2_reading *mesh,
-                        size_t row);
+typedef bool row_reader(struct reader *reader, struct mesh2_reading *mesh, size_t row);
 
 /* ---- Vectors and textures ------------------------------------------------ */
 
 static bool read_into(struct reader *reader, struct section_vectors *vectors)
 {
-    double(*list)[3] = array_grow(vectors->list, vectors->count,
-                                  sizeof *list);
+    double(*list)[3] = array_grow(vectors->list, vectors->count, sizeof *list);
 
     if (!list)
         return reader_no_memory(reader);
@@ -59,15 +57,13 @@ static bool read_into(struct reader *reader, struct section_vectors *vectors)
     return true;
 }
 
-static bool read_vertex(struct reader *reader, struct mesh2_reading *mesh,
-                        size_t row)
+static bool read_vertex(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
     (void)row;
     return read_into(reader, &mesh->vectors[SECTION_VERTICES]);
 }
 
-static bool read_normal(struct reader *reader, struct mesh2_reading *mesh,
-                        size_t row)
+static bool read_normal(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
     struct section_vectors *normals = &mesh->vectors[SECTION_NORMALS];
     struct scene_token at = reader->token;
@@ -78,18 +74,15 @@ static bool read_normal(struct reader *reader, struct mesh2_reading *mesh,
     return true;
 }
 
-static bool read_uv(struct reader *reader, struct mesh2_reading *mesh,
-                    size_t row)
+static bool read_uv(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
     (void)row;
     return read_into(reader, &mesh->vectors[SECTION_UVS]);
 }
 
-static bool read_texture(struct reader *reader, struct mesh2_reading *mesh,
-                         size_t row)
+static bool read_texture(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
-    struct texture *textures = array_grow(mesh->textures, row,
-                                          sizeof *textures);
+    struct texture *textures = array_grow(mesh->textures, row, sizeof *textures);
 
     if (!textures)
         return reader_no_memory(reader);
@@ -107,10 +100,9 @@ static bool read_texture(struct reader *reader, struct mesh2_reading *mesh,
 /* ---- Faces --------------------------------------------------------------- */
 
 /* As in POV-Ray what is behind the point does not count. */
-static bool take_index(struct reader *reader,
-                       const struct mesh2_reading *mesh,
-                       const struct scene_token *at, const char *what,
-                       double number, size_t count, size_t *index)
+static bool take_index(struct reader *reader, const struct mesh2_reading *mesh,
+                       const struct scene_token *at, const char *what, double number,
+                       size_t count, size_t *index)
 {
     double whole = trunc(number);
 
@@ -120,13 +112,12 @@ static bool take_index(struct reader *reader,
     }
     return !mesh->faulty
            && reader_fault(reader, at,
-                           "a face has the %s %.15g, but there are only %zu",
-                           what, whole, count);
+                           "a face has the %s %.15g, but there are only %zu", what,
+                           whole, count);
 }
 
-static bool read_indices(struct reader *reader,
-                         const struct mesh2_reading *mesh, const char *what,
-                         size_t count, size_t indices[3])
+static bool read_indices(struct reader *reader, const struct mesh2_reading *mesh,
+                         const char *what, size_t count, size_t indices[3])
 {
     struct scene_token at = reader->token;
     double numbers[3];
@@ -134,8 +125,7 @@ static bool read_indices(struct reader *reader,
     if (!read_vector(reader, numbers))
         return false;
     for (int i = 0; i < 3; i++)
-        if (!take_index(reader, mesh, &at, what, numbers[i], count,
-                        &indices[i]))
+        if (!take_index(reader, mesh, &at, what, numbers[i], count, &indices[i]))
             return false;
     reader_comma(reader);
     return true;
@@ -158,8 +148,8 @@ static bool read_look(struct reader *reader, struct mesh2_reading *mesh)
     size_t index = 0;
 
     if (!read_number(reader, &number)
-        || !take_index(reader, mesh, &at, "texture", number,
-                       mesh->texture_count, &index))
+        || !take_index(reader, mesh, &at, "texture", number, mesh->texture_count,
+                       &index))
         return false;
     mesh_look(&mesh->mesh, &mesh->textures[index], &at);
     reader_comma(reader);
@@ -179,8 +169,8 @@ static bool read_looks(struct reader *reader, struct mesh2_reading *mesh)
                            "a face has one texture or three, not two");
 }
 
-static void take_normals(const struct mesh2_reading *mesh,
-                         const size_t indices[3], struct triangle *triangle)
+static void take_normals(const struct mesh2_reading *mesh, const size_t indices[3],
+                         struct triangle *triangle)
 {
     const struct section_vectors *normals = &mesh->vectors[SECTION_NORMALS];
 
@@ -192,8 +182,7 @@ static void take_normals(const struct mesh2_reading *mesh,
 
 /* As many normals as vertices: they belong to each other, unless
  * normal_indices say something else. */
-static bool read_face(struct reader *reader, struct mesh2_reading *mesh,
-                      size_t row)
+static bool read_face(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
     const struct section_vectors *vertices = mesh->vectors + SECTION_VERTICES;
     struct scene_token at = reader->token;
@@ -211,30 +200,27 @@ static bool read_face(struct reader *reader, struct mesh2_reading *mesh,
                sizeof triangle.corners[i]);
     if (mesh->vectors[SECTION_NORMALS].count == vertices->count)
         take_normals(mesh, indices, &triangle);
-    return read_looks(reader, mesh)
-           && mesh_add(reader, &mesh->mesh, &triangle, &at);
+    return read_looks(reader, mesh) && mesh_add(reader, &mesh->mesh, &triangle, &at);
 }
 
 /* Without uv_vectors there is one, for POV-Ray. */
-static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh,
-                          size_t row)
+static bool read_uv_index(struct reader *reader, struct mesh2_reading *mesh, size_t row)
 {
     size_t count = mesh->vectors[SECTION_UVS].count, ignored[3];
 
     (void)row;
-    return read_indices(reader, mesh, "uv vector", count ? count : 1,
-                        ignored);
+    return read_indices(reader, mesh, "uv vector", count ? count : 1, ignored);
 }
 
 /* POV-Ray lets the last faces be without: they are flat. */
-static bool read_normal_index(struct reader *reader,
-                              struct mesh2_reading *mesh, size_t row)
+static bool read_normal_index(struct reader *reader, struct mesh2_reading *mesh,
+                              size_t row)
 {
     struct triangles *triangles = &mesh->mesh.triangles;
     size_t indices[3];
 
-    if (!read_indices(reader, mesh, "normal",
-                      mesh->vectors[SECTION_NORMALS].count, indices))
+    if (!read_indices(reader, mesh, "normal", mesh->vectors[SECTION_NORMALS].count,
+                      indices))
         return false;
     if (row < triangles->count)
         take_normals(mesh, indices, &triangles->list[row]);
@@ -262,18 +248,16 @@ static const struct section_rule {
 enum { RANK_INSIDE = 4 };
 
 /* POV-Ray's order; of two sections of vectors it would take the second. */
-static bool check_order(struct reader *reader,
-                        const struct mesh2_reading *mesh,
+static bool check_order(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at)
 {
     const struct section_rule *rule = &rules[section];
 
     if (mesh->given[section])
-        return reader_fault(reader, at, "there are two '%s' in this mesh2",
-                            rule->word);
+        return reader_fault(reader, at, "there are two '%s' in this mesh2", rule->word);
     if (rule->rank < mesh->rank)
-        return reader_fault(reader, at, "'%s' has to stand before '%s'",
-                            rule->word, mesh->last);
+        return reader_fault(reader, at, "'%s' has to stand before '%s'", rule->word,
+                            mesh->last);
     if (rule->after == section || mesh->given[rule->after])
         return true;
     return !mesh->faulty
@@ -282,8 +266,7 @@ static bool check_order(struct reader *reader,
 }
 
 /* Of indices there are as many as faces; of normals' there may be fewer. */
-static bool check_count(struct reader *reader,
-                        const struct mesh2_reading *mesh,
+static bool check_count(struct reader *reader, const struct mesh2_reading *mesh,
                         enum section section, const struct scene_token *at,
                         size_t count)
 {
@@ -297,9 +280,8 @@ static bool check_count(struct reader *reader,
                            rules[section].word, faces, plural(faces));
 }
 
-static bool read_count(struct reader *reader,
-                       const struct mesh2_reading *mesh, enum section section,
-                       size_t *count)
+static bool read_count(struct reader *reader, const struct mesh2_reading *mesh,
+                       enum section section, size_t *count)
 {
     const struct section_rule *rule = &rules[section];
     struct scene_token at = reader->token;
@@ -309,8 +291,7 @@ static bool read_count(struct reader *reader,
         return false;
     reader_comma(reader);
     if (number < rule->least || number != floor(number))
-        return reader_fault(reader, &at,
-                            "the number of '%s' is not a whole one %s 0",
+        return reader_fault(reader, &at, "the number of '%s' is not a whole one %s 0",
                             rule->word, rule->least ? "above" : "from");
     if (number > TRIANGLES_MOST)
         return reader_fault(reader, &at, "more than %d '%s'", TRIANGLES_MOST,
@@ -358,8 +339,7 @@ static bool read_block(struct reader *reader, struct mesh2_reading *mesh,
 }
 
 /* The keyword's detail is the section. */
-static bool read_section(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_section(struct reader *reader, void *subject, const struct item *item)
 {
     enum section section = (enum section)item->keyword->detail;
     struct mesh2_reading *mesh = subject;
@@ -370,8 +350,7 @@ static bool read_section(struct reader *reader, void *subject,
     return done;
 }
 
-static bool read_inside(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_inside(struct reader *reader, void *subject, const struct item *item)
 {
     struct mesh2_reading *mesh = subject;
 
@@ -392,18 +371,15 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "a word of mesh2 or one that changes the mesh",
-    { words },
-    &modifier_grammar
-};
+static const struct grammar grammar = { "a word of mesh2 or one that changes the mesh",
+                                        { words },
+                                        &modifier_grammar };
 
 /* ---- The statement ------------------------------------------------------- */
 
 /* Vectors that are not those of the vertices need indices of their own. */
-static bool check_indices(struct reader *reader,
-                          const struct mesh2_reading *mesh, enum section of,
-                          enum section indices, size_t most)
+static bool check_indices(struct reader *reader, const struct mesh2_reading *mesh,
+                          enum section of, enum section indices, size_t most)
 {
     size_t count = mesh->vectors[of].count;
     size_t vertices = mesh->vectors[SECTION_VERTICES].count;
@@ -412,12 +388,10 @@ static bool check_indices(struct reader *reader,
            || reader_fault(reader, &mesh->mesh.at,
                            "'%s' is missing: there are %zu '%s', but %zu "
                            "vertices",
-                           rules[indices].word, count, rules[of].word,
-                           vertices);
+                           rules[indices].word, count, rules[of].word, vertices);
 }
 
-static bool check_sections(struct reader *reader,
-                           const struct mesh2_reading *mesh)
+static bool check_sections(struct reader *reader, const struct mesh2_reading *mesh)
 {
     static const enum section needed[] = { SECTION_VERTICES, SECTION_FACES };
 
@@ -425,8 +399,7 @@ static bool check_sections(struct reader *reader,
         if (!mesh->given[needed[i]])
             return reader_fault(reader, &mesh->mesh.at, "'%s' is missing",
                                 rules[needed[i]].word);
-    return check_indices(reader, mesh, SECTION_NORMALS,
-                         SECTION_NORMAL_INDICES, 0)
+    return check_indices(reader, mesh, SECTION_NORMALS, SECTION_NORMAL_INDICES, 0)
            && check_indices(reader, mesh, SECTION_UVS, SECTION_UV_INDICES, 1);
 }
 
@@ -438,8 +411,7 @@ bool mesh2_read(struct reader *reader, struct scene_object *object,
     bool good;
 
     memset(&mesh, 0, sizeof mesh);
-    good = mesh_begin(reader, &mesh.mesh, item)
-           && block_open(reader, &block, '{')
+    good = mesh_begin(reader, &mesh.mesh, item) && block_open(reader, &block, '{')
            && block_items(reader, &block, &grammar, &mesh, true)
            && check_sections(reader, &mesh);
     for (size_t i = 0; i < SECTION_VECTORS; i++)

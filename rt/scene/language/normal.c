@@ -6,8 +6,7 @@
 
 /* POV-Ray's; no pattern yet, and so no bumps. */
 static const struct bump bump_default = {
-    .pattern = { .kind = PIGMENT_COLOR,
-                 .pattern = { .frequency = 1, .exponent = 1 } },
+    .pattern = { .kind = PIGMENT_COLOR, .pattern = { .frequency = 1, .exponent = 1 } },
     .amount = .5,
     .accuracy = .02,
 };
@@ -31,16 +30,14 @@ static bool read_amount(struct reader *reader, struct normal_reading *reading)
 }
 
 /* Of a list each place has its normal, or its number is a height. */
-static bool read_function(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_function(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
     struct bump_list *list = &reading->list;
     struct bump *bump = &list->bump;
     size_t count;
 
-    pattern_begin(&bump->pattern,
-                  (enum pattern_function)item->keyword->detail);
+    pattern_begin(&bump->pattern, (enum pattern_function)item->keyword->detail);
     list->average = false;
     count = pigment_list_count(&bump->pattern);
     if (count > 0) {
@@ -53,8 +50,7 @@ static bool read_function(struct reader *reader, void *subject,
     return read_amount(reader, reading);
 }
 
-static bool read_gradient(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_gradient(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
 
@@ -65,8 +61,7 @@ static bool read_gradient(struct reader *reader, void *subject,
     return read_amount(reader, reading);
 }
 
-static bool read_average(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_average(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
 
@@ -76,8 +71,7 @@ static bool read_average(struct reader *reader, void *subject,
     return read_amount(reader, reading);
 }
 
-static bool read_quilted(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_quilted(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
     struct bump *bump = &reading->list.bump;
@@ -91,13 +85,11 @@ static bool read_quilted(struct reader *reader, void *subject,
 }
 
 /* The keyword's detail is which. */
-static bool read_control(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_control(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
 
-    return read_number(reader,
-                       &reading->list.bump.controls[item->keyword->detail]);
+    return read_number(reader, &reading->list.bump.controls[item->keyword->detail]);
 }
 
 /* What is quilted has no values for a map. */
@@ -110,8 +102,7 @@ static void settle_quilted(struct reader *reader, struct bump_list *list,
     list->bump.stop_count = 0;
     if (list->count == 0)
         return;
-    reader_report(reader, at,
-                  "the 'normal_map' of a quilted normal is left out");
+    reader_report(reader, at, "the 'normal_map' of a quilted normal is left out");
     list->count = 0;
 }
 
@@ -142,8 +133,7 @@ static bool read_bump_size(struct reader *reader, void *subject,
     return read_number(reader, &reading->list.bump.amount);
 }
 
-static bool read_accuracy(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_accuracy(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
 
@@ -163,8 +153,7 @@ static bool read_no_bump_scale(struct reader *reader, void *subject,
     return reading->unscaled = true;
 }
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
     struct placement step;
@@ -199,14 +188,12 @@ static const struct keyword left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of normal",
-                                        { words, left_out, pattern_words,
-                                          pattern_words_left_out },
-                                        NULL };
+static const struct grammar grammar = {
+    "a word of normal", { words, left_out, pattern_words, pattern_words_left_out }, NULL
+};
 
 /* It may begin with the name of a normal. */
-bool normal_body(struct reader *reader, const struct block *block,
-                 void *subject)
+bool normal_body(struct reader *reader, const struct block *block, void *subject)
 {
     const struct scene_value *value = reader_use(reader, VALUE_NORMAL);
     struct normal_reading *reading = subject;
@@ -216,13 +203,11 @@ bool normal_body(struct reader *reader, const struct block *block,
         reader_next(reader);
     }
     reading->block = block;
-    if (!block_items(reader, block, &grammar, reading,
-                     read_amount(reader, reading)))
+    if (!block_items(reader, block, &grammar, reading, read_amount(reader, reading)))
         return false;
     settle_quilted(reader, &reading->list, &block->open);
     return !reading->list.average || reading->list.count > 0
-           || reader_fault(reader, &block->open,
-                           "an average without a normal_map");
+           || reader_fault(reader, &block->open, "an average without a normal_map");
 }
 
 bool normal_keep(struct reader *reader, const struct normal_reading *reading,
@@ -245,7 +230,6 @@ bool normal_read(struct reader *reader, struct bumps *bumps)
     struct block block;
 
     normal_begin(&reading, bumps);
-    return block_open(reader, &block, '{')
-           && normal_body(reader, &block, &reading)
+    return block_open(reader, &block, '{') && normal_body(reader, &block, &reading)
            && normal_keep(reader, &reading, bumps);
 }

@@ -23,13 +23,12 @@ static bool keep(struct reader *reader, const void *items, size_t size,
 static bool has_room(struct reader *reader, size_t count)
 {
     return count < ENTRIES_MOST
-           || reader_fault(reader, &reader->token,
-                           "more than %d entries in a map", ENTRIES_MOST);
+           || reader_fault(reader, &reader->token, "more than %d entries in a map",
+                           ENTRIES_MOST);
 }
 
 /* Entries are in the order of their places. */
-static bool read_place(struct reader *reader, size_t count, double before,
-                       double *at)
+static bool read_place(struct reader *reader, size_t count, double before, double *at)
 {
     if (!read_number(reader, at))
         return false;
@@ -49,8 +48,7 @@ static bool read_slope(struct reader *reader, struct bump *bump,
     struct block entry;
     bool good;
 
-    if (!has_room(reader, bump->stop_count)
-        || !block_open(reader, &entry, '['))
+    if (!has_room(reader, bump->stop_count) || !block_open(reader, &entry, '['))
         return false;
     good = read_place(reader, bump->stop_count, before, &stop->at)
            && read_vector(reader, slope);
@@ -100,8 +98,7 @@ static bool read_slopes(struct reader *reader, struct bump *bump)
 }
 
 /* POV-Ray's: a list has no maps. */
-static bool has_place(struct reader *reader,
-                      const struct normal_reading *reading,
+static bool has_place(struct reader *reader, const struct normal_reading *reading,
                       const struct item *item)
 {
     return pigment_list_count(&reading->list.bump.pattern) == 0
@@ -109,8 +106,7 @@ static bool has_place(struct reader *reader,
                            item->keyword->word);
 }
 
-bool read_slope_map(struct reader *reader, void *subject,
-                    const struct item *item)
+bool read_slope_map(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
 
@@ -132,8 +128,7 @@ bool slope_map_read(struct reader *reader, struct bumps *bumps)
 /* ---- normal_map ---------------------------------------------------------- */
 
 /* Of a normal that is several itself the first one. */
-static void take_entry(struct reader *reader,
-                       const struct normal_reading *from,
+static void take_entry(struct reader *reader, const struct normal_reading *from,
                        const struct scene_token *at, struct bump *bump)
 {
     const struct bump_list *list = &from->list;
@@ -151,8 +146,7 @@ static void take_entry(struct reader *reader,
                                             &bump->pattern.to_local);
 }
 
-static void begin_entry(const struct reader *reader,
-                        struct normal_reading *reading)
+static void begin_entry(const struct reader *reader, struct normal_reading *reading)
 {
     normal_begin(reading, &reader->default_texture.bumps);
 }
@@ -227,8 +221,7 @@ static bool read_normals(struct reader *reader, struct bump_list *list)
     return block_finish(reader, &block) && good;
 }
 
-bool read_normal_map(struct reader *reader, void *subject,
-                     const struct item *item)
+bool read_normal_map(struct reader *reader, void *subject, const struct item *item)
 {
     struct normal_reading *reading = subject;
 
@@ -244,8 +237,7 @@ bool normal_map_read(struct reader *reader, struct bumps *bumps)
 
     normal_begin(&reading, bumps);
     reading.list.average = true; /* perhaps: numbers may be missing */
-    return read_normals(reader, &reading.list)
-           && normal_keep(reader, &reading, bumps);
+    return read_normals(reader, &reading.list) && normal_keep(reader, &reading, bumps);
 }
 
 /* ---- Lists --------------------------------------------------------------- */
@@ -266,8 +258,7 @@ bool normal_list_read(struct reader *reader, struct normal_reading *reading,
         if (!reader_accept(reader, "normal"))
             return reader_expected(reader, "a normal");
         begin_entry(reader, &entry);
-        if (!block_open(reader, &block, '{')
-            || !normal_body(reader, &block, &entry))
+        if (!block_open(reader, &block, '{') || !normal_body(reader, &block, &entry))
             return false;
         entries[i].at = (double)i;
         take_entry(reader, &entry, &at, &entries[i].bump);

@@ -38,18 +38,15 @@ static size_t offset_of(const struct note_place *place)
     return place->source->library ? 0 : place->at;
 }
 
-static struct note **bucket_of(struct notebook *book,
-                               const struct note_place *place,
+static struct note **bucket_of(struct notebook *book, const struct note_place *place,
                                const char *words)
 {
-    uint64_t key = hash_bytes(HASH_START, (const unsigned char *)words,
-                              strlen(words));
+    uint64_t key = hash_bytes(HASH_START, (const unsigned char *)words, strlen(words));
 
     return &book->buckets[(key + offset_of(place)) % NOTE_BUCKETS];
 }
 
-static struct note *new_note(struct notebook *book,
-                             const struct note_place *place,
+static struct note *new_note(struct notebook *book, const struct note_place *place,
                              const char *words, const char *calls)
 {
     struct note *note = NULL;
@@ -71,9 +68,8 @@ static struct note *new_note(struct notebook *book,
 
 /* The one of that place and those words, made if there is none; NULL: there
  * are too many, or there is no memory. */
-static struct note *note_of(struct notebook *book,
-                            const struct note_place *place, const char *words,
-                            const char *calls)
+static struct note *note_of(struct notebook *book, const struct note_place *place,
+                            const char *words, const char *calls)
 {
     struct note **bucket = bucket_of(book, place, words);
     struct note *note = *bucket;
@@ -94,8 +90,7 @@ static struct note *note_of(struct notebook *book,
 
 /* ---- What is told ------------------------------------------------------- */
 
-static struct note_cause *cause_of(struct notebook *book,
-                                   const struct note *note)
+static struct note_cause *cause_of(struct notebook *book, const struct note *note)
 {
     struct note_cause *cause = book->causes;
 
@@ -130,8 +125,7 @@ static void report(const struct note_cause *cause, enum severity severity,
 {
     const struct note *first = cause->first;
     char message[2000];
-    int length = snprintf(message, sizeof message, "%s%s", first->words,
-                          first->calls);
+    int length = snprintf(message, sizeof message, "%s%s", first->words, first->calls);
 
     if (cause->places > 1 && length >= 0 && (size_t)length < sizeof message)
         snprintf(message + length, sizeof message - (size_t)length,
@@ -177,16 +171,13 @@ static void tell_all(struct notebook *book, struct notes *notes)
 
 /* ---- Of a value, or of the scene ---------------------------------------- */
 
-static void write_down(struct notebook *book, struct note *note,
-                       struct notes *used)
+static void write_down(struct notebook *book, struct note *note, struct notes *used)
 {
     struct notes *notes = arena_take(&book->arena, sizeof *notes);
 
     if (!notes)
         return;
-    *notes = (struct notes){ .note = note,
-                             .used = used,
-                             .rest = book->page->notes };
+    *notes = (struct notes){ .note = note, .used = used, .rest = book->page->notes };
     book->page->notes = notes;
 }
 
@@ -199,8 +190,8 @@ static bool is_new(const struct notebook *book, size_t *page)
     return fresh;
 }
 
-void note_add(struct notebook *book, const struct note_place *place,
-              const char *words, const char *calls)
+void note_add(struct notebook *book, const struct note_place *place, const char *words,
+              const char *calls)
 {
     struct note *note = note_of(book, place, words, calls);
 
@@ -212,8 +203,8 @@ void note_add(struct notebook *book, const struct note_place *place,
         write_down(book, note, NULL);
 }
 
-void note_tell(struct notebook *book, const struct note_place *place,
-               const char *words, const char *calls)
+void note_tell(struct notebook *book, const struct note_place *place, const char *words,
+               const char *calls)
 {
     struct note *note = note_of(book, place, words, calls);
 
@@ -223,8 +214,7 @@ void note_tell(struct notebook *book, const struct note_place *place,
 
 void notes_begin(struct notebook *book, struct note_page *page)
 {
-    *page = (struct note_page){ .outer = book->page,
-                                .serial = ++book->pages };
+    *page = (struct note_page){ .outer = book->page, .serial = ++book->pages };
     book->page = page;
 }
 

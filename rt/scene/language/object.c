@@ -25,8 +25,7 @@ void texture_move(struct texture *texture, const struct placement *step)
     bumps_move(&texture->bumps, step);
 }
 
-static bool add_part(struct scene_object *object,
-                     const struct scene_part *part)
+static bool add_part(struct scene_object *object, const struct scene_part *part)
 {
     struct scene_part *parts = array_grow(object->parts, object->part_count,
                                           sizeof *parts);
@@ -38,24 +37,22 @@ static bool add_part(struct scene_object *object,
     return true;
 }
 
-static bool add_branch(struct scene_object *object,
-                       enum tree_operation operation, size_t size)
+static bool add_branch(struct scene_object *object, enum tree_operation operation,
+                       size_t size)
 {
-    struct branch *branches = array_grow(object->branches,
-                                         object->branch_count,
+    struct branch *branches = array_grow(object->branches, object->branch_count,
                                          sizeof *branches);
 
     if (!branches)
         return false;
     object->branches = branches;
-    branches[object->branch_count++] = (struct branch){ operation, size,
-                                                        false };
+    branches[object->branch_count++] = (struct branch){ operation, size, false };
     return true;
 }
 
 /* Branches of another, and the parts that are their leaves. */
-static bool add_branches(struct scene_object *object,
-                         const struct branch *branches, size_t count)
+static bool add_branches(struct scene_object *object, const struct branch *branches,
+                         size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         if (!add_branch(object, branches[i].operation, branches[i].size))
@@ -65,8 +62,8 @@ static bool add_branches(struct scene_object *object,
     return true;
 }
 
-static bool add_parts(struct scene_object *object,
-                      const struct scene_part *parts, size_t count)
+static bool add_parts(struct scene_object *object, const struct scene_part *parts,
+                      size_t count)
 {
     for (size_t i = 0; i < count; i++)
         if (!add_part(object, &parts[i]))
@@ -96,8 +93,7 @@ bool object_add_light(struct scene_object *object, const struct light *light)
     return true;
 }
 
-static void inherit(struct scene_part *part,
-                    const struct scene_object *object)
+static void inherit(struct scene_part *part, const struct scene_object *object)
 {
     if (!part->textured && object->textured) {
         part->primitive.pigment = object->texture.pigment;
@@ -131,15 +127,13 @@ bool object_add(struct scene_object *object, const struct scene_object *child)
 }
 
 /* A new root over all branches. */
-static bool add_root(struct scene_object *object,
-                     enum tree_operation operation)
+static bool add_root(struct scene_object *object, enum tree_operation operation)
 {
     size_t count = object->branch_count;
 
     if (!add_branch(object, operation, 1))
         return false;
-    memmove(object->branches + 1, object->branches,
-            count * sizeof *object->branches);
+    memmove(object->branches + 1, object->branches, count * sizeof *object->branches);
     object->branches[0] = (struct branch){ operation, count + 1, false };
     return true;
 }
@@ -156,8 +150,7 @@ bool object_join(struct scene_object *object)
     bool meet = object->joining == JOIN_INTERSECTION
                 || object->joining == JOIN_DIFFERENCE;
 
-    return object->branch_count == 0
-           || object->branches[0].size == object->branch_count
+    return object->branch_count == 0 || object->branches[0].size == object->branch_count
            || add_root(object, meet ? TREE_AND : TREE_OR);
 }
 
@@ -172,8 +165,7 @@ static size_t count_leaves(const struct branch *branches, size_t count)
 
 static bool is_open_mesh(const struct scene_part *part)
 {
-    return part->primitive.kind == PRIMITIVE_MESH
-           && !part->primitive.shape.mesh.solid
+    return part->primitive.kind == PRIMITIVE_MESH && !part->primitive.shape.mesh.solid
            && part->primitive.shape.mesh.body.count == 0;
 }
 
@@ -204,8 +196,7 @@ struct inverting {
 static void invert_parts(struct inverting *inverting, size_t count)
 {
     for (size_t i = 0; i < count; i++)
-        inverting->object->parts[inverting->part++]
-            .primitive.inverted ^= true;
+        inverting->object->parts[inverting->part++].primitive.inverted ^= true;
 }
 
 static bool invert_branch(struct inverting *inverting, size_t at);
@@ -220,19 +211,16 @@ static bool invert_children(struct inverting *inverting, size_t at)
 
     if (!root.clips)
         root.operation = root.operation == TREE_AND ? TREE_OR : TREE_AND;
-    if (!add_branches(&inverting->made, &root, 1)
-        || !invert_branch(inverting, at + 1))
+    if (!add_branches(&inverting->made, &root, 1) || !invert_branch(inverting, at + 1))
         return false;
     for (at += 1 + from[at + 1].size; at < end; at += from[at].size) {
         size_t leaves = count_leaves(&from[at], from[at].size);
-        if (root.clips
-                ? !add_branches(&inverting->made, &from[at], from[at].size)
-                : !invert_branch(inverting, at))
+        if (root.clips ? !add_branches(&inverting->made, &from[at], from[at].size)
+                       : !invert_branch(inverting, at))
             return false;
         inverting->part += root.clips ? leaves : 0;
     }
-    inverting->made.branches[place].size = inverting->made.branch_count
-                                           - place;
+    inverting->made.branches[place].size = inverting->made.branch_count - place;
     return true;
 }
 
@@ -248,8 +236,7 @@ static bool invert_branch(struct inverting *inverting, size_t at)
         if (is_open_mesh(&inverting->object->parts[inverting->part]))
             return inverting->part++, add_branch(made, TREE_LEAF, 1);
         invert_parts(inverting, 1);
-        return add_branch(made, TREE_NOT, 2)
-               && add_branch(made, TREE_LEAF, 1);
+        return add_branch(made, TREE_NOT, 2) && add_branch(made, TREE_LEAF, 1);
     case TREE_NOT: /* nothing below it is clipped, or such a mesh */
         invert_parts(inverting, count_leaves(from + 1, from->size - 1));
         return add_branches(made, from + 1, from->size - 1);
@@ -289,10 +276,9 @@ bool object_invert(struct scene_object *object)
 }
 
 /* The solid of so many branches and parts, and behind it what clips it. */
-static bool add_clipped(struct scene_object *object,
-                        const struct branch *branches, size_t branch_count,
-                        const struct scene_part *parts, size_t part_count,
-                        const struct scene_object *clip)
+static bool add_clipped(struct scene_object *object, const struct branch *branches,
+                        size_t branch_count, const struct scene_part *parts,
+                        size_t part_count, const struct scene_object *clip)
 {
     if (!add_branch(object, TREE_AND, 1 + branch_count + clip->branch_count))
         return false;
@@ -344,9 +330,8 @@ static enum content prune_leaf(struct pruning *pruning)
     if (part->primitive.empty)
         return CONTENT_NOTHING;
     parts[pruning->kept_parts++] = *part;
-    pruning->object->branches[pruning->kept_branches++] = (struct branch){
-        TREE_LEAF, 1, false
-    };
+    pruning->object->branches[pruning->kept_branches++] = (struct branch){ TREE_LEAF, 1,
+                                                                           false };
     return CONTENT_SOME;
 }
 
@@ -358,8 +343,8 @@ static enum content opposite(enum content content)
 }
 
 /* The root of a branch is kept at a place, if more than one child is. */
-static void keep_root(struct pruning *pruning, struct branch root,
-                      size_t place, size_t children)
+static void keep_root(struct pruning *pruning, struct branch root, size_t place,
+                      size_t children)
 {
     struct branch *branches = pruning->object->branches;
 
@@ -368,8 +353,7 @@ static void keep_root(struct pruning *pruning, struct branch root,
     if (root.operation == TREE_NOT || children > 1)
         return;
     pruning->kept_branches--;
-    memmove(branches + place, branches + place + 1,
-            (root.size - 1) * sizeof *branches);
+    memmove(branches + place, branches + place + 1, (root.size - 1) * sizeof *branches);
 }
 
 /* One child can decide: nothing in an intersection, all in a merge. */
@@ -379,8 +363,7 @@ static enum content prune_branch(struct pruning *pruning)
     size_t end = pruning->branch - 1 + root.size;
     size_t place = pruning->kept_branches, part = pruning->kept_parts;
     size_t children = 0;
-    enum content decides = root.operation == TREE_AND ? CONTENT_NOTHING
-                                                      : CONTENT_ALL;
+    enum content decides = root.operation == TREE_AND ? CONTENT_NOTHING : CONTENT_ALL;
     enum content content = opposite(decides);
 
     if (root.operation == TREE_LEAF)
@@ -499,10 +482,8 @@ static void part_move(struct scene_part *part, const struct placement *step)
 {
     struct primitive *primitive = &part->primitive;
 
-    primitive->to_world = transform_then(&primitive->to_world,
-                                         &step->to_world);
-    primitive->to_local = transform_then(&step->to_local,
-                                         &primitive->to_local);
+    primitive->to_world = transform_then(&primitive->to_world, &step->to_world);
+    primitive->to_local = transform_then(&step->to_local, &primitive->to_local);
     if (!part->textured)
         return;
     pigment_move(&primitive->pigment, step);

@@ -25,11 +25,10 @@ struct scene_part {
     struct primitive primitive; /* pigment, bumps and finish once textured,
                                    ior and interior once filled */
     bool textured, filled;
-    const char *material; /* the texture's name, once textured */
-    const struct bicubic_patch
-        *patch;        /* a mesh is made of it, in the world */
-    bool smooth_field; /* a mesh whose normals are settled there */
-    bool field;        /* a mesh, that gets a body if its inside matters */
+    const char *material;              /* the texture's name, once textured */
+    const struct bicubic_patch *patch; /* a mesh is made of it, in the world */
+    bool smooth_field;                 /* a mesh whose normals are settled there */
+    bool field; /* a mesh, that gets a body if its inside matters */
 };
 
 /* How the children of an object belong together: a union's stay apart. */
@@ -52,9 +51,8 @@ struct scene_object {
     enum joining joining;
     size_t child_count; /* lights counted */
     bool textured;
-    const char
-        *name;  /* its own, of the #declare that it comes from, or NULL */
-    bool named; /* the name is its own (part.h) */
+    const char *name; /* its own, of the #declare that it comes from, or NULL */
+    bool named;       /* the name is its own (part.h) */
     struct texture texture;
     bool filled;
     double ior;
@@ -71,12 +69,10 @@ bool object_add_primitive(struct scene_object *object,
 bool object_add_light(struct scene_object *object, const struct light *light);
 /* Add the solids of another; parts without texture or interior get its own, if
  * any, and all are hidden from the rays that it is hidden from. */
-bool object_add(struct scene_object *object,
-                const struct scene_object *child);
+bool object_add(struct scene_object *object, const struct scene_object *child);
 /* The same as the object's joining says: one solid of the child's, or what is
  * outside of it. */
-bool object_add_child(struct scene_object *object,
-                      struct scene_object *child);
+bool object_add_child(struct scene_object *object, struct scene_object *child);
 /* The rays that do not see some of its parts. */
 unsigned object_hidden_from(const struct scene_object *object);
 /* All rays see all parts that are not hidden by a clip. */
@@ -86,12 +82,10 @@ bool object_join(struct scene_object *object);
 /* The same, and what was outside becomes inside; what clips stays. */
 bool object_invert(struct scene_object *object);
 /* Each solid is cut by all those of another, which are not seen. */
-bool object_clip(struct scene_object *object,
-                 const struct scene_object *clip);
+bool object_clip(struct scene_object *object, const struct scene_object *clip);
 /* Takes out what is empty, and what that decides of the solids. */
 void object_prune(struct scene_object *object);
-bool object_copy(struct scene_object *copy,
-                 const struct scene_object *object);
+bool object_copy(struct scene_object *copy, const struct scene_object *object);
 /* Its interiors are others, numbered behind last, which becomes the greatest. */
 bool object_renumber(struct scene_object *object, size_t *last);
 void object_move(struct scene_object *object, const struct placement *step);

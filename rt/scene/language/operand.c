@@ -41,9 +41,8 @@ static bool is_picture_size(const struct scene_token *token)
 
 bool is_expression_word(const struct scene_token *token)
 {
-    return constant_find(token) || function_find(token)
-           || is_picture_size(token) || is_query_word(token)
-           || is_token(token, "version");
+    return constant_find(token) || function_find(token) || is_picture_size(token)
+           || is_query_word(token) || is_token(token, "version");
 }
 
 bool starts_expression(const struct reader *reader)
@@ -53,19 +52,16 @@ bool starts_expression(const struct reader *reader)
     if (token->kind == TOKEN_SIGN)
         return token->sign && token->sign < SIGN_UNEQUAL
                && strchr("(<+-!", token->sign);
-    return token->kind == TOKEN_NUMBER
-           || reader_value_of(reader, VALUE_NUMBERS)
+    return token->kind == TOKEN_NUMBER || reader_value_of(reader, VALUE_NUMBERS)
            || reader_value_of(reader, VALUE_FUNCTION)
-           || reader_value_of(reader, VALUE_SPLINE)
-           || is_expression_word(token);
+           || reader_value_of(reader, VALUE_SPLINE) || is_expression_word(token);
 }
 
 bool operand_found_vector(struct reader *reader, const struct scene_token *at,
                           const char *expected, const struct numbers *value)
 {
-    return reader_fault(reader, at, "expected %s, found %d component%s",
-                        expected, value->count,
-                        plural((uint64_t)value->count));
+    return reader_fault(reader, at, "expected %s, found %d component%s", expected,
+                        value->count, plural((uint64_t)value->count));
 }
 
 /* Neither overflow nor the argument outside of a function's domain. */
@@ -79,8 +75,7 @@ bool operand_finite(struct reader *reader, const struct scene_token *at,
 bool operand_float(struct reader *reader, const struct scene_token *at,
                    const struct numbers *value)
 {
-    return value->count == 1
-           || operand_found_vector(reader, at, "a number", value);
+    return value->count == 1 || operand_found_vector(reader, at, "a number", value);
 }
 
 /* "<" is read already. */
@@ -103,8 +98,7 @@ static bool read_components(struct reader *reader, struct numbers *value)
     return reader_expect_sign(reader, '>');
 }
 
-static bool read_argument(struct reader *reader, char kind,
-                          struct numbers *argument)
+static bool read_argument(struct reader *reader, char kind, struct numbers *argument)
 {
     struct scene_token at = reader->token;
 
@@ -180,12 +174,10 @@ static bool read_query(struct reader *reader, struct numbers *value)
     struct scene_token at = reader->token;
 
     *value = numbers_of(0);
-    return query_read(reader, &value->n[0])
-           && operand_finite(reader, &at, value);
+    return query_read(reader, &value->n[0]) && operand_finite(reader, &at, value);
 }
 
-static bool take(struct reader *reader, struct numbers taken,
-                 struct numbers *value)
+static bool take(struct reader *reader, struct numbers taken, struct numbers *value)
 {
     *value = taken;
     reader_next(reader);
@@ -196,8 +188,7 @@ static bool take(struct reader *reader, struct numbers taken,
 static bool read_name(struct reader *reader, struct numbers *value)
 {
     const struct scene_token *token = &reader->token;
-    const struct scene_value *declared = reader_value_of(reader,
-                                                         VALUE_NUMBERS);
+    const struct scene_value *declared = reader_value_of(reader, VALUE_NUMBERS);
     const struct scene_value *function = reader_use(reader, VALUE_FUNCTION);
     const struct constant *constant;
 

@@ -11,8 +11,7 @@
 enum { NAME_MOST = 200 };
 
 /* A float of the part's name and the word's: Lid_Density. */
-static bool read_value(struct reader *reader, void *subject,
-                       const struct item *item)
+static bool read_value(struct reader *reader, void *subject, const struct item *item)
 {
     const char *part = subject, *word = item->keyword->word;
     char name[NAME_MOST + 20];
@@ -20,8 +19,7 @@ static bool read_value(struct reader *reader, void *subject,
 
     if (!read_number(reader, &value))
         return false;
-    snprintf(name, sizeof name, "%s_%c%s", part, toupper((int)word[0]),
-             word + 1);
+    snprintf(name, sizeof name, "%s_%c%s", part, toupper((int)word[0]), word + 1);
     return reader_keep_float(reader, name, strlen(name), value)
            || reader_no_memory(reader);
 }
@@ -45,8 +43,8 @@ static bool read_name(struct reader *reader, char name[NAME_MOST + 1])
     if (!string_read(reader, &string))
         return false;
     good = (*string && strlen(string) <= NAME_MOST)
-           || reader_fault(reader, &at,
-                           "a part's name has 1 to %d characters", NAME_MOST);
+           || reader_fault(reader, &at, "a part's name has 1 to %d characters",
+                           NAME_MOST);
     if (good)
         strcpy(name, string);
     free(string);

@@ -9,9 +9,8 @@ enum { EXPONENT_LEAST = -100 }; /* the kernels' powers have their range */
 
 /* POV-Ray's, unless they are given: mortar and brick, two cubes, three hexagons. */
 static const double brick_size[3] = { 8, 3, 4.5 };
-static const struct numbers bricks[LISTED_MOST] = {
-    { .n = { .5, .5, .5 } }, { .n = { .6, .15, .15 } }
-};
+static const struct numbers bricks[LISTED_MOST] = { { .n = { .5, .5, .5 } },
+                                                    { .n = { .6, .15, .15 } } };
 static const struct numbers checkers[LISTED_MOST] = { { .n = { 0, 0, 1 } },
                                                       { .n = { 0, 1, 0 } } };
 static const struct numbers hexagons[LISTED_MOST] = { { .n = { 0, 0, 1 } },
@@ -44,8 +43,7 @@ void pattern_begin(struct pigment *pigment, enum pattern_function function)
 
 /* Its waves are those of the pattern whose place it takes, as in POV-Ray; after a
  * list that is frequency 0: values stay as they are. */
-bool pattern_read(struct reader *reader, void *subject,
-                  const struct item *item)
+bool pattern_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment *pigment = subject;
 
@@ -57,8 +55,7 @@ bool pattern_read(struct reader *reader, void *subject,
     }
 }
 
-bool checker_read(struct reader *reader, void *subject,
-                  const struct item *item)
+bool checker_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment *pigment = subject;
 
@@ -67,8 +64,7 @@ bool checker_read(struct reader *reader, void *subject,
     return read_listed(reader, pigment, checkers, 2);
 }
 
-static bool read_wave(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_wave(struct reader *reader, void *subject, const struct item *item)
 {
     struct pattern *pattern = &((struct pigment *)subject)->pattern;
 
@@ -78,13 +74,11 @@ static bool read_wave(struct reader *reader, void *subject,
     if (!read_number(reader, &pattern->exponent))
         return false;
     return pattern->exponent >= EXPONENT_LEAST
-           || reader_fault(reader, &item->at, "an exponent below %d",
-                           EXPONENT_LEAST);
+           || reader_fault(reader, &item->at, "an exponent below %d", EXPONENT_LEAST);
 }
 
 /* The keyword's detail is the member's offset. */
-static bool read_amount(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_amount(struct reader *reader, void *subject, const struct item *item)
 {
     struct pattern *pattern = &((struct pigment *)subject)->pattern;
     void *amount = (char *)pattern + item->keyword->detail;
@@ -152,8 +146,7 @@ bool pattern_settle(struct reader *reader, struct pigment *pigment,
         return true;
 
     if (map->count == 0
-        && !(round ? color_map_round(reader, map)
-                   : color_map_gray(reader, map)))
+        && !(round ? color_map_round(reader, map) : color_map_gray(reader, map)))
         return false;
     if (pigment->kind == PIGMENT_GRADIENT && is_changed(pattern)) {
         pigment->kind = PIGMENT_PATTERN;
@@ -162,8 +155,7 @@ bool pattern_settle(struct reader *reader, struct pigment *pigment,
     copy3(map->stops[0].color, pigment->color[0]);
     if (map->clear > 0)
         reader_report(reader, at, "a %s that lets light pass is drawn opaque",
-                      pigment->kind == PIGMENT_GRADIENT ? "gradient"
-                                                        : "pattern");
+                      pigment->kind == PIGMENT_GRADIENT ? "gradient" : "pattern");
     pigment->filter[0] = pigment->transmit[0] = 0;
     return true;
 }

@@ -51,8 +51,7 @@ bool pattern_settle(struct reader *reader, struct pigment *pigment,
 /* The colours that may stand behind the word of a pattern, count at the most; those
  * that do not are left as they are. */
 enum { LISTED_MOST = 3 };
-bool pigment_colors(struct reader *reader, struct numbers *colors,
-                    size_t count);
+bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count);
 
 /* What may change a pattern, in pigments and textures alike. */
 extern const struct keyword pattern_words_left_out[];
@@ -62,8 +61,8 @@ typedef bool body_reader(struct reader *reader, const struct block *block,
 body_reader pigment_body, texture_body, normal_body;
 /* The first entry of a map, { [ number body ] ... }, or that of a named one of
  * the kind. */
-bool map_first(struct reader *reader, enum scene_value_kind kind,
-               body_reader *body, void *subject, size_t size);
+bool map_first(struct reader *reader, enum scene_value_kind kind, body_reader *body,
+               void *subject, size_t size);
 /* What changes normals while it is read; of it the bump's pattern has its space, and
  * stands first, so that words of patterns change it. */
 struct normal_reading {
@@ -83,7 +82,7 @@ bool color_map_gray(struct reader *reader, struct color_map *map);
 /* From cyan over yellow and magenta to cyan. */
 bool color_map_round(struct reader *reader, struct color_map *map);
 /* From one colour of a list to the next: they are at 0, 1 .., count of them. */
-bool color_map_listed(struct reader *reader, const struct numbers *colors,
-                      size_t count, struct color_map *map);
+bool color_map_listed(struct reader *reader, const struct numbers *colors, size_t count,
+                      struct color_map *map);
 
 #endif

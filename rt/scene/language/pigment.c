@@ -62,8 +62,7 @@ static void set_color(struct pigment *pigment, int which,
     pigment->transmit[which] = terms[4];
 }
 
-static bool read_term(struct reader *reader, struct pigment *pigment,
-                      int which)
+static bool read_term(struct reader *reader, struct pigment *pigment, int which)
 {
     struct numbers color;
 
@@ -104,8 +103,7 @@ static bool read_nested(struct reader *reader, struct numbers *color)
     return true;
 }
 
-bool pigment_colors(struct reader *reader, struct numbers *colors,
-                    size_t count)
+bool pigment_colors(struct reader *reader, struct numbers *colors, size_t count)
 {
     bool done = true;
 
@@ -120,8 +118,7 @@ bool pigment_colors(struct reader *reader, struct numbers *colors,
     return done;
 }
 
-bool gradient_read(struct reader *reader, void *subject,
-                   const struct item *item)
+bool gradient_read(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment *pigment = subject;
     double length;
@@ -139,8 +136,7 @@ bool gradient_read(struct reader *reader, void *subject,
 }
 
 /* Another pattern: the first of its colours. */
-static bool read_pattern(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_pattern(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment *pigment = subject;
     struct pigment other;
@@ -165,8 +161,7 @@ static bool read_pattern(struct reader *reader, void *subject,
 
 /* In the oldest form of maps an entry has two numbers; those of an average
  * may have none. */
-static bool read_entry(struct reader *reader, body_reader *body,
-                       void *subject)
+static bool read_entry(struct reader *reader, body_reader *body, void *subject)
 {
     struct block entry;
     bool good = true, more;
@@ -174,8 +169,8 @@ static bool read_entry(struct reader *reader, body_reader *body,
 
     if (!block_open(reader, &entry, '['))
         return false;
-    for (more = starts_expression(reader) && !starts_color(reader);
-         good && more; more = reader->token.kind == TOKEN_NUMBER) {
+    for (more = starts_expression(reader) && !starts_color(reader); good && more;
+         more = reader->token.kind == TOKEN_NUMBER) {
         good = read_number(reader, &at);
         reader_comma(reader);
     }
@@ -185,8 +180,8 @@ static bool read_entry(struct reader *reader, body_reader *body,
     return false;
 }
 
-bool map_first(struct reader *reader, enum scene_value_kind kind,
-               body_reader *body, void *subject, size_t size)
+bool map_first(struct reader *reader, enum scene_value_kind kind, body_reader *body,
+               void *subject, size_t size)
 {
     const struct scene_value *value;
     struct block map;
@@ -203,8 +198,7 @@ bool map_first(struct reader *reader, enum scene_value_kind kind,
 
 bool pigment_map_read(struct reader *reader, struct pigment *pigment)
 {
-    return map_first(reader, VALUE_PIGMENT_MAP, pigment_body, pigment,
-                     sizeof *pigment);
+    return map_first(reader, VALUE_PIGMENT_MAP, pigment_body, pigment, sizeof *pigment);
 }
 
 static bool read_color_map(struct reader *reader, void *subject,
@@ -226,8 +220,7 @@ static bool read_pigment_map(struct reader *reader, void *subject,
     return pigment_map_read(reader, pigment);
 }
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct placement step;
 
@@ -268,8 +261,7 @@ static const struct grammar grammar = { "a word of pigment",
                                         NULL };
 
 /* It may begin with the name of a pigment or of a colour. */
-bool pigment_body(struct reader *reader, const struct block *block,
-                  void *subject)
+bool pigment_body(struct reader *reader, const struct block *block, void *subject)
 {
     const struct scene_value *value = reader_use(reader, VALUE_PIGMENT);
     struct pigment *pigment = subject;
@@ -290,6 +282,5 @@ bool pigment_read(struct reader *reader, struct pigment *pigment)
 {
     struct block block;
 
-    return block_open(reader, &block, '{')
-           && pigment_body(reader, &block, pigment);
+    return block_open(reader, &block, '{') && pigment_body(reader, &block, pigment);
 }

@@ -98,8 +98,7 @@ static bool read_points(struct polygon *polygon)
     if (!read_count(polygon))
         return false;
     count = polygon->count;
-    polygon->points = arena_take(&polygon->arena,
-                                 count * sizeof *polygon->points);
+    polygon->points = arena_take(&polygon->arena, count * sizeof *polygon->points);
     if (!polygon->points)
         return reader_no_memory(polygon->reader);
     for (size_t i = 0; i < count; i++) {
@@ -107,8 +106,7 @@ static bool read_points(struct polygon *polygon)
         reader_comma(polygon->reader);
         if (!read_vector(polygon->reader, point))
             return false;
-        polygon->rounding = fmax(polygon->rounding,
-                                 ROUNDING * greatest3(point));
+        polygon->rounding = fmax(polygon->rounding, ROUNDING * greatest3(point));
         subtract3(point, polygon->points[0], way);
         polygon->size = fmax(polygon->size, greatest3(way));
     }
@@ -181,8 +179,7 @@ static const char *find_plane(struct polygon *polygon)
 
 /* ---- Its edges ----------------------------------------------------------- */
 
-static void add_edge(struct polygon *polygon, const double *a,
-                     const double *b)
+static void add_edge(struct polygon *polygon, const double *a, const double *b)
 {
     struct polygon_edge *edge = &polygon->edges[polygon->edge_count];
     bool rises = a[polygon->up] < b[polygon->up];
@@ -206,8 +203,7 @@ static bool close_part(struct polygon *polygon, size_t first)
     reader_report(polygon->reader, polygon->at,
                   "the polygon is not closed: its first point comes again "
                   "behind the last");
-    add_edge(polygon, polygon->points[polygon->count - 1],
-             polygon->points[first]);
+    add_edge(polygon, polygon->points[polygon->count - 1], polygon->points[first]);
     return true;
 }
 
@@ -219,8 +215,7 @@ static bool add_edges(struct polygon *polygon)
     size_t first = 0;
 
     for (size_t i = 1; i < polygon->count; i++) {
-        bool closes = is_near(points[first], points[i],
-                              POINT_SAME * polygon->size);
+        bool closes = is_near(points[first], points[i], POINT_SAME * polygon->size);
         add_edge(polygon, points[i - 1], points[closes ? first : i]);
         if (closes)
             first = ++i;
@@ -257,9 +252,8 @@ static bool make_edges(struct polygon *polygon)
 }
 
 /* At its ends the point that was given. */
-static void point_at(const struct polygon *polygon,
-                     const struct polygon_edge *edge, double height,
-                     double point[3])
+static void point_at(const struct polygon *polygon, const struct polygon_edge *edge,
+                     double height, double point[3])
 {
     double part = (height - edge->from) / (edge->to - edge->from);
 
@@ -272,8 +266,8 @@ static void point_at(const struct polygon *polygon,
     point[polygon->up] = height;
 }
 
-static double across_at(const struct polygon *polygon,
-                        const struct polygon_edge *edge, double height)
+static double across_at(const struct polygon *polygon, const struct polygon_edge *edge,
+                        double height)
 {
     double point[3];
 
@@ -298,8 +292,7 @@ static bool add_height(struct polygon *polygon, double height)
 
 /* Of two edges that change sides.  What only touches does so at a point of the
  * outline. */
-static bool add_crossing(struct polygon *polygon,
-                         const struct polygon_edge *a,
+static bool add_crossing(struct polygon *polygon, const struct polygon_edge *a,
                          const struct polygon_edge *b)
 {
     double low = fmax(a->from, b->from), high = fmin(a->to, b->to);
@@ -309,8 +302,7 @@ static bool add_crossing(struct polygon *polygon,
     if (!((below < 0 && above > 0) || (below > 0 && above < 0)))
         return true;
     return reader_spend(polygon->reader, CROSSING_COST)
-           && add_height(polygon,
-                         low + (high - low) * (below / (below - above)));
+           && add_height(polygon, low + (high - low) * (below / (below - above)));
 }
 
 /* Of an edge with those whose lower ends are beside it. */
@@ -351,8 +343,7 @@ static bool find_heights(struct polygon *polygon)
 {
     for (size_t i = 0; i < polygon->edge_count; i++)
         if (!add_height(polygon, polygon->edges[i].from)
-            || !add_height(polygon, polygon->edges[i].to)
-            || !add_crossings(polygon, i))
+            || !add_height(polygon, polygon->edges[i].to) || !add_crossings(polygon, i))
             return false;
     sort_heights(polygon);
     return true;
@@ -360,17 +351,16 @@ static bool find_heights(struct polygon *polygon)
 
 /* ---- The trapezoids ------------------------------------------------------ */
 
-static bool add_triangle(struct polygon *polygon, const double a[3],
-                         const double b[3], const double c[3])
+static bool add_triangle(struct polygon *polygon, const double a[3], const double b[3],
+                         const double c[3])
 {
     struct triangles *triangles = &polygon->triangles;
     struct triangle *list;
 
     if (!mesh_count(polygon->reader, 1, polygon->at))
         return false;
-    list = arena_grow(&polygon->reader->scene->kept, triangles->list,
-                      triangles->count, &polygon->triangle_room,
-                      sizeof *list);
+    list = arena_grow(&polygon->reader->scene->kept, triangles->list, triangles->count,
+                      &polygon->triangle_room, sizeof *list);
     if (!list)
         return reader_no_memory(polygon->reader);
     triangles->list = list;
@@ -383,8 +373,7 @@ static bool add_triangle(struct polygon *polygon, const double a[3],
 }
 
 /* Where its edges meet a side is a point: that triangle is left out. */
-static bool add_trapezoid(struct polygon *polygon, double low[2][3],
-                          double high[2][3])
+static bool add_trapezoid(struct polygon *polygon, double low[2][3], double high[2][3])
 {
     double near = polygon->rounding;
 
@@ -431,8 +420,7 @@ static void begin_edges(struct polygon *polygon, double height)
 {
     struct polygon_edge *edges = polygon->edges;
 
-    for (; polygon->begun < polygon->edge_count
-           && edges[polygon->begun].from <= height;
+    for (; polygon->begun < polygon->edge_count && edges[polygon->begun].from <= height;
          polygon->begun++)
         polygon->active[polygon->active_count++] = &edges[polygon->begun];
 }
@@ -481,8 +469,7 @@ static bool take_slab(struct polygon *polygon, size_t i)
     double low = polygon->heights[i], high = polygon->heights[i + 1];
 
     begin_edges(polygon, low);
-    return sort_active(polygon, low / 2 + high / 2)
-           && pair_edges(polygon, low);
+    return sort_active(polygon, low / 2 + high / 2) && pair_edges(polygon, low);
 }
 
 static bool cut(struct polygon *polygon)

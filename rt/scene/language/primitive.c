@@ -23,8 +23,7 @@ static bool read_size(struct reader *reader, const char *what, double *size)
 
     if (!read_number(reader, size))
         return false;
-    return *size > 0
-           || reader_fault(reader, &at, "the %s is not above 0", what);
+    return *size > 0 || reader_fault(reader, &at, "the %s is not above 0", what);
 }
 
 /* All of <..> are read, that their number can be told. */
@@ -45,8 +44,7 @@ static bool read_terms(struct reader *reader, double *terms, size_t count)
         reader_comma(reader);
     } while (!reader_at_sign(reader, '>'));
     if (found != count)
-        reader_fault(reader, &at, "expected %zu coefficients, found %zu",
-                     count, found);
+        reader_fault(reader, &at, "expected %zu coefficients, found %zu", count, found);
     return reader_expect_sign(reader, '>') && found == count;
 }
 
@@ -63,15 +61,13 @@ static bool read_count(struct reader *reader, size_t least, size_t *count)
         return reader_fault(reader, &at, "a path needs %s points",
                             least == 2 ? "two" : "three");
     if (number > PATH_MOST)
-        return reader_fault(reader, &at, "more than %d points in one path",
-                            PATH_MOST);
+        return reader_fault(reader, &at, "more than %d points in one path", PATH_MOST);
     *count = (size_t)number;
     return true;
 }
 
 /* Their number, then the points; of each two numbers stand. */
-static bool read_path(struct reader *reader, size_t least,
-                      struct outline *path)
+static bool read_path(struct reader *reader, size_t least, struct outline *path)
 {
     double vector[3];
 
@@ -103,8 +99,7 @@ static bool read_more(struct reader *reader, double *to)
     return !starts_expression(reader) || read_number(reader, to);
 }
 
-static bool read_one(struct reader *reader, const struct shape_field *field,
-                     double *to)
+static bool read_one(struct reader *reader, const struct shape_field *field, double *to)
 {
     switch (field->takes) {
     case TAKES_NUMBER: return read_number(reader, to);
@@ -123,12 +118,10 @@ static bool read_one(struct reader *reader, const struct shape_field *field,
 }
 
 /* Each behind a comma, but for the first argument of all. */
-static bool read_row(struct reader *reader, const struct shape_field *field,
-                     bool first, double *to)
+static bool read_row(struct reader *reader, const struct shape_field *field, bool first,
+                     double *to)
 {
-    size_t count = field->count > 0 && field->takes != TAKES_TERMS
-                       ? field->count
-                       : 1;
+    size_t count = field->count > 0 && field->takes != TAKES_TERMS ? field->count : 1;
 
     for (size_t i = 0; i < count; i++) {
         if (i > 0 || !first)
@@ -145,8 +138,7 @@ static bool is_word(const struct shape_field *field)
            || field->takes == TAKES_OTHER;
 }
 
-static bool read_word(struct reader *reader, const struct shape_field *field,
-                      bool *to)
+static bool read_word(struct reader *reader, const struct shape_field *field, bool *to)
 {
     struct scene_token at = reader->token;
     bool there = reader_accept(reader, field->what);
@@ -244,8 +236,7 @@ static size_t terms_of(int order)
 
 /* Those of a lower order stand in the order of a quartic's, without what is
  * beyond theirs. */
-static void make_quartic(const double *terms, int order,
-                         struct primitive *primitive)
+static void make_quartic(const double *terms, int order, struct primitive *primitive)
 {
     double *quartic = primitive->shape.quartic.coefficients;
 
@@ -259,9 +250,7 @@ static void make_quartic(const double *terms, int order,
 /* x2 xy xz x y2 yz y z2 z 1, as quadrics have them. */
 static void make_quadric(const double *terms, struct primitive *primitive)
 {
-    static const size_t places[QUADRIC_TERMS] = {
-        0, 3, 4, 6, 1, 5, 7, 2, 8, 9
-    };
+    static const size_t places[QUADRIC_TERMS] = { 0, 3, 4, 6, 1, 5, 7, 2, 8, 9 };
 
     primitive->kind = PRIMITIVE_QUADRIC;
     for (size_t i = 0; i < QUADRIC_TERMS; i++)

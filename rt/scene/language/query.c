@@ -14,8 +14,7 @@
 
 typedef double string_measure(const char *string);
 
-static bool read_measure(struct reader *reader, string_measure *measure,
-                         double *value)
+static bool read_measure(struct reader *reader, string_measure *measure, double *value)
 {
     char *string;
 
@@ -95,8 +94,7 @@ static bool read_file_exists(struct reader *reader, double *value)
         return false;
     if (reader->includes++ >= INCLUDE_MOST) {
         free(name);
-        return reader_fault(reader, &at, "more than %d files are read",
-                            INCLUDE_MOST);
+        return reader_fault(reader, &at, "more than %d files are read", INCLUDE_MOST);
     }
     request.name = name;
     *value = source_include(&reader->sources, &request, &error) != NULL;
@@ -113,8 +111,7 @@ static bool is_own_word(const struct scene_token *token)
         return true;
     for (int kind = 0; kind < PRIMITIVE_KINDS; kind++)
         if (!shapes[kind]->povray
-            && is_token(token,
-                        primitive_kind_name((enum primitive_kind)kind)))
+            && is_token(token, primitive_kind_name((enum primitive_kind)kind)))
             return true;
     return false;
 }
@@ -127,8 +124,7 @@ bool read_defined(struct reader *reader, double *value)
         return reader_expected(reader, "a name");
     *value = is_own_word(&reader->token);
     if (reader_look_up(reader, &reader->token)) {
-        if (reader->token.value->kind == VALUE_ARRAY
-            && !element_read_place(reader))
+        if (reader->token.value->kind == VALUE_ARRAY && !element_read_place(reader))
             return false;
         *value = reader->token.value != NULL;
     }
@@ -170,8 +166,7 @@ static bool read_dimension_size(struct reader *reader, double *value)
     count = array->dimensions;
     memcpy(sizes, array->sizes, count * sizeof *sizes);
     reader_next(reader);
-    if (!reader_expect_sign(reader, ',')
-        || !read_full_number(reader, &dimension))
+    if (!reader_expect_sign(reader, ',') || !read_full_number(reader, &dimension))
         return false;
     *value = dimension >= 1 && dimension < (double)count + 1
                  ? (double)sizes[(size_t)dimension - 1]
@@ -194,8 +189,7 @@ static bool read_seed(struct reader *reader, double *value)
     if (!(seed > -most && seed < most))
         return reader_fault(reader, &at, "%g is not a seed", seed);
     if (reader->seed_count == SEEDS_MOST)
-        return reader_fault(reader, &at, "more than %d random streams",
-                            SEEDS_MOST);
+        return reader_fault(reader, &at, "more than %d random streams", SEEDS_MOST);
     seeds = array_grow(reader->seeds, reader->seed_count, sizeof *seeds);
     if (!seeds)
         return reader_no_memory(reader);
@@ -215,8 +209,7 @@ static bool read_rand(struct reader *reader, double *value)
     if (!read_full_number(reader, &stream))
         return false;
     if (!(stream >= 0 && stream < (double)reader->seed_count))
-        return reader_fault(reader, &at, "there is no random stream %g",
-                            stream);
+        return reader_fault(reader, &at, "there is no random stream %g", stream);
     seed = &reader->seeds[(size_t)stream];
     *seed = *seed * 1812433253u + 12345u;
     *value = (double)*seed / 4294967295.;

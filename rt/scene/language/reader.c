@@ -14,9 +14,8 @@ static int short_length(const struct scene_token *token)
 }
 
 /* Where the macros are called that lead to a token, the innermost first. */
-static void add_calls(const struct reader *reader,
-                      const struct scene_token *at, char *message,
-                      size_t room)
+static void add_calls(const struct reader *reader, const struct scene_token *at,
+                      char *message, size_t room)
 {
     const struct lexer *lexer = &reader->lexer;
     size_t depth = at->depth < lexer->depth ? at->depth : lexer->depth;
@@ -29,8 +28,7 @@ static void add_calls(const struct reader *reader,
         if (!frame->is_macro)
             continue;
         position = token_position(&frame->call);
-        snprintf(message + length, room - length,
-                 ", in '%.*s' called at %s:%zu:%zu",
+        snprintf(message + length, room - length, ", in '%.*s' called at %s:%zu:%zu",
                  short_length(&frame->call), frame->call.text, position.file,
                  position.line, position.column);
         calls++;
@@ -76,19 +74,17 @@ bool reader_fault(struct reader *reader, const struct scene_token *at,
     return false;
 }
 
-static void note(struct reader *reader, const struct scene_token *at,
-                 bool in_any_case, const char *format, va_list arguments)
+static void note(struct reader *reader, const struct scene_token *at, bool in_any_case,
+                 const char *format, va_list arguments)
 {
     char words[MESSAGE_LONGEST], calls[MESSAGE_LONGEST] = "";
-    struct note_place place = { at->source, at->place.at,
-                                token_position(at) };
+    struct note_place place = { at->source, at->place.at, token_position(at) };
 
     if (reader->stopped)
         return;
     vsnprintf(words, sizeof words, format, arguments);
     add_calls(reader, at, calls, sizeof calls);
-    (in_any_case ? note_tell : note_add)(&reader->notebook, &place, words,
-                                         calls);
+    (in_any_case ? note_tell : note_add)(&reader->notebook, &place, words, calls);
 }
 
 void reader_report(struct reader *reader, const struct scene_token *at,
@@ -128,8 +124,7 @@ static bool is_undeclared(const struct reader *reader)
     const struct scene_token *token = &reader->token;
 
     return token->kind == TOKEN_WORD && token->length < TOKEN_LONGEST
-           && !reader_value(reader) && token->text[0] >= 'A'
-           && token->text[0] <= 'Z';
+           && !reader_value(reader) && token->text[0] >= 'A' && token->text[0] <= 'Z';
 }
 
 bool reader_expected(struct reader *reader, const char *what)
@@ -144,15 +139,12 @@ bool reader_expected(struct reader *reader, const char *what)
     if (value && value->kind == VALUE_FAULTY)
         return false;
     if (token->kind == TOKEN_END)
-        return reader_fault(reader, token,
-                            "expected %s, found the end of the %s", what,
-                            lexer_top(&reader->lexer)->is_macro ? "macro"
-                                                                : "file");
+        return reader_fault(reader, token, "expected %s, found the end of the %s", what,
+                            lexer_top(&reader->lexer)->is_macro ? "macro" : "file");
     if (token->kind == TOKEN_STRING)
-        return reader_fault(reader, token, "expected %s, found a string",
-                            what);
-    return reader_fault(reader, token, "expected %s, found '%s%.*s%s'%s",
-                        what, mark, length, token->text, more, hint);
+        return reader_fault(reader, token, "expected %s, found a string", what);
+    return reader_fault(reader, token, "expected %s, found '%s%.*s%s'%s", what, mark,
+                        length, token->text, more, hint);
 }
 
 bool reader_at_sign(const struct reader *reader, int sign)
@@ -193,8 +185,7 @@ void reader_comma(struct reader *reader)
 bool reader_look_up(struct reader *reader, struct scene_token *token)
 {
     struct declared_name *symbol = token->kind == TOKEN_WORD
-                                       ? symbols_find(&reader->symbols,
-                                                      token->text,
+                                       ? symbols_find(&reader->symbols, token->text,
                                                       token->length)
                                        : NULL;
 
@@ -223,8 +214,7 @@ bool reader_keep_float(struct reader *reader, const char *name, size_t length,
 {
     struct scene *scene = reader->scene;
     struct declared_float *list = arena_grow(&scene->kept, scene->floats,
-                                             scene->float_count,
-                                             &reader->floats_room,
+                                             scene->float_count, &reader->floats_room,
                                              sizeof *list);
 
     if (!list)
@@ -244,8 +234,7 @@ const struct scene_value *reader_value_of(const struct reader *reader,
     return value && value->kind == kind ? value : NULL;
 }
 
-const struct scene_value *reader_use(struct reader *reader,
-                                     enum scene_value_kind kind)
+const struct scene_value *reader_use(struct reader *reader, enum scene_value_kind kind)
 {
     const struct scene_value *value = reader_value_of(reader, kind);
 
@@ -261,13 +250,12 @@ bool reader_is_before(const struct reader *reader, double version)
 }
 
 const struct scene_source *reader_find(struct reader *reader,
-                                       const struct scene_token *at,
-                                       const char *name, bool is_text)
+                                       const struct scene_token *at, const char *name,
+                                       bool is_text)
 {
     const struct scene_source *before = reader->sources, *source;
     const struct source_request request = {
-        name, at->source, reader->options ? reader->options->search : NULL,
-        is_text
+        name, at->source, reader->options ? reader->options->search : NULL, is_text
     };
     c205_error error;
 
@@ -289,8 +277,7 @@ bool reader_enter(struct reader *reader)
 {
     if (reader->nesting == NESTING_MOST)
         return reader_fault(reader, &reader->token,
-                            "more than %d things within each other",
-                            NESTING_MOST);
+                            "more than %d things within each other", NESTING_MOST);
     reader->nesting++;
     return true;
 }

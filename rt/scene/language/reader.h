@@ -72,7 +72,7 @@ struct reader {
     bool closed;              /* the one before is a closing brace */
     bool directed;            /* .. or a directive that was read well, */
     bool lost;                /* .. or one that was not */
-    size_t hold; /* of a directive's value: the braces around it */
+    size_t hold;              /* of a directive's value: the braces around it */
     struct declared_value declared;
     size_t nesting;
     size_t condition_count, sealed; /* the latter of them cannot be closed */
@@ -183,16 +183,15 @@ bool reader_keep_float(struct reader *reader, const char *name, size_t length,
 const struct scene_value *reader_value_of(const struct reader *reader,
                                           enum scene_value_kind kind);
 /* The same, to be used: its notes are those of what is being read. */
-const struct scene_value *reader_use(struct reader *reader,
-                                     enum scene_value_kind kind);
+const struct scene_value *reader_use(struct reader *reader, enum scene_value_kind kind);
 
 /* Whether the scene is of a version before that one. */
 bool reader_is_before(const struct reader *reader, double version);
 
 /* A file that the text names, a text or any bytes; NULL after an error. */
 const struct scene_source *reader_find(struct reader *reader,
-                                       const struct scene_token *at,
-                                       const char *name, bool is_text);
+                                       const struct scene_token *at, const char *name,
+                                       bool is_text);
 
 /* Enter and leave what may stand within itself; false: too deep. */
 bool reader_enter(struct reader *reader);

@@ -24,8 +24,7 @@ struct scene_options {
 
 /* Read a scene file.  NULL when it has errors (all are in *reports) or cannot
  * be read.  The caller frees both. */
-struct scene *scene_read(const char *path,
-                         const struct scene_options *options,
+struct scene *scene_read(const char *path, const struct scene_options *options,
                          struct diagnostics *reports);
 /* The same from text; name stands for the file in reports. */
 struct scene *scene_read_text(const char *name, const char *text,

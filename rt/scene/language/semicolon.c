@@ -17,9 +17,8 @@ bool semicolon_may_follow(const struct reader *reader)
     if (reader->declared.brackets != 1 + (size_t)token_is_sign(token, ')')
         || reader->braces != reader->hold)
         return false;
-    return token->kind == TOKEN_SIGN
-               ? token->sign == ')' || token->sign == '>'
-               : !is_color_word(token) || is_component(token);
+    return token->kind == TOKEN_SIGN ? token->sign == ')' || token->sign == '>'
+                                     : !is_color_word(token) || is_component(token);
 }
 
 /* ---- The text ahead ------------------------------------------------------ */
@@ -73,8 +72,8 @@ static bool skip_statement(struct reader *reader)
 
 /* What a condition would read first comes next; false: the directive is none
  * that stands within a value.  `open` conditions began after the value. */
-static bool skip_directive(struct reader *reader,
-                           const struct scene_token *token, size_t *open)
+static bool skip_directive(struct reader *reader, const struct scene_token *token,
+                           size_t *open)
 {
     static const char *const branches[] = { "else",  "elseif", "case",
                                             "range", "break",  NULL };
@@ -91,8 +90,7 @@ static bool skip_directive(struct reader *reader,
         return skip_statement(reader);
     } else if (!*open) {
         skip_branches(reader);
-    } else if (!token_is_text(token, "else")
-               && !token_is_text(token, "break")) {
+    } else if (!token_is_text(token, "else") && !token_is_text(token, "break")) {
         skip_brackets(reader);
     }
     return true;

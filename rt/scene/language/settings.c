@@ -3,14 +3,12 @@
 
 #include "rt/scene/language/expression.h"
 
-static bool read_gamma(struct reader *reader, void *subject,
-                       const struct item *item)
+static bool read_gamma(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene *scene = subject;
 
     if (reader_accept(reader, "srgb")) {
-        reader_report(reader, &item->at,
-                      "assumed_gamma srgb is replaced by 2.2");
+        reader_report(reader, &item->at, "assumed_gamma srgb is replaced by 2.2");
         scene->assumed_gamma = 2.2;
         return true;
     }
@@ -40,14 +38,12 @@ static bool read_trace_level(struct reader *reader, void *subject,
         return false;
     if (level < LEAST || level > MOST)
         return reader_fault(reader, &item->at,
-                            "max_trace_level is not between %d and %d", LEAST,
-                            MOST);
+                            "max_trace_level is not between %d and %d", LEAST, MOST);
     scene->max_trace_level = (int)level;
     return true;
 }
 
-static bool read_bailout(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_bailout(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene *scene = subject;
 
@@ -55,8 +51,7 @@ static bool read_bailout(struct reader *reader, void *subject,
     return read_number(reader, &scene->adc_bailout);
 }
 
-static bool read_charset(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_charset(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
     reader_report(reader, &item->at, "'charset' is left out");

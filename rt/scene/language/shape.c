@@ -13,15 +13,13 @@
 
 #include <string.h>
 
-bool shape_count(struct reader *reader, size_t more,
-                 const struct scene_token *at)
+bool shape_count(struct reader *reader, size_t more, const struct scene_token *at)
 {
     reader->primitives_made += more;
     return reader->primitives_made <= PRIMITIVES_MOST
-           || reader_fault(
-               reader, at,
-               "more than %d primitives and lights, copies counted",
-               PRIMITIVES_MOST);
+           || reader_fault(reader, at,
+                           "more than %d primitives and lights, copies counted",
+                           PRIMITIVES_MOST);
 }
 
 bool shape_copy(struct reader *reader, struct scene_object *copy,
@@ -33,8 +31,7 @@ bool shape_copy(struct reader *reader, struct scene_object *copy,
     if (!shape_count(reader, more, &at)
         || !mesh_count(reader, mesh_triangles(object), &at))
         return false;
-    return (object_copy(copy, object)
-            && object_renumber(copy, &reader->interiors))
+    return (object_copy(copy, object) && object_renumber(copy, &reader->interiors))
            || reader_no_memory(reader);
 }
 
@@ -47,8 +44,7 @@ bool shape_add(struct reader *reader, struct scene_object *object,
     primitive->ior = 1;
     if (!shape_count(reader, 1, at))
         return false;
-    return object_add_primitive(object, primitive)
-           || reader_no_memory(reader);
+    return object_add_primitive(object, primitive) || reader_no_memory(reader);
 }
 
 bool shape_leave_out(struct reader *reader, struct scene_object *object,
@@ -68,8 +64,7 @@ static void take_ior(struct reader *reader, struct scene_object *object)
         object_fill(reader, object, object->texture.finish.ior);
 }
 
-static bool read_texture(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_texture(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
 
@@ -84,8 +79,7 @@ static bool read_texture(struct reader *reader, void *subject,
 }
 
 /* pigment, finish and normal change the texture that the object has. */
-static struct texture *own_texture(struct reader *reader,
-                                   struct scene_object *object)
+static struct texture *own_texture(struct reader *reader, struct scene_object *object)
 {
     if (!object->textured)
         object->texture = reader->default_texture;
@@ -93,15 +87,13 @@ static struct texture *own_texture(struct reader *reader,
     return &object->texture;
 }
 
-static bool read_pigment(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
 {
     (void)item;
     return pigment_read(reader, &own_texture(reader, subject)->pigment);
 }
 
-static bool read_finish(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_finish(struct reader *reader, void *subject, const struct item *item)
 {
     (void)item;
     if (!finish_read(reader, &own_texture(reader, subject)->finish))
@@ -110,23 +102,20 @@ static bool read_finish(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_normal(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_normal(struct reader *reader, void *subject, const struct item *item)
 {
     (void)item;
     return normal_read(reader, &own_texture(reader, subject)->bumps);
 }
 
-void object_fill(struct reader *reader, struct scene_object *object,
-                 double ior)
+void object_fill(struct reader *reader, struct scene_object *object, double ior)
 {
     object->filled = true;
     object->ior = ior;
     object->interior = ++reader->interiors;
 }
 
-static bool read_interior(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_interior(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
 
@@ -140,8 +129,7 @@ static bool read_interior(struct reader *reader, void *subject,
 }
 
 /* Before all of an object becomes one solid. */
-static bool check_solid(struct reader *reader,
-                        const struct scene_object *object,
+static bool check_solid(struct reader *reader, const struct scene_object *object,
                         const struct scene_token *at)
 {
     return object->part_count <= SOLID_MOST
@@ -149,16 +137,14 @@ static bool check_solid(struct reader *reader,
                            SOLID_MOST);
 }
 
-static bool read_inverse(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_inverse(struct reader *reader, void *subject, const struct item *item)
 {
     return check_solid(reader, subject, &item->at)
            && fields_fill(reader, subject, &item->at)
            && (object_invert(subject) || reader_no_memory(reader));
 }
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct placement step;
 
@@ -181,8 +167,7 @@ static bool read_no_shadow(struct reader *reader, void *subject,
 }
 
 /* A number may follow the word: 0 or less switches it off. */
-static bool read_hidden(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_hidden(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
     unsigned rays = (unsigned)item->keyword->detail;
@@ -196,8 +181,7 @@ static bool read_hidden(struct reader *reader, void *subject,
 }
 
 /* POV-Ray's choice of a root solver; ours needs none. */
-static bool read_sturm(struct reader *reader, void *subject,
-                       const struct item *item)
+static bool read_sturm(struct reader *reader, void *subject, const struct item *item)
 {
     double ignored;
 
@@ -256,8 +240,7 @@ bool material_read(struct reader *reader, struct scene_object *object)
     return block_items(reader, &block, &material_grammar, object, true);
 }
 
-static bool read_material(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_material(struct reader *reader, void *subject, const struct item *item)
 {
     (void)item;
     return material_read(reader, subject);
@@ -311,8 +294,7 @@ const struct grammar modifier_grammar = { "a word that changes the object",
                                           NULL };
 
 /* As POV-Ray does. */
-static void report_patches(struct reader *reader,
-                           const struct scene_object *child,
+static void report_patches(struct reader *reader, const struct scene_object *child,
                            const struct scene_token *at)
 {
     for (size_t i = 0; i < child->part_count; i++)
@@ -342,12 +324,10 @@ static void report_hidden(struct reader *reader, enum joining joining,
         reader_report(reader, at,
                       "'%s' on a part of a solid is not supported and left "
                       "out",
-                      hidden_from & HIDDEN_FROM_IMAGE ? "no_image"
-                                                      : "no_reflection");
+                      hidden_from & HIDDEN_FROM_IMAGE ? "no_image" : "no_reflection");
 }
 
-static bool read_child(struct reader *reader, void *subject,
-                       const struct item *item)
+static bool read_child(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object *object = subject;
     struct scene_object child;
@@ -355,8 +335,7 @@ static bool read_child(struct reader *reader, void *subject,
 
     memset(&child, 0, sizeof child);
     done = shape_read(reader, &child, item)
-           && (object->joining == JOIN_APART
-               || fields_fill(reader, &child, &item->at));
+           && (object->joining == JOIN_APART || fields_fill(reader, &child, &item->at));
     if (done && object->joining >= JOIN_INTERSECTION)
         report_patches(reader, &child, &item->at);
     if (done)
@@ -386,8 +365,7 @@ static const struct grammar solid_grammar = {
 static bool read_base(struct reader *reader, struct scene_object *object)
 {
     const struct scene_value *value = reader_use(reader, VALUE_OBJECT);
-    struct item item = { grammar_find(&solid_grammar, &reader->token),
-                         reader->token };
+    struct item item = { grammar_find(&solid_grammar, &reader->token), reader->token };
 
     if (value) {
         bool done = shape_copy(reader, object, &value->is.object);
@@ -400,9 +378,8 @@ static bool read_base(struct reader *reader, struct scene_object *object)
     if (!item.keyword)
         return reader_expected(reader, "the name of an object, or an object");
     reader_next(reader);
-    return item.keyword->read == read_child
-               ? shape_read(reader, object, &item)
-               : item.keyword->read(reader, object, &item);
+    return item.keyword->read == read_child ? shape_read(reader, object, &item)
+                                            : item.keyword->read(reader, object, &item);
 }
 
 static bool read_named(struct reader *reader, struct scene_object *object,
@@ -430,8 +407,7 @@ bool looks_like_read(struct reader *reader, struct scene_object *object,
 /* Or triangles, of which one is made. */
 static bool is_mesh(enum shape_word shape)
 {
-    return shape == (enum shape_word)PRIMITIVE_MESH
-           || shape >= SHAPE_TRIANGLE;
+    return shape == (enum shape_word)PRIMITIVE_MESH || shape >= SHAPE_TRIANGLE;
 }
 
 static bool is_joined(enum shape_word shape)
@@ -460,8 +436,7 @@ static bool read_solid(struct reader *reader, enum shape_word shape,
 {
     return shape == SHAPE_CUBIC || shape == SHAPE_POLY
                ? polynomial_read(reader, shape, primitive)
-               : primitive_read(reader, (enum primitive_kind)shape,
-                                primitive);
+               : primitive_read(reader, (enum primitive_kind)shape, primitive);
 }
 
 static bool read_first(struct reader *reader, struct scene_object *object,
@@ -493,8 +468,7 @@ static bool finish_joined(struct reader *reader, struct scene_object *object,
                           const struct item *item)
 {
     if (object->child_count < 2 && item->keyword->detail != SHAPE_LIGHT_GROUP)
-        reader_report(reader, &item->at,
-                      "fewer than two objects in this '%s'",
+        reader_report(reader, &item->at, "fewer than two objects in this '%s'",
                       item->keyword->word);
     if (object->joining == JOIN_APART)
         return true;
@@ -521,7 +495,7 @@ bool shape_read(struct reader *reader, struct scene_object *object,
         return false;
     good = read_first(reader, object, item);
     good = block_items(reader, &block,
-                       is_joined(shape) ? &solid_grammar : &modifier_grammar,
-                       object, good);
+                       is_joined(shape) ? &solid_grammar : &modifier_grammar, object,
+                       good);
     return good && (!is_joined(shape) || finish_joined(reader, object, item));
 }

@@ -2,8 +2,7 @@
 #include "rt/scene/language/statement.h"
 
 /* Of several the first lies lowest, as in POV-Ray. */
-static bool read_pigment(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
 {
     struct pigment pigment = reader->default_texture.pigment;
     struct sky_setting *sky = subject;
@@ -19,8 +18,7 @@ static bool read_pigment(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct sky_setting *sky = subject;
     struct placement step;
@@ -38,9 +36,7 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = { "a word of sky_sphere",
-                                        { words },
-                                        NULL };
+static const struct grammar grammar = { "a word of sky_sphere", { words }, NULL };
 
 bool sky_read(struct reader *reader, struct sky_setting *sky)
 {
@@ -68,11 +64,9 @@ void sky_take(struct reader *reader, const struct sky_setting *sky,
     if (pigment_makes_sky(pigment))
         return;
     if (pigment->kind == PIGMENT_CHECKER)
-        reader_report(reader, at,
-                      "a checkered sky is replaced by its first colour");
+        reader_report(reader, at, "a checkered sky is replaced by its first colour");
     if (pigment->filter[0] != 0 || pigment->transmit[0] != 0)
-        reader_report(reader, at,
-                      "a sky that lets light pass is drawn opaque");
+        reader_report(reader, at, "a sky that lets light pass is drawn opaque");
     for (int i = 0; i < 3; i++)
         scene->background[i] = pigment->color[0][i];
 }

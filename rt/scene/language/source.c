@@ -23,9 +23,9 @@ static char *copy(const char *text, size_t length)
 }
 
 /* Takes the text over. */
-static struct scene_source *adopt(struct scene_source **list,
-                                  const char *name, char *text, size_t length,
-                                  bool is_text, c205_error *error)
+static struct scene_source *adopt(struct scene_source **list, const char *name,
+                                  char *text, size_t length, bool is_text,
+                                  c205_error *error)
 {
     struct scene_source *source = malloc(sizeof *source);
     char *own_name = copy(name, strlen(name));
@@ -47,8 +47,7 @@ static struct scene_source *adopt(struct scene_source **list,
 }
 
 struct scene_source *source_add(struct scene_source **list, const char *name,
-                                const char *text, size_t length,
-                                c205_error *error)
+                                const char *text, size_t length, c205_error *error)
 {
     char *own;
 
@@ -69,8 +68,8 @@ static struct scene_source *load(struct scene_source **list, const char *path,
                                  bool is_text, c205_error *error)
 {
     size_t length;
-    char *text = (is_text ? text_file_read : file_read)(path, SOURCE_LONGEST,
-                                                        &length, error);
+    char *text = (is_text ? text_file_read : file_read)(path, SOURCE_LONGEST, &length,
+                                                        error);
 
     if (text)
         return adopt(list, path, text, length, is_text, error);
@@ -144,8 +143,7 @@ static void refuse_several(struct search *search, const struct folder *paths)
     search->is_over = true;
 }
 
-static void open_any_case(struct search *search, const char *path,
-                          size_t fixed)
+static void open_any_case(struct search *search, const char *path, size_t fixed)
 {
     struct folder paths;
 
@@ -158,8 +156,7 @@ static void open_any_case(struct search *search, const char *path,
     folder_free(&paths);
 }
 
-static void search_folder(struct search *search, const char *folder,
-                          size_t length)
+static void search_folder(struct search *search, const char *folder, size_t length)
 {
     char *path;
 
@@ -169,8 +166,7 @@ static void search_folder(struct search *search, const char *folder,
     if (!path)
         search->is_over = !error_say(search->error, "%s", strerror(ENOMEM));
     else if (search->any_case)
-        open_any_case(search, path,
-                      strlen(path) - strlen(search->request->name));
+        open_any_case(search, path, strlen(path) - strlen(search->request->name));
     else
         open_path(search, path);
     free(path);
@@ -190,10 +186,9 @@ static void search_carried(struct search *search)
     char *all, *end;
 
     while (text->name
-           && (search->any_case
-                   ? strlen(text->name) != strlen(name)
-                         || !other_case_is(text->name, name, strlen(name))
-                   : strcmp(text->name, name)))
+           && (search->any_case ? strlen(text->name) != strlen(name)
+                                      || !other_case_is(text->name, name, strlen(name))
+                                : strcmp(text->name, name)))
         text++;
     if (search->is_over || !text->name)
         return;
@@ -243,9 +238,7 @@ struct scene_source *source_include(struct scene_source **list,
                                     const struct source_request *request,
                                     c205_error *error)
 {
-    struct search search = { .list = list,
-                             .request = request,
-                             .error = error };
+    struct search search = { .list = list, .request = request, .error = error };
 
     search_all(&search);
     if (!search.is_over) {
@@ -259,8 +252,7 @@ struct scene_source *source_include(struct scene_source **list,
 
 bool source_is_other(const struct scene_source *source, const char *name)
 {
-    return strcmp(source->name + strlen(source->name) - strlen(name), name)
-           != 0;
+    return strcmp(source->name + strlen(source->name) - strlen(name), name) != 0;
 }
 
 void sources_free(struct scene_source *list)

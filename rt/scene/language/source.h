@@ -25,8 +25,7 @@ enum { SOURCE_LONGEST = 16 << 20 }; /* bytes */
 
 /* Add a text, or a file of one.  NULL: the error has the reason. */
 struct scene_source *source_add(struct scene_source **list, const char *name,
-                                const char *text, size_t length,
-                                c205_error *error);
+                                const char *text, size_t length, c205_error *error);
 struct scene_source *source_load(struct scene_source **list, const char *path,
                                  c205_error *error);
 

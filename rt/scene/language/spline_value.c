@@ -11,9 +11,9 @@
 
 static bool accept_kind(struct reader *reader, enum spline_kind *kind)
 {
-    static const char *const words[SPLINE_KINDS] = {
-        "linear_spline", "quadratic_spline", "cubic_spline", "natural_spline"
-    };
+    static const char *const words[SPLINE_KINDS] = { "linear_spline",
+                                                     "quadratic_spline", "cubic_spline",
+                                                     "natural_spline" };
 
     for (int i = 0; i < SPLINE_KINDS; i++)
         if (reader_accept(reader, words[i])) {
@@ -39,12 +39,10 @@ static bool read_point(struct reader *reader, struct spline *spline)
     numbers_widen(&value, 2);
     moved = spline->count - spline_find(spline, t) + MEMORY_COST;
     return reader_spend(reader, moved * sizeof *spline->points)
-           && (spline_add(spline, t, value.n, value.count)
-               || reader_no_memory(reader));
+           && (spline_add(spline, t, value.n, value.count) || reader_no_memory(reader));
 }
 
-bool spline_read(struct reader *reader, void *subject,
-                 const struct item *item)
+bool spline_read(struct reader *reader, void *subject, const struct item *item)
 {
     static const struct grammar no_more = { "'}'", { NULL }, NULL };
     struct scene_value *value = subject;
@@ -58,8 +56,8 @@ bool spline_read(struct reader *reader, void *subject,
         return false;
     from = reader_value_of(reader, VALUE_SPLINE);
     if (from
-        && !reader_spend(reader, from->is.spline->count * MEMORY_COST
-                                     * sizeof *spline->points))
+        && !reader_spend(reader,
+                         from->is.spline->count * MEMORY_COST * sizeof *spline->points))
         return false;
     spline = spline_new(from ? from->is.spline : NULL);
     if (!spline)
@@ -87,8 +85,7 @@ bool spline_is_alone(struct reader *reader)
     return !token_is_sign(&after, '(');
 }
 
-static bool read_parameter(struct reader *reader, double *t,
-                           enum spline_kind *kind)
+static bool read_parameter(struct reader *reader, double *t, enum spline_kind *kind)
 {
     return reader_expect_sign(reader, '(') && read_full_number(reader, t)
            && (!reader_accept_sign(reader, ',') || accept_kind(reader, kind)

@@ -10,21 +10,14 @@
 #include "rt/shapes/primitive.h"
 
 /* translate, rotate, scale, matrix, transform: rows of a grammar's table. */
-enum step {
-    STEP_TRANSLATE,
-    STEP_ROTATE,
-    STEP_SCALE,
-    STEP_MATRIX,
-    STEP_NAMED
-};
+enum step { STEP_TRANSLATE, STEP_ROTATE, STEP_SCALE, STEP_MATRIX, STEP_NAMED };
 /* clang-format off */
 #define STEP_WORDS(read) \
     { "translate", read, STEP_TRANSLATE }, \
     { "rotate", read, STEP_ROTATE }, { "scale", read, STEP_SCALE }, \
     { "matrix", read, STEP_MATRIX }, { "transform", read, STEP_NAMED }
 /* clang-format on */
-bool step_read(struct reader *reader, const struct item *item,
-               struct placement *step);
+bool step_read(struct reader *reader, const struct item *item, struct placement *step);
 /* The block of transform { ... }. */
 bool transform_read(struct reader *reader, struct placement *placement);
 
@@ -125,8 +118,7 @@ bool text_read(struct reader *reader, struct scene_object *object,
 bool mesh_read(struct reader *reader, struct scene_object *object,
                const struct item *item);
 /* Counts n more primitives and lights, at most PRIMITIVES_MOST. */
-bool shape_count(struct reader *reader, size_t more,
-                 const struct scene_token *at);
+bool shape_count(struct reader *reader, size_t more, const struct scene_token *at);
 /* Another primitive, which is `at`, within the bound of PRIMITIVES_MOST. */
 bool shape_add(struct reader *reader, struct scene_object *object,
                struct primitive *primitive, const struct scene_token *at);
@@ -138,8 +130,7 @@ bool light_read(struct reader *reader, struct scene_object *object);
 bool looks_like_read(struct reader *reader, struct scene_object *object,
                      const double position[3]);
 /* An interior of its own, of this index of refraction. */
-void object_fill(struct reader *reader, struct scene_object *object,
-                 double ior);
+void object_fill(struct reader *reader, struct scene_object *object, double ior);
 /* Another copy of an object, within the bound of PRIMITIVES_MOST; its interiors
  * are others. */
 bool shape_copy(struct reader *reader, struct scene_object *copy,

@@ -64,8 +64,7 @@ static bool read_named(struct reader *reader, struct placement *step)
     return true;
 }
 
-bool step_read(struct reader *reader, const struct item *item,
-               struct placement *step)
+bool step_read(struct reader *reader, const struct item *item, struct placement *step)
 {
     enum step kind = (enum step)item->keyword->detail;
     double vector[3];
@@ -88,8 +87,7 @@ struct transform_reading {
     bool inverse;
 };
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct transform_reading *reading = subject;
     struct placement step;
@@ -100,8 +98,7 @@ static bool read_step(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_inverse(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_inverse(struct reader *reader, void *subject, const struct item *item)
 {
     struct transform_reading *reading = subject;
 
@@ -117,9 +114,9 @@ static const struct keyword words[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar grammar = {
-    "translate, rotate, scale, matrix or inverse", { words }, NULL
-};
+static const struct grammar grammar = { "translate, rotate, scale, matrix or inverse",
+                                        { words },
+                                        NULL };
 
 bool transform_read(struct reader *reader, struct placement *placement)
 {
@@ -133,6 +130,5 @@ bool transform_read(struct reader *reader, struct placement *placement)
     *placement = reading.inverse ? placement_inverse(&reading.placement)
                                  : reading.placement;
     return placement_is_finite(placement)
-           || reader_fault(reader, &block.open,
-                           "the transform is out of range");
+           || reader_fault(reader, &block.open, "the transform is out of range");
 }

@@ -65,9 +65,7 @@ static void add_utf8(struct made_string *buffer, unsigned code)
 
     for (size_t i = length; --i > 0; code >>= 6)
         bytes[i] = (char)(0x80 | (code & 0x3f));
-    bytes[0] = (char)(length == 1   ? code
-                      : length == 2 ? 0xc0 | code
-                                    : 0xe0 | code);
+    bytes[0] = (char)(length == 1 ? code : length == 2 ? 0xc0 | code : 0xe0 | code);
     add(buffer, bytes, length);
 }
 
@@ -96,8 +94,7 @@ static unsigned read_code(const char *text, size_t length)
 }
 
 /* What follows a backslash; returns how many bytes, 0 if it is no escape. */
-static size_t add_escape(struct made_string *buffer, const char *text,
-                         size_t length)
+static size_t add_escape(struct made_string *buffer, const char *text, size_t length)
 {
     static const char names[] = "abfnrtv\\'\"";
     static const char bytes[] = "\a\b\f\n\r\t\v\\'\"";
@@ -138,8 +135,7 @@ static bool add_quoted(struct reader *reader, const struct scene_token *token,
 
 /* ---- Functions ---------------------------------------------------------- */
 
-typedef bool function_reader(struct reader *reader,
-                             struct made_string *buffer);
+typedef bool function_reader(struct reader *reader, struct made_string *buffer);
 
 static bool read_concat(struct reader *reader, struct made_string *buffer)
 {
@@ -161,21 +157,18 @@ static bool read_format(struct reader *reader, int *width, int *digits)
     double given[2];
 
     for (int i = 0; i < 2; i++)
-        if (!reader_expect_sign(reader, ',')
-            || !read_full_number(reader, &given[i]))
+        if (!reader_expect_sign(reader, ',') || !read_full_number(reader, &given[i]))
             return false;
     for (int i = 0; i < 2; i++)
         if (given[i] < -FORMAT_MOST || given[i] > FORMAT_MOST)
-            return reader_fault(reader, &at,
-                                "width and digits are %d at the most",
+            return reader_fault(reader, &at, "width and digits are %d at the most",
                                 FORMAT_MOST);
     *width = (int)given[0];
     *digits = (int)given[1];
     return true;
 }
 
-static void add_number(struct made_string *buffer, double value, int width,
-                       int digits)
+static void add_number(struct made_string *buffer, double value, int width, int digits)
 {
     char text[PRINTED_MOST];
 
@@ -191,8 +184,7 @@ static bool read_str(struct reader *reader, struct made_string *buffer)
     double value;
     int width, digits;
 
-    if (!read_full_number(reader, &value)
-        || !read_format(reader, &width, &digits))
+    if (!read_full_number(reader, &value) || !read_format(reader, &width, &digits))
         return false;
     add_number(buffer, value, width, digits);
     return true;
@@ -245,12 +237,11 @@ static bool read_range(struct reader *reader, size_t length, size_t *from,
 
     *from = *count = 0;
     if (!reader_expect_sign(reader, ',') || !read_full_number(reader, &first)
-        || !reader_expect_sign(reader, ',')
-        || !read_full_number(reader, &wanted))
+        || !reader_expect_sign(reader, ',') || !read_full_number(reader, &wanted))
         return false;
     if (!(first >= 1 && wanted >= 0 && first - 1 + wanted <= (double)length))
-        return reader_fault(reader, &at, "the string has %zu character%s",
-                            length, plural(length));
+        return reader_fault(reader, &at, "the string has %zu character%s", length,
+                            plural(length));
     *from = (size_t)first - 1;
     *count = (size_t)wanted;
     return true;
@@ -272,8 +263,8 @@ static bool read_substr(struct reader *reader, struct made_string *buffer)
 }
 
 /* The letters of one case become those of the other. */
-static bool read_cased(struct reader *reader, struct made_string *buffer,
-                       char first, int change)
+static bool read_cased(struct reader *reader, struct made_string *buffer, char first,
+                       int change)
 {
     char *text;
 
@@ -301,9 +292,8 @@ static const struct string_function {
     const char *name;
     function_reader *read; /* what is between the brackets */
 } functions[] = {
-    { "chr", read_chr },       { "concat", read_concat },
-    { "str", read_str },       { "strlwr", read_strlwr },
-    { "strupr", read_strupr }, { "substr", read_substr },
+    { "chr", read_chr },       { "concat", read_concat }, { "str", read_str },
+    { "strlwr", read_strlwr }, { "strupr", read_strupr }, { "substr", read_substr },
     { "vstr", read_vstr },
 };
 
@@ -329,8 +319,7 @@ bool starts_string(const struct reader *reader)
 }
 
 /* Up to the closing bracket, which stays the token. */
-static bool read_call(struct reader *reader,
-                      const struct string_function *function,
+static bool read_call(struct reader *reader, const struct string_function *function,
                       struct made_string *buffer)
 {
     size_t hold = reader_nest(reader);
@@ -338,10 +327,8 @@ static bool read_call(struct reader *reader,
 
     if (reader_enter(reader)) {
         reader_next(reader);
-        done = reader_expect_sign(reader, '(')
-               && function->read(reader, buffer)
-               && (reader_at_sign(reader, ')')
-                   || reader_expected(reader, "')'"));
+        done = reader_expect_sign(reader, '(') && function->read(reader, buffer)
+               && (reader_at_sign(reader, ')') || reader_expected(reader, "')'"));
         reader_leave(reader);
     }
     reader_release(reader, hold);
@@ -369,8 +356,7 @@ bool string_read(struct reader *reader, char **string)
     return give(reader, &at, &buffer, done, string);
 }
 
-bool quoted_read(struct reader *reader, const struct scene_token *token,
-                 char **string)
+bool quoted_read(struct reader *reader, const struct scene_token *token, char **string)
 {
     struct made_string buffer = { NULL, 0, false };
     bool done = add_quoted(reader, token, &buffer);

@@ -18,8 +18,7 @@ bool string_read(struct reader *reader, char **string);
  * as in POV-Ray. */
 bool file_name_read(struct reader *reader, char **name);
 /* What stands between the quotes of a token. */
-bool quoted_read(struct reader *reader, const struct scene_token *token,
-                 char **string);
+bool quoted_read(struct reader *reader, const struct scene_token *token, char **string);
 /* The same as a part of something else. */
 bool string_read_within(struct reader *reader, char **string);
 

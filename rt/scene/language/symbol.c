@@ -20,8 +20,7 @@ struct declared_name {
 
 static size_t bucket_of(const char *name, size_t length)
 {
-    return hash_bytes(HASH_START, (const unsigned char *)name, length)
-           % SYMBOL_BUCKETS;
+    return hash_bytes(HASH_START, (const unsigned char *)name, length) % SYMBOL_BUCKETS;
 }
 
 static bool has_name(const struct declared_name *symbol, const char *name,
@@ -41,21 +40,19 @@ struct declared_name *symbols_find(const struct declared_names *symbols,
 }
 
 struct declared_name *symbols_find_at(const struct declared_names *symbols,
-                                      size_t level, const char *name,
-                                      size_t length)
+                                      size_t level, const char *name, size_t length)
 {
     struct declared_name *symbol = symbols->buckets[bucket_of(name, length)];
 
-    while (symbol
-           && !(symbol->level == level && has_name(symbol, name, length)))
+    while (symbol && !(symbol->level == level && has_name(symbol, name, length)))
         symbol = symbol->next;
     return symbol;
 }
 
 /* The value that a path from a symbol leads to; NULL: an element that is not
  * set, or that is not there any more. */
-static struct scene_value **walk(struct scene_value **value,
-                                 const size_t *element, size_t hops)
+static struct scene_value **walk(struct scene_value **value, const size_t *element,
+                                 size_t hops)
 {
     for (size_t i = 0; i < hops && value && *value; i++) {
         struct array *array = (*value)->is.array;
@@ -70,8 +67,7 @@ static struct scene_value **walk(struct scene_value **value,
 const struct scene_value *reference_value(const struct reference *reference)
 {
     struct scene_value *own = &reference->symbol->value;
-    struct scene_value **found = walk(&own, reference->element,
-                                      reference->hops);
+    struct scene_value **found = walk(&own, reference->element, reference->hops);
 
     return found ? *found : NULL;
 }
@@ -103,8 +99,7 @@ bool symbol_release(struct declared_name *symbol)
 static struct declared_name *add(struct declared_names *symbols, size_t level,
                                  const char *name, size_t length)
 {
-    struct declared_name **bucket = &symbols
-                                         ->buckets[bucket_of(name, length)];
+    struct declared_name **bucket = &symbols->buckets[bucket_of(name, length)];
     struct declared_name *symbol = calloc(1, sizeof *symbol + length);
 
     if (!symbol)
@@ -124,9 +119,8 @@ static struct declared_name *add(struct declared_names *symbols, size_t level,
     return symbol;
 }
 
-const char *symbols_add(struct declared_names *symbols, size_t level,
-                        const char *name, size_t length,
-                        struct scene_value *value)
+const char *symbols_add(struct declared_names *symbols, size_t level, const char *name,
+                        size_t length, struct scene_value *value)
 {
     struct declared_name *symbol = add(symbols, level, name, length);
 
@@ -152,8 +146,7 @@ static const char *assign_element(const struct reference *reference,
     if (!array || reference->element[last] >= array->count)
         fault = "the array of this element is gone";
     else if (value->kind == VALUE_ARRAY
-             && reference->hops + array_nesting(value->is.array)
-                    > ARRAY_NESTING_MOST)
+             && reference->hops + array_nesting(value->is.array) > ARRAY_NESTING_MOST)
         fault = "too many arrays within each other: "
                 "at most " LIMIT_TEXT(ARRAY_NESTING_MOST);
     if (!fault)
@@ -188,8 +181,7 @@ const char *symbols_refer(struct declared_names *symbols, size_t level,
 }
 
 /* Out of its bucket; the row of locals is left to the caller. */
-static void unlink_symbol(struct declared_names *symbols,
-                          struct declared_name *symbol)
+static void unlink_symbol(struct declared_names *symbols, struct declared_name *symbol)
 {
     struct declared_name *
         *link = &symbols->buckets[bucket_of(symbol->name, symbol->length)];
@@ -200,8 +192,7 @@ static void unlink_symbol(struct declared_names *symbols,
     symbol_release(symbol);
 }
 
-bool symbols_remove(struct declared_names *symbols, const char *name,
-                    size_t length)
+bool symbols_remove(struct declared_names *symbols, const char *name, size_t length)
 {
     struct declared_name *symbol = symbols_find(symbols, name, length);
     struct declared_name **link = &symbols->locals;

@@ -13,8 +13,7 @@
 enum { SYMBOL_BUCKETS = 1024 };
 struct declared_names {
     struct declared_name *buckets[SYMBOL_BUCKETS];
-    struct declared_name
-        *locals; /* above level 0, the innermost level first */
+    struct declared_name *locals; /* above level 0, the innermost level first */
 };
 
 /* The symbol of the innermost level that has the name, or NULL. */
@@ -22,8 +21,7 @@ struct declared_name *symbols_find(const struct declared_names *symbols,
                                    const char *name, size_t length);
 /* .. of that level. */
 struct declared_name *symbols_find_at(const struct declared_names *symbols,
-                                      size_t level, const char *name,
-                                      size_t length);
+                                      size_t level, const char *name, size_t length);
 /* What a symbol stands for: itself, or what it refers to. */
 struct reference reference_to(struct declared_name *symbol);
 /* NULL: an element that is not set, or that is not there any more. */
@@ -33,9 +31,8 @@ const struct scene_value *reference_value(const struct reference *reference);
  * A new symbol of a level above 0 must be of the innermost level. */
 const char *reference_assign(const struct reference *reference,
                              struct scene_value *value);
-const char *symbols_add(struct declared_names *symbols, size_t level,
-                        const char *name, size_t length,
-                        struct scene_value *value);
+const char *symbols_add(struct declared_names *symbols, size_t level, const char *name,
+                        size_t length, struct scene_value *value);
 /* A new symbol that stands for another. */
 const char *symbols_refer(struct declared_names *symbols, size_t level,
                           const char *name, size_t length,
@@ -53,8 +50,7 @@ void symbols_walk(const struct declared_names *symbols,
                                const struct scene_value *value),
                   void *context);
 /* Forget the innermost symbol of a name; false: there is none. */
-bool symbols_remove(struct declared_names *symbols, const char *name,
-                    size_t length);
+bool symbols_remove(struct declared_names *symbols, const char *name, size_t length);
 /* Forget all names of the levels above. */
 void symbols_leave(struct declared_names *symbols, size_t level);
 void symbols_free(struct declared_names *symbols);

@@ -44,15 +44,13 @@ static bool make_prism(struct text_reading *text, const struct glyph *glyph,
 }
 
 /* .. parabolas, of which nobody made a spline. */
-static bool make_quadratic_prism(struct text_reading *text,
-                                 const struct glyph *glyph,
+static bool make_quadratic_prism(struct text_reading *text, const struct glyph *glyph,
                                  struct primitive *prism)
 {
     prism->kind = PRIMITIVE_QUADRATIC_PRISM;
     prism->shape.quadratic_prism.low = fmin(0, text->thickness);
     prism->shape.quadratic_prism.high = fmax(0, text->thickness);
-    prism->shape.quadratic_prism.path = (struct outline){ glyph->count,
-                                                          glyph->points };
+    prism->shape.quadratic_prism.path = (struct outline){ glyph->count, glyph->points };
     return glyph->count >= 3;
 }
 
@@ -65,25 +63,22 @@ static bool add_glyph(struct text_reading *text, const struct glyph *glyph)
     bool done;
 
     if (glyph->count > PATH_MOST)
-        return reader_fault(reader, text->at,
-                            "more than %d points in one character",
+        return reader_fault(reader, text->at, "more than %d points in one character",
                             PATH_MOST);
     memset(&one, 0, sizeof one);
     memset(&prism, 0, sizeof prism);
-    if (!(glyph->apart == 1 ? make_prism : make_quadratic_prism)(text, glyph,
-                                                                 &prism))
+    if (!(glyph->apart == 1 ? make_prism : make_quadratic_prism)(text, glyph, &prism))
         return true;
     done = shape_add(reader, &one, &prism, text->at);
     object_move(&one, &placement);
-    done = done
-           && (object_add(text->object, &one) || reader_no_memory(reader));
+    done = done && (object_add(text->object, &one) || reader_no_memory(reader));
     scene_object_free(&one);
     return done;
 }
 
 /* As in POV-Ray the ink of the first one begins at 0. */
-static bool add_character(struct text_reading *text, bool first,
-                          uint32_t before, uint32_t character)
+static bool add_character(struct text_reading *text, bool first, uint32_t before,
+                          uint32_t character)
 {
     struct reader *reader = text->reader;
     struct glyph glyph;
@@ -151,8 +146,8 @@ static bool read_extent(struct text_reading *text)
 }
 
 /* The strings are read already. */
-static bool read_with(struct text_reading *text,
-                      const struct scene_source *source, const char *string)
+static bool read_with(struct text_reading *text, const struct scene_source *source,
+                      const char *string)
 {
     const char *fault;
     struct font *font;
@@ -162,8 +157,7 @@ static bool read_with(struct text_reading *text,
         return false;
     font = font_open(source->text, source->length, &fault);
     text->font = font;
-    done = reader_check(text->reader, text->at, fault)
-           && add_characters(text, string);
+    done = reader_check(text->reader, text->at, fault) && add_characters(text, string);
     font_close(font);
     return done;
 }
@@ -194,9 +188,7 @@ static const struct scene_source *read_font(struct reader *reader)
 bool text_read(struct reader *reader, struct scene_object *object,
                const struct scene_token *at)
 {
-    struct text_reading text = { .reader = reader,
-                                 .object = object,
-                                 .at = at };
+    struct text_reading text = { .reader = reader, .object = object, .at = at };
     const struct scene_source *source = read_font(reader);
     char *string;
     bool done;

@@ -4,8 +4,7 @@
 
 #include <string.h>
 
-static bool read_ambient(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_ambient(struct reader *reader, void *subject, const struct item *item)
 {
     struct finish *finish = subject;
 
@@ -13,8 +12,7 @@ static bool read_ambient(struct reader *reader, void *subject,
     return read_rgb(reader, finish->ambient);
 }
 
-static bool read_emission(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_emission(struct reader *reader, void *subject, const struct item *item)
 {
     struct finish *finish = subject;
 
@@ -24,8 +22,7 @@ static bool read_emission(struct reader *reader, void *subject,
 
 /* How metallic something is: a number, or none for 1.  The keyword's detail is
  * the member's offset. */
-static bool read_metallic(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_metallic(struct reader *reader, void *subject, const struct item *item)
 {
     double *amount = (double *)((char *)subject + item->keyword->detail);
 
@@ -40,8 +37,7 @@ struct mirror_reading {
     bool fresnel; /* said here */
 };
 
-static bool read_fresnel(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_fresnel(struct reader *reader, void *subject, const struct item *item)
 {
     struct mirror_reading *mirror = subject;
     double number = 1;
@@ -53,8 +49,7 @@ static bool read_fresnel(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_falloff(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_falloff(struct reader *reader, void *subject, const struct item *item)
 {
     struct mirror_reading *mirror = subject;
 
@@ -84,14 +79,12 @@ static bool read_mirror(struct reader *reader, struct finish *finish)
 {
     bool good = read_rgb(reader, finish->reflection);
 
-    memcpy(finish->reflection_most, finish->reflection,
-           sizeof finish->reflection);
+    memcpy(finish->reflection_most, finish->reflection, sizeof finish->reflection);
     return good;
 }
 
 /* .. or two of them. */
-static bool read_mirrors(struct reader *reader, struct finish *finish,
-                         bool *two)
+static bool read_mirrors(struct reader *reader, struct finish *finish, bool *two)
 {
     if (!read_mirror(reader, finish))
         return false;
@@ -122,8 +115,7 @@ static bool read_reflection(struct reader *reader, void *subject,
 }
 
 /* The keyword's detail is the member's offset. */
-static bool read_amount(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_amount(struct reader *reader, void *subject, const struct item *item)
 {
     void *amount = (char *)subject + item->keyword->detail;
     struct scene_token more = reader->token;
@@ -151,16 +143,14 @@ static bool read_roughness(struct reader *reader, void *subject,
            || reader_fault(reader, &item->at, "roughness is not above 0");
 }
 
-static bool read_old_ior(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_old_ior(struct reader *reader, void *subject, const struct item *item)
 {
     struct finish *finish = subject;
 
     reader_warn(reader, &item->at, "'ior' is read as that of the interior");
     if (!read_number(reader, &finish->ior))
         return false;
-    return finish->ior > 0
-           || reader_fault(reader, &item->at, "ior is not above 0");
+    return finish->ior > 0 || reader_fault(reader, &item->at, "ior is not above 0");
 }
 
 static const struct keyword finish_words[] = {
@@ -191,21 +181,19 @@ static const struct keyword finish_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar finish_grammar = {
-    "a word of finish", { finish_words, finish_left_out }, NULL
-};
+static const struct grammar finish_grammar = { "a word of finish",
+                                               { finish_words, finish_left_out },
+                                               NULL };
 
 bool finish_read(struct reader *reader, struct finish *finish)
 {
     struct block block;
 
-    return block_open_from(reader, &block, VALUE_FINISH, finish,
-                           sizeof *finish)
+    return block_open_from(reader, &block, VALUE_FINISH, finish, sizeof *finish)
            && block_items(reader, &block, &finish_grammar, finish, true);
 }
 
-static bool read_pigment(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_pigment(struct reader *reader, void *subject, const struct item *item)
 {
     struct texture *texture = subject;
 
@@ -213,8 +201,7 @@ static bool read_pigment(struct reader *reader, void *subject,
     return pigment_read(reader, &texture->pigment);
 }
 
-static bool read_finish(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_finish(struct reader *reader, void *subject, const struct item *item)
 {
     struct texture *texture = subject;
 
@@ -222,8 +209,7 @@ static bool read_finish(struct reader *reader, void *subject,
     return finish_read(reader, &texture->finish);
 }
 
-static bool read_normal(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_normal(struct reader *reader, void *subject, const struct item *item)
 {
     struct texture *texture = subject;
 
@@ -241,8 +227,7 @@ static bool read_no_bump_scale(struct reader *reader, void *subject,
     return texture->bumps.unscaled = true;
 }
 
-static bool read_step(struct reader *reader, void *subject,
-                      const struct item *item)
+static bool read_step(struct reader *reader, void *subject, const struct item *item)
 {
     struct texture *texture = subject;
     struct placement step;
@@ -256,8 +241,7 @@ static bool read_step(struct reader *reader, void *subject,
 /* The texture of a pattern's first entry stands for all. */
 bool texture_map_read(struct reader *reader, struct texture *texture)
 {
-    return map_first(reader, VALUE_TEXTURE_MAP, texture_body, texture,
-                     sizeof *texture);
+    return map_first(reader, VALUE_TEXTURE_MAP, texture_body, texture, sizeof *texture);
 }
 
 static bool read_texture_map(struct reader *reader, void *subject,
@@ -267,8 +251,7 @@ static bool read_texture_map(struct reader *reader, void *subject,
     return texture_map_read(reader, subject);
 }
 
-static bool read_pattern(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_pattern(struct reader *reader, void *subject, const struct item *item)
 {
     struct texture texture = reader->default_texture;
 
@@ -286,8 +269,7 @@ static bool read_pattern(struct reader *reader, void *subject,
 }
 
 /* tiles { texture tile2 texture } */
-static bool read_tiles(struct reader *reader, void *subject,
-                       const struct item *item)
+static bool read_tiles(struct reader *reader, void *subject, const struct item *item)
 {
     struct block block;
     bool good;
@@ -296,9 +278,8 @@ static bool read_tiles(struct reader *reader, void *subject,
                   "'tiles' is not supported: the first texture is used");
     if (!block_open(reader, &block, '{'))
         return false;
-    good = reader_accept(reader, "texture")
-               ? texture_read(reader, subject)
-               : reader_expected(reader, "a texture");
+    good = reader_accept(reader, "texture") ? texture_read(reader, subject)
+                                            : reader_expected(reader, "a texture");
     return block_finish(reader, &block) && good;
 }
 
@@ -324,14 +305,12 @@ static const struct keyword texture_left_out[] = {
     { NULL, NULL, 0 },
 };
 
-static const struct grammar texture_grammar = {
-    "a word of texture",
-    { texture_words, texture_left_out, pattern_words_left_out },
-    NULL
-};
+static const struct grammar texture_grammar = { "a word of texture",
+                                                { texture_words, texture_left_out,
+                                                  pattern_words_left_out },
+                                                NULL };
 
-bool texture_body(struct reader *reader, const struct block *block,
-                  void *subject)
+bool texture_body(struct reader *reader, const struct block *block, void *subject)
 {
     const struct scene_value *value = reader_use(reader, VALUE_TEXTURE);
 
@@ -349,8 +328,7 @@ bool texture_read(struct reader *reader, struct texture *texture)
 {
     struct block block;
 
-    return block_open(reader, &block, '{')
-           && texture_body(reader, &block, texture);
+    return block_open(reader, &block, '{') && texture_body(reader, &block, texture);
 }
 
 /* What is not clear hides all below it. */

@@ -39,8 +39,7 @@ bool lexer_open(struct lexer *lexer, const struct scene_source *source)
 }
 
 bool lexer_call(struct lexer *lexer, const struct scene_source *source,
-                struct text_place place, size_t end,
-                const struct scene_token *call)
+                struct text_place place, size_t end, const struct scene_token *call)
 {
     struct open_text *frame = open_frame(lexer, source);
 
@@ -144,8 +143,7 @@ static bool skip_comment(struct lexer *lexer)
     return false;
 }
 
-static struct scene_token here(const struct lexer *lexer,
-                               enum scene_token_kind kind)
+static struct scene_token here(const struct lexer *lexer, enum scene_token_kind kind)
 {
     const struct open_text *frame = &lexer->frames[lexer->depth - 1];
     struct scene_token token;
@@ -173,8 +171,7 @@ static struct scene_token read_word(struct lexer *lexer)
 {
     struct scene_token token = here(lexer, TOKEN_WORD);
 
-    while (is_letter(look(lexer, token.length))
-           || is_digit(look(lexer, token.length)))
+    while (is_letter(look(lexer, token.length)) || is_digit(look(lexer, token.length)))
         token.length++;
     step(lexer, token.length);
     return token;
@@ -200,8 +197,7 @@ static size_t number_length(const struct lexer *lexer)
     exponent = length + 1;
     if (look(lexer, exponent) == '+' || look(lexer, exponent) == '-')
         exponent++;
-    return digits(lexer, exponent) ? exponent + digits(lexer, exponent)
-                                   : length;
+    return digits(lexer, exponent) ? exponent + digits(lexer, exponent) : length;
 }
 
 static struct scene_token read_number(struct lexer *lexer)
@@ -321,22 +317,20 @@ static struct scene_token read_token(struct lexer *lexer)
 
 /* ---- What comes again ---------------------------------------------------- */
 
-static struct kept_token *kept_at(struct lexer *lexer,
-                                  const struct open_text *frame)
+static struct kept_token *kept_at(struct lexer *lexer, const struct open_text *frame)
 {
     return &lexer->kept[frame->place.at % KEPT_TOKENS];
 }
 
-static bool is_kept(const struct kept_token *kept,
-                    const struct open_text *frame)
+static bool is_kept(const struct kept_token *kept, const struct open_text *frame)
 {
-    return kept->token.source == frame->source
-           && kept->from == frame->place.at && kept->behind.at <= frame->end;
+    return kept->token.source == frame->source && kept->from == frame->place.at
+           && kept->behind.at <= frame->end;
 }
 
 /* Where a token ends depends on two bytes behind it at the most (1e+5). */
-static void keep(struct kept_token *kept, const struct scene_token *token,
-                 size_t from, const struct open_text *frame)
+static void keep(struct kept_token *kept, const struct scene_token *token, size_t from,
+                 const struct open_text *frame)
 {
     enum { LOOKED_AT = 2 };
 
@@ -347,8 +341,7 @@ static void keep(struct kept_token *kept, const struct scene_token *token,
 }
 
 /* What here() says of it. */
-static struct scene_token again(struct lexer *lexer,
-                                const struct kept_token *kept)
+static struct scene_token again(struct lexer *lexer, const struct kept_token *kept)
 {
     struct scene_token token = kept->token;
 
@@ -379,8 +372,7 @@ struct scene_token lexer_next(struct lexer *lexer)
 
 bool token_is_text(const struct scene_token *token, const char *word)
 {
-    return !strncmp(token->text, word, token->length)
-           && word[token->length] == '\0';
+    return !strncmp(token->text, word, token->length) && word[token->length] == '\0';
 }
 
 bool is_one_of(const struct scene_token *token, const char *const *words)
@@ -406,8 +398,7 @@ struct position token_position(const struct scene_token *token)
     const struct scene_source *source = token->source;
     struct position position;
     const char *line = source->text + token->place.line_at;
-    const char *end = memchr(line, '\n',
-                             source->length - token->place.line_at);
+    const char *end = memchr(line, '\n', source->length - token->place.line_at);
 
     position.file = source->name;
     position.line = token->place.line;

@@ -51,7 +51,7 @@ struct scene_token {
     const struct scene_source *source;
     struct text_place place; /* before its first byte */
     size_t depth;            /* of frames, when it was read */
-    size_t main_line; /* the line of the main file: its own or that of the
+    size_t main_line;        /* the line of the main file: its own or that of the
                            #include or the macro that leads to it */
     const char *text;
     size_t length;
@@ -99,8 +99,7 @@ struct lexer {
 bool lexer_open(struct lexer *lexer, const struct scene_source *source);
 /* .. those of a macro's body, which `call` calls. */
 bool lexer_call(struct lexer *lexer, const struct scene_source *source,
-                struct text_place place, size_t end,
-                const struct scene_token *call);
+                struct text_place place, size_t end, const struct scene_token *call);
 /* The frame below goes on. */
 void lexer_close(struct lexer *lexer);
 /* On from another place of the frame, as a loop's turn begins. */

@@ -38,13 +38,12 @@ static int compare_reaches(const void *a, const void *b)
 {
     const struct reach *one = a, *other = b;
 
-    return (one->distance > other->distance)
-           - (one->distance < other->distance);
+    return (one->distance > other->distance) - (one->distance < other->distance);
 }
 
 /* A plane is at its nearest point, and not nearer than the nearest light. */
-static struct reach reach_plane(const struct primitive *primitive,
-                                const double from[3], double nearest)
+static struct reach reach_plane(const struct primitive *primitive, const double from[3],
+                                double nearest)
 {
     const double *normal = primitive->shape.plane.normal;
     struct reach reach = { 0 };
@@ -75,8 +74,8 @@ static void bound_corners(const struct primitive *mesh, struct bound *bound)
 }
 
 /* Distance 0: it is not known. */
-static struct reach find_reach(const struct primitive *primitive,
-                               const double from[3], double nearest)
+static struct reach find_reach(const struct primitive *primitive, const double from[3],
+                               double nearest)
 {
     struct bound bound = bound_none;
     struct reach reach = { 0 };
@@ -97,8 +96,7 @@ static struct reach find_reach(const struct primitive *primitive,
 
 /* Without an object of known size: the distance of the nearest light, or of the
  * origin, from the camera. */
-static double find_nearest(const struct scene *scene,
-                           const struct scene_object *world)
+static double find_nearest(const struct scene *scene, const struct scene_object *world)
 {
     double nearest = length3(scene->camera.location);
 
@@ -124,10 +122,8 @@ static struct reach find_size(const struct scene *scene,
     size_t step = world->part_count / SAMPLES_MOST + 1, count = 0;
 
     for (size_t i = 0; i < world->part_count; i += step) {
-        reaches[count] = find_reach(&world->parts[i].primitive, from,
-                                    nearest);
-        count += reaches[count].distance > 0
-                 && isfinite(reaches[count].distance);
+        reaches[count] = find_reach(&world->parts[i].primitive, from, nearest);
+        count += reaches[count].distance > 0 && isfinite(reaches[count].distance);
     }
     if (count == 0)
         return none;
@@ -142,8 +138,7 @@ static int unit_of(const struct reach *size)
 
     if (length > ORDINARY_MOST)
         length = fmax(fmin(length, SIGHT * size->radius), 1);
-    if (!(length > 0)
-        || (length >= ORDINARY_LEAST && length <= ORDINARY_MOST))
+    if (!(length > 0) || (length >= ORDINARY_LEAST && length <= ORDINARY_MOST))
         return 0;
     frexp(length, &log);
     return log - 3 < -UNIT_LOG_MOST  ? -UNIT_LOG_MOST
@@ -187,8 +182,7 @@ static void place_quartic(struct primitive *primitive)
     quartic_enlarge(primitive, log);
 }
 
-static void scale_world(struct scene *scene, struct scene_object *world,
-                        double by)
+static void scale_world(struct scene *scene, struct scene_object *world, double by)
 {
     struct placement step = placement_scaling((const double[]){ by, by, by });
 
@@ -219,8 +213,7 @@ static double distance3(const double way[3])
     return size * length3(unit);
 }
 
-static void shrink_about(const double center[3], double share,
-                         double point[3])
+static void shrink_about(const double center[3], double share, double point[3])
 {
     for (int i = 0; i < 3; i++)
         point[i] = center[i] + (point[i] - center[i]) * share;

@@ -44,8 +44,7 @@ static const char *copy_string(struct scene_value *copy, const char *text)
     return NULL;
 }
 
-const char *value_copy(struct scene_value *copy,
-                       const struct scene_value *value)
+const char *value_copy(struct scene_value *copy, const struct scene_value *value)
 {
     *copy = *value;
     switch (value->kind) {

@@ -75,8 +75,7 @@ struct array {
     enum scene_value_kind kind; /* all are of its kind, */
     int terms;                  /* numbers of as many terms */
     size_t *cells;              /* of all arrays, with these */
-    struct scene_value
-        *cell[]; /* the last index runs fastest; NULL: not set */
+    struct scene_value *cell[]; /* the last index runs fastest; NULL: not set */
 };
 
 /* The body of a macro, as it stands in its source. */
@@ -128,20 +127,17 @@ struct scene_value {
 
 void value_free(struct scene_value *value);
 /* A copy; NULL, or why there is none. */
-const char *value_copy(struct scene_value *copy,
-                       const struct scene_value *value);
+const char *value_copy(struct scene_value *copy, const struct scene_value *value);
 
 /* The functions that return text return why they failed, or NULL. */
 extern const char no_memory[];
 
 /* NULL: there are more than CELLS_MOST cells in all, or no memory. */
-struct array *array_new(size_t dimensions, const size_t *sizes,
-                        size_t *cells);
+struct array *array_new(size_t dimensions, const size_t *sizes, size_t *cells);
 const char *array_copy(struct array **copy, const struct array *array);
 void array_free(struct array *array);
 /* Takes the value over in any case. */
-const char *array_set(struct array *array, size_t element,
-                      struct scene_value *value);
+const char *array_set(struct array *array, size_t element, struct scene_value *value);
 /* The arrays within each other, this one counted. */
 size_t array_nesting(const struct array *array);
 /* Primitives and lights in all objects. */

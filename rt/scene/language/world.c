@@ -18,13 +18,9 @@
 /* POV-Ray 3.7's own, in a scene of #version 3.7. */
 static const struct texture texture_default = {
     .pigment = { .kind = PIGMENT_COLOR,
-                 .to_local = { { { 1, 0, 0, 0 },
-                                 { 0, 1, 0, 0 },
-                                 { 0, 0, 1, 0 } } },
+                 .to_local = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } },
                  .pattern = { .frequency = 1, .exponent = 1 } },
-    .bumps = { .to_local = { { { 1, 0, 0, 0 },
-                               { 0, 1, 0, 0 },
-                               { 0, 0, 1, 0 } } } },
+    .bumps = { .to_local = { { { 1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 } } } },
     .finish = { .ambient = { .1, .1, .1 },
                 .reflection_falloff = 1,
                 .diffuse = .6,
@@ -55,8 +51,7 @@ static bool check_part(struct reader *reader, const struct scene_part *part,
 {
     const struct primitive *primitive = &part->primitive;
     struct placement own = { primitive->to_world, primitive->to_local };
-    struct placement pattern = { placement_none.to_world,
-                                 primitive->pigment.to_local };
+    struct placement pattern = { placement_none.to_world, primitive->pigment.to_local };
 
     if (!placement_is_finite(&own) || !placement_is_finite(&pattern)
         || !has_space(&primitive->bumps))
@@ -83,40 +78,34 @@ static void find_material(const struct scene_part *parts, size_t count,
 
 /* What it is called, and what it is made of. */
 static bool note_object(struct reader *reader, size_t first,
-                        const struct scene_object *object,
-                        const struct scene_token *at)
+                        const struct scene_object *object, const struct scene_token *at)
 {
     struct scene *scene = reader->scene;
     const struct scene_part *parts = reader->world.parts;
     struct world_object *list = arena_grow(&scene->kept, scene->objects,
-                                           scene->object_count,
-                                           &reader->objects_room,
+                                           scene->object_count, &reader->objects_room,
                                            sizeof *list);
 
     if (!list)
         return reader_no_memory(reader);
     scene->objects = list;
     list += scene->object_count++;
-    *list = (struct world_object){ .name = object->name,
-                                   .line = at->main_line };
+    *list = (struct world_object){ .name = object->name, .line = at->main_line };
     find_material(parts + first, reader->world.part_count - first, list);
     return true;
 }
 
 /* What the machine has no numbers for. */
-static void leave_out_extremes(struct reader *reader,
-                               struct primitive *primitive,
+static void leave_out_extremes(struct reader *reader, struct primitive *primitive,
                                const struct scene_token *at)
 {
     struct placement own = { primitive->to_world, primitive->to_local };
     char reason[80];
 
     primitive->transformed = !placement_is_none(&own);
-    if (primitive->empty || !placement_is_finite(&own)
-        || shape_is_finite(primitive))
+    if (primitive->empty || !placement_is_finite(&own) || shape_is_finite(primitive))
         return;
-    snprintf(reason, sizeof reason,
-             "the %s is too large or too small to be traced",
+    snprintf(reason, sizeof reason, "the %s is too large or too small to be traced",
              primitive_kind_name(primitive->kind));
     primitive_leave_out(reader, primitive, at, reason);
 }
@@ -126,8 +115,7 @@ static bool prune(struct reader *reader, struct scene_object *object,
                   const struct scene_token *at)
 {
     for (size_t i = 0; i < object->part_count; i++)
-        if (object->parts[i].patch
-            && !bicubic_patch_cut(reader, &object->parts[i], at))
+        if (object->parts[i].patch && !bicubic_patch_cut(reader, &object->parts[i], at))
             return false;
     for (size_t i = 0; i < object->part_count; i++)
         leave_out_extremes(reader, &object->parts[i].primitive, at);
@@ -158,12 +146,10 @@ static bool add_to_world(struct reader *reader, struct scene_object *object,
         if (!check_part(reader, part, at))
             return false;
     }
-    return reader->world.part_count == first
-           || note_object(reader, first, object, at);
+    return reader->world.part_count == first || note_object(reader, first, object, at);
 }
 
-static bool read_object(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_object(struct reader *reader, void *subject, const struct item *item)
 {
     struct scene_object object;
     bool done;
@@ -176,15 +162,13 @@ static bool read_object(struct reader *reader, void *subject,
     return done;
 }
 
-static bool read_camera(struct reader *reader, void *subject,
-                        const struct item *item)
+static bool read_camera(struct reader *reader, void *subject, const struct item *item)
 {
     struct camera_setting setting = camera_default;
 
     (void)subject;
     if (reader->camera_given)
-        reader_report(reader, &item->at,
-                      "more than one camera: the last is used");
+        reader_report(reader, &item->at, "more than one camera: the last is used");
     reader->camera_given = true;
     if (!camera_read(reader, &item->at, &setting))
         return false;
@@ -192,24 +176,21 @@ static bool read_camera(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_settings(struct reader *reader, void *subject,
-                          const struct item *item)
+static bool read_settings(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
     (void)item;
     return settings_read(reader, reader->scene);
 }
 
-static bool read_default(struct reader *reader, void *subject,
-                         const struct item *item)
+static bool read_default(struct reader *reader, void *subject, const struct item *item)
 {
     (void)subject;
     (void)item;
     return default_read(reader);
 }
 
-static bool read_sky(struct reader *reader, void *subject,
-                     const struct item *item)
+static bool read_sky(struct reader *reader, void *subject, const struct item *item)
 {
     struct sky_setting sky;
 
@@ -220,8 +201,7 @@ static bool read_sky(struct reader *reader, void *subject,
     return true;
 }
 
-static bool read_fog(struct reader *reader, void *subject,
-                     const struct item *item)
+static bool read_fog(struct reader *reader, void *subject, const struct item *item)
 {
     struct fog_setting fog;
 
@@ -322,10 +302,8 @@ static bool take_regions(struct reader *reader)
 {
     struct scene *scene = reader->scene;
 
-    scene->nodes = calloc(reader->world.branch_count + 1,
-                          sizeof *scene->nodes);
-    scene->regions = calloc(scene->primitive_count + 1,
-                            sizeof *scene->regions);
+    scene->nodes = calloc(reader->world.branch_count + 1, sizeof *scene->nodes);
+    scene->regions = calloc(scene->primitive_count + 1, sizeof *scene->regions);
     if (!scene->nodes || !scene->regions)
         return reader_no_memory(reader);
     fill_nodes(scene, &reader->world);
@@ -345,8 +323,7 @@ static void keep_float(void *context, const char *name, size_t length,
 {
     struct floats *floats = context;
 
-    if (!floats->failed && value->kind == VALUE_NUMBERS
-        && value->is.numbers.count == 1)
+    if (!floats->failed && value->kind == VALUE_NUMBERS && value->is.numbers.count == 1)
         floats->failed = !reader_keep_float(floats->reader, name, length,
                                             value->is.numbers.n[0]);
 }
@@ -364,8 +341,7 @@ static void report_fogged_bodies(struct reader *reader)
 {
     const struct scene *scene = reader->scene;
 
-    for (size_t i = 0; scene->fog_count > 0 && i < scene->primitive_count;
-         i++)
+    for (size_t i = 0; scene->fog_count > 0 && i < scene->primitive_count; i++)
         if (pigment_is_clear(&scene->primitives[i].pigment)) {
             reader_report(reader, &reader->fog,
                           "there is fog within clear bodies, too; in POV-Ray "
@@ -407,8 +383,7 @@ static struct scene *new_scene(void)
 }
 
 /* As in POV-Ray the version at the end of the text decides. */
-static void decide_gamma(struct reader *reader,
-                         const struct scene_source *source)
+static void decide_gamma(struct reader *reader, const struct scene_source *source)
 {
     struct scene_token at = reader->version_at;
 
@@ -444,8 +419,7 @@ static bool report_notes(struct reader *reader)
 
     if (notebook_failed(&reader->notebook))
         return reader_no_memory(reader);
-    notebook_report(&reader->notebook,
-                    strict ? SEVERITY_ERROR : SEVERITY_REPORT,
+    notebook_report(&reader->notebook, strict ? SEVERITY_ERROR : SEVERITY_REPORT,
                     reader->reports);
     return true;
 }
@@ -497,8 +471,7 @@ static struct scene *read_from(const char *name, const char *text,
     if (reader) {
         reader->options = options;
         reader->reports = reports;
-        source = text ? source_add(&reader->sources, name, text, strlen(text),
-                                   &error)
+        source = text ? source_add(&reader->sources, name, text, strlen(text), &error)
                       : source_load(&reader->sources, name, &error);
     }
     if (source)
@@ -509,8 +482,7 @@ static struct scene *read_from(const char *name, const char *text,
     return scene;
 }
 
-struct scene *scene_read(const char *path,
-                         const struct scene_options *options,
+struct scene *scene_read(const char *path, const struct scene_options *options,
                          struct diagnostics *reports)
 {
     return read_from(path, NULL, options, reports);

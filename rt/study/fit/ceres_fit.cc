@@ -33,10 +33,8 @@ class Evaluation : public ceres::EvaluationCallback
 
     void PrepareForEvaluation(bool derivatives, bool) override
     {
-        good_ = problem_.evaluate(problem_.context, values_,
-                                  residuals_.data(),
-                                  derivatives ? derivatives_.data()
-                                              : nullptr);
+        good_ = problem_.evaluate(problem_.context, values_, residuals_.data(),
+                                  derivatives ? derivatives_.data() : nullptr);
     }
 
     bool good() const
@@ -66,8 +64,7 @@ class Evaluation : public ceres::EvaluationCallback
 class Residual : public ceres::CostFunction
 {
   public:
-    Residual(const Evaluation &evaluation, size_t i)
-        : evaluation_(evaluation), i_(i)
+    Residual(const Evaluation &evaluation, size_t i) : evaluation_(evaluation), i_(i)
     {
         set_num_residuals(1);
         mutable_parameter_block_sizes()->push_back(
@@ -95,26 +92,22 @@ void add_residuals(ceres::Problem &problem, const ceres_problem &given,
     for (size_t i = 0; i < given.residuals; i++) {
         const double loss = given.losses[i];
         problem.AddResidualBlock(new Residual(evaluation, i),
-                                 loss > 0 ? new ceres::CauchyLoss(loss)
-                                          : nullptr,
+                                 loss > 0 ? new ceres::CauchyLoss(loss) : nullptr,
                                  values);
     }
 }
 
-void set_bounds(ceres::Problem &problem, const ceres_problem &given,
-                double *values)
+void set_bounds(ceres::Problem &problem, const ceres_problem &given, double *values)
 {
     for (size_t i = 0; i < given.values; i++) {
-        values[i] = std::min(std::max(values[i], given.least[i]),
-                             given.most[i]);
+        values[i] = std::min(std::max(values[i], given.least[i]), given.most[i]);
         const int place = static_cast<int>(i);
         problem.SetParameterLowerBound(values, place, given.least[i]);
         problem.SetParameterUpperBound(values, place, given.most[i]);
     }
 }
 
-bool find_covariance(ceres::Problem &problem, const double *values,
-                     double *covariance)
+bool find_covariance(ceres::Problem &problem, const double *values, double *covariance)
 {
     ceres::Covariance::Options options;
     options.algorithm_type = ceres::DENSE_SVD;
@@ -174,11 +167,9 @@ extern "C" bool ceres_fit(const ceres_problem *problem, double *values,
         fit(*problem, values, *outcome);
         return true;
     } catch (const std::exception &caught) {
-        std::snprintf(outcome->message, sizeof outcome->message, "%s",
-                      caught.what());
+        std::snprintf(outcome->message, sizeof outcome->message, "%s", caught.what());
     } catch (...) {
-        std::snprintf(outcome->message, sizeof outcome->message,
-                      "unknown failure");
+        std::snprintf(outcome->message, sizeof outcome->message, "unknown failure");
     }
     return false;
 }

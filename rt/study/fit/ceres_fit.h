@@ -15,13 +15,13 @@ extern "C" {
 
 /* Residuals at the values, and unless it is NULL their derivatives, a row for
  * each residual.  False: it cannot be done, and the fit ends. */
-typedef bool ceres_evaluate(void *context, const double *values,
-                            double *residuals, double *derivatives);
+typedef bool ceres_evaluate(void *context, const double *values, double *residuals,
+                            double *derivatives);
 
 struct ceres_problem {
     size_t values, residuals;
     const double *least, *most; /* of each value; the start is moved inside */
-    const double *losses; /* of each residual: the size from which it counts
+    const double *losses;       /* of each residual: the size from which it counts
                              less (Cauchy); 0: it always counts */
     ceres_evaluate *evaluate;
     void *context;

@@ -6,9 +6,8 @@
 #include <string.h>
 
 enum { NAME, MACHINE, MEMBERS, SOURCE, LEAST, MOST, WHY, FIELDS };
-static const char *const columns[FIELDS] = { "name",   "machine", "constants",
-                                             "source", "least",   "most",
-                                             "why" };
+static const char *const columns[FIELDS] = { "name",  "machine", "constants", "source",
+                                             "least", "most",    "why" };
 
 /* How far a prior can be trusted, relative, by its source. */
 static const struct {
@@ -31,23 +30,20 @@ static bool fail(c205_error *error, const char *what, const char *name)
     return false;
 }
 
-static bool add_member(struct free_constant *constant, const char *name,
-                       size_t length, const c205_model *model,
-                       c205_error *error)
+static bool add_member(struct free_constant *constant, const char *name, size_t length,
+                       const c205_model *model, c205_error *error)
 {
     size_t i = constant->member_count;
     const c205_constant *found;
 
     if (i == MEMBERS_MOST)
-        return fail(error,
-                    "%s has more than " LIMIT_TEXT(MEMBERS_MOST) " members",
+        return fail(error, "%s has more than " LIMIT_TEXT(MEMBERS_MOST) " members",
                     constant->name);
-    snprintf(constant->members[i].name, sizeof constant->members[i].name,
-             "%.*s", (int)length, name);
+    snprintf(constant->members[i].name, sizeof constant->members[i].name, "%.*s",
+             (int)length, name);
     found = c205_model_lookup(model, constant->members[i].name);
     if (!found)
-        return fail(error, "there is no constant %s",
-                    constant->members[i].name);
+        return fail(error, "there is no constant %s", constant->members[i].name);
     constant->members[i].prior = found->value;
     if (i == 0) {
         constant->prior = found->value;
@@ -97,16 +93,13 @@ static bool read_row(struct constants *constants, const struct csv_row *row,
     const struct csv *file = &constants->file;
     struct free_constant *constant = &constants->items[constants->count];
     c205_error error;
-    const c205_model *prior = constants_prior(constants,
-                                              row->fields[MACHINE]);
+    const c205_model *prior = constants_prior(constants, row->fields[MACHINE]);
 
     if (!prior)
-        return csv_wrong(file, row, MACHINE, "there are no priors of it",
-                         diagnostics);
+        return csv_wrong(file, row, MACHINE, "there are no priors of it", diagnostics);
     if (constants->count == FREE_MOST)
         return csv_wrong(file, row, NAME,
-                         "more than " LIMIT_TEXT(FREE_MOST) " constants",
-                         diagnostics);
+                         "more than " LIMIT_TEXT(FREE_MOST) " constants", diagnostics);
     constants->count++;
     constant->name = row->fields[NAME];
     constant->machine = row->fields[MACHINE];
@@ -129,19 +122,16 @@ bool constants_read(struct constants *constants, const char *path,
     for (size_t i = 0; i < FREE_MACHINES; i++) {
         constants->priors[i] = c205_model_find(priors[i].model, &error);
         if (!constants->priors[i]) {
-            diagnostics_add(diagnostics, SEVERITY_ERROR, &whole,
-                            error.message);
+            diagnostics_add(diagnostics, SEVERITY_ERROR, &whole, error.message);
             return false;
         }
     }
     if (!csv_read(&constants->file, path, columns, FIELDS, diagnostics))
         return false;
     for (size_t i = 0; i < constants->file.count; i++)
-        good = read_row(constants, &constants->file.rows[i], diagnostics)
-               && good;
+        good = read_row(constants, &constants->file.rows[i], diagnostics) && good;
     if (good && constants->count == 0)
-        diagnostics_add(diagnostics, SEVERITY_ERROR, &whole,
-                        "holds no constants");
+        diagnostics_add(diagnostics, SEVERITY_ERROR, &whole, "holds no constants");
     return good && constants->count > 0;
 }
 
@@ -174,15 +164,13 @@ bool model_is_of(const c205_model *model, const char *machine, size_t length)
     return model != NULL;
 }
 
-bool constant_is_of(const struct free_constant *constant,
-                    const c205_model *model)
+bool constant_is_of(const struct free_constant *constant, const c205_model *model)
 {
     return model_is_of(model, constant->machine, strlen(constant->machine));
 }
 
-size_t constants_settings(const struct constants *constants,
-                          const double *places, const c205_model *model,
-                          c205_setting settings[SETTINGS_MOST])
+size_t constants_settings(const struct constants *constants, const double *places,
+                          const c205_model *model, c205_setting settings[SETTINGS_MOST])
 {
     size_t count = 0;
 
@@ -191,11 +179,9 @@ size_t constants_settings(const struct constants *constants,
         double factor = factor_at(constant, places[i]);
 
         for (size_t k = 0;
-             constant_is_of(constant, model) && k < constant->member_count;
-             k++)
-            settings[count++] = (c205_setting){
-                constant->members[k].name, constant->members[k].prior * factor
-            };
+             constant_is_of(constant, model) && k < constant->member_count; k++)
+            settings[count++] = (c205_setting){ constant->members[k].name,
+                                                constant->members[k].prior * factor };
     }
     return count;
 }

@@ -52,13 +52,12 @@ double constant_place(const struct free_constant *constant, double value);
  * "cyber205-2pipe", begins with the machine's. */
 bool model_is_of(const c205_model *model, const char *machine, size_t length);
 /* Whether it is one of this model's. */
-bool constant_is_of(const struct free_constant *constant,
-                    const c205_model *model);
+bool constant_is_of(const struct free_constant *constant, const c205_model *model);
 
 /* What the places of all set in a model; gives their number. */
 enum { SETTINGS_MOST = FREE_MOST * MEMBERS_MOST };
-size_t constants_settings(const struct constants *constants,
-                          const double *places, const c205_model *model,
+size_t constants_settings(const struct constants *constants, const double *places,
+                          const c205_model *model,
                           c205_setting settings[SETTINGS_MOST]);
 
 #endif

@@ -76,8 +76,7 @@ static bool cut(struct csv *csv, char *line, size_t number, char **fields,
 
     for (size_t i = 0; i < csv->columns; i++) {
         if (!line)
-            return fail(csv, number, begin, "fields are missing",
-                        diagnostics);
+            return fail(csv, number, begin, "fields are missing", diagnostics);
         fields[i] = next_field(&line);
     }
     return !line || fail(csv, number, line, "too many fields", diagnostics);
@@ -106,8 +105,8 @@ static bool check_head(const struct csv *csv, const char *const *columns,
         return fail_whole(csv, "holds no table", diagnostics);
     for (size_t i = 0; i < csv->columns; i++)
         if (strcmp(csv->rows[0].fields[i], columns[i]) != 0)
-            return csv_wrong(csv, &csv->rows[0], i,
-                             "another column is expected", diagnostics);
+            return csv_wrong(csv, &csv->rows[0], i, "another column is expected",
+                             diagnostics);
     return true;
 }
 
@@ -120,8 +119,7 @@ static bool read_rows(struct csv *csv, struct diagnostics *diagnostics)
         if (next)
             *next++ = '\0';
         number++;
-        if (*line != '\0' && *line != '#'
-            && !add_row(csv, line, number, diagnostics))
+        if (*line != '\0' && *line != '#' && !add_row(csv, line, number, diagnostics))
             return false;
     }
     return true;
@@ -163,14 +161,12 @@ bool csv_wrong(const struct csv *csv, const struct csv_row *row, size_t field,
     return fail(csv, row->line, row->fields[field], message, diagnostics);
 }
 
-bool csv_positive(const struct csv *csv, const struct csv_row *row,
-                  size_t field, double *value,
-                  struct diagnostics *diagnostics)
+bool csv_positive(const struct csv *csv, const struct csv_row *row, size_t field,
+                  double *value, struct diagnostics *diagnostics)
 {
     char *end;
 
     *value = strtod(row->fields[field], &end);
     return (end != row->fields[field] && *end == '\0' && *value > 0)
-           || csv_wrong(csv, row, field, "a positive number is expected",
-                        diagnostics);
+           || csv_wrong(csv, row, field, "a positive number is expected", diagnostics);
 }

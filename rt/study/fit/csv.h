@@ -31,8 +31,7 @@ void csv_free(struct csv *csv);
 bool csv_wrong(const struct csv *csv, const struct csv_row *row, size_t field,
                const char *message, struct diagnostics *diagnostics);
 /* A positive number in a field, or what is wrong with it. */
-bool csv_positive(const struct csv *csv, const struct csv_row *row,
-                  size_t field, double *value,
-                  struct diagnostics *diagnostics);
+bool csv_positive(const struct csv *csv, const struct csv_row *row, size_t field,
+                  double *value, struct diagnostics *diagnostics);
 
 #endif

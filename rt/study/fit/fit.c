@@ -50,11 +50,10 @@ static bool time_one(const struct work *work, size_t i, c205_error *error)
     if (!work->needed[which] || point->timed[which]
         || (point->moved < FREE_MOST && work->fit->idle[which][point->moved]))
         return true;
-    count = constants_settings(work->fit->constants, point->places,
-                               timing->model, settings);
-    point->timed[which] = run_time(timing->run, timing->model, settings,
-                                   count, RUN_FINE, point->clocks[which],
-                                   error);
+    count = constants_settings(work->fit->constants, point->places, timing->model,
+                               settings);
+    point->timed[which] = run_time(timing->run, timing->model, settings, count,
+                                   RUN_FINE, point->clocks[which], error);
     return point->timed[which];
 }
 
@@ -103,8 +102,8 @@ static void fill_in(const struct fit *fit, struct point *points, size_t count)
                        sizeof points[i].clocks[k]);
 }
 
-static bool time_points(const struct fit *fit, const bool *needed,
-                        struct point *points, size_t count, c205_error *error)
+static bool time_points(const struct fit *fit, const bool *needed, struct point *points,
+                        size_t count, c205_error *error)
 {
     struct work work = { .fit = fit,
                          .needed = needed,
@@ -165,8 +164,7 @@ static const struct observation *used_at(const struct asked *asked, size_t i)
     return &asked->fit->observations->items[asked->used[i]];
 }
 
-static double error_at(const struct asked *asked, size_t i,
-                       struct point *point)
+static double error_at(const struct asked *asked, size_t i, struct point *point)
 {
     const struct observation *item = used_at(asked, i);
 
@@ -176,8 +174,8 @@ static double error_at(const struct asked *asked, size_t i,
 
 /* The mean of a column of errors over the rows of a group, or what of it a
  * residual leaves out. */
-static double shared_error(const struct asked *asked, size_t i,
-                           const double *errors, size_t columns)
+static double shared_error(const struct asked *asked, size_t i, const double *errors,
+                           size_t columns)
 {
     const struct observation *item = used_at(asked, i);
     double own = item->uncertainty, sum = 0, rows = 0;
@@ -197,8 +195,7 @@ static double shared_error(const struct asked *asked, size_t i,
  *
  *     (e - b mean e) / u,   b = 1 - u / sqrt (u^2 + k s^2).
  */
-static void weigh_errors(const struct asked *asked, double *errors,
-                         size_t columns)
+static void weigh_errors(const struct asked *asked, double *errors, size_t columns)
 {
     for (size_t k = 0; k < columns; k++) {
         double shared[FIT_OBSERVATIONS_MOST];
@@ -222,8 +219,7 @@ static void find_residuals(const struct asked *asked, struct point *points,
         residuals[i] = error_at(asked, i, &points[0]);
     weigh_errors(asked, residuals, 1);
     for (size_t i = 0; i < asked->fit->constants->count; i++)
-        residuals[asked->use_count + i] = (points[0].places[i]
-                                           - change->center[i])
+        residuals[asked->use_count + i] = (points[0].places[i] - change->center[i])
                                           / width_of(asked, i);
 }
 
@@ -235,10 +231,8 @@ static void find_derivatives(const struct asked *asked, struct point *points,
 
     for (size_t i = 0; i < asked->use_count; i++)
         for (size_t k = 0; k < constants; k++)
-            derivatives[i * constants + k] = (error_at(asked, i,
-                                                       &points[k + 1])
-                                              - error_at(asked, i,
-                                                         &points[0]))
+            derivatives[i * constants + k] = (error_at(asked, i, &points[k + 1])
+                                              - error_at(asked, i, &points[0]))
                                              / STEP;
     weigh_errors(asked, derivatives, constants);
     memset(prior, 0, constants * constants * sizeof *prior);
@@ -251,18 +245,15 @@ static bool evaluate(void *context, const double *places, double *residuals,
 {
     struct asked *asked = context;
     size_t count;
-    struct point *points = points_at(asked->fit, places, &count,
-                                     &asked->error);
+    struct point *points = points_at(asked->fit, places, &count, &asked->error);
     bool good;
 
     if (points
-        && memcmp(asked->last.places, points[0].places,
-                  sizeof points[0].places)
-               == 0)
+        && memcmp(asked->last.places, points[0].places, sizeof points[0].places) == 0)
         points[0] = asked->last;
     good = points != NULL
-           && time_points(asked->fit, asked->needed, points,
-                          derivatives ? count : 1, &asked->error);
+           && time_points(asked->fit, asked->needed, points, derivatives ? count : 1,
+                          &asked->error);
     if (good)
         asked->last = points[0];
     if (good)
@@ -287,8 +278,7 @@ bool fit_predict(const struct fit *fit, const double *places,
     memset(needed, true, sizeof needed);
     good = points && time_points(fit, needed, points, 1, error);
     for (size_t i = 0; good && i < all->count; i++)
-        predicted[i] = observation_predict(all, &all->items[i],
-                                           points[0].clocks);
+        predicted[i] = observation_predict(all, &all->items[i], points[0].clocks);
     free(points);
     return good;
 }
@@ -314,8 +304,7 @@ static void set_strangers_idle(struct fit *fit)
 }
 
 /* Timings of observations that may be fitted. */
-static void find_needed(const struct fit *fit,
-                        const struct fit_change *change,
+static void find_needed(const struct fit *fit, const struct fit_change *change,
                         bool needed[FIT_TIMINGS_MOST])
 {
     const struct observations *all = fit->observations;
@@ -339,8 +328,8 @@ bool fit_begin(struct fit *fit, c205_error *error)
     if (fit->observations->count > FIT_OBSERVATIONS_MOST
         || fit->observations->timing_count > FIT_TIMINGS_MOST) {
         snprintf(error->message, sizeof error->message,
-                 "more than %d observations or %d programs",
-                 FIT_OBSERVATIONS_MOST, FIT_TIMINGS_MOST);
+                 "more than %d observations or %d programs", FIT_OBSERVATIONS_MOST,
+                 FIT_TIMINGS_MOST);
         return false;
     }
     set_strangers_idle(fit);
@@ -372,9 +361,8 @@ static void find_errors(const struct ceres_outcome *found, size_t constants,
     double scale = fmax(1, sqrt(2 * found->cost / (double)outcome->used));
 
     for (size_t i = 0; i < constants; i++) {
-        double error = found->determined
-                           ? sqrt(found->covariance[i * constants + i])
-                           : NAN;
+        double error = found->determined ? sqrt(found->covariance[i * constants + i])
+                                         : NAN;
 
         outcome->raw_errors[i] = error;
         outcome->errors[i] = error * scale;
@@ -382,8 +370,7 @@ static void find_errors(const struct ceres_outcome *found, size_t constants,
 }
 
 bool fit_solve(const struct fit *fit, const struct fit_change *change,
-               const double *places, struct fit_outcome *outcome,
-               c205_error *error)
+               const double *places, struct fit_outcome *outcome, c205_error *error)
 {
     struct asked asked = { .fit = fit,
                            .change = change,
@@ -393,8 +380,9 @@ bool fit_solve(const struct fit *fit, const struct fit_change *change,
     double losses[FIT_OBSERVATIONS_MOST + FREE_MOST] = { 0 };
     double covariance[FREE_MOST * FREE_MOST];
     struct ceres_outcome found = { .covariance = covariance };
-    struct ceres_problem problem = { constants, 0,        least, most,
-                                     losses,    evaluate, &asked };
+    struct ceres_problem problem = {
+        constants, 0, least, most, losses, evaluate, &asked
+    };
 
     choose(&asked);
     find_needed(fit, change, asked.needed);
@@ -410,8 +398,7 @@ bool fit_solve(const struct fit *fit, const struct fit_change *change,
         losses[i] = FIT_LOSS;
     if (!ceres_fit(&problem, outcome->places, &found)) {
         snprintf(error->message, sizeof error->message, "%.200s",
-                 *asked.error.message != '\0' ? asked.error.message
-                                              : found.message);
+                 *asked.error.message != '\0' ? asked.error.message : found.message);
         return false;
     }
     outcome->cost = found.cost;

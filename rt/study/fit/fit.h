@@ -14,11 +14,7 @@
 #include "rt/study/fit/constants.h"
 #include "rt/study/fit/observations.h"
 
-enum {
-    FIT_OBSERVATIONS_MOST = 64,
-    FIT_TIMINGS_MOST = 64,
-    FIT_JOBS_MOST = 64
-};
+enum { FIT_OBSERVATIONS_MOST = 64, FIT_TIMINGS_MOST = 64, FIT_JOBS_MOST = 64 };
 #define FIT_LOSS 2.0 /* standard deviations */
 
 struct fit {
@@ -32,8 +28,8 @@ struct fit {
 /* What is other than in the fit proper. */
 struct fit_change {
     bool held[FIT_OBSERVATIONS_MOST]; /* observations left out */
-    double wider[FREE_MOST];  /* priors' widths times this; 0: as is */
-    double center[FREE_MOST]; /* priors moved, in widths */
+    double wider[FREE_MOST];          /* priors' widths times this; 0: as is */
+    double center[FREE_MOST];         /* priors moved, in widths */
 };
 
 struct fit_outcome {
@@ -52,8 +48,7 @@ bool fit_begin(struct fit *fit, c205_error *error);
 
 /* places: where to begin. */
 bool fit_solve(const struct fit *fit, const struct fit_change *change,
-               const double *places, struct fit_outcome *outcome,
-               c205_error *error);
+               const double *places, struct fit_outcome *outcome, c205_error *error);
 
 /* What the machine shows with the constants at these places. */
 bool fit_predict(const struct fit *fit, const double *places,

@@ -10,8 +10,8 @@
 #define LEFT_OUT_WITHIN .25
 #define WIDTHS_WITHIN 2.0
 
-static void print_missed(const struct sink *sink, size_t *missed,
-                         const char *name, double error)
+static void print_missed(const struct sink *sink, size_t *missed, const char *name,
+                         double error)
 {
     sink_print(sink, "%s\n    %s %+.1f %%", *missed > 0 ? "," : "; not", name,
                100 * error);
@@ -34,8 +34,8 @@ static bool is_kernel(const struct observation *observation)
 }
 
 static void print_rows(const struct study *study, chosen_rows *is_chosen,
-                       const double *predicted, double within,
-                       const char *what, const struct results *results)
+                       const double *predicted, double within, const char *what,
+                       const struct results *results)
 {
     const struct observations *all = study->fit.observations;
     struct text_buffer text = { NULL, 0, 0, false };
@@ -47,8 +47,7 @@ static void print_rows(const struct study *study, chosen_rows *is_chosen,
             rows++;
             good += fabs(fit_error(&all->items[i], predicted[i])) <= within;
         }
-    sink_print(&sink, "%s within %.0f %%: %zu of %zu", what, 100 * within,
-               good, rows);
+    sink_print(&sink, "%s within %.0f %%: %zu of %zu", what, 100 * within, good, rows);
     for (size_t i = 0; i < all->count; i++)
         if (is_chosen(&all->items[i]) && !isnan(predicted[i])
             && fabs(fit_error(&all->items[i], predicted[i])) > within)
@@ -64,18 +63,16 @@ static void print_speedups(const struct study *study, const double *written,
     size_t good = 0;
 
     for (size_t i = 0; i < 2 * study->subject_count; i++) {
-        double told,
-            found = study_speedup(study, written, study->subjects[i / 2],
-                                  i % 2 != 0, &told);
+        double told, found = study_speedup(study, written, study->subjects[i / 2],
+                                           i % 2 != 0, &told);
 
         good += fabs(found / told - 1) <= within;
     }
-    results_say(results, "Speedups within %.0f %%: %zu of %zu.\n",
-                100 * within, good, 2 * study->subject_count);
+    results_say(results, "Speedups within %.0f %%: %zu of %zu.\n", 100 * within, good,
+                2 * study->subject_count);
 }
 
-static void print_constants(const struct study *study,
-                            const struct results *results)
+static void print_constants(const struct study *study, const struct results *results)
 {
     const struct constants *constants = study->fit.constants;
     size_t inside = 0, near = 0;
@@ -100,14 +97,13 @@ void goal_tell(const struct study *study, const double *written,
 
     results_say(results, "\nThe goal:\n\n");
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
-        print_rows(study, study_is_row, written, limits[i],
-                   "Times of Table 1", results);
+        print_rows(study, study_is_row, written, limits[i], "Times of Table 1",
+                   results);
         print_speedups(study, written, limits[i], results);
     }
-    print_rows(study, is_kernel, written, TIMES_WITHIN, "Livermore kernels",
-               results);
+    print_rows(study, is_kernel, written, TIMES_WITHIN, "Livermore kernels", results);
     if (!study->brief)
-        print_rows(study, is_any, study->left_out, LEFT_OUT_WITHIN,
-                   "Rows left out", results);
+        print_rows(study, is_any, study->left_out, LEFT_OUT_WITHIN, "Rows left out",
+                   results);
     print_constants(study, results);
 }

@@ -8,22 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    NAME,
-    PROGRAM,
-    MACHINE,
-    VALUE,
-    UNIT,
-    UNCERTAINTY,
-    SHARED,
-    SOURCE,
-    USE,
-    FIELDS
-};
-static const char *const columns[FIELDS] = {
-    "name",        "program", "machine", "value", "unit",
-    "uncertainty", "shared",  "source",  "use"
-};
+enum { NAME, PROGRAM, MACHINE, VALUE, UNIT, UNCERTAINTY, SHARED, SOURCE, USE, FIELDS };
+static const char *const columns[FIELDS] = { "name",   "program", "machine",
+                                             "value",  "unit",    "uncertainty",
+                                             "shared", "source",  "use" };
 
 enum { TEXT_MOST = 128 };
 
@@ -35,8 +23,7 @@ static bool fail(c205_error *error, const char *what, const char *name)
 
 /* ---- Runs, models, timings: each once ----------------------------------- */
 
-static const struct fit_run *find_run(struct observations *all,
-                                      const char *program,
+static const struct fit_run *find_run(struct observations *all, const char *program,
                                       const struct run_options *options,
                                       c205_error *error)
 {
@@ -68,8 +55,8 @@ static void name_prior(const char *machine, char name[TEXT_MOST])
         snprintf(name, TEXT_MOST, "%s", machine);
 }
 
-static const c205_model *find_model(struct observations *all,
-                                    const char *machine, c205_error *error)
+static const c205_model *find_model(struct observations *all, const char *machine,
+                                    c205_error *error)
 {
     char name[TEXT_MOST];
     c205_model **models, *model;
@@ -90,14 +77,12 @@ static const c205_model *find_model(struct observations *all,
 }
 
 static bool find_timing(struct observations *all, const struct fit_run *run,
-                        const c205_model *model, size_t *found,
-                        c205_error *error)
+                        const c205_model *model, size_t *found, c205_error *error)
 {
     struct run_timing *timings;
 
     for (*found = 0; *found < all->timing_count; ++*found)
-        if (all->timings[*found].run == run
-            && all->timings[*found].model == model)
+        if (all->timings[*found].run == run && all->timings[*found].model == model)
             return true;
     timings = array_grow(all->timings, all->timing_count, sizeof *timings);
     if (!timings)
@@ -129,15 +114,14 @@ static void take_regions(const char *text, char program[TEXT_MOST],
     size_t begin = !colon ? strlen(text) : (size_t)(colon - text);
     size_t length = !colon ? 0 : strcspn(colon, " ");
 
-    snprintf(program, TEXT_MOST, "%.*s%s", (int)begin, text,
-             text + begin + length);
+    snprintf(program, TEXT_MOST, "%.*s%s", (int)begin, text, text + begin + length);
     snprintf(regions, TEXT_MOST, "%.*s", length > 0 ? (int)length - 1 : 0,
              text + begin + (length > 0));
 }
 
 static bool add_term(struct observations *all, struct observation *item,
-                     const struct fit_run *run, const char *region,
-                     const char *machine, c205_error *error)
+                     const struct fit_run *run, const char *region, const char *machine,
+                     c205_error *error)
 {
     struct term *term = &item->terms[item->term_count++];
     const c205_model *model = find_model(all, machine, error);
@@ -169,12 +153,7 @@ static bool add_terms(struct observations *all, struct observation *item,
 
 /* Units, and by what they count: a constant of the program, its rays, the
  * machine's clocks. */
-enum counted {
-    COUNTED_SYMBOL,
-    COUNTED_RAYS,
-    COUNTED_PERIOD,
-    COUNTED_NOTHING
-};
+enum counted { COUNTED_SYMBOL, COUNTED_RAYS, COUNTED_PERIOD, COUNTED_NOTHING };
 
 static const struct unit {
     const char *name;
@@ -193,9 +172,8 @@ static const struct unit {
 };
 
 /* How much of what a unit counts there is. */
-static bool find_count(const struct run_timing *timing,
-                       const struct unit *unit, double *count,
-                       c205_error *error)
+static bool find_count(const struct run_timing *timing, const struct unit *unit,
+                       double *count, c205_error *error)
 {
     *count = 1;
     switch (unit->by) {
@@ -204,8 +182,7 @@ static bool find_count(const struct run_timing *timing,
                || fail(error, "the program does not define %s", unit->symbol);
     case COUNTED_RAYS:
         *count = (double)timing->run->rays;
-        return *count > 0
-               || fail(error, "%s has no rays", timing->run->program);
+        return *count > 0 || fail(error, "%s has no rays", timing->run->program);
     case COUNTED_PERIOD:
         *count = c205_model_lookup(timing->model, "clock.period")->value;
         break;
@@ -221,27 +198,23 @@ static bool set_unit(const struct observations *all, struct observation *item,
     size_t i = 0;
     double count;
 
-    while (i < sizeof units / sizeof *units
-           && strcmp(units[i].name, item->unit) != 0)
+    while (i < sizeof units / sizeof *units && strcmp(units[i].name, item->unit) != 0)
         i++;
     if (i == sizeof units / sizeof *units)
         return fail(error, "there is no unit %.60s", item->unit);
     if (!find_count(timing, &units[i], &count, error))
         return false;
     item->rate = units[i].rate;
-    item->factor = units[i].rate ? units[i].factor * count
-                                 : units[i].factor / count;
+    item->factor = units[i].rate ? units[i].factor * count : units[i].factor / count;
     return true;
 }
 
 /* ---- Reading ------------------------------------------------------------ */
 
 static bool read_use(const struct csv *file, const struct csv_row *row,
-                     enum observation_use *use,
-                     struct diagnostics *diagnostics)
+                     enum observation_use *use, struct diagnostics *diagnostics)
 {
-    static const char *const uses[OBSERVATION_USES] = { "fit", "compare",
-                                                        "range" };
+    static const char *const uses[OBSERVATION_USES] = { "fit", "compare", "range" };
     int i = 0;
 
     while (i < OBSERVATION_USES && strcmp(uses[i], row->fields[USE]) != 0)
@@ -254,8 +227,7 @@ static bool read_use(const struct csv *file, const struct csv_row *row,
 
 /* "15 to 18", or one number. */
 static bool read_range(const struct csv *file, const struct csv_row *row,
-                       struct observation *item,
-                       struct diagnostics *diagnostics)
+                       struct observation *item, struct diagnostics *diagnostics)
 {
     static const char between[] = " to ";
     char *end;
@@ -266,34 +238,28 @@ static bool read_range(const struct csv *file, const struct csv_row *row,
     item->value = (item->least + item->most) / 2;
     return (*end == '\0' && item->least > 0 && item->most >= item->least)
            || csv_wrong(file, row, VALUE,
-                        "a positive number or LEAST to MOST is expected",
-                        diagnostics);
+                        "a positive number or LEAST to MOST is expected", diagnostics);
 }
 
 static bool read_figure(const struct csv *file, const struct csv_row *row,
-                        struct observation *item,
-                        struct diagnostics *diagnostics)
+                        struct observation *item, struct diagnostics *diagnostics)
 {
     if (item->use == OBSERVATION_RANGE)
         return read_range(file, row, item, diagnostics);
     if (!csv_positive(file, row, VALUE, &item->value, diagnostics))
         return false;
     item->least = item->most = item->value;
-    return csv_positive(file, row, UNCERTAINTY, &item->uncertainty,
-                        diagnostics)
+    return csv_positive(file, row, UNCERTAINTY, &item->uncertainty, diagnostics)
            && (*row->fields[SHARED] == '\0'
-               || csv_positive(file, row, SHARED, &item->shared,
-                               diagnostics));
+               || csv_positive(file, row, SHARED, &item->shared, diagnostics));
 }
 
 static bool read_row(struct observations *all, const struct csv *file,
-                     const struct csv_row *row,
-                     const struct run_options *options,
+                     const struct csv_row *row, const struct run_options *options,
                      struct diagnostics *diagnostics)
 {
     c205_error error;
-    struct observation *items = array_grow(all->items, all->count,
-                                           sizeof *items);
+    struct observation *items = array_grow(all->items, all->count, sizeof *items);
     struct observation *item;
 
     if (!items)
@@ -317,8 +283,7 @@ bool observations_read(struct observations *all, const char *path,
                        const struct run_options *options,
                        struct diagnostics *diagnostics)
 {
-    struct csv *files = array_grow(all->files, all->file_count,
-                                   sizeof *files);
+    struct csv *files = array_grow(all->files, all->file_count, sizeof *files);
     struct csv *file;
     bool good = true;
 
@@ -333,8 +298,7 @@ bool observations_read(struct observations *all, const char *path,
     if (!csv_read(file, path, columns, FIELDS, diagnostics))
         return false;
     for (size_t i = 0; i < file->count; i++)
-        good = read_row(all, file, &file->rows[i], options, diagnostics)
-               && good;
+        good = read_row(all, file, &file->rows[i], options, diagnostics) && good;
     return good;
 }
 
@@ -363,8 +327,7 @@ static double seconds(const struct observations *all, const struct term *term,
     for (size_t i = 0; i < timing->run->region_count; i++)
         if (term->chosen[i])
             sum += clocks[term->timing][i];
-    return 1e-9 * sum
-           * c205_model_lookup(timing->model, "clock.period")->value;
+    return 1e-9 * sum * c205_model_lookup(timing->model, "clock.period")->value;
 }
 
 size_t observation_group(const struct observation *observation)
@@ -372,8 +335,7 @@ size_t observation_group(const struct observation *observation)
     const char *comma = strchr(observation->name, ',');
     const char *last = comma ? comma : strrchr(observation->name, ' ');
 
-    return !last ? strlen(observation->name)
-                 : (size_t)(last - observation->name);
+    return !last ? strlen(observation->name) : (size_t)(last - observation->name);
 }
 
 bool observation_same_group(const struct observation *one,

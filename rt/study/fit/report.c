@@ -91,8 +91,8 @@ static const struct table_column untouched[] = {
 
 /* ---- Observations ------------------------------------------------------- */
 
-static void add_observation(const struct study *study, size_t i,
-                            const double *written, struct table *table)
+static void add_observation(const struct study *study, size_t i, const double *written,
+                            struct table *table)
 {
     const struct observation *item = &study->fit.observations->items[i];
     double error = fit_error(item, study->best.predicted[i]);
@@ -155,16 +155,14 @@ static void fill_ranges(const struct study *study, const double *written,
 
 /* One figure, as all the programs for it show it that stand one after the
  * other from this on; gives their number. */
-static size_t add_span(const struct study *study, size_t first,
-                       struct table *table)
+static size_t add_span(const struct study *study, size_t first, struct table *table)
 {
     const struct observations *all = study->fit.observations;
     const struct observation *item = &all->items[first];
     size_t length = observation_group(item), ways = 0;
     double least = INFINITY, most = 0;
 
-    for (; first + ways < all->count
-           && observation_same_group(item, &item[ways]);
+    for (; first + ways < all->count && observation_same_group(item, &item[ways]);
          ways++) {
         least = fmin(least, study->best.predicted[first + ways]);
         most = fmax(most, study->best.predicted[first + ways]);
@@ -190,9 +188,7 @@ static void fill_spans(const struct study *study, const double *written,
 
     (void)written;
     for (size_t i = 0; i < all->count;)
-        i += all->items[i].use == OBSERVATION_RANGE
-                 ? add_span(study, i, table)
-                 : 1;
+        i += all->items[i].use == OBSERVATION_RANGE ? add_span(study, i, table) : 1;
 }
 
 /* ---- Table 1, primitive by primitive ------------------------------------ */
@@ -202,8 +198,7 @@ static void add_speedup(const struct study *study, const double *written,
                         struct table *table)
 {
     double told;
-    double ratio = study_speedup(study, study->best.predicted, subject, other,
-                                 &told);
+    double ratio = study_speedup(study, study->best.predicted, subject, other, &told);
     double shown = study_speedup(study, written, subject, other, &told);
 
     table_text(table, subject->name);
@@ -227,8 +222,7 @@ static void fill_speedups(const struct study *study, const double *written,
 
 /* Of the certainty about a constant how much comes from the data; and whether
  * they moved it by a tenth of the prior's width at least. */
-static void add_constant(const struct study *study, size_t i,
-                         struct table *table)
+static void add_constant(const struct study *study, size_t i, struct table *table)
 {
     const struct free_constant *constant = &study->fit.constants->items[i];
     const struct fit_outcome *best = &study->best;
@@ -279,8 +273,8 @@ static void fill_left_out(const struct study *study, const double *written,
 }
 
 /* The fitted observation that another fit shows most otherwise. */
-static size_t most_changed(const struct study *study,
-                           const struct fit_outcome *other, double *change)
+static size_t most_changed(const struct study *study, const struct fit_outcome *other,
+                           double *change)
 {
     size_t which = 0;
 
@@ -301,18 +295,15 @@ static void fill_doubled(const struct study *study, const double *written,
 {
     (void)written;
     for (size_t i = 0; i < study->fit.constants->count; i++) {
-        const struct free_constant *constant = &study->fit.constants
-                                                    ->items[i];
+        const struct free_constant *constant = &study->fit.constants->items[i];
         double change;
         size_t row = most_changed(study, &study->moved[i], &change);
 
         table_text(table, constant->name);
         table_number(table, constant_value(constant, study->best.places[i]));
-        table_number(table,
-                     constant_value(constant, study->wide[i].places[i]));
+        table_number(table, constant_value(constant, study->wide[i].places[i]));
         table_number(table, study->wide[i].cost);
-        table_number(table,
-                     constant_value(constant, study->moved[i].places[i]));
+        table_number(table, constant_value(constant, study->moved[i].places[i]));
         table_number(table, study->moved[i].cost);
         table_text(table, study->fit.observations->items[row].name);
         table_number(table, 100 * change);
@@ -345,8 +336,7 @@ static void fill_without(const struct study *study, const double *written,
             table_text(table, group->name);
             table_number(table, group->without.cost);
             table_text(table, item->name);
-            table_number(table,
-                         100 * fit_error(item, study->best.predicted[i]));
+            table_number(table, 100 * fit_error(item, study->best.predicted[i]));
             table_number(table, 100 * fit_error(item, predicted));
         }
     }
@@ -375,28 +365,23 @@ static const struct report_part {
     const struct table_column *columns;
     size_t count;
     bool always; /* in a brief report as well */
-    void (*fill)(const struct study *study, const double *written,
-                 struct table *table);
+    void (*fill)(const struct study *study, const double *written, struct table *table);
 } parts[] = {
-    { "fitted", "What was fitted", TABLE_COLUMNS(observed), true,
-      fill_fitted },
+    { "fitted", "What was fitted", TABLE_COLUMNS(observed), true, fill_fitted },
     { "held_out", "Only compared, or held out", TABLE_COLUMNS(observed), true,
       fill_held },
     { "speedups", "The speedups of Table 1", TABLE_COLUMNS(speedups), true,
       fill_speedups },
-    { "ranges",
-      "Known as a range, or of programs that can be written in several ways",
+    { "ranges", "Known as a range, or of programs that can be written in several ways",
       TABLE_COLUMNS(ranges), true, fill_ranges },
-    { "spans", "The range of these ways", TABLE_COLUMNS(spans), true,
-      fill_spans },
+    { "spans", "The range of these ways", TABLE_COLUMNS(spans), true, fill_spans },
     { "constants", "The free constants", TABLE_COLUMNS(constants), true,
       fill_constants },
-    { "left_out", "Each row left out", TABLE_COLUMNS(left_out), false,
-      fill_left_out },
-    { "without", "All rows of a group left out", TABLE_COLUMNS(without),
-      false, fill_without },
-    { "untouched", "Constants on which no row depends",
-      TABLE_COLUMNS(untouched), false, fill_untouched },
+    { "left_out", "Each row left out", TABLE_COLUMNS(left_out), false, fill_left_out },
+    { "without", "All rows of a group left out", TABLE_COLUMNS(without), false,
+      fill_without },
+    { "untouched", "Constants on which no row depends", TABLE_COLUMNS(untouched), false,
+      fill_untouched },
     { "doubled", "Priors doubled, in width and in value, one at a time",
       TABLE_COLUMNS(doubled), false, fill_doubled },
 };
@@ -407,29 +392,27 @@ static const c205_model *fitted_model(const struct study *study)
     return study->fit.observations->timings[0].model;
 }
 
-static void print_head(const struct study *study,
-                       const struct results *results)
+static void print_head(const struct study *study, const struct results *results)
 {
     const struct fit_outcome *best = &study->best;
     double known = study_known(study);
 
-    results_say(
-        results,
-        "%zu observation%s, %zu free constant%s; cost %.3f after %d step%s, "
-        "%s.\n"
-        "The data know as much as %.1f of the constants; %.1f degrees of "
-        "freedom are left.\n"
-        "Residuals: relative errors of the machine's own clocks by their "
-        "uncertainty, Cauchy\nloss from %g on; and the constants' "
-        "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
-        "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
-        "%s.\n",
-        best->used, plural(best->used), study->fit.constants->count,
-        plural(study->fit.constants->count), best->cost, best->steps,
-        plural((uint64_t)best->steps),
-        best->converged ? "converged" : "not converged", known,
-        (double)best->used - known, FIT_LOSS,
-        provenance_left_out(fitted_model(study)));
+    results_say(results,
+                "%zu observation%s, %zu free constant%s; cost %.3f after %d step%s, "
+                "%s.\n"
+                "The data know as much as %.1f of the constants; %.1f degrees of "
+                "freedom are left.\n"
+                "Residuals: relative errors of the machine's own clocks by their "
+                "uncertainty, Cauchy\nloss from %g on; and the constants' "
+                "distances from their priors, in widths: P 2 %%,\nD 5 %%, S 10 "
+                "%%, R 40 %%.\nCycle-accounted, not cycle-accurate.  Not modelled: "
+                "%s.\n",
+                best->used, plural(best->used), study->fit.constants->count,
+                plural(study->fit.constants->count), best->cost, best->steps,
+                plural((uint64_t)best->steps),
+                best->converged ? "converged" : "not converged", known,
+                (double)best->used - known, FIT_LOSS,
+                provenance_left_out(fitted_model(study)));
 }
 
 static void write_head(const struct study *study, struct json *json)
@@ -442,9 +425,8 @@ static void write_head(const struct study *study, struct json *json)
     json_text(json, "not_modelled", provenance_left_out(fitted_model(study)));
 }
 
-static bool add_part(const struct study *study,
-                     const struct report_part *part, const double *written,
-                     const struct results *results)
+static bool add_part(const struct study *study, const struct report_part *part,
+                     const double *written, const struct results *results)
 {
     struct table *table = table_new(part->columns, part->count);
     bool good;

@@ -31,8 +31,7 @@ static bool find_subject(struct fit_run *run, enum trace_mode *mode)
         const char *name = speedup_subjects[i].name;
         size_t length = strlen(name);
 
-        if (strncmp(run->program, name, length) == 0
-            && run->program[length] == ' '
+        if (strncmp(run->program, name, length) == 0 && run->program[length] == ' '
             && trace_mode_named(run->program + length + 1, mode)
             && *mode < TRACE_FORMS) {
             run->subject = &speedup_subjects[i];
@@ -43,8 +42,7 @@ static bool find_subject(struct fit_run *run, enum trace_mode *mode)
 }
 
 static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
-                           const struct run_options *options,
-                           c205_error *error)
+                           const struct run_options *options, c205_error *error)
 {
     const struct trace_options how = { .mode = mode,
                                        .width = options->width[mode],
@@ -53,8 +51,7 @@ static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
                                        .model = options->model };
 
     run->rays = how.width * how.height;
-    run->trace = speedup_trace(run->subject, &options->view, &how,
-                               &run->scene, error);
+    run->trace = speedup_trace(run->subject, &options->view, &how, &run->scene, error);
     return !run->trace ? NULL : trace_machine(run->trace, 0, error);
 }
 
@@ -62,8 +59,7 @@ static c205 *frame_machine(struct fit_run *run, enum trace_mode mode,
 
 /* Cut "FILE.s NAME=VALUE ..." into the file and the defines, which end with a
  * NULL name. */
-static bool cut_words(char *words, struct asm_define *defines,
-                      c205_error *error)
+static bool cut_words(char *words, struct asm_define *defines, c205_error *error)
 {
     size_t count = 0;
 
@@ -95,19 +91,16 @@ static bool assemble(struct fit_run *run, const struct run_options *options,
     snprintf(path, sizeof path, "%.200s/%s", options->folder, words);
     run->object = assemble_file(path, &how, &errors);
     if (!run->object)
-        fail(error, "%.200s",
-             errors.count > 0 ? errors.items[0].message : "no memory");
+        fail(error, "%.200s", errors.count > 0 ? errors.items[0].message : "no memory");
     diagnostics_free(&errors);
     return run->object != NULL;
 }
 
-static c205 *text_machine(struct fit_run *run,
-                          const struct run_options *options,
+static c205 *text_machine(struct fit_run *run, const struct run_options *options,
                           c205_error *error)
 {
-    c205 *machine = assemble(run, options, error)
-                        ? c205_new(options->model, error)
-                        : NULL;
+    c205 *machine = assemble(run, options, error) ? c205_new(options->model, error)
+                                                  : NULL;
 
     if (machine && !c205_load(machine, &run->object->program, error)) {
         c205_free(machine);
@@ -118,13 +111,11 @@ static c205 *text_machine(struct fit_run *run,
 
 /* ---- Both --------------------------------------------------------------- */
 
-static bool name_regions(struct fit_run *run, const c205 *machine,
-                         c205_error *error)
+static bool name_regions(struct fit_run *run, const c205 *machine, c205_error *error)
 {
     run->region_count = c205_account_count(machine);
     if (run->region_count > RUN_REGIONS_MOST)
-        return fail(error,
-                    "%s: more than " LIMIT_TEXT(RUN_REGIONS_MOST) " regions",
+        return fail(error, "%s: more than " LIMIT_TEXT(RUN_REGIONS_MOST) " regions",
                     run->program);
     for (size_t i = 0; i < run->region_count; i++) {
         run->regions[i] = copied(c205_account_at(machine, i)->name);
@@ -149,8 +140,8 @@ static bool record(struct fit_run *run, c205 *machine, c205_error *error)
     return false;
 }
 
-struct fit_run *run_new(const char *program,
-                        const struct run_options *options, c205_error *error)
+struct fit_run *run_new(const char *program, const struct run_options *options,
+                        c205_error *error)
 {
     struct fit_run *run = calloc(1, sizeof *run);
     enum trace_mode mode;
@@ -159,9 +150,8 @@ struct fit_run *run_new(const char *program,
 
     fail(error, "%s", "no memory");
     if (run && (run->program = copied(program)) != NULL)
-        machine = find_subject(run, &mode)
-                      ? frame_machine(run, mode, options, error)
-                      : text_machine(run, options, error);
+        machine = find_subject(run, &mode) ? frame_machine(run, mode, options, error)
+                                           : text_machine(run, options, error);
     good = machine && record(run, machine, error);
     c205_free(machine);
     if (good)
@@ -186,9 +176,8 @@ void run_free(struct fit_run *run)
 
 bool run_symbol(const struct fit_run *run, const char *name, double *value)
 {
-    const struct asm_symbol *symbol = !run->object
-                                          ? NULL
-                                          : object_symbol(run->object, name);
+    const struct asm_symbol *symbol = !run->object ? NULL
+                                                   : object_symbol(run->object, name);
 
     if (!symbol || symbol->is_word)
         return false;
@@ -201,8 +190,7 @@ static bool is_timed(const struct fit_run *run, const char *region)
     if (!run->subject)
         return *region != '\0';
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST; i++)
-        if (run->subject->regions[i]
-            && strcmp(run->subject->regions[i], region) == 0)
+        if (run->subject->regions[i] && strcmp(run->subject->regions[i], region) == 0)
             return true;
     return false;
 }

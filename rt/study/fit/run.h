@@ -34,8 +34,8 @@ struct fit_run {
 };
 
 /* NULL: the error says why. */
-struct fit_run *run_new(const char *program,
-                        const struct run_options *options, c205_error *error);
+struct fit_run *run_new(const char *program, const struct run_options *options,
+                        c205_error *error);
 void run_free(struct fit_run *run);
 
 /* The value of an integer symbol of a program text.  False: there is none. */

@@ -15,8 +15,8 @@ bool study_is_fitted(const struct study *study, size_t i)
            && !study->held.held[i];
 }
 
-static const struct speedup_subject *
-subject_of(const struct observations *all, const struct observation *item)
+static const struct speedup_subject *subject_of(const struct observations *all,
+                                                const struct observation *item)
 {
     return all->timings[item->terms[0].timing].run->subject;
 }
@@ -27,8 +27,7 @@ static void find_subjects(struct study *study)
     const struct observations *all = study->fit.observations;
 
     for (size_t i = 0; i < all->count; i++) {
-        const struct speedup_subject *subject = subject_of(all,
-                                                           &all->items[i]);
+        const struct speedup_subject *subject = subject_of(all, &all->items[i]);
         size_t k = 0;
 
         if (!study_is_fitted(study, i) || !subject)
@@ -64,8 +63,7 @@ static bool leave_rows_out(struct study *study, c205_error *error)
     return true;
 }
 
-bool study_is_of(const struct study_group *group,
-                 const struct observation *item)
+bool study_is_of(const struct study_group *group, const struct observation *item)
 {
     size_t length = observation_group(item);
 
@@ -83,8 +81,8 @@ static void add_to_groups(struct study *study, const struct observation *item)
     if (group == study->groups + STUDY_GROUPS_MOST)
         return;
     if (group == end) {
-        snprintf(group->name, sizeof group->name, "%.*s",
-                 (int)observation_group(item), item->name);
+        snprintf(group->name, sizeof group->name, "%.*s", (int)observation_group(item),
+                 item->name);
         group->rows = 0;
         study->group_count++;
     }
@@ -133,10 +131,9 @@ static bool double_priors(struct study *study, c205_error *error)
 
         wide.wider[k] = 2;
         moved.center[k] = 1 / study->fit.constants->items[k].width;
-        if (!fit_solve(&study->fit, &wide, study->best.places,
-                       &study->wide[k], error)
-            || !fit_solve(&study->fit, &moved, study->best.places,
-                          &study->moved[k], error))
+        if (!fit_solve(&study->fit, &wide, study->best.places, &study->wide[k], error)
+            || !fit_solve(&study->fit, &moved, study->best.places, &study->moved[k],
+                          error))
             return false;
     }
     return true;
@@ -154,8 +151,7 @@ bool study_make(struct study *study, c205_error *error)
         return false;
     return study->brief
            || (leave_rows_out(study, error) && leave_groups_out(study, error)
-               && untouched_find(&study->fit, &study->held, &study->untouched,
-                                 error)
+               && untouched_find(&study->fit, &study->held, &study->untouched, error)
                && double_priors(study, error));
 }
 
@@ -175,9 +171,8 @@ double study_known(const struct study *study)
     return sum;
 }
 
-size_t study_row(const struct study *study,
-                 const struct speedup_subject *subject, enum trace_mode mode,
-                 const char *machine)
+size_t study_row(const struct study *study, const struct speedup_subject *subject,
+                 enum trace_mode mode, const char *machine)
 {
     const struct observations *all = study->fit.observations;
     size_t i = 0;
@@ -194,16 +189,13 @@ size_t study_row(const struct study *study,
 }
 
 double study_speedup(const struct study *study, const double *predicted,
-                     const struct speedup_subject *subject, bool other,
-                     double *told)
+                     const struct speedup_subject *subject, bool other, double *told)
 {
     size_t count = study->fit.observations->count;
     size_t slow = study_row(study, subject, TRACE_SCALAR,
                             other ? speedup_projections[0] : "cyber205");
     size_t fast = study_row(study, subject, TRACE_VECTOR, "cyber205");
 
-    *told = other ? subject->paper.projected[0].speedup
-                  : subject->paper.speedup;
-    return slow == count || fast == count ? NAN
-                                          : predicted[slow] / predicted[fast];
+    *told = other ? subject->paper.projected[0].speedup : subject->paper.speedup;
+    return slow == count || fast == count ? NAN : predicted[slow] / predicted[fast];
 }

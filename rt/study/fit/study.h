@@ -52,15 +52,13 @@ double study_known_of(const struct study *study, size_t constant);
 
 /* The row of a primitive in a form on a machine; the number of observations if
  * there is none. */
-size_t study_row(const struct study *study,
-                 const struct speedup_subject *subject, enum trace_mode mode,
-                 const char *machine);
+size_t study_row(const struct study *study, const struct speedup_subject *subject,
+                 enum trace_mode mode, const char *machine);
 
 /* By how much the vector form is faster than the scalar one, on the other
  * machine if that is wanted, by what is predicted; and what Table 1 tells.
  * NaN: none. */
 double study_speedup(const struct study *study, const double *predicted,
-                     const struct speedup_subject *subject, bool other,
-                     double *told);
+                     const struct speedup_subject *subject, bool other, double *told);
 
 #endif

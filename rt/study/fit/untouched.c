@@ -41,22 +41,19 @@ static bool changes(const struct question *question, const struct term *term,
 
     for (size_t i = 0; i < sizeof factors / sizeof *factors; i++) {
         double moved = value == 0 ? 1 : value * factors[i];
-        c205_setting setting = { name, value == floor(value) ? floor(moved)
-                                                             : moved };
+        c205_setting setting = { name, value == floor(value) ? floor(moved) : moved };
         region_clocks after;
         c205_error refused;
 
-        if (run_time(timing->run, timing->model, &setting, 1, RUN_FINE, after,
-                     &refused)
+        if (run_time(timing->run, timing->model, &setting, 1, RUN_FINE, after, &refused)
             && fabs(sum_of(term, timing->run, after) / before - 1) >= CHANGED)
             return true;
     }
     return false;
 }
 
-static bool changes_any(const struct question *question,
-                        const struct observation *item, const char *machine,
-                        const char *name)
+static bool changes_any(const struct question *question, const struct observation *item,
+                        const char *machine, const char *name)
 {
     const struct observations *all = question->fit->observations;
 
@@ -76,16 +73,13 @@ static bool is_touched(const struct question *question, const char *machine,
     bool touched = strcmp(constant->name, "clock.period") == 0;
 
     for (size_t i = 0; i < all->count && !touched; i++)
-        touched = all->items[i].use == OBSERVATION_FIT
-                  && !question->change->held[i]
-                  && changes_any(question, &all->items[i], machine,
-                                 constant->name);
+        touched = all->items[i].use == OBSERVATION_FIT && !question->change->held[i]
+                  && changes_any(question, &all->items[i], machine, constant->name);
     return touched;
 }
 
-static const struct free_constant *
-find_mover(const struct constants *constants, const char *machine,
-           const char *name)
+static const struct free_constant *find_mover(const struct constants *constants,
+                                              const char *machine, const char *name)
 {
     for (size_t i = 0; i < constants->count; i++) {
         const struct free_constant *item = &constants->items[i];
@@ -110,8 +104,7 @@ static void add_machine(const struct question *question, const char *machine,
         if (untouched->count < UNTOUCHED_MOST
             && !is_touched(question, machine, constant))
             untouched->items[untouched->count++] = (struct untouched){
-                machine, constant,
-                find_mover(constants, machine, constant->name)
+                machine, constant, find_mover(constants, machine, constant->name)
             };
     }
 }
@@ -137,17 +130,16 @@ bool untouched_find(const struct fit *fit, const struct fit_change *change,
                     struct untouched_list *untouched, c205_error *error)
 {
     const struct observations *all = fit->observations;
-    struct question question = {
-        fit, change, calloc(all->timing_count, sizeof(region_clocks))
-    };
+    struct question question = { fit, change,
+                                 calloc(all->timing_count, sizeof(region_clocks)) };
     bool good = question.before != NULL;
 
     untouched->count = 0;
     if (!good)
         snprintf(error->message, sizeof error->message, "no memory");
     for (size_t i = 0; good && i < all->timing_count; i++)
-        good = run_time(all->timings[i].run, all->timings[i].model, NULL, 0,
-                        RUN_FINE, question.before[i], error);
+        good = run_time(all->timings[i].run, all->timings[i].model, NULL, 0, RUN_FINE,
+                        question.before[i], error);
     if (good)
         add_machines(&question, untouched);
     free(question.before);

@@ -10,8 +10,8 @@
 /* ---- The constants ------------------------------------------------------ */
 
 /* The priors of which a file NAME.model is the fit: NAME-prior. */
-static const c205_model *prior_of(const struct observations *all,
-                                  const char *path, c205_error *error)
+static const c205_model *prior_of(const struct observations *all, const char *path,
+                                  c205_error *error)
 {
     const char *slash = strrchr(path, '/');
     const char *file = slash ? slash + 1 : path;
@@ -30,8 +30,7 @@ static const c205_model *prior_of(const struct observations *all,
             return all->models[i];
     }
     snprintf(error->message, sizeof error->message,
-             "%.100s is not the file NAME.model of priors NAME" PRIOR_SUFFIX,
-             path);
+             "%.100s is not the file NAME.model of priors NAME" PRIOR_SUFFIX, path);
     return NULL;
 }
 
@@ -41,12 +40,11 @@ static int decimals(const c205_constant *prior)
 }
 
 /* The constants of a model as they are written; gives their number. */
-static size_t written_settings(const struct study *study,
-                               const c205_model *model,
+static size_t written_settings(const struct study *study, const c205_model *model,
                                c205_setting settings[SETTINGS_MOST])
 {
-    size_t count = constants_settings(study->fit.constants,
-                                      study->best.places, model, settings);
+    size_t count = constants_settings(study->fit.constants, study->best.places, model,
+                                      settings);
 
     for (size_t i = 0; i < count; i++) {
         char text[64];
@@ -59,8 +57,8 @@ static size_t written_settings(const struct study *study,
     return count;
 }
 
-static bool time_all(const struct study *study,
-                     double (*clocks)[RUN_REGIONS_MOST], c205_error *error)
+static bool time_all(const struct study *study, double (*clocks)[RUN_REGIONS_MOST],
+                     c205_error *error)
 {
     const struct observations *all = study->fit.observations;
     c205_setting settings[SETTINGS_MOST];
@@ -70,19 +68,17 @@ static bool time_all(const struct study *study,
         const struct run_timing *timing = &all->timings[i];
         size_t count = written_settings(study, timing->model, settings);
 
-        good = run_time(timing->run, timing->model, settings, count,
-                        RUN_WHOLE, clocks[i], error);
+        good = run_time(timing->run, timing->model, settings, count, RUN_WHOLE,
+                        clocks[i], error);
     }
     return good;
 }
 
-bool written_predict(const struct study *study,
-                     double predicted[FIT_OBSERVATIONS_MOST],
+bool written_predict(const struct study *study, double predicted[FIT_OBSERVATIONS_MOST],
                      c205_error *error)
 {
     const struct observations *all = study->fit.observations;
-    double(*clocks)[RUN_REGIONS_MOST] = calloc(all->timing_count,
-                                               sizeof *clocks);
+    double(*clocks)[RUN_REGIONS_MOST] = calloc(all->timing_count, sizeof *clocks);
     bool good = clocks != NULL;
 
     if (!good)
@@ -96,8 +92,7 @@ bool written_predict(const struct study *study,
 
 /* ---- The file ----------------------------------------------------------- */
 
-bool written_check(const struct study *study, const char *path,
-                   c205_error *error)
+bool written_check(const struct study *study, const char *path, c205_error *error)
 {
     return prior_of(study->fit.observations, path, error) != NULL
            && whole_check(path, error);
@@ -111,16 +106,15 @@ static size_t machine_length(const char *name)
 
 /* Whether an observation is one of that machine, with one or more pipes, or of
  * one like it. */
-static bool is_of(const struct observations *all,
-                  const struct observation *item, const c205_model *model)
+static bool is_of(const struct observations *all, const struct observation *item,
+                  const c205_model *model)
 {
     const char *name = c205_model_name(model);
 
     for (size_t i = 0; i < item->term_count; i++) {
         size_t timing = item->terms[i].timing;
 
-        if (model_is_of(all->timings[timing].model, name,
-                        machine_length(name) + 1))
+        if (model_is_of(all->timings[timing].model, name, machine_length(name) + 1))
             return true;
     }
     return false;
@@ -139,8 +133,8 @@ static void write_belief(const struct study *study, const c205_model *model,
         const struct observation *item = &all->items[i];
         double error = 100 * fit_error(item, predicted[i]);
 
-        if (study_is_fitted(study, i) != fitted
-            || item->use == OBSERVATION_RANGE || !is_of(all, item, model))
+        if (study_is_fitted(study, i) != fitted || item->use == OBSERVATION_RANGE
+            || !is_of(all, item, model))
             continue;
         figures++;
         if (fabs(error) >= fabs(largest)) {
@@ -162,35 +156,31 @@ static void write_head(const struct study *study, const c205_model *model,
     fprintf(file, "title %.*s: fitted\n", (int)strcspn(title, ":"), title);
     write_belief(study, model, predicted, true, file);
     write_belief(study, model, predicted, false, file);
-    fprintf(
-        file,
-        "# Written by fit205 (docs/timing.md): %zu observations, %zu free "
-        "constants,\n# cost %.2f.\n",
-        study->best.used, study->fit.constants->count, study->best.cost);
+    fprintf(file,
+            "# Written by fit205 (docs/timing.md): %zu observations, %zu free "
+            "constants,\n# cost %.2f.\n",
+            study->best.used, study->fit.constants->count, study->best.cost);
     for (size_t i = 0; i < all->count; i++)
-        if (is_of(all, &all->items[i], model)
-            && all->items[i].use != OBSERVATION_RANGE)
-            fprintf(file, "#   %-16s %10.4f %-12s %+6.1f %%%s\n",
-                    all->items[i].name, all->items[i].value,
-                    all->items[i].unit,
+        if (is_of(all, &all->items[i], model) && all->items[i].use != OBSERVATION_RANGE)
+            fprintf(file, "#   %-16s %10.4f %-12s %+6.1f %%%s\n", all->items[i].name,
+                    all->items[i].value, all->items[i].unit,
                     100 * fit_error(&all->items[i], predicted[i]),
                     study_is_fitted(study, i) ? "" : "  (not fitted)");
     fprintf(file, "like %s\n", c205_model_name(model));
 }
 
-static void write_setting(const c205_setting *setting,
-                          const c205_model *model, FILE *file)
+static void write_setting(const c205_setting *setting, const c205_model *model,
+                          FILE *file)
 {
     const c205_constant *prior = c205_model_lookup(model, setting->name);
 
     fprintf(file, "%-22s %-8.*f %-16s  F  # prior %s %c\n", prior->name,
-            decimals(prior), setting->value, prior->unit, prior->text,
-            prior->source);
+            decimals(prior), setting->value, prior->unit, prior->text, prior->source);
 }
 
 bool written_model(const struct study *study,
-                   const double predicted[FIT_OBSERVATIONS_MOST],
-                   const char *path, c205_error *error)
+                   const double predicted[FIT_OBSERVATIONS_MOST], const char *path,
+                   c205_error *error)
 {
     const c205_model *model = prior_of(study->fit.observations, path, error);
     struct whole *whole = !model ? NULL : whole_open(path, error);

@@ -8,19 +8,17 @@
 
 /* Whether written_model could write there: asked before the study is made.
  * False: the error says why not. */
-bool written_check(const struct study *study, const char *path,
-                   c205_error *error);
+bool written_check(const struct study *study, const char *path, c205_error *error);
 
 /* What the machine shows of the observations with the constants as they are
  * written: times in clk are whole clocks, as its clock wants them. */
-bool written_predict(const struct study *study,
-                     double predicted[FIT_OBSERVATIONS_MOST],
+bool written_predict(const struct study *study, double predicted[FIT_OBSERVATIONS_MOST],
                      c205_error *error);
 
 /* Write the model to the path, and how near it comes by what it predicts.
  * False: the error says why. */
 bool written_model(const struct study *study,
-                   const double predicted[FIT_OBSERVATIONS_MOST],
-                   const char *path, c205_error *error);
+                   const double predicted[FIT_OBSERVATIONS_MOST], const char *path,
+                   c205_error *error);
 
 #endif

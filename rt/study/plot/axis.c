@@ -116,8 +116,7 @@ struct tics {
 /* 65536 as "65,536". */
 static void separate_thousands(char *label, const char *digits)
 {
-    size_t whole = strspn(digits + (*digits == '-'), "0123456789")
-                   + (*digits == '-');
+    size_t whole = strspn(digits + (*digits == '-'), "0123456789") + (*digits == '-');
 
     for (size_t i = 0; digits[i] != '\0'; i++) {
         bool group = i > 0 && i < whole && (whole - i) % 3 == 0;

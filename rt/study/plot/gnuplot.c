@@ -8,8 +8,7 @@
 
 static bool fail(c205_error *error, const char *what, const char *why)
 {
-    snprintf(error->message, sizeof error->message, "%.60s: %.180s", what,
-             why);
+    snprintf(error->message, sizeof error->message, "%.60s: %.180s", what, why);
     return false;
 }
 
@@ -26,12 +25,10 @@ static bool fail_as_told(FILE *messages, c205_error *error)
     return fail(error, "gnuplot", last);
 }
 
-bool gnuplot_draw(const char *folder, char *script, FILE *picture,
-                  c205_error *error)
+bool gnuplot_draw(const char *folder, char *script, FILE *picture, c205_error *error)
 {
-    char *const words[] = { "gnuplot", "--default-settings",
-                            "-e",      "piped = 1",
-                            script,    NULL };
+    char *const words[] = { "gnuplot", "--default-settings", "-e", "piped = 1", script,
+                            NULL };
     FILE *messages;
     size_t drawn;
     int code = process_run(folder, words, picture, &drawn, &messages);
@@ -40,8 +37,7 @@ bool gnuplot_draw(const char *folder, char *script, FILE *picture,
     if (code < 0)
         return fail(error, "gnuplot", strerror(errno));
     if (code == PROCESS_NOT_FOUND)
-        fail(error, "gnuplot is not found",
-             "the Debian package gnuplot-nox has it");
+        fail(error, "gnuplot is not found", "the Debian package gnuplot-nox has it");
     else if (!good)
         fail_as_told(messages, error);
     fclose(messages);

@@ -14,7 +14,6 @@
  * The script is to write to its standard output where its variable piped
  * exists.  The error has the last line of gnuplot's own, or the package that
  * gnuplot is in when it is not found. */
-bool gnuplot_draw(const char *folder, char *script, FILE *picture,
-                  c205_error *error);
+bool gnuplot_draw(const char *folder, char *script, FILE *picture, c205_error *error);
 
 #endif

@@ -67,8 +67,7 @@ static bool check_folder(const char *path, c205_error *error)
     else if (access(folder, W_OK | X_OK) != 0)
         code = errno;
     free(folder);
-    return code == 0
-           || error_say(error, "%.180s: %.60s", path, strerror(code));
+    return code == 0 || error_say(error, "%.180s: %.60s", path, strerror(code));
 }
 
 bool plot_is_named(const char *path)
@@ -77,8 +76,7 @@ bool plot_is_named(const char *path)
     size_t length = strlen(name);
 
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
-        if (length > ENDING
-            && strcmp(name + length - ENDING, endings[i]) == 0)
+        if (length > ENDING && strcmp(name + length - ENDING, endings[i]) == 0)
             return true;
     return false;
 }
@@ -88,16 +86,14 @@ bool plot_check_path(const char *path, c205_error *error)
     const char *name = name_in(path);
 
     if (!plot_is_named(path))
-        return error_say(error, "%.180s: a plot's name ends in .svg or .png",
-                         path);
+        return error_say(error, "%.180s: a plot's name ends in .svg or .png", path);
     for (const char *c = name; *c != '\0'; c++)
         if ((unsigned char)*c < ' ')
             return error_say(error, "a plot's name is one line of text");
     return check_folder(path, error);
 }
 
-static struct whole *open_beside(const char *path, const char *end,
-                                 c205_error *error)
+static struct whole *open_beside(const char *path, const char *end, c205_error *error)
 {
     char *beside = text_of("%.*s%s", (int)strlen(path) - ENDING, path, end);
     struct whole *whole = beside ? whole_open(beside, error) : NULL;
@@ -109,16 +105,14 @@ static struct whole *open_beside(const char *path, const char *end,
 }
 
 /* All are opened before one is written. */
-static bool open_files(struct files *files, const char *path,
-                       c205_error *error)
+static bool open_files(struct files *files, const char *path, c205_error *error)
 {
     const char *name = name_in(path);
 
     *files = (struct files){ 0 };
     files->folder = folder_of(path);
     files->name = text_of("%s", name);
-    files->script_name = text_of("./%.*s.gp", (int)strlen(name) - ENDING,
-                                 name);
+    files->script_name = text_of("./%.*s.gp", (int)strlen(name) - ENDING, name);
     if (!files->folder || !files->name || !files->script_name)
         return error_say(error, "%.180s: no memory", path);
     return (files->data = open_beside(path, ".dat", error)) != NULL
@@ -152,20 +146,18 @@ static void close_files(struct files *files)
 
 /* --- the values -------------------------------------------------------- */
 
-static bool reach(struct axis *axis, double value, const char *key,
-                  c205_error *error)
+static bool reach(struct axis *axis, double value, const char *key, c205_error *error)
 {
     if (!isfinite(value))
         return true;
     if (!axis_shows(axis, value))
-        return error_say(error, "%.60s: %g is not on a logarithmic axis", key,
-                         value);
+        return error_say(error, "%.60s: %g is not on a logarithmic axis", key, value);
     axis_reach(axis, value);
     return true;
 }
 
-static bool reach_row(const struct plot *plot, const struct table *table,
-                      size_t row, struct plot_axes *axes, c205_error *error)
+static bool reach_row(const struct plot *plot, const struct table *table, size_t row,
+                      struct plot_axes *axes, c205_error *error)
 {
     bool areas = plot->form == PLOT_AREAS;
     double sum = 0;
@@ -177,16 +169,15 @@ static bool reach_row(const struct plot *plot, const struct table *table,
         if (areas && value < 0)
             return error_say(error, "%.60s: an area of %g cannot be drawn",
                              table_key(table, column), value);
-        if (!reach(&axes->y, areas ? sum : value, table_key(table, column),
-                   error))
+        if (!reach(&axes->y, areas ? sum : value, table_key(table, column), error))
             return false;
     }
     return reach(&axes->x, table_value(table, row, plot->x_column),
                  table_key(table, plot->x_column), error);
 }
 
-static bool reach_marks(struct axis *axis, const struct plot_mark *marks,
-                        size_t count, c205_error *error)
+static bool reach_marks(struct axis *axis, const struct plot_mark *marks, size_t count,
+                        c205_error *error)
 {
     for (size_t i = 0; i < count; i++)
         if (!reach(axis, marks[i].at, marks[i].label, error))
@@ -250,8 +241,7 @@ static void put_comment(const char *text, FILE *file)
     putc('\n', file);
 }
 
-static void write_data(const struct plot *plot, const struct table *table,
-                       FILE *file)
+static void write_data(const struct plot *plot, const struct table *table, FILE *file)
 {
     put_comment(plot->title, file);
     for (size_t i = 0; i < plot->subtitle_count; i++)
@@ -278,13 +268,13 @@ static bool write_files(const struct plot *plot, const struct table *table,
     if (!plot_script_write(plot, axes, files->name, files->script->file))
         return error_say(error, "%.180s: no memory", plot->title);
     return commit(&files->data, error) && commit(&files->script, error)
-           && gnuplot_draw(files->folder, files->script_name,
-                           files->picture->file, error)
+           && gnuplot_draw(files->folder, files->script_name, files->picture->file,
+                           error)
            && commit(&files->picture, error);
 }
 
-bool plot_write(const struct plot *plot, const struct table *table,
-                const char *path, c205_error *error)
+bool plot_write(const struct plot *plot, const struct table *table, const char *path,
+                c205_error *error)
 {
     struct plot_axes axes;
     struct files files;
@@ -292,8 +282,7 @@ bool plot_write(const struct plot *plot, const struct table *table,
 
     if (!table_is_whole(table))
         return error_say(error, "%.180s: no memory", plot->title);
-    if (!plot_check_path(path, error)
-        || !find_axes(plot, table, &axes, error))
+    if (!plot_check_path(path, error) || !find_axes(plot, table, &axes, error))
         return false;
     good = open_files(&files, path, error)
            && write_files(plot, table, &axes, &files, error);

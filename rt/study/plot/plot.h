@@ -65,7 +65,7 @@ bool plot_is_named(const char *path);
  * the data and the script stay.  Other errors: a path as above, no value to
  * draw, a value not above 0 on a logarithmic axis, one below 0 as an area, a
  * table for which memory ran short. */
-bool plot_write(const struct plot *plot, const struct table *table,
-                const char *path, c205_error *error);
+bool plot_write(const struct plot *plot, const struct table *table, const char *path,
+                c205_error *error);
 
 #endif

@@ -61,8 +61,7 @@ static void put_quoted(const char *text, FILE *file)
 
 /* A name in this folder: without "./" gnuplot takes '<' and '|' at its
  * beginning for commands. */
-static void put_name(const char *name, size_t length, const char *ending,
-                     FILE *file)
+static void put_name(const char *name, size_t length, const char *ending, FILE *file)
 {
     fputs("'./", file);
     for (size_t i = 0; i < length; i++)
@@ -133,13 +132,11 @@ static void place_flags(const struct plot *plot, const struct axis *x,
     for (size_t i = 0; i < plot->mark_count; i++) {
         const struct plot_mark *mark = &plot->marks[i];
         double line = layout->left
-                      + axis_place(x, mark->at)
-                            * (layout->right - layout->left);
+                      + axis_place(x, mark->at) * (layout->right - layout->left);
         double width = LETTER + width_of(mark->label);
         double begin = fmin(line, WIDTH - EDGE - width);
         if (isfinite(mark->at))
-            flags[count++] = (struct flag){ mark, line, begin, begin + width,
-                                            0 };
+            flags[count++] = (struct flag){ mark, line, begin, begin + width, 0 };
     }
     qsort(flags, count, sizeof *flags, from_right);
     for (size_t i = 0; i < count; i++)
@@ -148,8 +145,7 @@ static void place_flags(const struct plot *plot, const struct axis *x,
 }
 
 /* Lines, one of them of what is cut off. */
-static size_t small_print(const struct plot *plot,
-                          const struct plot_axes *axes)
+static size_t small_print(const struct plot *plot, const struct plot_axes *axes)
 {
     return plot->subtitle_count + (isfinite(axes->cut_off) ? 1 : 0);
 }
@@ -215,8 +211,7 @@ static void write_margins(const struct plot_layout *layout, FILE *file)
     fprintf(file, "set tmargin at screen %.4f\n", up(layout->top));
 }
 
-static void write_small_print(const char *text, double left, double height,
-                              FILE *file)
+static void write_small_print(const char *text, double left, double height, FILE *file)
 {
     fputs("set label ", file);
     put_quoted(text, file);
@@ -226,28 +221,26 @@ static void write_small_print(const char *text, double left, double height,
             across(left), up(height));
 }
 
-static void tell_cut_off(const struct plot_axes *axes, double left,
-                         double height, FILE *file)
+static void tell_cut_off(const struct plot_axes *axes, double left, double height,
+                         FILE *file)
 {
     char end[AXIS_LABEL_SIZE], highest[AXIS_LABEL_SIZE], text[128];
 
     axis_label(end, axes->y.high);
     axis_label(highest, axes->cut_off);
-    snprintf(text, sizeof text, "cut off at %s; the highest value is %s", end,
-             highest);
+    snprintf(text, sizeof text, "cut off at %s; the highest value is %s", end, highest);
     write_small_print(text, left, height, file);
 }
 
-static void write_titles(const struct plot *plot,
-                         const struct plot_axes *axes,
+static void write_titles(const struct plot *plot, const struct plot_axes *axes,
                          const struct plot_layout *layout, FILE *file)
 {
     double line = HEIGHT - TITLE;
 
     fputs("\nset label ", file);
     put_quoted(plot->title, file);
-    fprintf(file, " at screen %.4f, screen %.4f font ',16'\n",
-            across(layout->left), up(line));
+    fprintf(file, " at screen %.4f, screen %.4f font ',16'\n", across(layout->left),
+            up(line));
     line -= LINE + 4;
     for (size_t i = 0; i < plot->subtitle_count; i++, line -= LINE)
         write_small_print(plot->subtitles[i], layout->left, line, file);
@@ -273,8 +266,7 @@ static void write_axis(char name, const char *title, const struct axis *axis,
     struct axis_tic tics[AXIS_TICS];
     size_t count = axis_tics(axis, tics);
 
-    fprintf(file, "\nset %clabel offset %s ", name,
-            name == 'x' ? "0,0.5" : "0.5,0");
+    fprintf(file, "\nset %clabel offset %s ", name, name == 'x' ? "0,0.5" : "0.5,0");
     put_quoted(title, file);
     putc('\n', file);
     write_range(name, axis, file);
@@ -294,20 +286,19 @@ static void write_flag(const struct flag *flag, double top, FILE *file)
             "set arrow from first %.12g, graph 0 to first %.12g, "
             "screen %.4f \\\n    nohead front "
             "linecolor rgb '#444444'\n",
-            flag->mark->at, flag->mark->at,
-            up(height + (moved ? -0.5 : 0.4) * LINE));
+            flag->mark->at, flag->mark->at, up(height + (moved ? -0.5 : 0.4) * LINE));
     fputs("set label ", file);
     put_quoted(flag->mark->label, file);
     if (moved)
-        fprintf(file, " at screen %.4f, screen %.4f right\n",
-                across(WIDTH - EDGE), up(height));
+        fprintf(file, " at screen %.4f, screen %.4f right\n", across(WIDTH - EDGE),
+                up(height));
     else
-        fprintf(file, " at first %.12g, screen %.4f offset 0.5,0\n",
-                flag->mark->at, up(height));
+        fprintf(file, " at first %.12g, screen %.4f offset 0.5,0\n", flag->mark->at,
+                up(height));
 }
 
-static void write_frame(const struct plot *plot,
-                        const struct plot_layout *layout, FILE *file)
+static void write_frame(const struct plot *plot, const struct plot_layout *layout,
+                        FILE *file)
 {
     bool areas = plot->form == PLOT_AREAS;
 
@@ -338,8 +329,7 @@ static void write_line(size_t i, FILE *file)
     fprintf(file,
             "numbers using 1:%zu with linespoints linewidth 2 \\\n"
             "    pointtype %zu pointsize 0.5 linecolor rgb '%s'",
-            i + 2, 1 + (6 + 2 * (i % 4) + i / COLORS) % 15,
-            colors[i % COLORS]);
+            i + 2, 1 + (6 + 2 * (i % 4) + i / COLORS) % 15, colors[i % COLORS]);
 }
 
 static void write_curves(const struct plot *plot, FILE *file)

@@ -43,8 +43,7 @@ static bool find_square(struct scout *scout)
             continue;
         sides[i] = 1;
         if (row > 0 && column > 0)
-            sides[i] += least_of(sides[i - 1], sides[i - SIDE],
-                                 sides[i - SIDE - 1]);
+            sides[i] += least_of(sides[i - 1], sides[i - SIDE], sides[i - SIDE - 1]);
         if (sides[i] > scout->side) {
             scout->side = sides[i];
             scout->row = row + 1 - sides[i];
@@ -85,8 +84,7 @@ static bool send_scout(const struct sweep *sweep, struct scout *scout,
 
     point.trace.width = point.trace.height = SIDE;
     point.trace.mode = TRACE_VECTOR;
-    trace = speedup_trace(sweep->subject, &point.view, &point.trace, &scene,
-                          error);
+    trace = speedup_trace(sweep->subject, &point.view, &point.trace, &scene, error);
     good = trace && trace_run(trace, error);
     if (good) {
         snprintf(error->message, sizeof error->message, "no memory");
@@ -106,12 +104,10 @@ static size_t hits_at(const struct scout *scout, ptrdiff_t shift)
     size_t hits = 0;
 
     for (size_t i = 0; i < scout->side * scout->side; i++) {
-        ptrdiff_t column = (ptrdiff_t)(scout->column + i % scout->side)
-                           + shift;
+        ptrdiff_t column = (ptrdiff_t)(scout->column + i % scout->side) + shift;
 
         if (column >= 0 && column < SIDE)
-            hits += scout->hit[(scout->row + i / scout->side) * SIDE
-                               + (size_t)column];
+            hits += scout->hit[(scout->row + i / scout->side) * SIDE + (size_t)column];
     }
     return hits;
 }
@@ -157,8 +153,7 @@ static ptrdiff_t shift_to(const struct scout *scout, double share)
 static void cross(const double a[3], const double b[3], double product[3])
 {
     for (int i = 0; i < 3; i++)
-        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3]
-                     - a[(i + 2) % 3] * b[(i + 1) % 3];
+        product[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
 static void normalise(double vector[3])
@@ -173,14 +168,13 @@ static void normalise(double vector[3])
 /* How much of a square's width a frame has that fits in it. */
 static double width_of_square(const struct trace_options *trace)
 {
-    return trace->width < trace->height
-               ? (double)trace->width / (double)trace->height
-               : 1;
+    return trace->width < trace->height ? (double)trace->width / (double)trace->height
+                                        : 1;
 }
 
 /* The scene language's camera: y is up, and right is right. */
-static struct speedup_view look(const struct sweep *sweep,
-                                const struct scout *scout, ptrdiff_t shift)
+static struct speedup_view look(const struct sweep *sweep, const struct scout *scout,
+                                ptrdiff_t shift)
 {
     const double *from = sweep->subject->from, sky[3] = { 0, 1, 0 };
     const double forward[3] = { -from[0], -from[1], -from[2] };
@@ -192,8 +186,7 @@ static struct speedup_view look(const struct sweep *sweep,
     normalise(right);
     cross(forward, right, up);
     middle = (double)scout->side / 2;
-    x = half
-        * (2 * ((double)scout->column + middle + (double)shift) / SIDE - 1);
+    x = half * (2 * ((double)scout->column + middle + (double)shift) / SIDE - 1);
     y = half * (1 - 2 * ((double)scout->row + middle) / SIDE);
     for (int i = 0; i < 3; i++)
         view.aim[i] = view.distance * (x * right[i] + y * up[i]);
@@ -219,8 +212,7 @@ static bool measure(struct sweep *sweep, c205_error *error)
 {
     struct sweep_point points[SHARES + 1];
     struct scout scout = { NULL, 0, 0, 0 };
-    bool good = send_scout(sweep, &scout, error)
-                && check_scout(sweep, &scout, error);
+    bool good = send_scout(sweep, &scout, error) && check_scout(sweep, &scout, error);
 
     for (int i = 0; good && i <= SHARES; i++) {
         ptrdiff_t shift = i == 0 ? shift_past(&scout)
@@ -251,13 +243,11 @@ static void say(struct sweep_report *report, const struct sweep *sweep)
                       "From %.1f %% to %.1f %% of hits a ray of the "
                       "scalar form costs %.2f times as much,",
                       sweep_hit_percent(none), sweep_hit_percent(all),
-                      sweep_cost(all, SWEEP_SCALAR)
-                          / sweep_cost(none, SWEEP_SCALAR));
+                      sweep_cost(all, SWEEP_SCALAR) / sweep_cost(none, SWEEP_SCALAR));
     sweep_report_line(report,
                       "one in a queue %.2f times; the speedup goes "
                       "from %.2f to %.2f.",
-                      sweep_cost(all, SWEEP_QUEUED)
-                          / sweep_cost(none, SWEEP_QUEUED),
+                      sweep_cost(all, SWEEP_QUEUED) / sweep_cost(none, SWEEP_QUEUED),
                       sweep_speedup(none), sweep_speedup(all));
 }
 
@@ -265,10 +255,8 @@ static void draw(struct sweep_report *report, const struct table *table)
 {
     report->plotted = table;
     report->plot.x_column = BEFORE + SWEEP_COLUMN_HITS;
-    report->plot.x = (struct plot_axis){ "% of the rays that hit",
-                                         PLOT_LINEAR };
-    report->plot.y = (struct plot_axis){ "clocks per ray; speedup",
-                                         PLOT_LOG10 };
+    report->plot.x = (struct plot_axis){ "% of the rays that hit", PLOT_LINEAR };
+    report->plot.y = (struct plot_axis){ "clocks per ray; speedup", PLOT_LOG10 };
     sweep_report_curve(report, BEFORE + SWEEP_COLUMN_SCALAR, "scalar");
     sweep_report_curve(report, BEFORE + SWEEP_COLUMN_QUEUED, "in queues");
     sweep_report_curve(report, BEFORE + SWEEP_COLUMN_SPEEDUP, "speedup");
@@ -277,8 +265,7 @@ static void draw(struct sweep_report *report, const struct table *table)
 static bool report_hits(struct sweep *sweep, struct sweep_report *report,
                         c205_error *error)
 {
-    struct table *table = sweep_report_table(report, "points",
-                                             sweep_points_heading,
+    struct table *table = sweep_report_table(report, "points", sweep_points_heading,
                                              TABLE_COLUMNS(point_columns));
 
     snprintf(error->message, sizeof error->message, "no memory");

@@ -3,18 +3,15 @@
 #include <string.h>
 
 const struct sweep_kind *const sweep_kinds[] = { &sweep_queue, &sweep_pipes,
-                                                 &sweep_hits, &sweep_length,
-                                                 NULL };
+                                                 &sweep_hits, &sweep_length, NULL };
 
 static size_t usual_lengths(size_t most, size_t lengths[SWEEP_LENGTHS_MOST])
 {
     size_t count = 0;
 
-    for (size_t length = 1; length < TRACE_QUEUE_MOST && length <= most;
-         length *= 2) {
+    for (size_t length = 1; length < TRACE_QUEUE_MOST && length <= most; length *= 2) {
         lengths[count++] = length;
-        if (length < TRACE_QUEUE && 2 * length > TRACE_QUEUE
-            && TRACE_QUEUE <= most)
+        if (length < TRACE_QUEUE && 2 * length > TRACE_QUEUE && TRACE_QUEUE <= most)
             lengths[count++] = TRACE_QUEUE;
     }
     if (TRACE_QUEUE_MOST <= most)
@@ -42,8 +39,7 @@ const struct sweep_measure *sweep_best(const struct sweep *sweep)
     return best;
 }
 
-const struct sweep_measure *sweep_with_queue(const struct sweep *sweep,
-                                             size_t queue)
+const struct sweep_measure *sweep_with_queue(const struct sweep *sweep, size_t queue)
 {
     for (size_t i = 0; i < sweep->count; i++)
         if (sweep->measures[i].point.trace.queue == queue)

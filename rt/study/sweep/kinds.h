@@ -13,12 +13,10 @@ struct sweep_kind {
     /* Run the points.  False: the error says why. */
     bool (*measure)(struct sweep *sweep, c205_error *error);
     /* What they show.  False: no memory, or the error says why. */
-    bool (*report)(struct sweep *sweep, struct sweep_report *report,
-                   c205_error *error);
+    bool (*report)(struct sweep *sweep, struct sweep_report *report, c205_error *error);
 };
 
-extern const struct sweep_kind sweep_queue, sweep_pipes, sweep_hits,
-    sweep_length;
+extern const struct sweep_kind sweep_queue, sweep_pipes, sweep_hits, sweep_length;
 /* All of them; NULL at the end. */
 extern const struct sweep_kind *const sweep_kinds[];
 
@@ -41,14 +39,12 @@ struct sweep_memory {
     double real;         /* words of real memory */
     double fills;        /* rays of the queue that fills it */
 };
-bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory,
-                  c205_error *error);
+bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory, c205_error *error);
 
 /* The measure whose rays cost least in queues. */
 const struct sweep_measure *sweep_best(const struct sweep *sweep);
 /* The measure with that queue, or NULL. */
-const struct sweep_measure *sweep_with_queue(const struct sweep *sweep,
-                                             size_t queue);
+const struct sweep_measure *sweep_with_queue(const struct sweep *sweep, size_t queue);
 
 /* Of a sweep of lengths.  0: there is none. */
 struct sweep_lengths_found {

@@ -13,8 +13,8 @@
  * are not tried one by one. */
 enum { TRIED_MOST = 256 };
 
-static bool run_lengths(struct sweep *sweep, const size_t *lengths,
-                        size_t count, c205_error *error)
+static bool run_lengths(struct sweep *sweep, const size_t *lengths, size_t count,
+                        c205_error *error)
 {
     struct sweep_point *points = malloc((count + 1) * sizeof *points);
     bool good;
@@ -101,8 +101,7 @@ static bool approach_crossover(struct sweep *sweep, c205_error *error)
     above = length_of(&sweep->measures[below + 1]);
     if (above > TRIED_MOST)
         return true;
-    return run_between(sweep, length_of(&sweep->measures[below]), 2 * above,
-                       error);
+    return run_between(sweep, length_of(&sweep->measures[below]), 2 * above, error);
 }
 
 static double best_speedup(const struct sweep *sweep)
@@ -117,8 +116,7 @@ static double best_speedup(const struct sweep *sweep)
 
 /* Halve what lies before the first measure with a speedup until nothing
  * does. */
-static bool approach_speedup(struct sweep *sweep, double speedup,
-                             c205_error *error)
+static bool approach_speedup(struct sweep *sweep, double speedup, c205_error *error)
 {
     for (;;) {
         size_t i = first_with(sweep, speedup);
@@ -143,8 +141,7 @@ static bool measure(struct sweep *sweep, c205_error *error)
     size_t count = sweep_lengths(sweep, TRACE_QUEUE_MOST, lengths);
 
     sweep->pages_in_place = true;
-    return run_lengths(sweep, lengths, count, error)
-           && approach_crossover(sweep, error)
+    return run_lengths(sweep, lengths, count, error) && approach_crossover(sweep, error)
            && approach_speedup(sweep, best_speedup(sweep) / 2, error);
 }
 
@@ -154,8 +151,7 @@ static bool measure(struct sweep *sweep, c205_error *error)
 static size_t checked_from(const struct sweep *sweep, size_t i)
 {
     while (i + 1 < sweep->count
-           && length_of(&sweep->measures[i + 1])
-                  == length_of(&sweep->measures[i]) + 1)
+           && length_of(&sweep->measures[i + 1]) == length_of(&sweep->measures[i]) + 1)
         i++;
     return length_of(&sweep->measures[i]);
 }
@@ -176,8 +172,7 @@ struct sweep_lengths_found sweep_find_lengths(const struct sweep *sweep)
         if (is_exact(sweep, found.crossover))
             found.checked = checked_from(sweep, crossover);
     }
-    found.half = length_of(
-        &sweep->measures[first_with(sweep, found.best / 2)]);
+    found.half = length_of(&sweep->measures[first_with(sweep, found.best / 2)]);
     found.half_is_exact = is_exact(sweep, found.half);
     return found;
 }
@@ -241,28 +236,22 @@ static void say(struct sweep_report *report, const struct sweep *sweep,
     sweep_report_line(report,
                       "The best speedup is %.2f; half of it is "
                       "reached at a length of %zu%s (n-half).",
-                      found->best, found->half,
-                      or_before(found->half_is_exact));
+                      found->best, found->half, or_before(found->half_is_exact));
 }
 
-static void draw(struct sweep_report *report,
-                 const struct sweep_lengths_found *found)
+static void draw(struct sweep_report *report, const struct sweep_lengths_found *found)
 {
     report->plotted = report->parts[0].table;
-    report->plot.x = (struct plot_axis){
-        "rays in the queue, as many as there "
-        "are",
-        PLOT_LOG2
-    };
-    report->plot.y = (struct plot_axis){ "times as fast as scalar",
-                                         PLOT_LINEAR };
+    report->plot.x = (struct plot_axis){ "rays in the queue, as many as there "
+                                         "are",
+                                         PLOT_LOG2 };
+    report->plot.y = (struct plot_axis){ "times as fast as scalar", PLOT_LINEAR };
     sweep_report_curve(report, 1 + SWEEP_COLUMN_SPEEDUP, "speedup");
     if (found->crossover > 0)
-        sweep_report_mark(report, (double)found->crossover,
-                          "crossover: %zu%s", found->crossover,
-                          or_before(found->checked > 0));
-    sweep_report_mark(report, (double)found->half, "n-half: %zu%s",
-                      found->half, or_before(found->half_is_exact));
+        sweep_report_mark(report, (double)found->crossover, "crossover: %zu%s",
+                          found->crossover, or_before(found->checked > 0));
+    sweep_report_mark(report, (double)found->half, "n-half: %zu%s", found->half,
+                      or_before(found->half_is_exact));
     sweep_report_level(report, 1, "scalar form");
     sweep_report_level(report, found->best / 2, "half of the best");
 }
@@ -271,8 +260,7 @@ static bool report_length(struct sweep *sweep, struct sweep_report *report,
                           c205_error *error)
 {
     struct sweep_lengths_found found = sweep_find_lengths(sweep);
-    struct table *table = sweep_report_table(report, "points",
-                                             sweep_points_heading,
+    struct table *table = sweep_report_table(report, "points", sweep_points_heading,
                                              TABLE_COLUMNS(point_columns));
 
     snprintf(error->message, sizeof error->message, "no memory");

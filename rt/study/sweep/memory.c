@@ -8,8 +8,7 @@
 enum { SMALLEST_PAGE = 512, SIDE = 32 };
 
 /* Words that a frame touches which is one queue of side x side rays. */
-static bool touched(struct sweep *sweep, size_t side, double *words,
-                    c205_error *error)
+static bool touched(struct sweep *sweep, size_t side, double *words, c205_error *error)
 {
     struct sweep_point point = sweep->base;
     uint64_t count;
@@ -26,8 +25,7 @@ static bool touched(struct sweep *sweep, size_t side, double *words,
 static bool count_crossings(const struct scene *scene, size_t *crossings,
                             c205_error *error)
 {
-    struct leaf_plan *plans = calloc(scene->primitive_count + 1,
-                                     sizeof *plans);
+    struct leaf_plan *plans = calloc(scene->primitive_count + 1, sizeof *plans);
 
     strcpy(error->message, "no memory");
     if (plans)
@@ -37,22 +35,19 @@ static bool count_crossings(const struct scene *scene, size_t *crossings,
 }
 
 /* Two frames that show the same in different fineness. */
-bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory,
-                  c205_error *error)
+bool sweep_memory(struct sweep *sweep, struct sweep_memory *memory, c205_error *error)
 {
     double rays = SIDE * SIDE;
     double few, many;
 
     memset(memory, 0, sizeof *memory);
-    if (!touched(sweep, SIDE, &few, error)
-        || !touched(sweep, 2 * SIDE, &many, error)
+    if (!touched(sweep, SIDE, &few, error) || !touched(sweep, 2 * SIDE, &many, error)
         || (sweep->scene != NULL
             && !count_crossings(sweep->scene, &memory->crossings, error)))
         return false;
     memory->a_ray = (many - few) / (3 * rays);
     memory->fixed = few - rays * memory->a_ray;
-    memory->real = c205_model_lookup(sweep->base.trace.model,
-                                     "memory.real_words")
+    memory->real = c205_model_lookup(sweep->base.trace.model, "memory.real_words")
                        ->value;
     memory->fills = (memory->real - memory->fixed) / memory->a_ray;
     return true;

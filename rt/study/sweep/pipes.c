@@ -7,8 +7,7 @@
 /* From the slowest on, as in the table. */
 static const struct {
     unsigned pipes, bits;
-} machines[] = { { 1, 64 }, { 2, 64 }, { 4, 64 },
-                 { 1, 32 }, { 2, 32 }, { 4, 32 } };
+} machines[] = { { 1, 64 }, { 2, 64 }, { 4, 64 }, { 1, 32 }, { 2, 32 }, { 4, 32 } };
 enum { MACHINES = sizeof machines / sizeof *machines };
 enum { ONE_PIPE = 0, TWO_PIPES = 1, SIZES = 2, PER_SIZE = MACHINES / SIZES };
 
@@ -65,29 +64,24 @@ static uint64_t queued_total(const struct sweep *sweep, size_t machine)
     return sweep->measures[machine].forms[SWEEP_QUEUED].total;
 }
 
-static double faster_than(const struct sweep *sweep, size_t than,
-                          size_t machine)
+static double faster_than(const struct sweep *sweep, size_t than, size_t machine)
 {
-    return (double)queued_total(sweep, than)
-           / (double)queued_total(sweep, machine);
+    return (double)queued_total(sweep, than) / (double)queued_total(sweep, machine);
 }
 
 /* If only the stream of one pipe became so many times as fast. */
 static double amdahl(const struct sweep *sweep, double times)
 {
-    const struct sweep_form *one = &sweep->measures[ONE_PIPE]
-                                        .forms[SWEEP_QUEUED];
+    const struct sweep_form *one = &sweep->measures[ONE_PIPE].forms[SWEEP_QUEUED];
     double all = (double)one->total;
     double stream = (double)sweep_group_clocks(one, SWEEP_STREAM);
 
     return all / (all - stream + stream / times);
 }
 
-static void add_limit(struct table *table, const struct sweep *sweep,
-                      size_t machine)
+static void add_limit(struct table *table, const struct sweep *sweep, size_t machine)
 {
-    const struct sweep_form *form = &sweep->measures[machine]
-                                         .forms[SWEEP_QUEUED];
+    const struct sweep_form *form = &sweep->measures[machine].forms[SWEEP_QUEUED];
 
     add_machine(table, machine);
     table_count(table, results_a_clock(machine));
@@ -114,8 +108,7 @@ static void fill_plot(struct table *table, const struct sweep *sweep)
     for (size_t i = 0; i < PER_SIZE; i++) {
         table_count(table, machines[i].pipes);
         for (size_t size = 0; size < SIZES; size++)
-            table_number(table,
-                         faster_than(sweep, ONE_PIPE, size * PER_SIZE + i));
+            table_number(table, faster_than(sweep, ONE_PIPE, size * PER_SIZE + i));
         for (size_t size = 0; size < SIZES; size++)
             table_number(table, results_a_clock(size * PER_SIZE + i));
     }
@@ -151,17 +144,15 @@ static void say(struct sweep_report *report, const struct sweep *sweep)
 static bool report_pipes(struct sweep *sweep, struct sweep_report *report,
                          c205_error *error)
 {
-    struct table *points = sweep_report_table(report, "points",
-                                              sweep_points_heading,
+    struct table *points = sweep_report_table(report, "points", sweep_points_heading,
                                               TABLE_COLUMNS(point_columns));
-    struct table *limits =
-        sweep_report_table(report, "limits",
-                           "In queues: how far start-up limits more pipes",
-                           TABLE_COLUMNS(limit_columns));
-    struct table *plotted =
-        sweep_report_table(report, "plot",
-                           "Times as fast as one pipe with 64 bits",
-                           TABLE_COLUMNS(plot_columns));
+    struct table
+        *limits = sweep_report_table(report, "limits",
+                                     "In queues: how far start-up limits more pipes",
+                                     TABLE_COLUMNS(limit_columns));
+    struct table *plotted = sweep_report_table(report, "plot",
+                                               "Times as fast as one pipe with 64 bits",
+                                               TABLE_COLUMNS(plot_columns));
 
     snprintf(error->message, sizeof error->message, "no memory");
     if (!points || !limits || !plotted)

@@ -60,8 +60,8 @@ static void add_memory(struct table *table, const char *what, double words)
     table_number(table, words);
 }
 
-static void fill_memory(struct table *table,
-                        const struct sweep_memory *memory, bool solids)
+static void fill_memory(struct table *table, const struct sweep_memory *memory,
+                        bool solids)
 {
     add_memory(table, "touched for each ray of the queue", memory->a_ray);
     if (solids)
@@ -87,8 +87,7 @@ static double group_cost(const struct sweep_measure *measure, int group)
     form = &measure->forms[SWEEP_QUEUED];
     return sweep_per_ray(measure,
                          group < SWEEP_GROUPS
-                             ? sweep_group_clocks(form,
-                                                  (enum sweep_group)group)
+                             ? sweep_group_clocks(form, (enum sweep_group)group)
                              : form->total);
 }
 
@@ -122,9 +121,7 @@ static double percent_above(const struct sweep_measure *measure,
                             const struct sweep_measure *best)
 {
     return 100
-           * (sweep_cost(measure, SWEEP_QUEUED)
-                  / sweep_cost(best, SWEEP_QUEUED)
-              - 1);
+           * (sweep_cost(measure, SWEEP_QUEUED) / sweep_cost(best, SWEEP_QUEUED) - 1);
 }
 
 /* What rises most on the way from one queue to another. */
@@ -154,8 +151,7 @@ static void say_other(struct sweep_report *report, const char *what,
                       "%s (%+.2f).",
                       what, queue_of(other), sweep_cost(other, SWEEP_QUEUED),
                       percent_above(other, best), sweep_group_name(most),
-                      group_cost(other, (int)most)
-                          - group_cost(best, (int)most));
+                      group_cost(other, (int)most) - group_cost(best, (int)most));
 }
 
 /* The queues around the best that cost hardly more. */
@@ -169,12 +165,11 @@ static void say_flat(struct sweep_report *report, const struct sweep *sweep,
         first--;
     while (last + 1 < end && percent_above(last + 1, best) <= 2)
         last++;
-    sweep_report_line(report, "Within 2 %% of the best: %zu to %zu.",
-                      queue_of(first), queue_of(last));
+    sweep_report_line(report, "Within 2 %% of the best: %zu to %zu.", queue_of(first),
+                      queue_of(last));
 }
 
-static void say_memory(struct sweep_report *report,
-                       const struct sweep_memory *memory)
+static void say_memory(struct sweep_report *report, const struct sweep_memory *memory)
 {
     if (memory->fills < 1)
         sweep_report_line(report, "Real memory is too small for a queue of "
@@ -197,8 +192,7 @@ static void say(struct sweep_report *report, const struct sweep *sweep,
                 const struct trio *trio, const struct sweep_memory *memory)
 {
     sweep_report_line(report, "Best: a queue of %zu, %.2f clocks per ray.",
-                      queue_of(trio->best),
-                      sweep_cost(trio->best, SWEEP_QUEUED));
+                      queue_of(trio->best), sweep_cost(trio->best, SWEEP_QUEUED));
     say_other(report, "The paper's", trio->paper, trio->best);
     say_other(report, "The longest,", trio->longest, trio->best);
     say_flat(report, sweep, trio->best);
@@ -206,10 +200,9 @@ static void say(struct sweep_report *report, const struct sweep *sweep,
 }
 
 /* From the bottom on; what falls and what rises is on top. */
-static const enum sweep_group drawn[SWEEP_GROUPS] = {
-    SWEEP_STREAM,  SWEEP_CONFLICT, SWEEP_SERIAL,
-    SWEEP_STARTUP, SWEEP_MISS,     SWEEP_FAULT
-};
+static const enum sweep_group drawn[SWEEP_GROUPS] = { SWEEP_STREAM, SWEEP_CONFLICT,
+                                                      SWEEP_SERIAL, SWEEP_STARTUP,
+                                                      SWEEP_MISS,   SWEEP_FAULT };
 
 /* Beyond so many times the best a queue is out of the picture, which shows
  * the flat part and where it ends. */
@@ -228,11 +221,10 @@ static void draw(struct sweep_report *report, const struct trio *trio)
     for (size_t i = 0; i < SWEEP_GROUPS; i++)
         sweep_report_curve(report, 1 + SWEEP_COLUMN_GROUPS + drawn[i],
                            sweep_group_name(drawn[i]));
-    sweep_report_mark(report, (double)queue_of(best), "best: %zu",
-                      queue_of(best));
+    sweep_report_mark(report, (double)queue_of(best), "best: %zu", queue_of(best));
     if (trio->paper && trio->paper != best)
-        sweep_report_mark(report, (double)queue_of(trio->paper),
-                          "the paper's %zu", queue_of(trio->paper));
+        sweep_report_mark(report, (double)queue_of(trio->paper), "the paper's %zu",
+                          queue_of(trio->paper));
     if (scalar < report->plot.y_most)
         sweep_report_level(report, scalar, "scalar form");
 }

@@ -15,11 +15,9 @@ void sweep_add_cells(struct table *table, const struct sweep_measure *measure)
     table_number(table, sweep_cost(measure, SWEEP_QUEUED));
     table_number(table, sweep_speedup(measure));
     for (int group = 0; group < SWEEP_GROUPS; group++)
-        table_number(table,
-                     sweep_per_ray(measure,
-                                   sweep_group_clocks(queued,
-                                                      (enum sweep_group)
-                                                          group)));
+        table_number(table, sweep_per_ray(measure,
+                                          sweep_group_clocks(queued,
+                                                             (enum sweep_group)group)));
 }
 
 void sweep_report_free(struct sweep_report *report)
@@ -30,14 +28,12 @@ void sweep_report_free(struct sweep_report *report)
 
 struct table *sweep_report_table(struct sweep_report *report, const char *key,
                                  const char *heading,
-                                 const struct table_column *columns,
-                                 size_t count)
+                                 const struct table_column *columns, size_t count)
 {
     struct table *table = table_new(columns, count);
 
     if (table)
-        report->parts[report->part_count++] = (struct sweep_part){ key,
-                                                                   heading,
+        report->parts[report->part_count++] = (struct sweep_part){ key, heading,
                                                                    table };
     return table;
 }
@@ -47,18 +43,15 @@ void sweep_report_line(struct sweep_report *report, const char *format, ...)
     va_list arguments;
 
     va_start(arguments, format);
-    vsnprintf(report->lines[report->line_count++], SWEEP_LINE_SIZE, format,
-              arguments);
+    vsnprintf(report->lines[report->line_count++], SWEEP_LINE_SIZE, format, arguments);
     va_end(arguments);
 }
 
 /* ---- The plot ------------------------------------------------------------ */
 
-void sweep_report_curve(struct sweep_report *report, size_t column,
-                        const char *title)
+void sweep_report_curve(struct sweep_report *report, size_t column, const char *title)
 {
-    report->curves[report->plot.curve_count++] = (struct plot_curve){ column,
-                                                                      title };
+    report->curves[report->plot.curve_count++] = (struct plot_curve){ column, title };
     report->plot.curves = report->curves;
 }
 
@@ -71,20 +64,17 @@ static struct plot_mark label_mark(struct sweep_report *report, double at,
     return (struct plot_mark){ at, label };
 }
 
-void sweep_report_mark(struct sweep_report *report, double x,
-                       const char *format, ...)
+void sweep_report_mark(struct sweep_report *report, double x, const char *format, ...)
 {
     va_list arguments;
 
     va_start(arguments, format);
-    report->marks[report->plot.mark_count++] = label_mark(report, x, format,
-                                                          arguments);
+    report->marks[report->plot.mark_count++] = label_mark(report, x, format, arguments);
     va_end(arguments);
     report->plot.marks = report->marks;
 }
 
-void sweep_report_level(struct sweep_report *report, double y,
-                        const char *format, ...)
+void sweep_report_level(struct sweep_report *report, double y, const char *format, ...)
 {
     va_list arguments;
 
@@ -97,8 +87,8 @@ void sweep_report_level(struct sweep_report *report, double y,
 
 /* ---- Out of it ----------------------------------------------------------- */
 
-bool sweep_report_write(const struct sweep_report *report,
-                        enum table_format format, FILE *file)
+bool sweep_report_write(const struct sweep_report *report, enum table_format format,
+                        FILE *file)
 {
     for (size_t i = 0; i < report->part_count; i++) {
         table_heading(report->parts[i].heading, format, file);
@@ -114,10 +104,8 @@ bool sweep_report_write(const struct sweep_report *report,
 
 static const struct table_column causes[] = {
     { "point", "point", TABLE_COUNT, 0 }, /* from 1, as they were measured */
-    { "queue", "queue", TABLE_COUNT, 0 },
-    { "form", "form", TABLE_TEXT, 0 },
-    { "cause", "cause", TABLE_TEXT, 0 },
-    { "clocks", "clocks", TABLE_COUNT, 0 },
+    { "queue", "queue", TABLE_COUNT, 0 }, { "form", "form", TABLE_TEXT, 0 },
+    { "cause", "cause", TABLE_TEXT, 0 },  { "clocks", "clocks", TABLE_COUNT, 0 },
 };
 
 static void add_causes(struct table *table, size_t number,
@@ -133,8 +121,7 @@ static void add_causes(struct table *table, size_t number,
         table_count(table, number);
         table_count(table, trace->queue);
         table_text(table,
-                   trace_mode_name(form == SWEEP_SCALAR ? TRACE_SCALAR
-                                                        : trace->mode));
+                   trace_mode_name(form == SWEEP_SCALAR ? TRACE_SCALAR : trace->mode));
         table_text(table, c205_cause_name((c205_cause)cause));
         table_count(table, clocks);
     }
@@ -155,8 +142,8 @@ static bool json_causes(const struct sweep *sweep, struct json *json)
     return good;
 }
 
-bool sweep_report_json(const struct sweep_report *report,
-                       const struct sweep *sweep, struct json *json)
+bool sweep_report_json(const struct sweep_report *report, const struct sweep *sweep,
+                       struct json *json)
 {
     for (size_t i = 0; i < report->part_count; i++)
         if (!table_json(report->parts[i].table, json, report->parts[i].key))

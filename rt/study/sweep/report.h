@@ -65,29 +65,24 @@ enum sweep_column {
 };
 extern const char sweep_points_heading[];
 /* The cells of those columns. */
-void sweep_add_cells(struct table *table,
-                     const struct sweep_measure *measure);
+void sweep_add_cells(struct table *table, const struct sweep_measure *measure);
 
 void sweep_report_free(struct sweep_report *report);
 /* A new table of the report, which keeps it.  NULL: no memory. */
 struct table *sweep_report_table(struct sweep_report *report, const char *key,
                                  const char *heading,
-                                 const struct table_column *columns,
-                                 size_t count);
+                                 const struct table_column *columns, size_t count);
 void sweep_report_line(struct sweep_report *report, const char *format, ...);
-void sweep_report_curve(struct sweep_report *report, size_t column,
-                        const char *title);
+void sweep_report_curve(struct sweep_report *report, size_t column, const char *title);
 /* NaN: there is none. */
-void sweep_report_mark(struct sweep_report *report, double x,
-                       const char *format, ...);
-void sweep_report_level(struct sweep_report *report, double y,
-                        const char *format, ...);
+void sweep_report_mark(struct sweep_report *report, double x, const char *format, ...);
+void sweep_report_level(struct sweep_report *report, double y, const char *format, ...);
 
 /* All tables, and the lines behind them.  False: memory ran out. */
-bool sweep_report_write(const struct sweep_report *report,
-                        enum table_format format, FILE *file);
+bool sweep_report_write(const struct sweep_report *report, enum table_format format,
+                        FILE *file);
 /* The same, and all causes of both forms point by point.  False likewise. */
-bool sweep_report_json(const struct sweep_report *report,
-                       const struct sweep *sweep, struct json *json);
+bool sweep_report_json(const struct sweep_report *report, const struct sweep *sweep,
+                       struct json *json);
 
 #endif

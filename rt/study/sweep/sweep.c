@@ -14,13 +14,12 @@
 /* The trace of a point; the caller frees it, then *scene, which is NULL where
  * the sweep's own is traced. */
 static struct trace *open_trace(const struct sweep *sweep,
-                                const struct sweep_point *point,
-                                struct scene **scene, c205_error *error)
+                                const struct sweep_point *point, struct scene **scene,
+                                c205_error *error)
 {
     *scene = NULL;
     if (sweep->subject)
-        return speedup_trace(sweep->subject, &point->view, &point->trace,
-                             scene, error);
+        return speedup_trace(sweep->subject, &point->view, &point->trace, scene, error);
     return trace_new(sweep->scene, &point->trace, error);
 }
 
@@ -39,12 +38,11 @@ static void add_all(const struct accounts *accounts, struct sweep_form *form)
 }
 
 static bool add_subject(const struct accounts *accounts,
-                        const struct speedup_subject *subject,
-                        struct sweep_form *form, c205_error *error)
+                        const struct speedup_subject *subject, struct sweep_form *form,
+                        c205_error *error)
 {
     for (size_t i = 0; i < SPEEDUP_REGIONS_MOST && subject->regions[i]; i++) {
-        const c205_account *account = speedup_account(accounts,
-                                                      subject->regions[i],
+        const c205_account *account = speedup_account(accounts, subject->regions[i],
                                                       error);
 
         if (!account)
@@ -94,8 +92,7 @@ static size_t weight_of(const struct sweep_point *point, int form)
 {
     size_t rays = point->trace.width * point->trace.height;
 
-    return form == SWEEP_SCALAR ? rays
-                                : rays + 100 * (rays / point->trace.queue);
+    return form == SWEEP_SCALAR ? rays : rays + 100 * (rays / point->trace.queue);
 }
 
 /* What is traced to measure points. */
@@ -128,8 +125,7 @@ static void name_point(const struct sweep_point *point, c205_error *error)
               c205_model_name(point->trace.model), why.message);
 }
 
-static bool trace_form(void *context, const struct task *task,
-                       c205_error *error)
+static bool trace_form(void *context, const struct task *task, c205_error *error)
 {
     const struct plan *plan = context;
     struct form_run *run = &plan->runs[task->number];
@@ -161,8 +157,7 @@ static bool trace_form(void *context, const struct task *task,
 static bool are_one_in_scalar_form(const struct sweep_point *a,
                                    const struct sweep_point *b)
 {
-    return a->trace.model == b->trace.model
-           && a->trace.width == b->trace.width
+    return a->trace.model == b->trace.model && a->trace.width == b->trace.width
            && a->trace.height == b->trace.height
            && memcmp(&a->view, &b->view, sizeof a->view) == 0;
 }
@@ -181,13 +176,11 @@ static bool needs_scalar(const struct sweep_point *last,
 
 static void plan_run(struct plan *plan, size_t point, int form)
 {
-    plan->runs[plan->count++] = (struct form_run){ .point = point,
-                                                   .form = form };
+    plan->runs[plan->count++] = (struct form_run){ .point = point, .form = form };
 }
 
 /* Each point in queues, and in scalar form where that is another. */
-static void plan_runs(struct plan *plan, const struct sweep_point *points,
-                      size_t count)
+static void plan_runs(struct plan *plan, const struct sweep_point *points, size_t count)
 {
     struct sweep *sweep = plan->sweep;
     const struct sweep_point *last = last_point(sweep);
@@ -196,8 +189,7 @@ static void plan_runs(struct plan *plan, const struct sweep_point *points,
         size_t number = sweep->count + i;
 
         sweep->measures[number] = (struct sweep_measure){
-            .point = points[i],
-            .rays = points[i].trace.width * points[i].trace.height
+            .point = points[i], .rays = points[i].trace.width * points[i].trace.height
         };
         if (needs_scalar(last, &points[i]))
             plan_run(plan, number, SWEEP_SCALAR);
@@ -205,8 +197,8 @@ static void plan_runs(struct plan *plan, const struct sweep_point *points,
     }
 }
 
-static bool settle_queued(const struct form_run *run,
-                          struct sweep_measure *measure, c205_error *error)
+static bool settle_queued(const struct form_run *run, struct sweep_measure *measure,
+                          c205_error *error)
 {
     const struct trace_options *trace = &measure->point.trace;
 
@@ -225,8 +217,9 @@ static bool settle_queued(const struct form_run *run,
 static bool settle(const struct plan *plan, c205_error *error)
 {
     struct sweep *sweep = plan->sweep;
-    const struct sweep_measure
-        *last = sweep->count > 0 ? &sweep->measures[sweep->count - 1] : NULL;
+    const struct sweep_measure *last = sweep->count > 0
+                                           ? &sweep->measures[sweep->count - 1]
+                                           : NULL;
 
     for (size_t i = 0; i < plan->count; i++) {
         const struct form_run *run = &plan->runs[i];
@@ -250,8 +243,7 @@ static bool settle(const struct plan *plan, c205_error *error)
 static bool make_room(struct sweep *sweep, size_t more, c205_error *error)
 {
     struct sweep_measure *measures = realloc(sweep->measures,
-                                             (sweep->count + more)
-                                                 * sizeof *measures);
+                                             (sweep->count + more) * sizeof *measures);
 
     snprintf(error->message, sizeof error->message, "no memory");
     if (measures)
@@ -259,8 +251,8 @@ static bool make_room(struct sweep *sweep, size_t more, c205_error *error)
     return measures != NULL;
 }
 
-bool sweep_run(struct sweep *sweep, const struct sweep_point *points,
-               size_t count, c205_error *error)
+bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t count,
+               c205_error *error)
 {
     const struct trace_options *options = &sweep->base.trace;
     struct plan plan = { sweep, NULL, 0 };
@@ -284,19 +276,17 @@ bool sweep_run(struct sweep *sweep, const struct sweep_point *points,
     return good;
 }
 
-const c205_model *sweep_model(struct sweep *sweep,
-                              const c205_setting *settings, size_t count,
-                              c205_error *error)
+const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
+                              size_t count, c205_error *error)
 {
-    c205_model **models = array_grow(sweep->models, sweep->model_count,
-                                     sizeof *models);
+    c205_model **models = array_grow(sweep->models, sweep->model_count, sizeof *models);
 
     snprintf(error->message, sizeof error->message, "no memory");
     if (!models)
         return NULL;
     sweep->models = models;
-    models[sweep->model_count] = c205_model_change(sweep->base.trace.model,
-                                                   settings, count, error);
+    models[sweep->model_count] = c205_model_change(sweep->base.trace.model, settings,
+                                                   count, error);
     if (!models[sweep->model_count])
         return NULL;
     return models[sweep->model_count++];
@@ -362,8 +352,7 @@ static enum sweep_group group_of(c205_cause cause)
     }
 }
 
-uint64_t sweep_group_clocks(const struct sweep_form *form,
-                            enum sweep_group group)
+uint64_t sweep_group_clocks(const struct sweep_form *form, enum sweep_group group)
 {
     uint64_t clocks = 0;
 

@@ -40,7 +40,7 @@ struct sweep {
     struct sweep_point base; /* what the user asked for; points vary it */
     const size_t *lengths;   /* the queues that the user asked for, rising; */
     size_t length_count;     /* 0: the usual ones */
-    bool pages_in_place; /* misses and faults are left out of the clocks */
+    bool pages_in_place;     /* misses and faults are left out of the clocks */
 
     struct sweep_measure *measures;
     size_t count;
@@ -53,14 +53,13 @@ void sweep_free(struct sweep *sweep);
 
 /* Measure these points too, base.trace.jobs frames at a time; progress is of
  * all of them together.  False: the error says why. */
-bool sweep_run(struct sweep *sweep, const struct sweep_point *points,
-               size_t count, c205_error *error);
+bool sweep_run(struct sweep *sweep, const struct sweep_point *points, size_t count,
+               c205_error *error);
 
 /* The user's model with other constants, which the sweep keeps.  NULL: the
  * error says why. */
-const c205_model *sweep_model(struct sweep *sweep,
-                              const c205_setting *settings, size_t count,
-                              c205_error *error);
+const c205_model *sweep_model(struct sweep *sweep, const c205_setting *settings,
+                              size_t count, c205_error *error);
 
 /* All pages that the program of a point touches, of its whole frame: words in
  * pages of page_words.  False: the error says why. */
@@ -78,8 +77,7 @@ enum sweep_group {
     SWEEP_GROUPS
 };
 const char *sweep_group_name(enum sweep_group group);
-uint64_t sweep_group_clocks(const struct sweep_form *form,
-                            enum sweep_group group);
+uint64_t sweep_group_clocks(const struct sweep_form *form, enum sweep_group group);
 
 double sweep_per_ray(const struct sweep_measure *measure, uint64_t clocks);
 /* Clocks per ray in a form, of all causes. */

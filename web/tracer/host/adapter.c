@@ -8,8 +8,7 @@
 #include "base/error.h"
 #include "web/tracer/host/png.h"
 
-bool adapter_find(const char *file, char path[ADAPTER_PATH],
-                  c205_error *error)
+bool adapter_find(const char *file, char path[ADAPTER_PATH], c205_error *error)
 {
     strcpy(path, file);
     return strcmp(file, PICTURE_ADAPTER_FILE) == 0

@@ -13,8 +13,8 @@ void font_close(struct font *font)
     (void)font;
 }
 
-bool font_glyph(const struct font *font, uint32_t character,
-                struct arena *arena, struct glyph *glyph)
+bool font_glyph(const struct font *font, uint32_t character, struct arena *arena,
+                struct glyph *glyph)
 {
     (void)font, (void)character, (void)arena, (void)glyph;
     return false;

@@ -15,8 +15,7 @@ void planes_give_back(struct frame_planes *planes)
     planes->words = NULL;
 }
 
-void planes_leave(const struct frame_planes *planes, size_t first,
-                  size_t count)
+void planes_leave(const struct frame_planes *planes, size_t first, size_t count)
 {
     (void)planes, (void)first, (void)count;
 }

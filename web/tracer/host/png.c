@@ -41,8 +41,8 @@ static uint32_t crc(uint32_t sum, const unsigned char *bytes, size_t count)
     return sum;
 }
 
-static void put_chunk(FILE *file, const char *type,
-                      const unsigned char *bytes, size_t count)
+static void put_chunk(FILE *file, const char *type, const unsigned char *bytes,
+                      size_t count)
 {
     const unsigned char *name = (const unsigned char *)type;
     unsigned char number[4];
@@ -57,8 +57,7 @@ static void put_chunk(FILE *file, const char *type,
 
 /* ---- Stored blocks ------------------------------------------------------- */
 
-static void add_up(uint32_t adler[2], const unsigned char *bytes,
-                   size_t count)
+static void add_up(uint32_t adler[2], const unsigned char *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         adler[0] = (adler[0] + bytes[i]) % ADLER_BASE;
@@ -84,8 +83,7 @@ static unsigned char *put_block(unsigned char *to, const unsigned char *bytes,
 static bool store(struct png *png, const unsigned char *bytes, size_t count)
 {
     size_t blocks = count / BLOCK_MOST + 1;
-    unsigned char *stored = malloc(count + blocks * BLOCK_HEAD),
-                  *end = stored;
+    unsigned char *stored = malloc(count + blocks * BLOCK_HEAD), *end = stored;
 
     if (!stored)
         return false;
@@ -127,8 +125,8 @@ static void put_head(FILE *file, const struct picture_image *image)
 static void put_note(FILE *file, const struct picture_note *note)
 {
     unsigned char bytes[512];
-    int length = snprintf((char *)bytes, sizeof bytes, "%.79s%c%.400s",
-                          note->name, '\0', note->text);
+    int length = snprintf((char *)bytes, sizeof bytes, "%.79s%c%.400s", note->name,
+                          '\0', note->text);
 
     put_chunk(file, "tEXt", bytes, (size_t)length);
 }
@@ -161,8 +159,8 @@ unsigned char png_byte(float sample)
     return (unsigned char)(sample * 255 + .5F);
 }
 
-static bool rows(void *picture, size_t first, size_t last,
-                 const float *samples, struct picture_error *error)
+static bool rows(void *picture, size_t first, size_t last, const float *samples,
+                 struct picture_error *error)
 {
     struct png *png = picture;
     size_t row = png->width * COLORS, count = (last - first) * (1 + row);
@@ -188,8 +186,7 @@ static bool end(void *picture, bool whole, struct picture_error *error)
 
     (void)error;
     if (whole) {
-        put_number(put_block(tail, NULL, 0, true),
-                   png->adler[1] << 16 | png->adler[0]);
+        put_number(put_block(tail, NULL, 0, true), png->adler[1] << 16 | png->adler[0]);
         put_chunk(png->file, "IDAT", tail, sizeof tail);
         put_chunk(png->file, "IEND", NULL, 0);
     }
@@ -209,8 +206,8 @@ static bool read(const char *path, struct picture_image *image,
     return fail(error, no_reader);
 }
 
-static bool read_note(const char *path, const char *name, char *text,
-                      size_t size, struct picture_error *error)
+static bool read_note(const char *path, const char *name, char *text, size_t size,
+                      struct picture_error *error)
 {
     (void)path, (void)name, (void)text, (void)size;
     return fail(error, no_reader);

@@ -5,8 +5,8 @@
 
 #include <errno.h>
 
-int process_run(const char *folder, char *const words[], FILE *output,
-                size_t *written, FILE **messages)
+int process_run(const char *folder, char *const words[], FILE *output, size_t *written,
+                FILE **messages)
 {
     (void)folder, (void)words, (void)output, (void)written, (void)messages;
     errno = ENOSYS;

@@ -9,8 +9,7 @@
 #include "web/tracer/host/png.h"
 
 /* What web/tracer/tracer.js gives. */
-#define OF_PAGE(name) \
-    __attribute__((import_module("rt205"), import_name(#name)))
+#define OF_PAGE(name) __attribute__((import_module("rt205"), import_name(#name)))
 /* False: stop. */
 OF_PAGE(progress) bool page_progress(size_t done, size_t all);
 /* Whether to show the picture now, of which a band is done or is not. */
@@ -43,8 +42,7 @@ static bool put_clocks(const struct trace *trace, const struct band *band,
         json_object(json, "causes");
         for (int cause = 0; cause < C205_CAUSES; cause++)
             if (all.clocks[cause] > 0)
-                json_count(json, c205_cause_name((c205_cause)cause),
-                           all.clocks[cause]);
+                json_count(json, c205_cause_name((c205_cause)cause), all.clocks[cause]);
         json_end(json);
     }
     accounts_free(&sum);
@@ -58,8 +56,7 @@ static unsigned char *bytes_of(const struct frame *part)
 
     for (size_t i = 0; rgba && i < pixels; i++) {
         for (int color = CHANNEL_RED; color <= CHANNEL_BLUE; color++)
-            *to++ = png_byte(
-                (float)picture_shown(part, part->channel[color][i]));
+            *to++ = png_byte((float)picture_shown(part, part->channel[color][i]));
         *to++ = 255;
     }
     return rgba;
