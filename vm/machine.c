@@ -87,7 +87,7 @@ static bool load_segment(struct c205 *machine, const c205_segment *segment,
         return false;
     }
     if (!memory_map(&machine->memory, segment->address, segment->length,
-                    C205_READ_WRITE, error))
+                    segment->words ? C205_READ_WRITE : C205_WHEN_TOUCHED, error))
         return false;
     if (segment->words)
         memory_write_words(&machine->memory, segment->address, segment->words,

@@ -51,6 +51,12 @@ const struct flight *flight_named(struct flights *flights, const struct flight *
     return *first = known;
 }
 
+void flights_init(struct flights *flights)
+{
+    memset(&flights->nothing, 0, sizeof flights->nothing);
+    flights_forget(flights);
+}
+
 void flights_forget(struct flights *flights)
 {
     memset(flights->hashed, 0, sizeof flights->hashed);

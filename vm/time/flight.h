@@ -38,6 +38,8 @@ bool flight_look(const struct clock *clock, struct flight *flight);
 bool flight_is_nothing(const struct clock *clock);
 /* The one of all that are the same; NULL: there is no room for it. */
 const struct flight *flight_named(struct flights *flights, const struct flight *flight);
+/* Before all else; the flights themselves need no zeros. */
+void flights_init(struct flights *flights);
 void flights_forget(struct flights *flights);
 /* Put it back to where flight_look looks. */
 void flight_show(struct clock *clock, const struct flight *flight);

@@ -19,7 +19,13 @@ struct schedules {
 
 struct schedules *schedules_new(void)
 {
-    return calloc(1, sizeof(struct schedules));
+    struct schedules *schedules = malloc(sizeof *schedules);
+
+    if (schedules) {
+        schedules->count = 0;
+        flights_init(&schedules->flights);
+    }
+    return schedules;
 }
 
 void schedules_free(struct schedules *schedules)
