@@ -401,12 +401,16 @@ $(BUILD)/tests/unit/test_fit: $(BUILD)/tests/unit/test_fit.o \
 		$(libraries)
 	$(CC) $(LDFLAGS) -o $@ $^ -lcmocka -lm -ldl -lpthread
 $(BUILD)/tests/oracle/check_sample: $(BUILD)/tests/timed_program.o
-# Programs by chance and the plain interpreter, without the tracer: every compiler builds
-# them (check_hosts.sh).
-$(BUILD)/tests/oracle/digest: $(BUILD)/tests/oracle/digest.o \
-		$(call objects,$(wildcard $(addprefix tests/oracle/,random_*.c reference*.c \
-			operand*.c plain_memory.c *_oracle.c))) $(filter-out %librt205.a,$(libraries))
-	$(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm
+# Random programs and the plain interpreter, without the tracer.  check_hosts.sh links them
+# with the machine as other compilers build it, too.
+digest_parts = $(BUILD)/tests/oracle/digest.o $(call objects,$(wildcard \
+	$(addprefix tests/oracle/,random_*.c reference*.c operand*.c plain_memory.c \
+	*_oracle.c))) $(BUILD)/libc205asm.a $(BUILD)/libbase.a
+link_digest = $(CC) $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm
+$(BUILD)/tests/oracle/digest: $(digest_parts) $(BUILD)/libc205.a
+	$(link_digest)
+$(BUILD)/hosts/%/digest: $(digest_parts) $(BUILD)/hosts/%/libc205.a
+	$(link_digest)
 $(BUILD)/tests/oracle/%: $(BUILD)/tests/oracle/%.o $(helpers) $(libraries)
 	$(CC) $(test_link) $(keeping) -o $@ $^ -lmpfr -lgmp -lm -ldl -lpthread \
 		-Wl,--trace >$@.objects
@@ -529,7 +533,7 @@ check-planted:
 	@sh tests/mutants/run.sh $(BUILD) "$(MAKE)" $(JOBS) planted 0 "$(ONLY)"
 
 # The same bits and clocks from every compiler.
-check-hosts: $(BUILD)/tests/bench_lanes
+check-hosts: $(BUILD)/tests/bench_lanes $(BUILD)/tests/oracle/digest
 	@sh .ci/need $(test_packages) $(if $(filter full,$(HOSTS)),valgrind)
 	sh tests/check_hosts.sh $(BUILD) "$(MAKE)" $(HOSTS)
 	MAKE="$(MAKE)" sh tests/check_bench.sh $(BUILD) hosts

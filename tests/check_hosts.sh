@@ -4,8 +4,9 @@
 # what this host's vector unit can do, as on a host with AVX2 alone, and word by
 # word as on one without; full: all of these, and valgrind.
 #
-# Each variant is built in a folder of its own, but what is built already, and prints
-# one number for the final states, clocks and accounts of the examples, the test
+# The machine (vm) of each variant is built in a folder of its own and linked with the
+# assembler and the random programs of the build; with full, those are built by the same
+# compiler, too.  Each prints one number for the final states, clocks and accounts of the examples, the test
 # programs and some random programs (tests/oracle/digest.c).  All must print the same.
 set -u
 . "$(dirname "$0")/count.sh"
@@ -23,7 +24,7 @@ grep -qw avx2 /proc/cpuinfo || avx2=-DHOST_VECTORS=HOST_LANES
 digest() { # NAME WRAPPER ..: into out/NAME
     case $1 in
     own) binary=$build/tests/oracle/digest ;;
-    *) binary=$place/${1%%,*}/tests/oracle/digest ;;
+    *) binary=$place/${1%%,*}/digest ;;
     esac
     name=$1
     shift
@@ -48,24 +49,28 @@ compare() { # NAME WRAPPER ..: with the first that ran
     fi
 }
 
-compare_built() { # NAME MAKE-ARGUMENT ..
+build_goals() { # NAME MAKE-ARGUMENT ..
     name=$1
     shift
-    if "$make" --no-print-directory "$@" >"$place/$name.make" 2>&1; then
-        compare "$name"
-    else
-        fail "$name is not built:"
-        tail -n 5 "$place/$name.make"
-    fi
+    "$make" --no-print-directory "$@" >>"$place/$name.make" 2>&1
 }
 
 variant() { # NAME CC OPT [FLAG]
-    compare_built "$1" BUILD="$place/$1" CC="$2" OPT="$3" \
-        CFLAGS="-g ${4:-}" "$place/$1/tests/oracle/digest"
+    : >"$place/$1.make"
+    goal=libc205.a
+    [ "$size" = full ] && goal=tests/oracle/digest
+    if ! build_goals "$1" BUILD="$place/$1" CC="$2" OPT="$3" CFLAGS="${4:-}" "$place/$1/$goal"; then
+        fail "$1 is not built:"
+        tail -n 5 "$place/$1.make"
+    elif [ "$size" = full ]; then
+        cp "$place/$1/$goal" "$place/$1/digest" && compare "$1"
+    else
+        build_goals "$1" BUILD="$build" "$build/hosts/$1/digest" && compare "$1"
+    fi
 }
 
 count=$programs
-compare_built own BUILD="$build" "$build/tests/oracle/digest"
+compare own
 variant gcc-O0-words gcc -O0 "$words"
 variant gcc-O1-avx2 gcc -O1 "$avx2"
 variant clang-O2 clang -O2
