@@ -1,6 +1,6 @@
 ; cylinder_half_spaces_vector.s - the ends of a cylinder as two half spaces.
 ;
-; One of the formulations that were tried for Table 1 (docs/tracer.md): the side
+; One of the formulations that were tried for Table 1 (docs/table1.md): the side
 ; is found as in cylinder_vector.s; then each end is a half space, whose segment
 ; of the ray is found as in plane_vector.s, and the segments are merged: the
 ; greatest in, the least out.

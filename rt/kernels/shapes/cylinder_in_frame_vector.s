@@ -1,7 +1,7 @@
 ; cylinder_in_frame_vector.s - a queue of rays meets a cylinder in the cylinder's
 ; own frame, its ends as planes.
 ;
-; One of the formulations that were tried for Table 1 (docs/tracer.md).  Frame
+; One of the formulations that were tried for Table 1 (docs/table1.md).  Frame
 ; and record as in cylinder_vector.s; across the axis
 ;
 ;   a = du^2 + dv^2,  b = ou du + ov dv,  c = ou^2 + ov^2 - r^2
