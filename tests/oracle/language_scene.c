@@ -278,7 +278,7 @@ static void say_point_at(struct language *draw)
 }
 
 /* False: its rays are parallel.  What lies behind such a light is faded in another
- * way in POV-Ray (docs/scenes.md). */
+ * way in POV-Ray (docs/povray.md). */
 static bool say_beam(struct language *draw)
 {
     bool cone = one_in(&draw->state, 2);

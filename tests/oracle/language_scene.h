@@ -3,8 +3,8 @@
  * Declarations of every kind, expressions of every operator and function,
  * conditions, loops, macros and arrays; all shapes that POV-Ray has, too, solids,
  * clipped and bounded ones, motions, looks, lights, fogs, skies and cameras: of
- * what docs/scenes.md says that it means the same in both programs.  What a rule
- * there says to be another thing in POV-Ray is not drawn; the places say so.
+ * what docs/scenes.md says that it means the same in both programs.  What
+ * docs/povray.md lists as a difference is not drawn; the places say so.
  */
 #ifndef LANGUAGE_SCENE_H
 #define LANGUAGE_SCENE_H

@@ -620,11 +620,11 @@ static char *file_text(const char *path)
     return text;
 }
 
-/* Each example of the manual is a scene; only of shadows something is said. */
-TEST(manual)
+/* Each example of a page is a scene; their number. */
+static size_t read_examples(const char *page)
 {
     static const char open[] = "\n```pov\n", close[] = "\n```\n";
-    char *text = file_text("docs/scenes.md"), *end = text;
+    char *text = file_text(page), *end = text;
     char *start = strstr(text, open);
     size_t count = 0;
 
@@ -635,6 +635,22 @@ TEST(manual)
         *end++ = '\0';
         scene_free(read_scene(start));
     }
-    assert_true(count > 5);
     free(text);
+    return count;
+}
+
+TEST(manual)
+{
+    static const struct {
+        const char *page;
+        size_t examples; /* at least */
+    } rows[] = {
+        { "docs/scenes.md", 8 },
+        { "docs/objects.md", 9 },
+        { "docs/textures.md", 3 },
+        { "docs/lighting.md", 4 },
+    };
+
+    for (size_t i = 0; i < COUNT(rows); i++)
+        assert_true(read_examples(rows[i].page) >= rows[i].examples);
 }
