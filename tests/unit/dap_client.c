@@ -132,9 +132,9 @@ static void hear_more(struct dap_client *client)
     sink.put(sink.context, bytes, (size_t)length);
 }
 
-static const struct json_value *next_message(struct dap_client *client)
+static struct dap_message next_message(struct dap_client *client)
 {
-    const struct json_value *message;
+    struct dap_message message;
     struct message_content content;
     c205_error error = { "" };
 
@@ -147,21 +147,22 @@ static const struct json_value *next_message(struct dap_client *client)
             fail_msg("%s: %s", error.message, client->input.text);
         hear_more(client);
     }
-    message = json_read(&client->arena, client->input.text + content.begin,
-                        content.length, &error);
-    if (!message)
+    message.text = arena_text(&client->arena, client->input.text + content.begin,
+                              content.length);
+    message.value = json_read(&client->arena, message.text, content.length, &error);
+    if (!message.value)
         fail_msg("%s: %s", error.message, client->input.text);
     message_drop(&client->input, content.begin + content.length);
-    assert_int_equal(the_whole(message, "seq"), ++client->heard);
+    assert_int_equal(the_whole(message.value, "seq"), ++client->heard);
     return message;
 }
 
-static void keep_event(struct dap_client *client, const struct json_value *event)
+static void keep_event(struct dap_client *client, struct dap_message event)
 {
     struct sink sink = text_buffer_sink(&client->output);
 
-    if (strcmp(the_text(event, "event"), "output") == 0) {
-        sink_put(&sink, the_text(the(event, "body"), "output"));
+    if (strcmp(the_text(event.value, "event"), "output") == 0) {
+        sink_put(&sink, the_text(the(event.value, "body"), "output"));
         return;
     }
     if (client->event_count == client->event_room) {
@@ -175,13 +176,14 @@ static void keep_event(struct dap_client *client, const struct json_value *event
 const struct json_value *client_response(struct dap_client *client)
 {
     for (;;) {
-        const struct json_value *message = next_message(client);
+        struct dap_message message = next_message(client);
 
-        if (strcmp(the_text(message, "type"), "response") == 0) {
-            assert_int_equal(the_whole(message, "request_seq"), client->sent);
-            return message;
+        if (strcmp(the_text(message.value, "type"), "response") == 0) {
+            assert_int_equal(the_whole(message.value, "request_seq"), client->sent);
+            client->text = message.text;
+            return message.value;
         }
-        assert_string_equal(the_text(message, "type"), "event");
+        assert_string_equal(the_text(message.value, "type"), "event");
         keep_event(client, message);
     }
 }
@@ -220,7 +222,7 @@ void client_refused(struct dap_client *client, const char *words, const char *co
 
 const struct json_value *client_event(struct dap_client *client, const char *name)
 {
-    const struct json_value *event;
+    struct dap_message event;
 
     while (client->event_count == 0)
         keep_event(client, next_message(client));
@@ -228,8 +230,9 @@ const struct json_value *client_event(struct dap_client *client, const char *nam
     client->event_count--;
     memmove(client->events, client->events + 1,
             client->event_count * sizeof *client->events);
-    assert_string_equal(the_text(event, "event"), name);
-    return json_member(event, "body");
+    client->text = event.text;
+    assert_string_equal(the_text(event.value, "event"), name);
+    return json_member(event.value, "body");
 }
 
 const struct json_value *client_stopped(struct dap_client *client, const char *reason)

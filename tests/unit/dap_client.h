@@ -14,15 +14,21 @@
 #include "base/json_read.h"
 #include "base/sink.h"
 
+struct dap_message {
+    const struct json_value *value;
+    const char *text;
+};
+
 struct dap_client {
     pid_t process;
     int to, from;
     struct arena arena; /* of all that was heard */
     struct text_buffer input;
     unsigned sent, heard;
+    const char *text; /* of the response or event that was taken last */
     size_t event_count, event_room;
-    const struct json_value **events; /* that nobody has asked for yet */
-    struct text_buffer output;        /* of all events output */
+    struct dap_message *events; /* that nobody has asked for yet */
+    struct text_buffer output;  /* of all events output */
 };
 
 /* arguments: behind --dap, NULL at the end. */

@@ -1,538 +1,348 @@
-/* test_dap.c - c205 debug --dap, by a client over pipes: a whole session, and what each
- * capability promises.
+/* test_dap.c - c205 debug --dap, by a client over pipes: the sessions of dap.txt, each
+ * request of which has the response that is written there; and messages that are none.
+ * A capability without a session, or a session with another answer, fails here.
  */
 #include "tests/unit/dap_session.h"
 #include "tests/unit/prior_model.h"
 
-/* ---- A whole session ------------------------------------------------------------------ */
+#include <unistd.h>
 
-TEST(session)
-{
+enum { LINE = 400, TEXT = 4000 };
+
+struct session {
+    char name[LINE]; /* "": none has begun */
+    unsigned line;   /* of the script */
+    char program[TEXT];
     struct dap_client client;
-    const struct json_value *body, *list;
+    bool begun, refused; /* the last response is no success */
+    int reference;
+};
 
-    client_launch(&client, client_program, "");
-    body = client_ask(&client, "setBreakpoints",
-                      "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": "
-                      "[{\"line\": 8}, {\"line\": 99}]}",
-                      client_path);
-    list = the(body, "breakpoints");
-    assert_int_equal(length_of(list), 2);
-    assert_true(json_member_truth(list->first, "verified", false));
-    assert_int_equal(the_whole(list->first, "line"), 9);
-    assert_false(json_member_truth(list->first->next, "verified", true));
-    client_ask(&client, "configurationDone", NULL);
-    body = client_stopped(&client, "breakpoint");
-    assert_int_equal(the(body, "hitBreakpointIds")->first->number,
-                     the_whole(list->first, "id"));
-    list = the(client_ask(&client, "threads", NULL), "threads");
-    assert_int_equal(length_of(list), 1);
-    assert_int_equal(the_whole(list->first, "id"), 1);
-
-    list = client_frames(&client);
-    assert_int_equal(length_of(list), 2);
-    assert_string_equal(the_text(list->first, "name"), "again");
-    assert_int_equal(the_whole(list->first, "line"), 9);
-    assert_string_equal(the_text(the(list->first, "source"), "name"),
-                        client_file_name());
-    assert_string_equal(the_text(list->first->next, "name"), "loop");
-    assert_int_equal(client_pc(&client), AGAIN);
-    client_ask(&client, "stepIn", "{\"threadId\": 1}");
-    client_stopped(&client, "step");
-    list = client_frames(&client); /* in a macro of the library */
-    assert_int_equal(length_of(list), 3);
-    assert_string_equal(the_text(the(list->first, "source"), "name"), "core.s");
-    assert_string_equal(the_text(list->first->next, "name"),
-                        "call    double, link, place");
-    assert_int_equal(the_whole(list->first->next, "line"), 10);
-    client_ask(&client, "setBreakpoints",
-               "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": []}", client_path);
-    client_ask(&client, "continue", "{\"threadId\": 1}");
-    assert_int_equal(the_whole(client_event(&client, "exited"), "exitCode"), 3);
-    client_event(&client, "terminated");
-    assert_string_equal(client.output.text, "0\n");
-    client_refused(&client, "has ended", "continue", "{\"threadId\": 1}");
-    client_leave(&client);
+static void wrong(const struct session *session, const char *text)
+{
+    fail_msg("dap.txt:%u (%s): not '%s', but %s", session->line, session->name, text,
+             session->client.text ? session->client.text : "nothing");
 }
 
-/* ---- What is promised -------------------------------------------------------------------- */
-
-static void try_configuration_done(struct dap_client *client)
+/* Copies a text with the values of $F, $N, $D, $T and $R. */
+static void replace(const struct session *session, const char *from, char to[TEXT])
 {
-    client_refused(client, "once", "configurationDone", NULL);
-}
+    for (size_t used = 0; (to[used] = *from) != '\0'; from++) {
+        char folder[TEXT] = "", number[20];
+        const char *value = NULL;
 
-static void try_function_breakpoints(struct dap_client *client)
-{
-    static const struct {
-        const char *name;
-        uint64_t pc;
-    } names[] = { { "double", DOUBLE },
-                  { "loop", AGAIN },
-                  { "DBNZ", DBNZ },
-                  { "insn BSAVE", BSAVE },
-                  { "again + 64", CALL } };
-
-    for (size_t i = 0; i < COUNT(names); i++) {
-        client_ask(client, "setFunctionBreakpoints",
-                   "{\"breakpoints\": [{\"name\": \"%s\"}]}", names[i].name);
-        client_go(client, "continue", "function breakpoint");
-        assert_int_equal(client_pc(client), names[i].pc);
-        client_ask(client, "restart", NULL);
-        client_stopped(client, "entry");
+        snprintf(number, sizeof number, "%d", session->reference);
+        if (*from == '$')
+            switch (from[1]) {
+            case 'F': value = client_path; break;
+            case 'N': value = client_file_name(); break;
+            case 'D': value = getcwd(folder, sizeof folder); break;
+            case 'T': value = "{\"threadId\": 1}"; break;
+            case 'R': value = number; break;
+            }
+        if (value)
+            used += (size_t)sprintf(to + used, "%s", value), from++;
+        else
+            used++;
     }
-    client_ask(client, "setFunctionBreakpoints", "{\"breakpoints\": []}");
 }
 
-static void try_conditions(struct dap_client *client)
+/* The first word of a text is cut off; what follows it. */
+static char *next_word(char *text)
 {
-    client_stop_at(client, "{\"line\": 9, \"condition\": \"turns == 2 && "
-                           "[a.i] > 0\"}");
-    client_go(client, "continue", "breakpoint");
-    assert_int_equal(word_in(client_print(client, "turns")), 2);
-    client_stop_at(client, "");
+    char *end = text + strcspn(text, " ");
+
+    return *end ? *end = '\0', end + 1 : end;
 }
 
-static void try_hit_conditions(struct dap_client *client)
+/* ---- Commands and checks --------------------------------------------------------- */
+
+static void send(struct session *session, char *request)
 {
-    static const struct {
-        const char *wanted;
-        c205_word turns[3]; /* at the stops, 0: there is no more */
-    } tries[] = { { "3", { 3, 2, 1 } },
-                  { "== 2", { 4, 0, 0 } },
-                  { "% 2", { 4, 2, 0 } },
-                  { "> 4", { 1, 0, 0 } } };
+    char *arguments = next_word(request);
 
-    for (size_t i = 0; i < COUNT(tries); i++) {
-        char stop[80];
+    client_tell(&session->client, request, *arguments ? "%s" : NULL, arguments);
+}
 
-        snprintf(stop, sizeof stop, "{\"line\": 9, \"hitCondition\": \"%s\"}",
-                 tries[i].wanted);
-        client_stop_at(client, stop);
-        for (size_t k = 0; k < 3 && tries[i].turns[k]; k++) {
-            client_go(client, "continue", "breakpoint");
-            assert_int_equal(word_in(client_print(client, "turns")), tries[i].turns[k]);
-        }
-        client_ask(client, "restart", NULL);
-        client_stopped(client, "entry");
+static void do_request(struct session *session, char *request)
+{
+    send(session, request);
+    session->refused = !json_member_truth(client_response(&session->client), "success",
+                                          false);
+}
+
+static void begin(struct session *session, char *arguments)
+{
+    const char *words[20] = { NULL };
+
+    client_write(*session->program ? session->program : client_program);
+    for (size_t i = 0; *arguments; i++) {
+        words[i] = arguments;
+        arguments = next_word(arguments);
     }
-    client_stop_at(client, "{\"line\": 9}");
-    client_go(client, "continue", "breakpoint");
-    client_go(client, "continue", "breakpoint");
-    client_go(client, "reverseContinue", "breakpoint");
-    assert_non_null(
-        strstr(the_text(client_ask(client, "evaluate",
-                                   "{\"expression\": \"info breaks\", \"context\": "
-                                   "\"repl\"}"),
-                        "result"),
-               "met 2 times"));
-    client_event(client, "invalidated");
-    client_stop_at(client, "");
+    client_begin(&session->client, words);
+    session->begun = true;
 }
 
-static void try_evaluate(struct dap_client *client)
+static void launch(struct session *session, char *more)
 {
-    const struct json_value
-        *body = client_ask(client, "evaluate",
-                           "{\"expression\": \"2 + 3\", \"context\": \"hover\"}");
-
-    assert_non_null(strstr(the_text(body, "result"), "5"));
-    client_refused(client, "nothing is called 'nobody'", "evaluate",
-                   "{\"expression\": \"nobody\", \"context\": \"hover\"}");
-    body = client_ask(client, "evaluate",
-                      "{\"expression\": \"info regions\", \"context\": "
-                      "\"repl\"}");
-    assert_non_null(strstr(the_text(body, "result"), "loop"));
-    body = client_ask(client, "evaluate",
-                      "{\"expression\": \"assert 0\", \"context\": "
-                      "\"repl\"}");
-    assert_non_null(strstr(the_text(body, "result"), "does not hold"));
-    client_event(client, "invalidated");
-    client_event(client, "invalidated");
-    client_ask(client, "evaluate",
-               "{\"expression\": \"until double\", \"context\": \"repl\"}");
-    client_stopped(client, "goto");
-    assert_int_equal(client_pc(client), DOUBLE);
+    client_launch(&session->client,
+                  *session->program ? session->program : client_program, more);
+    session->begun = true;
 }
 
-static void try_clipboard(struct dap_client *client)
+static void enter(struct session *session, char *rest)
 {
-    const struct json_value
-        *body = client_ask(client, "evaluate",
-                           "{\"expression\": \"pc\", \"context\": \"clipboard\"}");
-
-    assert_non_null(strstr(the_text(body, "result"), "400000"));
+    (void)rest;
+    client_enter(&session->client,
+                 *session->program ? session->program : client_program);
+    session->begun = true;
 }
 
-static void try_step_back(struct dap_client *client)
+static void go(struct session *session, char *request)
 {
-    client_stop_at(client, "{\"line\": 9}");
-    client_go(client, "continue", "breakpoint");
-    client_go(client, "continue", "breakpoint");
-    client_go(client, "reverseContinue", "breakpoint");
-    assert_int_equal(client_step(client), 6);
-    client_go(client, "stepBack", "step");
-    assert_int_equal(client_step(client), 5);
-    client_stop_at(client, "");
-    client_go(client, "reverseContinue", "entry");
-    assert_int_equal(client_step(client), 0);
-    client_go(client, "stepBack", "entry");
+    client_go(&session->client, request, next_word(request));
 }
 
-static void set_variable(struct dap_client *client, int reference, const char *name,
-                         const char *value)
+static void stop(struct session *session, char *request)
 {
-    client_ask(client, "setVariable",
-               "{\"variablesReference\": %d, \"name\": \"%s\", \"value\": "
-               "\"%s\"}",
-               reference, name, value);
-}
+    char *place = next_word(request), *fault = strstr(place, " ! ");
+    const struct json_value *list;
 
-static void try_set_variable(struct dap_client *client)
-{
-    const struct json_value *scopes, *list;
-    int vector, halves, bits;
-
-    client_go(client, "next", "step"); /* a is a descriptor then */
-    scopes = the(client_ask(client, "scopes", "{\"frameId\": 1}"), "scopes");
-    list = client_variables(client, "Vectors");
-    vector = reference_of(list, "a");
-    list = client_inside(client, vector, ", \"filter\": \"named\"");
-    halves = reference_of(list, "half words");
-    bits = reference_of(list, "bits");
-    set_variable(client, reference_of(scopes, "Registers"), "turns", "7");
-    assert_int_equal(word_in(client_print(client, "turns")), 7);
-    set_variable(client, reference_of(scopes, "All registers"), "r18", "8");
-    assert_int_equal(word_in(client_print(client, "turns")), 8);
-    set_variable(client, vector, "[1]", "2.5");
-    assert_true(word_in(client_print(client, "[a.i + 64]")) == c205_from_double(2.5));
-    set_variable(client, halves, "[3]", "X'12345678'");
-    assert_true((word_in(client_print(client, "[a.i + 64]")) & UINT32_MAX)
-                == 0x12345678);
-    set_variable(client, bits, "[3]", "1");
-    assert_true(word_in(value_of(client_inside(client, vector, ""), "[0]")) >> 60 & 1);
-    client_refused(client, "no element", "setVariable",
-                   "{\"variablesReference\": %d, \"name\": \"[4]\", "
-                   "\"value\": \"1\"}",
-                   vector);
-    client_refused(client, "register 0", "setVariable",
-                   "{\"variablesReference\": %d, \"name\": \"r0\", "
-                   "\"value\": \"1\"}",
-                   reference_of(scopes, "All registers"));
-    client_refused(client, "cannot be changed", "setVariable",
-                   "{\"variablesReference\": %d, \"name\": \"clock\", "
-                   "\"value\": \"1\"}",
-                   reference_of(scopes, "Time"));
-}
-
-static void try_set_expression(struct dap_client *client)
-{
-    const struct json_value
-        *body = client_ask(client, "setExpression",
-                           "{\"expression\": \"[%d]\", \"value\": \"2 * 3\"}", WORDS_B);
-
-    assert_int_equal(word_in(the_text(body, "value")), 6);
-    assert_int_equal(word_in(client_print(client, "[b.words]")), 6);
-    client_refused(client, "set REGISTER", "setExpression",
-                   "{\"expression\": \"1 + 2\", \"value\": \"3\"}");
-}
-
-/* What was not executed has not been: turns stays 0, and the loop goes on below it. */
-static void try_goto(struct dap_client *client)
-{
-    const struct json_value *target =
-        the(client_ask(client, "gotoTargets",
-                       "{\"source\": {\"path\": \"%s\"}, \"line\": 15}", client_path),
-            "targets");
-
-    client_ask(client, "goto", "{\"threadId\": 1, \"targetId\": %d}",
-               (int)the_whole(target->first, "id"));
-    client_stopped(client, "goto");
-    assert_int_equal(the_whole(client_frames(client)->first, "line"), 15);
-    assert_int_equal(client_step(client), 0);
-    client_refused(client, "no line of code", "goto",
-                   "{\"threadId\": 1, \"targetId\": %d}", WORDS_A);
-    client_ask(client, "continue", "{\"threadId\": 1}");
-    assert_int_equal(the_whole(client_event(client, "exited"), "exitCode"), 3);
-    client_event(client, "terminated");
-}
-
-static void try_restart(struct dap_client *client)
-{
-    client_ask(client, "continue", "{\"threadId\": 1}");
-    client_event(client, "exited");
-    client_event(client, "terminated");
-    client_ask(client, "restart", NULL);
-    client_stopped(client, "entry");
-    assert_int_equal(client_step(client), 0);
-    client_ask(client, "continue", "{\"threadId\": 1}");
-    client_event(client, "exited");
-    client_event(client, "terminated");
-    assert_string_equal(client->output.text, "0\n0\n");
-}
-
-/* A trap: what was jumped over has not set the address. */
-static void try_exception_info(struct dap_client *client)
-{
-    const struct json_value *body;
-
-    client_refused(client, "no trap", "exceptionInfo", NULL);
-    client_ask(client, "setExpression",
-               "{\"expression\": \"r17\", \"value\": \"X'0004FFFF00000000'\"}");
-    client_ask(client, "goto", "{\"threadId\": 1, \"targetId\": %d}", AGAIN);
-    client_stopped(client, "goto");
-    client_ask(client, "setExpression",
-               "{\"expression\": \"r16\", \"value\": \"X'0004FFFF00000000'\"}");
-    body = client_ask(client, "continue", "{\"threadId\": 1}");
-    body = client_stopped(client, "exception");
-    assert_non_null(strstr(the_text(body, "text"), "trap unmapped-address"));
-    body = client_ask(client, "exceptionInfo", NULL);
-    assert_string_equal(the_text(body, "exceptionId"), "unmapped-address");
-    assert_non_null(strstr(the_text(body, "description"), "ADDNV"));
-    client_ask(client, "setExceptionBreakpoints", "{\"filters\": []}");
-    client_ask(client, "continue", "{\"threadId\": 1}");
-    assert_int_equal(the_whole(client_event(client, "exited"), "exitCode"), 1);
-    client_event(client, "terminated");
-    assert_non_null(strstr(client->output.text, "trap unmapped-address"));
-}
-
-static void try_some_frames(struct dap_client *client)
-{
-    const struct json_value
-        *body = client_ask(client, "stackTrace",
-                           "{\"threadId\": 1, \"startFrame\": 1, \"levels\": 1}");
-
-    assert_int_equal(the_whole(body, "totalFrames"), 2);
-    assert_int_equal(length_of(the(body, "stackFrames")), 1);
-    assert_int_equal(the_whole(the(body, "stackFrames")->first, "id"), 2);
-}
-
-/* The library's have no path: their text is asked for. */
-static void try_sources(struct dap_client *client)
-{
-    const struct json_value *list = the(client_ask(client, "loadedSources", NULL),
-                                        "sources");
-    const struct json_value *core = element_with(list, "name", "core.s");
-    const char *text;
-
-    assert_non_null(element_with(list, "name", client_file_name()));
-    assert_null(json_member(core, "path"));
-    text = the_text(client_ask(client, "source",
-                               "{\"source\": {\"sourceReference\": %d}}",
-                               (int)the_whole(core, "sourceReference")),
-                    "content");
-    assert_non_null(strstr(text, ".macro  descriptor"));
-    text = the_text(client_ask(client, "source", "{\"source\": {\"path\": \"%s\"}}",
-                               client_path),
-                    "content");
-    assert_string_equal(text, client_program);
-    client_refused(client, "no such source", "source", "{\"sourceReference\": 99}");
-}
-
-static void try_terminate(struct dap_client *client)
-{
-    client_ask(client, "terminate", NULL);
-    client_event(client, "terminated");
-    client_refused(client, "has ended", "continue", "{\"threadId\": 1}");
-}
-
-static const char *data_id(struct dap_client *client, const char *arguments)
-{
-    return the_text(client_ask(client, "dataBreakpointInfo", "%s", arguments),
-                    "dataId");
-}
-
-static void try_data_breakpoints(struct dap_client *client)
-{
-    const struct json_value *body;
-    char text[100];
-
-    client_go(client, "next", "step");
-    client_go(client, "next", "step");
-    snprintf(text, sizeof text, "{\"variablesReference\": %d, \"name\": \"[2]\"}",
-             reference_of(client_variables(client, "Vectors"), "b"));
-    client_ask(client, "setDataBreakpoints",
-               "{\"breakpoints\": [{\"dataId\": \"%s\", \"accessType\": "
-               "\"write\"}]}",
-               data_id(client, text));
-    client_go(client, "continue", "data breakpoint");
-    assert_int_equal(client_step(client), 7);
-    client_go(client, "continue", "data breakpoint");
-    client_go(client, "reverseContinue", "data breakpoint");
-    assert_int_equal(client_step(client), 7);
-    body = client_ask(client, "dataBreakpointInfo",
-                      "{\"variablesReference\": %d, \"name\": \"turns\"}", 1);
-    assert_null(json_member(body, "dataId"));
-    client_ask(client, "setDataBreakpoints", "{\"breakpoints\": []}");
-}
-
-static void try_data_bytes(struct dap_client *client)
-{
-    client_ask(client, "setDataBreakpoints",
-               "{\"breakpoints\": [{\"dataId\": \"%s\", \"condition\": "
-               "\"turns < 4\"}]}",
-               data_id(client, "{\"name\": \"b.words\", \"asAddress\": "
-                               "true, \"bytes\": 32}"));
-    client_go(client, "continue", "data breakpoint");
-    assert_int_equal(word_in(client_print(client, "turns")), 3);
-    client_ask(client, "setDataBreakpoints", "{\"breakpoints\": []}");
-}
-
-static void try_read_memory(struct dap_client *client)
-{
-    const struct json_value *body =
-        client_ask(client, "readMemory",
-                   "{\"memoryReference\": \"0x%X\", \"offset\": 1, \"count\": 8}",
-                   WORDS_A);
-
-    /* 1.5 is FFD2 6000 .., and FF of the next word ends it */
-    assert_string_equal(the_text(body, "data"), "0mAAAAAAAP8=");
-    assert_string_equal(the_text(body, "address"), "0x800008");
-    body = client_ask(client, "readMemory",
-                      "{\"memoryReference\": \"0\", \"count\": 8}");
-    assert_int_equal(the_whole(body, "unreadableBytes"), 8);
-    assert_string_equal(the_text(body, "data"), "");
-}
-
-static void try_write_memory(struct dap_client *client)
-{
-    const struct json_value *body;
-
-    body = client_ask(client, "writeMemory",
-                      "{\"memoryReference\": \"0x%X\", \"offset\": 7, "
-                      "\"data\": \"qrs=\"}",
-                      WORDS_A);
-    assert_int_equal(the_whole(body, "bytesWritten"), 2);
-    body = client_ask(client, "readMemory",
-                      "{\"memoryReference\": \"0x%X\", \"offset\": 6, "
-                      "\"count\": 4}",
-                      WORDS_A);
-    assert_string_equal(the_text(body, "data"), "AKq70g==");
-    client_refused(client, "0 are in memory", "writeMemory",
-                   "{\"memoryReference\": \"64\", \"data\": \"qrs=\"}");
-    client_refused(client, "no base64", "writeMemory",
-                   "{\"memoryReference\": \"0x800000\", \"data\": \"q\"}");
-}
-
-static void try_disassemble(struct dap_client *client)
-{
-    const struct json_value *list = client_disassembled(client, AGAIN, -2, 4);
-
-    assert_string_equal(the_text(list->first, "instruction"), "ES r18, 5");
-    list = client_disassembled(client, AGAIN, 0, 1);
-    assert_string_equal(the_text(list->first, "instruction"),
-                        "ADDNV [r16], [r16], [r17]");
-    assert_string_equal(the_text(list->first, "symbol"), "again");
-    assert_int_equal(the_whole(list->first, "line"), 9);
-    list = client_disassembled(client, 0, -5, 3);
-    assert_string_equal(the_text(list->first, "presentationHint"), "invalid");
-}
-
-static void try_locations(struct dap_client *client)
-{
-    const struct json_value
-        *list = the(client_ask(client, "breakpointLocations",
-                               "{\"source\": {\"path\": \"%s\"}, \"line\": 1, "
-                               "\"endLine\": 12}",
-                               client_path),
-                    "breakpoints");
-    static const int lines[] = { 4, 5, 6, 7, 9, 10, 11 };
-    const struct json_value *item = list->first;
-
-    for (size_t i = 0; i < COUNT(lines); i++, item = item->next) {
-        assert_non_null(item);
-        assert_int_equal(the_whole(item, "line"), lines[i]);
+    if (fault) {
+        *fault = '\0';
+        fault += strlen(" ! ");
     }
-    assert_null(item);
+    list = the(client_ask(&session->client, request,
+                          "{\"source\": {\"path\": \"%s\"}, \"breakpoints\": [%s]}",
+                          client_path, place),
+               "breakpoints");
+    assert_int_equal(length_of(list), *place != '\0');
+    if (*place
+        && (json_member_truth(list->first, "verified", fault) == (fault != NULL)
+            || (fault && !strstr(the_text(list->first, "message"), fault))))
+        wrong(session, fault ? fault : "verified");
 }
 
-/* A macro call is one line, and so is a call; of instructions it is three. */
-static void try_granularity(struct dap_client *client)
+static void restart(struct session *session, char *rest)
 {
-    client_go(client, "next", "step");
-    assert_int_equal(client_step(client), 2);
-    client_go(client, "stepBack", "step");
-    assert_int_equal(client_step(client), 0);
-    client_go_finely(client, "next");
-    client_go_finely(client, "next");
-    assert_int_equal(client_step(client), 2);
-    client_go_finely(client, "stepBack");
-    assert_int_equal(client_step(client), 1);
-    client_go(client, "stepOut", "step");
-    assert_int_equal(client_step(client), 2);
-    client_stop_at(client, "{\"line\": 10}");
-    client_go(client, "continue", "breakpoint");
-    client_go(client, "next", "step");
-    assert_int_equal(client_pc(client), DBNZ);
-    client_go(client, "stepBack", "step");
-    client_stop_at(client, "");
-    while (client_pc(client) != DBNZ)
-        client_go(client, "stepIn", "step");
-    client_go(client, "stepOut", "step"); /* of the region, by the routine */
-    assert_int_equal(client_pc(client), DOUBLE);
-    client_refused(client, "neither", "stepOut", "{\"threadId\": 1}");
+    (void)rest;
+    client_ask(&session->client, "restart", NULL);
+    client_stopped(&session->client, "entry");
 }
 
-static void try_instruction_breakpoints(struct dap_client *client)
+static void check_text(struct session *session, char *text)
 {
-    client_ask(client, "setInstructionBreakpoints",
-               "{\"breakpoints\": [{\"instructionReference\": \"0x%X\", "
-               "\"offset\": 8}]}",
-               AGAIN);
-    client_go(client, "continue", "instruction breakpoint");
-    assert_int_equal(client_pc(client), CALL);
-    client_ask(client, "setInstructionBreakpoints", "{\"breakpoints\": []}");
+    if (!session->client.text || !strstr(session->client.text, text))
+        wrong(session, text);
+}
+
+/* The response to the request before the last one. */
+static void check_late(struct session *session, char *text)
+{
+    session->client.sent -= 3;
+    client_response(&session->client);
+    session->client.sent += 3;
+    check_text(session, text);
+}
+
+static void check_refused(struct session *session, char *text)
+{
+    if (!session->refused)
+        wrong(session, text);
+    session->refused = false;
+    check_text(session, text);
+}
+
+static void check_event(struct session *session, char *event)
+{
+    char *text = next_word(event);
+
+    client_event(&session->client, event);
+    check_text(session, text);
+}
+
+static void take_reference(struct session *session, char *name)
+{
+    static const char key[] = "\"variablesReference\": ";
+    char text[LINE];
+    const char *at;
+
+    snprintf(text, sizeof text, "{\"name\": \"%s\", ", name);
+    check_text(session, text);
+    at = strstr(strstr(session->client.text, text), key);
+    assert_non_null(at);
+    session->reference = atoi(at + strlen(key));
+}
+
+static void check_place(struct session *session, char *address)
+{
+    if (client_pc(&session->client) != strtoull(address, NULL, 16))
+        wrong(session, address);
+}
+
+static void check_step(struct session *session, char *step)
+{
+    if (client_step(&session->client) != strtoull(step, NULL, 10))
+        wrong(session, step);
+}
+
+static void check_value(struct session *session, char *value)
+{
+    char *text = strstr(value, " = ");
+
+    assert_non_null(text);
+    *text = '\0';
+    client_print(&session->client, value);
+    check_text(session, text + strlen(" = "));
+}
+
+/* A text that ends with \n is all that was printed. */
+static void check_output(struct session *session, char *text)
+{
+    const char *printed = session->client.output.text;
+    char *end;
+    bool whole = false;
+
+    while ((end = strstr(text, "\\n")) != NULL) {
+        *end = '\n';
+        memmove(end + 1, end + 2, strlen(end + 1));
+        whole = true;
+    }
+    if (!printed || (whole ? strcmp(printed, text) != 0 : !strstr(printed, text)))
+        fail_msg("dap.txt:%u: not '%s', but '%s'", session->line, text, printed);
 }
 
 static const struct {
-    const char *name;
-    void (*attempt)(struct dap_client *client); /* from the first instruction */
-} promises[] = {
-    { "supportsConfigurationDoneRequest", try_configuration_done },
-    { "supportsFunctionBreakpoints", try_function_breakpoints },
-    { "supportsConditionalBreakpoints", try_conditions },
-    { "supportsHitConditionalBreakpoints", try_hit_conditions },
-    { "supportsEvaluateForHovers", try_evaluate },
-    { "supportsStepBack", try_step_back },
-    { "supportsSetVariable", try_set_variable },
-    { "supportsSetExpression", try_set_expression },
-    { "supportsGotoTargetsRequest", try_goto },
-    { "supportsRestartRequest", try_restart },
-    { "supportsExceptionInfoRequest", try_exception_info },
-    { "supportsDelayedStackTraceLoading", try_some_frames },
-    { "supportsLoadedSourcesRequest", try_sources },
-    { "supportsTerminateRequest", try_terminate },
-    { "supportsDataBreakpoints", try_data_breakpoints },
-    { "supportsDataBreakpointBytes", try_data_bytes },
-    { "supportsReadMemoryRequest", try_read_memory },
-    { "supportsWriteMemoryRequest", try_write_memory },
-    { "supportsDisassembleRequest", try_disassemble },
-    { "supportsBreakpointLocationsRequest", try_locations },
-    { "supportsClipboardContext", try_clipboard },
-    { "supportsSteppingGranularity", try_granularity },
-    { "supportsInstructionBreakpoints", try_instruction_breakpoints },
+    const char *word;
+    void (*play)(struct session *session, char *rest);
+} steps[] = {
+    { "begin", begin },
+    { "launch", launch },
+    { "enter", enter },
+    { ">", do_request },
+    { ">>", send },
+    { "<<", check_late },
+    { "go", go },
+    { "stop", stop },
+    { "restart", restart },
+    { "!", check_refused },
+    { "*", check_event },
+    { "=", take_reference },
+    { "at", check_place },
+    { "step", check_step },
+    { "print", check_value },
+    { "out", check_output },
 };
-enum { PROMISES = COUNT(promises) };
 
-/* Each is tried, and what is not promised is not tried. */
-TEST(promises)
+static void play_step(struct session *session, const char *step)
 {
-    struct dap_client client;
-    const struct json_value *capabilities = client_launch(&client, client_program, "");
-    size_t promised = 0;
+    char text[TEXT], *rest, first[TEXT];
+    size_t i = 0;
 
+    replace(session, step, text);
+    strcpy(first, text);
+    rest = text + (next_word(first) - first);
+    while (i < COUNT(steps) && strcmp(steps[i].word, first) != 0)
+        i++;
+    if (session->refused && strcmp(first, "!") != 0)
+        wrong(session, "a success");
+    if (i < COUNT(steps))
+        steps[i].play(session, rest);
+    else
+        check_text(session, text);
+}
+
+/* ---- The script ------------------------------------------------------------------ */
+
+static void end_session(struct session *session)
+{
+    unsigned line = session->line;
+
+    if (session->begun) {
+        if (session->refused)
+            wrong(session, "a success");
+        client_leave(&session->client);
+    }
+    *session = (struct session){ .line = line };
+}
+
+static void play_line(struct session *session, char *line)
+{
+    static const char between[] = " => ";
+
+    line += strspn(line, " ");
+    while (line) {
+        char *next = strstr(line, between);
+
+        if (next)
+            *next = '\0';
+        play_step(session, line);
+        line = next ? next + strlen(between) : NULL;
+    }
+}
+
+TEST(sessions)
+{
+    FILE *script = fopen("tests/unit/dap.txt", "r");
+    struct session session = { .line = 0 };
+    const struct json_value *capabilities;
+    struct dap_client client;
+    size_t tried = 0, promised = 0;
+    char line[LINE];
+
+    assert_non_null(script);
+    capabilities = client_launch(&client, client_program, "");
     for (const struct json_value *item = capabilities->first; item; item = item->next)
         promised += item->kind == JSON_TRUTH && item->truth;
-    assert_int_equal(promised, PROMISES);
-    for (size_t i = 0; i < PROMISES; i++)
-        if (!json_member_truth(capabilities, promises[i].name, false))
-            fail_msg("%s is not promised", promises[i].name);
-    client_leave(&client);
-    for (size_t i = 0; i < PROMISES; i++) {
-        client_enter(&client, client_program);
-        promises[i].attempt(&client);
-        client_leave(&client);
+    while (fgets(line, sizeof line, script)) {
+        session.line++;
+        line[strcspn(line, "\n")] = '\0';
+        if (*line == '@') {
+            end_session(&session);
+            strcpy(session.name, line + 2);
+            if (strncmp(session.name, "supports", 8) == 0) {
+                tried += json_member_truth(capabilities, session.name, false);
+                enter(&session, NULL);
+            }
+        } else if (*line == '|') {
+            strcat(strcat(session.program, line + 1), "\n");
+        } else if (*line && *line != '#') {
+            play_line(&session, line);
+        }
     }
+    end_session(&session);
+    fclose(script);
+    assert_int_equal(tried, promised);
+    client_leave(&client);
+}
+
+/* What is no JSON is reported and ignored.  Without a frame nobody knows where the next
+ * one begins. */
+TEST(broken)
+{
+    static const char *const broken[] = {
+        "Hello\r\n\r\n",
+        "Content-Length: x\r\n\r\n",
+        "Content-Length: 99999999\r\n\r\n",
+        "Content-Length: 5\n\n",
+        "Content-Type: text\r\n\r\n",
+        "Content-Length: \r\n\r\n",
+        "Content-Length: 50\r\n\r\nhello",
+    };
+    static const char no_json[] = "Content-Length: 5\r\n\r\nhello";
+    struct dap_client client;
+
+    for (size_t i = 0; i < COUNT(broken); i++) {
+        client_begin(&client, NULL);
+        client_send(&client, broken[i], strlen(broken[i]));
+        assert_int_equal(client_end(&client), 1);
+    }
+    client_begin(&client, NULL);
+    client_send(&client, no_json, strlen(no_json));
+    client_ask(&client, "initialize", NULL);
+    assert_non_null(strstr(client.output.text, "no value at byte 0"));
+    assert_int_equal(client_end(&client), 0);
 }
 
 GROUP(set_up_model, tear_down_model);
