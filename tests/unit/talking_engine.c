@@ -41,17 +41,41 @@ const struct json_value *talk_bytes(struct talk *talk, const char *request,
     return talk->reply;
 }
 
-const struct json_value *talk_ask(struct talk *talk, const char *format, ...)
+void talk_quote(char *text)
+{
+    while ((text = strchr(text, '\'')) != NULL)
+        *text = '"';
+}
+
+static bool has(const char *text, const char *part)
+{
+    char quoted[400];
+
+    snprintf(quoted, sizeof quoted, "%s", part);
+    talk_quote(quoted);
+    return strstr(text, part) || strstr(text, quoted);
+}
+
+/* The request, printed and with its quotes; the reply is read. */
+static char *request_of(struct talk *talk, const char *format, va_list arguments)
 {
     static char request[1 << 16];
+    int length = vsnprintf(request, sizeof request, format, arguments);
+
+    assert_true(length >= 0 && (size_t)length < sizeof request);
+    talk_quote(request);
+    talk_bytes(talk, request, (size_t)length);
+    return request;
+}
+
+const struct json_value *talk_ask(struct talk *talk, const char *format, ...)
+{
     va_list arguments;
-    int length;
+    const char *request;
 
     va_start(arguments, format);
-    length = vsnprintf(request, sizeof request, format, arguments);
+    request = request_of(talk, format, arguments);
     va_end(arguments);
-    assert_true(length > 0 && (size_t)length < sizeof request);
-    talk_bytes(talk, request, (size_t)length);
     if (!json_member_truth(talk->reply, "ok", false))
         fail_msg("%s\n%s", request, talk->text);
     return talk->reply;
@@ -59,31 +83,41 @@ const struct json_value *talk_ask(struct talk *talk, const char *format, ...)
 
 void talk_refused(struct talk *talk, const char *why, const char *format, ...)
 {
-    char request[4096];
     va_list arguments;
-    int length;
+    const char *request;
 
     va_start(arguments, format);
-    length = vsnprintf(request, sizeof request, format, arguments);
+    request = request_of(talk, format, arguments);
     va_end(arguments);
-    talk_bytes(talk, request, (size_t)length);
     if (json_member_truth(talk->reply, "ok", true)
-        || !strstr(text_of(talk->reply, "error"), why))
+        || !has(text_of(talk->reply, "error"), why))
         fail_msg("%s\n%s, not %s", request, talk->text, why);
+}
+
+void talk_says(const struct talk *talk, const char *part)
+{
+    if (!has(talk->text, part))
+        fail_msg("not '%s', but %s", part, talk->text);
 }
 
 const struct json_value *talk_load(struct talk *talk, const char *text,
                                    const char *more)
 {
     struct text_buffer line = { .text = NULL };
+    struct sink sink = text_buffer_sink(&line);
     c205_error error;
     struct json *json = json_open_line(&line, &error);
+    size_t length;
 
     json_text(json, "do", "load");
     json_text(json, "text", text);
     assert_true(json_close(json, &error));
-    line.text[line.length - 1] = '\0';
-    talk_ask(talk, "%s%s}", line.text, more);
+    length = line.length -= strlen("}");
+    sink_print(&sink, "%s}", more);
+    talk_quote(line.text + length);
+    talk_bytes(talk, line.text, line.length);
+    if (!json_member_truth(talk->reply, "ok", false))
+        fail_msg("%s\n%s", line.text, talk->text);
     text_buffer_free(&line);
     return talk->reply;
 }

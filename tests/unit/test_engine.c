@@ -18,7 +18,7 @@ TEST(about)
     size_t i = 0;
 
     talk_begin(&talk);
-    about = talk_ask(&talk, "{\"do\": \"about\"}");
+    about = talk_ask(&talk, "{'do': 'about'}");
     assert_string_equal(text_of(about, "version"), C205_VERSION);
     item = json_member_first(about, "instructions");
     for (; item; item = item->next, i++) {
@@ -26,15 +26,13 @@ TEST(about)
         assert_string_equal(text_of(item, "effect"), c205_insns[i].effect);
     }
     assert_int_equal(i, c205_insn_count);
-    assert_non_null(strstr(talk.text, "\".rept\""));
-    assert_non_null(strstr(talk.text, "\".word\""));
-    assert_non_null(strstr(talk.text, "\".ifndef\""));
+    talk_says(&talk, "'.rept'");
+    talk_says(&talk, "'.word'");
+    talk_says(&talk, "'.ifndef'");
     assert_true(lessons_open(&lessons, &error));
     assert_int_equal(items_of(json_member(about, "lessons")), lessons.count);
     for (i = 0; i < lessons.count; i++)
-        talk_ask(&talk,
-                 "{\"do\": \"grade\", \"lesson\": \"%s\", \"text\": \" "
-                 "EXIT\\n\"}",
+        talk_ask(&talk, "{'do': 'grade', 'lesson': '%s', 'text': ' EXIT\\n'}",
                  lessons.items[i].name);
     lessons_free(&lessons);
     talk_end(&talk);
@@ -46,27 +44,23 @@ TEST(load)
     const struct json_value *said;
 
     talk_begin(&talk);
-    talk_load(&talk,
-              " .include \"own.inc\"\n EX r10, m\n EXIT\n .data\nx: .space "
-              "3\n",
-              ", \"defines\": {\"n\": 7}, \"warm\": true, \"files\": "
-              "{\"own.inc\": \" .equ m, n + 1\\n\"}");
+    talk_load(&talk, " .include \"own.inc\"\n EX r10, m\n EXIT\n .data\nx: .space 3\n",
+              ", 'defines': {'n': 7}, 'warm': true, 'files': {'own.inc': ' .equ m, n + "
+              "1\\n'}");
     assert_true(json_member_truth(talk.reply, "warm", false));
-    assert_non_null(strstr(talk.text, "\"lines\": [2, 3]"));
-    assert_non_null(
-        strstr(talk.text, "{\"name\": \"m\", \"label\": false, \"value\": 8"));
-    assert_non_null(strstr(talk.text, "\"contents\": \"words\", \"count\": "
-                                      "3"));
-    talk_ask(&talk, "{\"do\": \"breaks\", \"lines\": [0, 2]}");
-    assert_non_null(strstr(talk.text, "lines are counted from 1"));
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step\"}");
+    talk_says(&talk, "'lines': [2, 3]");
+    talk_says(&talk, "{'name': 'm', 'label': false, 'value': 8");
+    talk_says(&talk, "'contents': 'words', 'count': 3");
+    talk_ask(&talk, "{'do': 'breaks', 'lines': [0, 2]}");
+    talk_says(&talk, "lines are counted from 1");
+    talk_ask(&talk, "{'do': 'go', 'how': 'step'}");
     talk_refused(&talk, "program.s cannot be assembled: 1 error",
-                 "{\"do\": \"load\", \"text\": \" EXIT\\n  ADDNX r1\\n\"}");
+                 "{'do': 'load', 'text': ' EXIT\\n  ADDNX r1\\n'}");
     said = json_member_first(talk.reply, "diagnostics");
     assert_true(number_of(said, "line") == 2);
     assert_true(number_of(said, "column") == 3);
     assert_true(number_of(said, "length") == 5);
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_true(number_of(talk.reply, "step") == 1);
     talk_end(&talk);
 }
@@ -82,26 +76,24 @@ TEST(instructions)
               "-2.0\n words b\n bits z, \"10\"\n ADDNV [a], [a], [b] ? [z]\n "
               "EXIT\n",
               ON_PRIOR);
-    talk_ask(&talk, "{\"do\": \"breaks\", \"lines\": [6]}");
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"continue\"}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
-    assert_non_null(strstr(talk.text, "\"next\": \"ADDNV [r16], [r16], [r17] "
-                                      "? [r18]\""));
-    assert_non_null(strstr(talk.text, "\"kind\": \"words\", \"control\": "));
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step\"}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
-    assert_non_null(strstr(talk.text, "\"name\": \"startup.vadd\", "
-                                      "\"value\": \"51\", \"unit\": "
-                                      "\"clk\", \"source\": \"S\""));
-    assert_non_null(strstr(
-        talk.text,
-        "= 51 vector start-up + 30 translation miss + 1000 page fault + 2 vector stream, 4 elements"));
-    assert_non_null(strstr(talk.text, "\"label\": \"b.words\", \"kind\": \"words\", "));
-    assert_non_null(strstr(
-        talk.text,
-        "\"values\": [\"2\", \"0\", \"0\", \"0\"], \"stored\": [{\"first\": 0, \"count\": 4}], \"changed\": true"));
-    assert_non_null(strstr(talk.text, "\"kind\": \"bits\""));
-    assert_non_null(strstr(talk.text, "\"values\": \"10\""));
+    talk_ask(&talk, "{'do': 'breaks', 'lines': [6]}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'continue'}");
+    talk_ask(&talk, "{'do': 'view'}");
+    talk_says(&talk, "'next': 'ADDNV [r16], [r16], [r17] ? [r18]'");
+    talk_says(&talk, "'kind': 'words', 'control': ");
+    talk_ask(&talk, "{'do': 'go', 'how': 'step'}");
+    talk_ask(&talk, "{'do': 'view'}");
+    talk_says(&talk, "'name': 'startup.vadd', 'value': '51', "
+                     "'unit': 'clk', 'source': 'S'");
+    talk_says(
+        &talk,
+        "= 51 vector start-up + 30 translation miss + 1000 page fault + 2 vector stream, 4 elements");
+    talk_says(&talk, "'label': 'b.words', 'kind': 'words', ");
+    talk_says(&talk,
+              "'values': ['2', '0', '0', '0'], 'stored': [{'first': 0, 'count': 4}], "
+              "'changed': true");
+    talk_says(&talk, "'kind': 'bits'");
+    talk_says(&talk, "'values': '10'");
     talk_end(&talk);
 }
 
@@ -112,12 +104,12 @@ TEST(trap)
 
     talk_begin(&talk);
     talk_load(&talk, " ES r10, 64\n LOD [r10], r11\n EXIT\n", "");
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     assert_string_equal(text_of(talk.reply, "why"), "trap");
     assert_non_null(strstr(text_of(talk.reply, "message"), "program.s:2"));
     clocks = number_of(talk.reply, "clock");
-    talk_ask(&talk, "{\"do\": \"profile\"}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'profile'}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_string_equal(text_of(talk.reply, "trap"), "unmapped-address");
     assert_true(number_of(talk.reply, "clock") == clocks);
     talk_end(&talk);
@@ -134,93 +126,77 @@ TEST(bad)
         { "{", "" },
         { "[]", "a request is an object" },
         { "7", "a request is an object" },
-        { "{}", "\"do\" is missing" },
-        { "{\"do\": 7}", "\"do\" is no text" },
-        { "{\"do\": \"dance\"}", "there is no request \"dance\"" },
-        { "{\"do\": \"more\"}", "nothing is left" },
-        { "{\"do\": \"view\"}", "no program is loaded" },
-        { "{\"do\": \"go\", \"how\": \"end\"}", "no program is loaded" },
-        { "{\"do\": \"say\", \"line\": \"why\"}", "no program is loaded" },
-        { "{\"do\": \"load\"}", "\"text\" is missing" },
-        { "{\"do\": \"load\", \"text\": 1}", "\"text\" is no text" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"cray\"}", "cray" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"a/b\"}", "built in" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"model\": \"cdc6600\"}",
-          "only tells times" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"warm\": 1}", "true or false" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": [1]}",
+        { "{}", "'do' is missing" },
+        { "{'do': 7}", "'do' is no text" },
+        { "{'do': 'dance'}", "there is no request 'dance'" },
+        { "{'do': 'more'}", "nothing is left" },
+        { "{'do': 'view'}", "no program is loaded" },
+        { "{'do': 'go', 'how': 'end'}", "no program is loaded" },
+        { "{'do': 'say', 'line': 'why'}", "no program is loaded" },
+        { "{'do': 'load'}", "'text' is missing" },
+        { "{'do': 'load', 'text': 1}", "'text' is no text" },
+        { "{'do': 'load', 'text': ' EXIT', 'model': 'cray'}", "cray" },
+        { "{'do': 'load', 'text': ' EXIT', 'model': 'a/b'}", "built in" },
+        { "{'do': 'load', 'text': ' EXIT', 'model': 'cdc6600'}", "only tells times" },
+        { "{'do': 'load', 'text': ' EXIT', 'warm': 1}", "true or false" },
+        { "{'do': 'load', 'text': ' EXIT', 'defines': [1]}", "names with integers" },
+        { "{'do': 'load', 'text': ' EXIT', 'defines': {'n': 0.5}}",
           "names with integers" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"n\": "
-          "0.5}}",
-          "names with integers" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"n\": "
-          "5}}",
+        { "{'do': 'load', 'text': ' EXIT', 'defines': {'n': 5}}",
           "'n' is defined, and not used" },
-        { "{\"do\": \"load\", \"text\": \" ES r1, n\\n EXIT\", "
-          "\"defines\": {\"n\": 5, \"m\": 5}}",
+        { "{'do': 'load', 'text': ' ES r1, n\\n EXIT', 'defines': {'n': 5, 'm': 5}}",
           "'m' is defined, and not used" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"r5\": "
-          "5}}",
+        { "{'do': 'load', 'text': ' EXIT', 'defines': {'r5': 5}}",
           "cannot be assembled: 1 error" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"defines\": {\"a b\": "
-          "5}}",
+        { "{'do': 'load', 'text': ' EXIT', 'defines': {'a b': 5}}",
           "cannot be assembled: 1 error" },
-        { "{\"do\": \"sweep\", \"text\": \" EXIT\", \"constant\": \"n\", "
-          "\"from\": 1, \"to\": 9}",
+        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 1, 'to': 9}",
           "'n' is defined, and not used" },
-        { "{\"do\": \"sweep\", \"text\": \" ES r1, n\\n EXIT\", "
-          "\"constant\": \"n\", \"from\": 1, \"to\": 9, \"defines\": "
-          "{\"m\": 3}}",
+        { "{'do': 'sweep', 'text': ' ES r1, n\\n EXIT', 'constant': 'n', 'from': 1, "
+          "'to': 9, 'defines': {'m': 3}}",
           "'m' is defined, and not used" },
-        { "{\"do\": \"sweep\", \"text\": \" EXIT\", \"constant\": \"n\", "
-          "\"from\": 1, \"to\": 9, \"warm\": \"yes\"}",
-          "\"warm\" is true or false" },
-        { "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\"}, "
-          "{\"text\": \" ES r1, n\\n EXIT\"}], \"defines\": {\"n\": 1, "
-          "\"m\": 2}}",
+        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 1, 'to': 9, "
+          "'warm': 'yes'}",
+          "'warm' is true or false" },
+        { "{'do': 'compare', 'texts': [{'text': ' EXIT'}, {'text': ' ES r1, n\\n "
+          "EXIT'}], 'defines': {'n': 1, 'm': 2}}",
           "'m' is defined, and not used" },
-        { "{\"do\": \"load\", \"text\": \" EXIT\", \"files\": {\"n\": 1}}",
-          "names with texts" },
-        { "{\"do\": \"sweep\", \"constant\": \"n\", \"from\": 1, \"to\": "
-          "9}",
-          "\"text\" is missing" },
-        { "{\"do\": \"sweep\", \"text\": \" EXIT\", \"constant\": \"n\", "
-          "\"from\": 9, \"to\": 1}",
+        { "{'do': 'load', 'text': ' EXIT', 'files': {'n': 1}}", "names with texts" },
+        { "{'do': 'sweep', 'constant': 'n', 'from': 1, 'to': 9}", "'text' is missing" },
+        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 9, 'to': 1}",
           "the range" },
-        { "{\"do\": \"sweep\", \"text\": \" EXIT\", \"constant\": \"n\", "
-          "\"from\": 1, \"to\": 9, \"points\": 1}",
+        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 1, 'to': 9, "
+          "'points': 1}",
           "2 to 1000" },
-        { "{\"do\": \"sweep\", \"text\": \" EXIT\", \"constant\": \"n\", "
-          "\"from\": 1, \"to\": 99999999, \"step\": 1}",
+        { "{'do': 'sweep', 'text': ' EXIT', 'constant': 'n', 'from': 1, 'to': "
+          "99999999, 'step': 1}",
           "2 to 1000" },
-        { "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\"}]}", "two programs" },
-        { "{\"do\": \"compare\", \"texts\": [7, 8]}", "\"text\" is missing" },
-        { "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\"}, "
-          "{\"text\": \" LOD [r2], r3\\n EXIT\"}]}",
+        { "{'do': 'compare', 'texts': [{'text': ' EXIT'}]}", "two programs" },
+        { "{'do': 'compare', 'texts': [7, 8]}", "'text' is missing" },
+        { "{'do': 'compare', 'texts': [{'text': ' EXIT'}, {'text': ' LOD [r2], r3\\n "
+          "EXIT'}]}",
           "program.s: trap" },
-        { "{\"do\": \"grade\", \"lesson\": \"none\", \"text\": \"\"}", "" },
+        { "{'do': 'grade', 'lesson': 'none', 'text': ''}", "" },
     };
     static const struct {
         const char *request, *why;
     } with_program[] = {
-        { "{\"do\": \"go\"}", "\"how\" is missing" },
-        { "{\"do\": \"go\", \"how\": \"up\"}", "no way to go \"up\"" },
-        { "{\"do\": \"go\", \"how\": \"step-to\"}", "\"n\" is missing" },
-        { "{\"do\": \"go\", \"how\": \"step\", \"n\": -1}", "\"n\" is no integer" },
-        { "{\"do\": \"go\", \"how\": \"end\", \"ms\": \"1\"}", "\"ms\" is no integer" },
-        { "{\"do\": \"breaks\"}", "\"lines\" is a list" },
-        { "{\"do\": \"breaks\", \"lines\": [1, \"x\"]}", "\"lines\" is a list" },
-        { "{\"do\": \"breaks\", \"lines\": [1e300]}", "\"lines\" is a list" },
-        { "{\"do\": \"view\", \"elements\": 70000}", "65536 at the most" },
-        { "{\"do\": \"view\", \"all-registers\": 1}",
-          "\"all-registers\" is true or false" },
-        { "{\"do\": \"profile\", \"in-order\": \"yes\"}",
-          "\"in-order\" is true or false" },
-        { "{\"do\": \"view\", \"first\": 5}", "names with integers" },
-        { "{\"do\": \"view\", \"first\": {\"x\": -1}}", "\"x\" is no integer" },
-        { "{\"do\": \"timeline\", \"from\": 5, \"to\": 5}", "before" },
-        { "{\"do\": \"timeline\", \"file\": \"x.png\"}", ".kanata" },
-        { "{\"do\": \"say\", \"line\": \"step\\nstep\"}", "one line" },
+        { "{'do': 'go'}", "'how' is missing" },
+        { "{'do': 'go', 'how': 'up'}", "no way to go 'up'" },
+        { "{'do': 'go', 'how': 'step-to'}", "'n' is missing" },
+        { "{'do': 'go', 'how': 'step', 'n': -1}", "'n' is no integer" },
+        { "{'do': 'go', 'how': 'end', 'ms': '1'}", "'ms' is no integer" },
+        { "{'do': 'breaks'}", "'lines' is a list" },
+        { "{'do': 'breaks', 'lines': [1, 'x']}", "'lines' is a list" },
+        { "{'do': 'breaks', 'lines': [1e300]}", "'lines' is a list" },
+        { "{'do': 'view', 'elements': 70000}", "65536 at the most" },
+        { "{'do': 'view', 'all-registers': 1}", "'all-registers' is true or false" },
+        { "{'do': 'profile', 'in-order': 'yes'}", "'in-order' is true or false" },
+        { "{'do': 'view', 'first': 5}", "names with integers" },
+        { "{'do': 'view', 'first': {'x': -1}}", "'x' is no integer" },
+        { "{'do': 'timeline', 'from': 5, 'to': 5}", "before" },
+        { "{'do': 'timeline', 'file': 'x.png'}", ".kanata" },
+        { "{'do': 'say', 'line': 'step\\nstep'}", "one line" },
     };
     struct talk talk;
 
@@ -236,38 +212,35 @@ TEST(bad)
 /* ---- Requests by chance ---------------------------------------------------------------------- */
 
 static const char *const seeds[] = {
-    "{\"do\": \"about\"}",
+    "{'do': 'about'}",
     "{\"do\": \"load\", \"name\": \"x.s\", \"text\": \" .include "
     "\\\"vectors.s\\\"\\n .regs r16, a, b\\n words a, 1.5, 2.5\\n words "
     "b\\n ADDNV [a], [a], [b]\\n EXIT a, r0, 6\\n EXIT\\n\", \"model\": "
     "\"cyber205-2pipe\", \"warm\": true, \"defines\": {\"n\": 100}, "
     "\"files\": {\"y.inc\": \" EXIT\\n\"}}",
-    "{\"do\": \"breaks\", \"lines\": [1, 5, 900]}",
-    "{\"do\": \"go\", \"how\": \"end\", \"n\": 3, \"ms\": 5, \"clocks\": "
-    "100, \"limit\": 9000}",
-    "{\"do\": \"go\", \"how\": \"back\", \"n\": 2}",
-    "{\"do\": \"go\", \"how\": \"next\", \"n\": 2}",
-    "{\"do\": \"go\", \"how\": \"clock-to\", \"n\": 1000}",
-    "{\"do\": \"go\", \"how\": \"reverse-continue\"}",
-    "{\"do\": \"view\", \"elements\": 3, \"first\": {\"a.words\": 1}, "
-    "\"all-registers\": true}",
-    "{\"do\": \"timeline\", \"from\": 10, \"to\": 2000, \"most\": 5, "
-    "\"file\": \"x.svg\"}",
-    "{\"do\": \"profile\", \"in-order\": true, \"ms\": 0}",
-    "{\"do\": \"accounts\"}",
-    "{\"do\": \"sweep\", " SWEEP ", \"points\": 4, \"ms\": 0}",
-    "{\"do\": \"compare\", \"texts\": [{\"text\": \" EXIT\\n\"}, {\"text\": "
-    "\" ES r10, 1\\n EXIT\\n\"}], \"clocks\": 1}",
-    "{\"do\": \"grade\", \"lesson\": \"1\", \"text\": \" EXIT\\n\"}",
-    "{\"do\": \"say\", \"line\": \"why\"}",
-    "{\"do\": \"say\", \"line\": \"watch a.words, 2\", \"ms\": 5}",
-    "{\"do\": \"more\", \"ms\": 5}",
+    "{'do': 'breaks', 'lines': [1, 5, 900]}",
+    "{'do': 'go', 'how': 'end', 'n': 3, 'ms': 5, 'clocks': 100, 'limit': 9000}",
+    "{'do': 'go', 'how': 'back', 'n': 2}",
+    "{'do': 'go', 'how': 'next', 'n': 2}",
+    "{'do': 'go', 'how': 'clock-to', 'n': 1000}",
+    "{'do': 'go', 'how': 'reverse-continue'}",
+    "{'do': 'view', 'elements': 3, 'first': {'a.words': 1}, 'all-registers': true}",
+    "{'do': 'timeline', 'from': 10, 'to': 2000, 'most': 5, 'file': 'x.svg'}",
+    "{'do': 'profile', 'in-order': true, 'ms': 0}",
+    "{'do': 'accounts'}",
+    "{'do': 'sweep', " SWEEP ", 'points': 4, 'ms': 0}",
+    "{'do': 'compare', 'texts': [{'text': ' EXIT\\n'}, {'text': ' ES r10, 1\\n "
+    "EXIT\\n'}], 'clocks': 1}",
+    "{'do': 'grade', 'lesson': '1', 'text': ' EXIT\\n'}",
+    "{'do': 'say', 'line': 'why'}",
+    "{'do': 'say', 'line': 'watch a.words, 2', 'ms': 5}",
+    "{'do': 'more', 'ms': 5}",
 };
 enum { SEEDS = COUNT(seeds) };
 
 static const char *const values[] = {
-    "null", "true",  "[]",      "{}",         "\"\"",  "-1",  "0",
-    "1e99", "\"x\"", "[[[7]]]", "{\"n\": 1}", "65536", "0.5", "4294967296",
+    "null", "true", "[]",      "{}",       "''",    "-1",  "0",
+    "1e99", "'x'",  "[[[7]]]", "{'n': 1}", "65536", "0.5", "4294967296",
 };
 enum { VALUES = COUNT(values) };
 
@@ -310,6 +283,7 @@ TEST(chance)
         snprintf(text, sizeof text, "%s", seeds[below(SEEDS)]);
         for (size_t n = below(3); n > 0; n--)
             change_value(text, sizeof text);
+        talk_quote(text);
         if (below(3) == 0)
             change_byte(text);
         talk_bytes(&talk, text, strlen(text));

@@ -28,28 +28,28 @@ static void ask_both(struct talk *whole, struct talk *sliced, const char *reques
     size_t slices = 0;
 
     talk_ask(whole, "%s}", request);
-    talk_ask(sliced, "%s, \"clocks\": %d}", request, 1 + (int)below(30000));
+    talk_ask(sliced, "%s, 'clocks': %d}", request, 1 + (int)below(30000));
     while (!json_member_truth(sliced->reply, "done", true)) {
         slices++;
         if (below(4) == 0)
-            talk_ask(sliced, "{\"do\": \"about\"}");
-        talk_ask(sliced, "{\"do\": \"more\", \"clocks\": %d}", 1 + (int)below(30000));
+            talk_ask(sliced, "{'do': 'about'}");
+        talk_ask(sliced, "{'do': 'more', 'clocks': %d}", 1 + (int)below(30000));
     }
     assert_string_equal(sliced->text, whole->text);
-    talk_refused(sliced, "nothing is left", "{\"do\": \"more\"}");
+    talk_refused(sliced, "nothing is left", "{'do': 'more'}");
 }
 
 TEST(slices)
 {
     static const char *const requests[] = {
-        "{\"do\": \"go\", \"how\": \"end\"",
-        "{\"do\": \"go\", \"how\": \"continue\"",
-        "{\"do\": \"go\", \"how\": \"reverse-continue\"",
-        "{\"do\": \"go\", \"how\": \"next\"",
-        "{\"do\": \"go\", \"how\": \"next\", \"n\": 5",
-        "{\"do\": \"go\", \"how\": \"start\"",
-        "{\"do\": \"profile\"",
-        "{\"do\": \"timeline\", \"most\": 100",
+        "{'do': 'go', 'how': 'end'",
+        "{'do': 'go', 'how': 'continue'",
+        "{'do': 'go', 'how': 'reverse-continue'",
+        "{'do': 'go', 'how': 'next'",
+        "{'do': 'go', 'how': 'next', 'n': 5",
+        "{'do': 'go', 'how': 'start'",
+        "{'do': 'profile'",
+        "{'do': 'timeline', 'most': 100",
     };
     enum { REQUESTS = COUNT(requests), ROUNDS = 50 };
     struct talk whole, sliced;
@@ -58,20 +58,18 @@ TEST(slices)
     talk_begin(&sliced);
     talk_load(&whole, long_program, "");
     talk_load(&sliced, long_program, "");
-    talk_ask(&whole, "{\"do\": \"breaks\", \"lines\": [8]}");
-    talk_ask(&sliced, "{\"do\": \"breaks\", \"lines\": [8]}");
+    talk_ask(&whole, "{'do': 'breaks', 'lines': [8]}");
+    talk_ask(&sliced, "{'do': 'breaks', 'lines': [8]}");
     for (size_t i = 0; i < ROUNDS; i++) {
         char jump[80];
 
-        snprintf(jump, sizeof jump,
-                 "{\"do\": \"go\", \"how\": \"%s\", "
-                 "\"n\": %d",
+        snprintf(jump, sizeof jump, "{'do': 'go', 'how': '%s', 'n': %d",
                  below(2) ? "step-to" : "step", (int)below(200000));
         if (below(2))
             ask_both(&whole, &sliced, jump);
         ask_both(&whole, &sliced, requests[below(REQUESTS)]);
-        talk_ask(&whole, "{\"do\": \"view\"}");
-        talk_ask(&sliced, "{\"do\": \"view\"}");
+        talk_ask(&whole, "{'do': 'view'}");
+        talk_ask(&sliced, "{'do': 'view'}");
         assert_string_equal(sliced.text, whole.text);
     }
     talk_end(&whole);
@@ -82,10 +80,10 @@ TEST(slices)
 TEST(other_work)
 {
     static const char *const requests[] = {
-        "{\"do\": \"sweep\", " SWEEP,
-        "{\"do\": \"compare\", \"texts\": [{\"name\": \"a\", \"text\": \" ES "
-        "r10, 5000\\n EX r11, on\\non: IS r12, 1\\n DBNZ r10, [r11]\\n "
-        "EXIT\\n\"}, {\"name\": \"b\", \"text\": \" EXIT\\n\"}]",
+        "{'do': 'sweep', " SWEEP,
+        "{'do': 'compare', 'texts': [{'name': 'a', 'text': ' ES r10, 5000\\n EX r11, "
+        "on\\non: IS r12, 1\\n DBNZ r10, [r11]\\n EXIT\\n'}, {'name': 'b', 'text': ' "
+        "EXIT\\n'}]",
     };
     struct talk whole, sliced;
 
@@ -95,9 +93,9 @@ TEST(other_work)
         size_t count = 0;
 
         talk_ask(&whole, "%s}", requests[i]);
-        talk_ask(&sliced, "%s, \"clocks\": 1}", requests[i]);
+        talk_ask(&sliced, "%s, 'clocks': 1}", requests[i]);
         for (; !json_member_truth(sliced.reply, "done", true); count++)
-            talk_ask(&sliced, "{\"do\": \"more\", \"clocks\": 1}");
+            talk_ask(&sliced, "{'do': 'more', 'clocks': 1}");
         assert_true(count > 0);
         assert_string_equal(sliced.text, whole.text);
     }
@@ -114,20 +112,17 @@ TEST(limit)
     talk_begin(&talk);
     talk_load(&talk, " EX r10, on\non: IBNZ r11, [r10]\n EX r11, 1\n EXIT\n", "");
     for (int i = 0; i < 2; i++) {
-        talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\", "
-                        "\"limit\": 100000}");
+        talk_ask(&talk, "{'do': 'go', 'how': 'end', 'limit': 100000}");
         assert_string_equal(text_of(talk.reply, "why"), "limit");
     }
     engine_bound(talk.engine, 1000000);
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
     assert_string_equal(text_of(talk.reply, "why"), "limit");
-    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"continue\"}");
+    talk_ask(&talk, "{'do': 'say', 'line': 'continue'}");
     assert_non_null(strstr(text_of(talk.reply, "text"), "interrupted"));
-    talk_ask(&talk, "{\"do\": \"compare\", \"texts\": [{\"text\": \"on: BIM "
-                    "on\\n\"}, {\"text\": \" EXIT\"}], \"limit\": 262145, "
-                    "\"clocks\": 1}");
-    talk_refused(&talk, "so many clocks were allowed",
-                 "{\"do\": \"more\", \"clocks\": 1}");
+    talk_ask(&talk, "{'do': 'compare', 'texts': [{'text': 'on: BIM on\\n'}, {'text': "
+                    "' EXIT'}], 'limit': 262145, 'clocks': 1}");
+    talk_refused(&talk, "so many clocks were allowed", "{'do': 'more', 'clocks': 1}");
     talk_end(&talk);
 }
 

@@ -175,8 +175,8 @@ struct walk {
 
 static void check_place(struct walk *walk, const char *asked)
 {
-    const struct json_value
-        *view = talk_ask(&walk->talk, "{\"do\": \"view\", \"all-registers\": true}");
+    const struct json_value *view = talk_ask(&walk->talk,
+                                             "{'do': 'view', 'all-registers': true}");
     struct fresh fresh;
 
     fresh_run(&fresh, walk->plain.object, walk->step);
@@ -221,8 +221,8 @@ static void choose_stop(struct walk *walk)
             walk->place = each->address;
         }
     }
-    line = json_member_first(talk_ask(&walk->talk,
-                                      "{\"do\": \"breaks\", \"lines\": [%zu]}", wanted),
+    line = json_member_first(talk_ask(&walk->talk, "{'do': 'breaks', 'lines': [%zu]}",
+                                      wanted),
                              "lines");
     assert_true(number_of(line, "wanted") == (double)wanted);
     if (walk->line > 0)
@@ -234,9 +234,9 @@ static void choose_stop(struct walk *walk)
 static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
                const char *why)
 {
-    const struct json_value
-        *reply = talk_ask(&walk->talk, "{\"do\": \"go\", \"how\": \"%s\", \"n\": %llu}",
-                          how, (unsigned long long)n);
+    const struct json_value *reply = talk_ask(&walk->talk,
+                                              "{'do': 'go', 'how': '%s', 'n': %llu}",
+                                              how, (unsigned long long)n);
 
     walk->step = step;
     walk->known = step > walk->known ? step : walk->known;
@@ -401,7 +401,7 @@ static char *copy_of_reply(const struct talk *talk)
 
 static void check_same_view(struct talk *talk, const char *before)
 {
-    talk_ask(talk, "{\"do\": \"view\"}");
+    talk_ask(talk, "{'do': 'view'}");
     assert_string_equal(talk->text, before);
 }
 
@@ -411,7 +411,7 @@ static void check_profile(struct walk *walk)
     const struct json_value *rows;
 
     fresh_run(&fresh, walk->plain.object, walk->step);
-    rows = json_member(talk_ask(&walk->talk, "{\"do\": \"profile\"}"), "lines");
+    rows = json_member(talk_ask(&walk->talk, "{'do': 'profile'}"), "lines");
     for (int cause = 0; cause < C205_CAUSES; cause++) {
         uint64_t sum = 0;
 
@@ -425,8 +425,8 @@ static void check_profile(struct walk *walk)
 /* What the clock was charged to lies side by side, up to the last step that is known. */
 static void check_timeline(struct walk *walk)
 {
-    const struct json_value
-        *reply = talk_ask(&walk->talk, "{\"do\": \"timeline\", \"most\": 50000}");
+    const struct json_value *reply = talk_ask(&walk->talk,
+                                              "{'do': 'timeline', 'most': 50000}");
     uint64_t clock = 0, by_cause[C205_CAUSES] = { 0 };
     struct fresh fresh;
 
@@ -449,7 +449,7 @@ static void check_timeline(struct walk *walk)
         assert_int_equal(by_cause[cause], 0);
     }
     fresh_end(&fresh);
-    reply = talk_ask(&walk->talk, "{\"do\": \"timeline\", \"file\": \"x.svg\"}");
+    reply = talk_ask(&walk->talk, "{'do': 'timeline', 'file': 'x.svg'}");
     assert_non_null(strstr(text_of(reply, "file"), "<svg"));
 }
 
@@ -465,13 +465,13 @@ TEST(replays)
         walk_begin(&walk);
         for (size_t k = 0; k < MOVES; k++) {
             walk_by_chance(&walk, 3);
-            talk_ask(&walk.talk, "{\"do\": \"view\"}");
+            talk_ask(&walk.talk, "{'do': 'view'}");
             before = copy_of_reply(&walk.talk);
             check_profile(&walk);
             check_same_view(&walk.talk, before);
             check_timeline(&walk);
             check_same_view(&walk.talk, before);
-            talk_ask(&walk.talk, "{\"do\": \"%s\", \"ms\": 0}",
+            talk_ask(&walk.talk, "{'do': '%s', 'ms': 0}",
                      below(2) ? "profile" : "timeline");
             check_same_view(&walk.talk, before);
             free(before);
@@ -492,12 +492,12 @@ TEST(changed)
               "        ES r10, 100\n        EX r11, on\non:     IS r12, 1\n"
               "        DBNZ r10, [r11]\n        EXIT\n",
               ON_PRIOR);
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step\", \"n\": 10}");
-    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 5\"}");
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
-    account = json_member(talk_ask(&talk, "{\"do\": \"view\"}"), "accounts");
+    talk_ask(&talk, "{'do': 'go', 'how': 'step', 'n': 10}");
+    talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 5'}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
+    account = json_member(talk_ask(&talk, "{'do': 'view'}"), "accounts");
     clocks = number_of(account, "clocks");
-    rows = json_member_first(talk_ask(&talk, "{\"do\": \"profile\"}"), "lines");
+    rows = json_member_first(talk_ask(&talk, "{'do': 'profile'}"), "lines");
     for (; rows; rows = rows->next)
         clocks -= number_of(rows, "clocks");
     assert_true(clocks == 0);
@@ -517,10 +517,10 @@ TEST(open_line)
     talk_begin(&talk);
     talk_load(&talk, text, "");
     for (size_t i = 0; i < COUNT(lines); i++) {
-        talk_ask(&talk, "{\"do\": \"say\", \"line\": \"%s\"}", lines[i]);
+        talk_ask(&talk, "{'do': 'say', 'line': '%s'}", lines[i]);
         assert_true(*text_of(talk.reply, "text") > ' ');
     }
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_string_equal(text_of(talk.reply, "printed"), "9");
     talk_end(&talk);
 }
@@ -536,17 +536,17 @@ TEST(changed_prints)
 
     talk_begin(&talk);
     talk_load(&talk, text, ON_PRIOR);
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step-to\", \"n\": 6}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'step-to', 'n': 6}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_string_equal(text_of(talk.reply, "printed"), "9\n8");
-    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 2\"}");
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step\"}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 2'}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'step'}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_string_equal(text_of(talk.reply, "printed"), "9\n8\n");
-    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 2\"}");
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 2'}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_string_equal(text_of(talk.reply, "printed"), "9\n8\n1\n");
     talk_end(&talk);
 }
@@ -562,16 +562,16 @@ TEST(cut)
 
     talk_begin(&talk);
     talk_load(&talk, text, "");
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_true(json_member_truth(talk.reply, "printed_cut", false));
     assert_true(strlen(text_of(talk.reply, "printed")) > 1 << 19);
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"step-to\", \"n\": 5}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'step-to', 'n': 5}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_false(json_member_truth(talk.reply, "printed_cut", true));
-    talk_ask(&talk, "{\"do\": \"say\", \"line\": \"set r10 = 1\"}");
-    talk_ask(&talk, "{\"do\": \"go\", \"how\": \"end\"}");
-    talk_ask(&talk, "{\"do\": \"view\"}");
+    talk_ask(&talk, "{'do': 'say', 'line': 'set r10 = 1'}");
+    talk_ask(&talk, "{'do': 'go', 'how': 'end'}");
+    talk_ask(&talk, "{'do': 'view'}");
     assert_false(json_member_truth(talk.reply, "printed_cut", true));
     assert_string_equal(text_of(talk.reply, "printed"),
                         "100000000000000100000000000000");
