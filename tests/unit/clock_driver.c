@@ -50,13 +50,6 @@ void scalar(struct clock *clock, const char *name, unsigned r, unsigned s, unsig
     charge(clock, insn(name, r, s, t), &no_effect);
 }
 
-void vector(struct clock *clock, const char *name, size_t elements)
-{
-    struct effect effect = no_effect;
-    effect.elements = elements;
-    charge(clock, insn(name, 1, 2, 0), &effect);
-}
-
 void branch(struct clock *clock, const char *name, uint64_t target)
 {
     struct effect effect = no_effect;

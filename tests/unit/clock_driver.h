@@ -21,7 +21,6 @@ struct decoded insn(const char *name, unsigned r, unsigned s, unsigned t);
 extern const struct effect no_effect;
 void charge(struct clock *clock, struct decoded decoded, const struct effect *effect);
 void scalar(struct clock *clock, const char *name, unsigned r, unsigned s, unsigned t);
-void vector(struct clock *clock, const char *name, size_t elements);
 void branch(struct clock *clock, const char *name, uint64_t target);
 void at_address(struct clock *clock, const char *name, uint64_t address);
 uint64_t clocks_for(const struct clock *clock, c205_cause cause);
