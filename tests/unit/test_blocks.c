@@ -1,6 +1,8 @@
-/* Blocks of scalar instructions: a run that goes from block to block ends as
- * one that goes step by step: same state, same clock, same accounts; and so
- * does one that is stopped, listened to or disturbed on the way. */
+/* test_blocks.c - blocks of scalar instructions: a run from block to block is compared
+ * with one step by step, in state, clock and accounts: loops with calls, branches, loads,
+ * SWAP, vectors and code that changes, also stopped and listened to.  A schedule that is
+ * kept for another state of the clock, or code that is old, fails here.
+ */
 #include "tests/unit/saved_machine.h"
 #include "tests/unit/prior_model.h"
 
@@ -8,7 +10,6 @@
 #include "vm/time/clock_parts.h"
 
 static const char arithmetic[] = /* of 40 quadratics, by calls */
-    "        .include \"core.s\"\n"
     "        .regs   r10, x, y, one, four, turns, list, to, link, i\n"
     "        .data\n"
     "values: .word   1.0, -3.0, 0.25, 7.5, 2.0, 2.0, -1.0, 3.0\n"
@@ -42,7 +43,10 @@ static const char arithmetic[] = /* of 40 quadratics, by calls */
 
 static c205 *load(const char *text)
 {
-    struct object *object = good(text);
+    char whole[4000];
+    struct object *object;
+    snprintf(whole, sizeof whole, "        .include \"core.s\"\n%s", text);
+    object = good(whole);
     c205 *machine = machine_with(&object->program, prior_model);
     object_free(object);
     return machine;
@@ -123,9 +127,7 @@ static void check_limits(const char *text)
 TEST(limits)
 {
     check_limits(arithmetic);
-    check_limits("        .include \"core.s\"\n"
-                 "        .regs   r10, turns, to, x, y\n"
-                 "        .code\n"
+    check_limits("        .regs   r10, turns, to, x, y\n"
                  "        ES      turns, 12\n"
                  "        load_constant x, 1.5\n"
                  "        EX      to, again\n"
@@ -186,9 +188,7 @@ TEST(listener)
 TEST(changes)
 {
     static const char text[] =
-        "        .include \"core.s\"\n"
         "        .regs   r10, at, from, word, turns, to, sum, back\n"
-        "        .code\n"
         "        EX      from, other\n"
         "        EX      at, ahead\n"
         "        EX      back, behind\n"
@@ -222,9 +222,7 @@ TEST(changes)
  * is there, the run goes on. */
 TEST(fault)
 {
-    static const char text[] = "        .include \"core.s\"\n"
-                               "        .regs   r10, at, x, sum, turns, to\n"
-                               "        .code\n"
+    static const char text[] = "        .regs   r10, at, x, sum, turns, to\n"
                                "        EX      at, 0x10000000 - 64 * 20\n"
                                "        ES      turns, 40\n"
                                "        ES      sum, 0\n"
@@ -250,14 +248,13 @@ TEST(fault)
     free_both(whole, stepped);
 }
 
-/* ---- Regions, vectors, time ---------------------------------------------- */
+/* ---- Regions ------------------------------------------------------------- */
 
 /* Control comes into the middle of a block of another region, and vectors
  * stream beside it; the clock is read on the way. */
 TEST(regions)
 {
-    static const char text[] = "        .include \"core.s\"\n"
-                               "        .regs   r10, turns, to, a, b, time, v, x\n"
+    static const char text[] = "        .regs   r10, turns, to, a, b, time, v, x\n"
                                "        .data\n"
                                "        .vector numbers, 100, 1.0, 2.0, 3.0\n"
                                "        .code\n"
@@ -287,169 +284,170 @@ TEST(regions)
     free_both(whole, stepped);
 }
 
-/* Vectors stream beside blocks that load and compute. */
-TEST(vectors)
-{
-    static const char text[] = "        .include \"core.s\"\n"
-                               "        .regs   r10, turns, to, v, at, x, y\n"
-                               "        .data\n"
-                               "        .vector numbers, 300, 1.0, 2.0, 3.0\n"
-                               "        .code\n"
-                               "        ES      turns, 30\n"
-                               "        descriptor v, numbers, 300\n"
-                               "        EX      at, numbers\n"
-                               "        EX      to, again\n"
-                               "again:  ADDNV   [v], [v], [v]\n"
-                               "        ADDN    x, y, x\n"
-                               "        EX      to, inner\n"
-                               "        BIM     inner\n"
-                               "inner:  LOD     [at], y\n"
-                               "        MPYS    y, y, x\n"
-                               "        EX      to, again\n"
-                               "        DBNZ    turns, [to]\n"
-                               "        EXIT\n";
-    c205 *whole, *stepped;
-    compare(text, &whole, &stepped);
-    free_both(whole, stepped);
-}
+/* ---- Other programs, other models ---------------------------------------- */
 
-/* What asks for the time gets that at which it begins, wherever it stands. */
-TEST(timer)
-{
-    static const char text[] =
-        "        .include \"core.s\"\n"
-        "        .regs   r10, turns, to, x, y, wait, left, flags, sum, run_out\n"
-        "        .code\n"
-        "        ES      turns, 30\n"
-        "        ES      wait, 50\n"
-        "        ES      run_out, 36\n"
-        "        load_constant x, 1.5\n"
-        "        EX      to, again\n"
-        "again:  WJTIME  wait\n"
-        "        DIVS    x, x, y\n"
-        "        ADDN    y, x, y\n"
-        "        LSDFR   r0, flags\n"
-        "        ADDX    sum, flags, sum\n"
-        "        WJTIME  wait\n"
-        "        DIVS    x, x, y\n"
-        "        ADDN    y, x, y\n"
-        "        RJTIME  left\n"
-        "        ADDX    sum, left, sum\n"
-        "        WJTIME  wait\n"
-        "        DIVS    x, x, y\n"
-        "        ADDN    y, x, y\n"
-        "        BADF    run_out, [to], 0\n"
-        "        DBNZ    turns, [to]\n"
-        "        EXIT\n";
-    c205 *whole, *stepped;
-    compare(text, &whole, &stepped);
-    free_both(whole, stepped);
-}
+/* Constants of another model than the prior one, and a program. */
+static const struct {
+    const char *constants, *text;
+} programs[] = {
+    /* Vectors stream beside blocks that load and compute. */
+    { "", "        .regs   r10, turns, to, v, at, x, y\n"
+          "        .data\n"
+          "        .vector numbers, 300, 1.0, 2.0, 3.0\n"
+          "        .code\n"
+          "        ES      turns, 30\n"
+          "        descriptor v, numbers, 300\n"
+          "        EX      at, numbers\n"
+          "        EX      to, again\n"
+          "again:  ADDNV   [v], [v], [v]\n"
+          "        ADDN    x, y, x\n"
+          "        EX      to, inner\n"
+          "        BIM     inner\n"
+          "inner:  LOD     [at], y\n"
+          "        MPYS    y, y, x\n"
+          "        EX      to, again\n"
+          "        DBNZ    turns, [to]\n"
+          "        EXIT\n" },
+    /* What asks for the time gets that at which it begins, wherever it stands. */
+    { "", "        .regs   r10, turns, to, x, y, wait, left, flags, sum, run_out\n"
+          "        ES      turns, 30\n"
+          "        ES      wait, 50\n"
+          "        ES      run_out, 36\n"
+          "        load_constant x, 1.5\n"
+          "        EX      to, again\n"
+          "again:  WJTIME  wait\n"
+          "        DIVS    x, x, y\n"
+          "        ADDN    y, x, y\n"
+          "        LSDFR   r0, flags\n"
+          "        ADDX    sum, flags, sum\n"
+          "        WJTIME  wait\n"
+          "        DIVS    x, x, y\n"
+          "        ADDN    y, x, y\n"
+          "        RJTIME  left\n"
+          "        ADDX    sum, left, sum\n"
+          "        WJTIME  wait\n"
+          "        DIVS    x, x, y\n"
+          "        ADDN    y, x, y\n"
+          "        BADF    run_out, [to], 0\n"
+          "        DBNZ    turns, [to]\n"
+          "        EXIT\n" },
+    /* Loads wait for the oldest of three, over the ends of blocks. */
+    { "latency.load 70 clk R\n"
+      "memory.loads_in_flight 3 loads R\n",
+      "        .regs   r10, turns, to, at, a, b, c, n, three\n"
+      "        .data\n"
+      "words:  .space  10\n"
+      "        .code\n"
+      "        EX      at, words\n"
+      "        ES      turns, 40\n"
+      "        ES      three, 3\n"
+      "        EX      to, again\n"
+      "again:  LOD     [at], a\n"
+      "        AND     turns, three, n\n"
+      "        IBXEQ   n, r0, three, less, n\n"
+      "        LOD     [at], b\n"
+      "less:   BIM     more\n"
+      "more:   LOD     [at], c\n"
+      "        LOD     [at], r0\n"
+      "        ADDX    n, a, n\n"
+      "        DBNZ    turns, [to]\n"
+      "        EXIT\n" },
+    /* More registers take longer, and end on another page: the third of three of
+ * which two are known. */
+    { "page.words 512 words R\n"
+      "translation.registers 2 registers R\n",
+      "        .regs   r10, turns, to, place, from, n, mask, five\n"
+      "        .regs   r20, near, far, x\n"
+      "        .data\n"
+      "        .org    0x10000000\n"
+      "words:  .space  3000\n"
+      "        .code\n"
+      "        EX      from, words + 64 * 509\n"
+      "        EX      near, words\n"
+      "        EX      far, words + 64 * 2000\n"
+      "        ES      turns, 80\n"
+      "        ES      mask, 7\n"
+      "        ES      five, 5\n"
+      "again:  LOD     [near], x\n"
+      "        AND     turns, mask, n\n"
+      "        ADDLEN  from, n, place\n"
+      "        BIM     swap\n"
+      "swap:   SWAP    [r0], r100, [place]\n"
+      "        IBXNE   n, r0, five, over, n\n"
+      "        LOD     [far], x\n"
+      "over:   EX      to, again\n"
+      "        DBNZ    turns, [to]\n"
+      "        EXIT\n" },
+    /* As many loads as a block has room for, and a SWAP behind them. */
+    { "page.words 512 words R\n"
+      "translation.registers 2 registers R\n",
+      "        .regs   r10, turns, to, at, load, save, n, seven\n"
+      "        .regs   r20, far, x\n"
+      "        .data\n"
+      "        .org    0x10000000\n"
+      "words:  .space  4000\n"
+      "        .code\n"
+      "        EX      at, words\n"
+      "        EX      load, words\n"
+      "        ELEN    load, 4\n"
+      "        EX      save, words + 64 * 4\n"
+      "        ELEN    save, 4\n"
+      "        EX      far, words + 64 * 2048\n"
+      "        ELEN    far, 4\n"
+      "        EX      turns, 60\n"
+      "        ES      seven, 7\n"
+      "        EX      to, again\n"
+      "again:\n"
+      "        .rept   31\n"
+      "        LOD     [at], x\n"
+      "        .endr\n"
+      "        SWAP    [load], r200, [save]\n"
+      "        AND     turns, seven, n\n"
+      "        IBXNE   n, r0, r0, near\n"
+      "        ADDX    far, r0, save\n"
+      "near:   DBNZ    turns, [to]\n"
+      "        EXIT\n" },
+    /* What goes to register 0 nobody waits for but SWAP and the end: by one way a
+ * product, by the other one a sum. */
+    { "latency.multiply 40 clk R\nlatency.add 30 clk R\n",
+      "        .regs   r10, turns, to, bit, one, x, place\n"
+      "        .data\n"
+      "words:  .space  4\n"
+      "        .code\n"
+      "        EX      to, again\n"
+      "        ES      turns, 8\n"
+      "        ES      one, 1\n"
+      "        load_constant x, 1.5\n"
+      "        descriptor place, words, 4\n"
+      "again:  AND     turns, one, bit\n"
+      "        IBXEQ   bit, r0, one, odd, bit\n"
+      "        MPYS    x, x, r0\n"
+      "        BIM     both\n"
+      "odd:    ADDN    x, x, r0\n"
+      "        BIM     both\n"
+      "both:   SWAP    [r0], r4, [place]\n"
+      "        DBNZ    turns, [to]\n"
+      "        EXIT\n" },
+};
 
-/* ---- SWAP ---------------------------------------------------------------- */
-
-static void compare_on(const char *constants, const char *text)
+TEST(programs)
 {
     c205_model *usual = prior_model;
-    c205_error error;
-    c205 *whole, *stepped;
-    prior_model = c205_model_parse("other", constants, &error);
-    assert_non_null(prior_model);
-    compare(text, &whole, &stepped);
-    free_both(whole, stepped);
-    c205_model_free(prior_model);
+
+    for (size_t i = 0; i < COUNT(programs); i++) {
+        char constants[300];
+        c205_error error;
+        c205 *whole, *stepped;
+
+        snprintf(constants, sizeof constants, "title T\nlike cyber205-2pipe-prior\n%s",
+                 programs[i].constants);
+        prior_model = c205_model_parse("other", constants, &error);
+        assert_non_null(prior_model);
+        compare(programs[i].text, &whole, &stepped);
+        free_both(whole, stepped);
+        c205_model_free(prior_model);
+    }
     prior_model = usual;
-}
-
-/* Loads wait for the oldest of three, over the ends of blocks. */
-TEST(loads)
-{
-    compare_on("title T\nlike cyber205-2pipe-prior\nlatency.load 70 clk R\n"
-               "memory.loads_in_flight 3 loads R\n",
-               "        .include \"core.s\"\n"
-               "        .regs   r10, turns, to, at, a, b, c, n, three\n"
-               "        .data\n"
-               "words:  .space  10\n"
-               "        .code\n"
-               "        EX      at, words\n"
-               "        ES      turns, 40\n"
-               "        ES      three, 3\n"
-               "        EX      to, again\n"
-               "again:  LOD     [at], a\n"
-               "        AND     turns, three, n\n"
-               "        IBXEQ   n, r0, three, less, n\n"
-               "        LOD     [at], b\n"
-               "less:   BIM     more\n"
-               "more:   LOD     [at], c\n"
-               "        LOD     [at], r0\n"
-               "        ADDX    n, a, n\n"
-               "        DBNZ    turns, [to]\n"
-               "        EXIT\n");
-}
-
-/* More registers take longer, and end on another page: the third of three of
- * which two are known. */
-TEST(swap)
-{
-    compare_on("title T\nlike cyber205-2pipe-prior\npage.words 512 words R\n"
-               "translation.registers 2 registers R\n",
-               "        .include \"core.s\"\n"
-               "        .regs   r10, turns, to, place, from, n, mask, five\n"
-               "        .regs   r20, near, far, x\n"
-               "        .data\n"
-               "        .org    0x10000000\n"
-               "words:  .space  3000\n"
-               "        .code\n"
-               "        EX      from, words + 64 * 509\n"
-               "        EX      near, words\n"
-               "        EX      far, words + 64 * 2000\n"
-               "        ES      turns, 80\n"
-               "        ES      mask, 7\n"
-               "        ES      five, 5\n"
-               "again:  LOD     [near], x\n"
-               "        AND     turns, mask, n\n"
-               "        ADDLEN  from, n, place\n"
-               "        BIM     swap\n"
-               "swap:   SWAP    [r0], r100, [place]\n"
-               "        IBXNE   n, r0, five, over, n\n"
-               "        LOD     [far], x\n"
-               "over:   EX      to, again\n"
-               "        DBNZ    turns, [to]\n"
-               "        EXIT\n");
-}
-
-/* As many loads as a block has room for, and a SWAP behind them. */
-TEST(most_ranges)
-{
-    compare_on("title T\nlike cyber205-2pipe-prior\npage.words 512 words R\n"
-               "translation.registers 2 registers R\n",
-               "        .include \"core.s\"\n"
-               "        .regs   r10, turns, to, at, load, save, n, seven\n"
-               "        .regs   r20, far, x\n"
-               "        .data\n"
-               "        .org    0x10000000\n"
-               "words:  .space  4000\n"
-               "        .code\n"
-               "        EX      at, words\n"
-               "        EX      load, words\n"
-               "        ELEN    load, 4\n"
-               "        EX      save, words + 64 * 4\n"
-               "        ELEN    save, 4\n"
-               "        EX      far, words + 64 * 2048\n"
-               "        ELEN    far, 4\n"
-               "        EX      turns, 60\n"
-               "        ES      seven, 7\n"
-               "        EX      to, again\n"
-               "again:\n"
-               "        .rept   31\n"
-               "        LOD     [at], x\n"
-               "        .endr\n"
-               "        SWAP    [load], r200, [save]\n"
-               "        AND     turns, seven, n\n"
-               "        IBXNE   n, r0, r0, near\n"
-               "        ADDX    far, r0, save\n"
-               "near:   DBNZ    turns, [to]\n"
-               "        EXIT\n");
 }
 
 /* Numbers behind a branch that is always taken are no code: who stores there
@@ -458,8 +456,7 @@ TEST(data_behind_branch)
 {
     c205 *whole, *stepped;
 
-    c205_stop stop = compare("        .include \"core.s\"\n"
-                             "        .regs   r10, turns, to, at, x, one\n"
+    c205_stop stop = compare("        .regs   r10, turns, to, at, x, one\n"
                              "        EX      to, again\n"
                              "        EX      at, place\n"
                              "        ES      turns, 100\n"
@@ -480,41 +477,12 @@ TEST(data_behind_branch)
     free_both(whole, stepped);
 }
 
-/* What goes to register 0 nobody waits for but SWAP and the end: by one way a
- * product, by the other one a sum. */
-TEST(lost_results)
-{
-    static const char text[] = "        .include \"core.s\"\n"
-                               "        .regs   r10, turns, to, bit, one, x, place\n"
-                               "        .data\n"
-                               "words:  .space  4\n"
-                               "        .code\n"
-                               "        EX      to, again\n"
-                               "        ES      turns, 8\n"
-                               "        ES      one, 1\n"
-                               "        load_constant x, 1.5\n"
-                               "        descriptor place, words, 4\n"
-                               "again:  AND     turns, one, bit\n"
-                               "        IBXEQ   bit, r0, one, odd, bit\n"
-                               "        MPYS    x, x, r0\n"
-                               "        BIM     both\n"
-                               "odd:    ADDN    x, x, r0\n"
-                               "        BIM     both\n"
-                               "both:   SWAP    [r0], r4, [place]\n"
-                               "        DBNZ    turns, [to]\n"
-                               "        EXIT\n";
-    compare_on("title T\nlike cyber205-2pipe-prior\n"
-               "latency.multiply 40 clk R\nlatency.add 30 clk R\n",
-               text);
-}
-
 /* ---- No room ------------------------------------------------------------- */
 
 /* More than there is room for: all is forgotten, and begins anew. */
 TEST(many_blocks)
 {
     static const char text[] = "        .regs   r10, turns, to, sum\n"
-                               "        .code\n"
                                "        ES      turns, 2\n"
                                "        EX      to, again\n"
                                "again:\n"
@@ -536,7 +504,6 @@ TEST(many_blocks)
 TEST(many_flights)
 {
     static const char text[] =
-        "        .include \"core.s\"\n"
         "        .regs   r10, turns, to, seed, factor, bits, one, x, zero\n"
         "        .macro  chance number\n"
         "        MPYX    seed, factor, seed\n"
