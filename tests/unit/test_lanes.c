@@ -1,5 +1,8 @@
-/* test_lanes.c - spans against the rule for one word: the same bits, the same
- * flags, for every length and place, for words and half words. */
+/* test_lanes.c - spans of words and half words are compared with the rule for one word:
+ * every operation, at every length and place, on operands of every kind, also with the
+ * result upon an operand.  A lane with other bits, a flag that is lost, or a word that
+ * changes behind the end fails here.
+ */
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"
 #include "tests/unit/lane_operands.h"
@@ -15,8 +18,6 @@ enum {
     LONG_LENGTH = 4096,
     ROUNDS = 30
 };
-
-#define SIZE(table) (sizeof(table) / sizeof *(table))
 
 /* ---- The operations ----------------------------------------------------- */
 
@@ -113,9 +114,9 @@ static const reduction reductions_of_halves[] = {
 };
 
 enum {
-    BINARIES = SIZE(binaries_of_words),
-    COMPARISONS = SIZE(comparisons_of_words),
-    REDUCTIONS = SIZE(reductions_of_words)
+    BINARIES = COUNT(binaries_of_words),
+    COMPARISONS = COUNT(comparisons_of_words),
+    REDUCTIONS = COUNT(reductions_of_words)
 };
 
 /* The operations of one size. */
@@ -134,19 +135,29 @@ static const operations sizes[] = {
       comparisons_of_words,
       reductions_of_words,
       unaries_of_words,
-      SIZE(unaries_of_words) },
+      COUNT(unaries_of_words) },
     { { 8, 23 },
       binaries_of_halves,
       comparisons_of_halves,
       reductions_of_halves,
       unaries_of_halves,
-      SIZE(unaries_of_halves) },
+      COUNT(unaries_of_halves) },
 };
 
 /* ---- Spans against words ------------------------------------------------ */
 
 /* Flags that no operation sets stay. */
 static const uint64_t other_flags = 5;
+
+static void check_rest(const char *name, const c205_word *c, size_t n, uint64_t flags,
+                       uint64_t exact_flags)
+{
+    if (flags != exact_flags)
+        fail_msg("%s, length %zu: flags %llX, not %llX", name, n,
+                 (unsigned long long)flags, (unsigned long long)exact_flags);
+    for (size_t i = 0; i < SLACK; i++)
+        assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
+}
 
 static void check_binary(const binary *op, const c205_word *a, const c205_word *b,
                          size_t n, size_t place)
@@ -165,11 +176,7 @@ static void check_binary(const binary *op, const c205_word *a, const c205_word *
                      op->name, (unsigned long long)a[i], (unsigned long long)b[i],
                      (unsigned long long)c[i], (unsigned long long)exact, i, n);
     }
-    if (flags != exact_flags)
-        fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
-                 (unsigned long long)flags, (unsigned long long)exact_flags);
-    for (size_t i = 0; i < SLACK; i++)
-        assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
+    check_rest(op->name, c, n, flags, exact_flags);
 }
 
 static void check_unary(const unary *op, const c205_word *a, size_t n, size_t place)
@@ -187,11 +194,7 @@ static void check_unary(const unary *op, const c205_word *a, size_t n, size_t pl
                      (unsigned long long)a[i], (unsigned long long)c[i],
                      (unsigned long long)exact, i, n);
     }
-    if (flags != exact_flags)
-        fail_msg("%s, length %zu: flags %llX, not %llX", op->name, n,
-                 (unsigned long long)flags, (unsigned long long)exact_flags);
-    for (size_t i = 0; i < SLACK; i++)
-        assert_int_equal(c[n + i], UINT64_C(0x5A5A5A5A5A5A5A5A));
+    check_rest(op->name, c, n, flags, exact_flags);
 }
 
 static void check_comparison(const comparison *op, const c205_word *a,
@@ -228,7 +231,7 @@ static void check_unaries(const operations *size, const c205_word *a, size_t n,
 }
 
 /* Every length, with the lane_supplies of the two operands taking turns. */
-static void check_lengths(const operations *size, size_t place, uint64_t seed)
+static void check_lengths_at(const operations *size, size_t place, uint64_t seed)
 {
     static c205_word a[SPAN], b[SPAN];
     size_t turns = LANE_SUPPLIES;
@@ -313,24 +316,18 @@ TEST(upon_an_operand)
     static const size_t lengths[] = { 1, 7, 8, 9, 64, 255, 256, 261, 600 };
     uint64_t seed = RANDOM_SEED;
 
-    for (size_t i = 0; i < SIZE(sizes); i++)
-        for (size_t k = 0; k < SIZE(lengths); k++)
+    for (size_t i = 0; i < COUNT(sizes); i++)
+        for (size_t k = 0; k < COUNT(lengths); k++)
             for (size_t below = 0; below <= BELOW; below++)
                 check_upon(&sizes[i], lengths[k], below, &seed);
 }
 
-/* ---- All lengths --------------------------------------------------------- */
-
-TEST(every_length_and_place)
-{
-    for (size_t i = 0; i < SIZE(sizes); i++)
-        for (size_t place = 0; place < PLACES; place++)
-            check_lengths(&sizes[i], place, RANDOM_SEED + place);
-}
+/* ---- Operands of all kinds ---------------------------------------------- */
 
 /* Alone in a span, so that no other word sends the block to the exact rule. */
-static void check_specials(const operations *size)
+static void check_specials(const operations *size, uint64_t seed)
 {
+    (void)seed;
     for (size_t i = 0; i < LANE_SPECIALS; i++) {
         c205_word a = lane_special_at(size->format, i);
         check_unaries(size, &a, 1, 0);
@@ -339,12 +336,6 @@ static void check_specials(const operations *size)
             check_pairs(size, &a, &b, 1, 0);
         }
     }
-}
-
-TEST(every_pair_of_specials)
-{
-    for (size_t i = 0; i < SIZE(sizes); i++)
-        check_specials(&sizes[i]);
 }
 
 /* Long spans of operands of one kind each, so that the fast paths run. */
@@ -358,12 +349,6 @@ static void check_supplies(const operations *size, uint64_t seed)
         lane_fill(b, LONG_LENGTH, lane_supplies[s % turns], size->format, &seed);
         check_pairs(size, a, b, LONG_LENGTH, 0);
     }
-}
-
-TEST(every_pair_of_supplies)
-{
-    for (size_t i = 0; i < SIZE(sizes); i++)
-        check_supplies(&sizes[i], RANDOM_SEED + 1);
 }
 
 /* Close operands: cancellation, quotients lane_near 1, sums lane_near 0. */
@@ -389,12 +374,6 @@ static void check_close_operands(const operations *size, uint64_t seed)
     }
 }
 
-TEST(close_operands)
-{
-    for (size_t i = 0; i < SIZE(sizes); i++)
-        check_close_operands(&sizes[i], RANDOM_SEED + 2);
-}
-
 /* Counts, exponents and significances are small integers. */
 static void check_by_integers(const operations *size, uint64_t seed)
 {
@@ -409,12 +388,6 @@ static void check_by_integers(const operations *size, uint64_t seed)
     }
 }
 
-TEST(by_integers)
-{
-    for (size_t i = 0; i < SIZE(sizes); i++)
-        check_by_integers(&sizes[i], RANDOM_SEED + 5);
-}
-
 static void check_unary_operands(const operations *size, uint64_t seed)
 {
     static c205_word a[LONG_LENGTH];
@@ -427,10 +400,22 @@ static void check_unary_operands(const operations *size, uint64_t seed)
     }
 }
 
-TEST(unary_operands)
+static void check_lengths(const operations *size, uint64_t seed)
 {
-    for (size_t i = 0; i < SIZE(sizes); i++)
-        check_unary_operands(&sizes[i], RANDOM_SEED + 3);
+    for (size_t place = 0; place < PLACES; place++)
+        check_lengths_at(size, place, seed + place);
+}
+
+TEST(operands)
+{
+    static void (*const checks[])(const operations *, uint64_t) = {
+        check_lengths,        check_specials,    check_supplies,
+        check_close_operands, check_by_integers, check_unary_operands
+    };
+
+    for (size_t i = 0; i < COUNT(sizes); i++)
+        for (size_t k = 0; k < COUNT(checks); k++)
+            checks[k](&sizes[i], RANDOM_SEED + k);
 }
 
 /* The roots come from doubles, which err: every coefficient is tried, with
@@ -484,7 +469,7 @@ static void check_reduction(const reduction *op, supply *next, word_format f,
 
 TEST(reductions)
 {
-    for (size_t i = 0; i < SIZE(sizes); i++)
+    for (size_t i = 0; i < COUNT(sizes); i++)
         for (size_t s = 0; s < LANE_SUPPLIES; s++)
             for (size_t r = 0; r < REDUCTIONS; r++)
                 check_reduction(&sizes[i].reductions[r], lane_supplies[s],
