@@ -1,18 +1,72 @@
 /* asm_helper.c - programs from texts, and their words. */
 #include "asm_helper.h"
 
+#include <glob.h>
+
+static struct object *checked(struct object *object, struct diagnostics *errors)
+{
+    struct sink sink = stream_sink(stderr);
+
+    if (errors->errors > 0)
+        diagnostics_put(errors, &sink);
+    assert_int_equal(errors->errors, 0);
+    assert_non_null(object);
+    diagnostics_free(errors);
+    return object;
+}
+
 struct object *good(const char *text)
 {
     struct diagnostics errors = { 0 };
-    struct object *object = assemble_text("test.s", text, NULL, &errors);
-    struct sink sink = stream_sink(stderr);
 
-    if (errors.errors > 0)
-        diagnostics_put(&errors, &sink);
-    assert_int_equal(errors.errors, 0);
-    assert_non_null(object);
-    diagnostics_free(&errors);
-    return object;
+    return checked(assemble_text("test.s", text, NULL, &errors), &errors);
+}
+
+struct object *good_file(const char *path)
+{
+    struct diagnostics errors = { 0 };
+
+    return checked(assemble_file(path, NULL, &errors), &errors);
+}
+
+size_t each_file(const char *pattern, void (*use)(const char *path))
+{
+    glob_t found;
+    size_t count;
+
+    assert_int_equal(glob(pattern, 0, NULL, &found), 0);
+    for (size_t i = 0; i < found.gl_pathc; i++)
+        use(found.gl_pathv[i]);
+    count = found.gl_pathc;
+    globfree(&found);
+    return count;
+}
+
+size_t count_of(const char *text, const char *part)
+{
+    size_t count = 0;
+
+    for (; text && (text = strstr(text, part)) != NULL; text += strlen(part))
+        count++;
+    return count;
+}
+
+uint64_t clocks_of_cause(const c205 *machine, c205_cause cause)
+{
+    uint64_t sum = 0;
+
+    for (size_t i = 0; i < c205_account_count(machine); i++)
+        sum += c205_account_at(machine, i)->clocks[cause];
+    return sum;
+}
+
+void assert_sum(const c205 *machine)
+{
+    uint64_t sum = 0;
+
+    for (int cause = 0; cause < C205_CAUSES; cause++)
+        sum += clocks_of_cause(machine, (c205_cause)cause);
+    assert_int_equal(sum, c205_clock(machine));
 }
 
 c205_word word_of(const c205_program *program, uint64_t address)

@@ -5,8 +5,17 @@
 #include "asm/assemble.h"
 #include "tests/unit/unit.h"
 
-/* A text without errors. */
+/* A text without errors, or a file. */
 struct object *good(const char *text);
+struct object *good_file(const char *path);
+/* Calls a function with the path of each file of a pattern; how many there are. */
+size_t each_file(const char *pattern, void (*use)(const char *path));
+size_t count_of(const char *text, const char *part);
+
+/* The clocks of a cause in all regions. */
+uint64_t clocks_of_cause(const c205 *machine, c205_cause cause);
+/* The clocks of all causes sum to the time. */
+void assert_sum(const c205 *machine);
 
 /* One error of a text: its place and a part of its message.  Column 0 matches any. */
 struct asm_error {

@@ -80,11 +80,7 @@ c205 *machine_with(const c205_program *program, const c205_model *model)
 
 c205 *machine_from(const char *path, const c205_model *model)
 {
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_file(path, NULL, &errors);
-    if (!object)
-        fail_msg("%s cannot be assembled", path);
-    diagnostics_free(&errors);
+    struct object *object = good_file(path);
     c205 *machine = machine_with(&object->program, model);
     object_free(object);
     return machine;

@@ -1,8 +1,6 @@
 /* test_asm_files.c - programs as files: there and back, and broken ones. */
 #include "tests/unit/asm_helper.h"
 
-#include <dirent.h>
-
 #include "asm/disassemble.h"
 #include "asm/expect.h"
 #include "asm/listing.h"
@@ -55,42 +53,19 @@ static void check_listing(const struct object *object)
 
 static void check_source(const char *path)
 {
-    struct diagnostics errors = { 0 };
-    struct sink sink = stream_sink(stderr);
-    struct object *object = assemble_file(path, NULL, &errors);
+    struct object *object = good_file(path);
 
-    diagnostics_put(&errors, &sink);
-    assert_non_null(object);
     check_disassembly(object);
     check_object_file(object);
     check_listing(object);
     object_free(object);
-    diagnostics_free(&errors);
-}
-
-static void check_folder(const char *folder)
-{
-    DIR *listed = opendir(folder);
-    struct dirent *entry;
-    char path[600];
-
-    while (listed && (entry = readdir(listed)) != NULL) {
-        size_t length = strlen(entry->d_name);
-
-        if (length < 3 || strcmp(entry->d_name + length - 2, ".s") != 0)
-            continue;
-        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        check_source(path);
-    }
-    if (listed)
-        closedir(listed);
 }
 
 TEST(sources)
 {
-    check_folder("asm/lib");
-    check_folder("asm/examples");
-    check_folder("tests/programs");
+    each_file("asm/lib/*.s", check_source);
+    each_file("asm/examples/*.s", check_source);
+    each_file("tests/programs/*.s", check_source);
 }
 
 static const char sample[] = " .include \"print.s\"\n"

@@ -13,16 +13,6 @@ static const char *const programs[] = { "asm/examples/dot.s", "asm/examples/horn
                                         "asm/examples/sieve.s" };
 enum { PROGRAMS = COUNT(programs) };
 
-static struct object *assembled(const char *path)
-{
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_file(path, NULL, &errors);
-
-    diagnostics_free(&errors);
-    assert_non_null(object);
-    return object;
-}
-
 /* In, near and far from the code and the data, most at half words. */
 static uint64_t draw_address(const struct object *object)
 {
@@ -62,7 +52,7 @@ static void check_line(struct debug_session *session, const char *line, bool goo
 /* stripped: the debugger has the words alone, as those of an object file. */
 static void check_addresses(const char *path, bool stripped)
 {
-    struct object *whole = assembled(path), *object = assembled(path);
+    struct object *whole = good_file(path), *object = good_file(path);
     struct debug_session session;
 
     if (stripped)
@@ -94,7 +84,7 @@ TEST(addresses)
 TEST(visited)
 {
     for (size_t i = 0; i < PROGRAMS; i++) {
-        struct plain plain = run_plainly(assembled(programs[i]), &random_state);
+        struct plain plain = run_plainly(good_file(programs[i]), &random_state);
         struct debug_session session;
         char line[80];
 
@@ -139,7 +129,7 @@ TEST(lines)
                                          "asm/examples/sieve.s" };
 
     for (size_t i = 0; i < COUNT(paths); i++) {
-        struct object *object = assembled(paths[i]);
+        struct object *object = good_file(paths[i]);
         struct debug_session session;
 
         session_begin(&session, object, paths[i]);

@@ -12,15 +12,6 @@ static const char *const programs[] = { "asm/examples/dot.s", "asm/examples/horn
                                         "asm/examples/sieve.s" };
 enum { PROGRAMS = COUNT(programs) };
 
-static struct plain run_file(const char *path)
-{
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_file(path, NULL, &errors);
-
-    diagnostics_free(&errors);
-    return run_plainly(object, &random_state);
-}
-
 /* ---- What must become of a line ------------------------------------------- */
 
 /* Stops that the debugger was told of; the oracle keeps its own list. */
@@ -222,7 +213,8 @@ static void end(struct session *session)
 TEST(movements)
 {
     for (size_t i = 0; i < ROUNDS * PROGRAMS; i++) {
-        struct plain plain = run_file(programs[i % PROGRAMS]);
+        struct plain plain = run_plainly(good_file(programs[i % PROGRAMS]),
+                                         &random_state);
         struct session session;
 
         begin(&session, &plain, programs[i % PROGRAMS]);
@@ -244,7 +236,8 @@ TEST(movements)
 TEST(far_back)
 {
     enum { STOP = 150, FAR = 400 };
-    struct plain plain = run_file("asm/examples/saxpy_scalar.s");
+    struct plain plain = run_plainly(good_file("asm/examples/saxpy_scalar.s"),
+                                     &random_state);
     struct session session;
     char line[80];
 

@@ -19,16 +19,6 @@ static const char *const examples[] = {
 };
 static const char drawn[] = "drawn.s";
 
-static struct object *open_example(const char *path)
-{
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_file(path, NULL, &errors);
-
-    diagnostics_free(&errors);
-    assert_non_null(object);
-    return object;
-}
-
 static struct object *open_drawn(void)
 {
     char text[DRAWN_TEXT + LINE];
@@ -42,7 +32,7 @@ static struct object *open_drawn(void)
 static struct object *open_program(const char **name)
 {
     *name = below(5) < 2 ? drawn : examples[below(COUNT(examples))];
-    return *name == drawn ? open_drawn() : open_example(*name);
+    return *name == drawn ? open_drawn() : good_file(*name);
 }
 
 /* ---- Lines by chance ------------------------------------------------------- */
@@ -279,17 +269,6 @@ static void check_in_turn(const struct object *object, const char *name,
     }
 }
 
-static size_t count_of(const char *text, const char *part)
-{
-    size_t count = 0;
-
-    while ((text = strstr(text, part)) != NULL) {
-        count++;
-        text += strlen(part);
-    }
-    return count;
-}
-
 /* Most lines can be done. */
 TEST(scripts)
 {
@@ -364,7 +343,7 @@ TEST(anew)
 
 static int print_script(const char *number, const char *path)
 {
-    struct object *object = open_example(path);
+    struct object *object = good_file(path);
     script_line line;
 
     random_state ^= strtoull(number, NULL, 10) << 20;

@@ -6,8 +6,6 @@
 
 #include "vm/machine.h"
 
-#include <glob.h>
-
 #define F(...) ((c205_fields){ __VA_ARGS__ })
 
 static c205_model *model; /* of two pipes */
@@ -17,15 +15,6 @@ static c205_model *slow;  /* one element or bit a clock, faults cost little */
 static bool *divided;
 
 /* ---- Stop by stop -------------------------------------------------------- */
-
-static void assert_sum(const c205 *machine)
-{
-    uint64_t sum = 0;
-    for (size_t i = 0; i < c205_account_count(machine); i++)
-        for (int cause = 0; cause < C205_CAUSES; cause++)
-            sum += c205_account_at(machine, i)->clocks[cause];
-    assert_int_equal(sum, c205_clock(machine));
-}
 
 static void check_stop(const c205 *machine, const c205_stop *stop, uint64_t limit)
 {
@@ -84,12 +73,7 @@ static void compare_file(const char *path)
 
 TEST(rows)
 {
-    glob_t found;
-
-    assert_int_equal(glob("tests/programs/*.s", 0, NULL, &found), 0);
-    for (size_t i = 0; i < found.gl_pathc; i++)
-        compare_file(found.gl_pathv[i]);
-    globfree(&found);
+    each_file("tests/programs/*.s", compare_file);
     for (size_t i = 0; i < c205_insn_count; i++)
         if (c205_unit_is_vector(c205_insns[i].unit) && !divided[i])
             fail_msg("%s was never interrupted between elements",

@@ -535,17 +535,6 @@ TEST(faults)
 
 /* ---- The picture ----------------------------------------------------------- */
 
-static size_t count_of(const char *text, const char *part)
-{
-    size_t count = 0;
-
-    while ((text = strstr(text, part)) != NULL) {
-        count++;
-        text += strlen(part);
-    }
-    return count;
-}
-
 /* Every point, each half length and each crossing is there, and within the sheet. */
 static void check_picture(const struct program_sweep *sweep)
 {

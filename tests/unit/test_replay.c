@@ -3,7 +3,6 @@
  * operation takes there. */
 #include "asm_helper.h"
 
-#include <glob.h>
 #include <math.h>
 #include <string.h>
 
@@ -106,40 +105,24 @@ static void check(const char *name, const struct object *object)
 
 static void check_text(const char *name, const char *text)
 {
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_text(name, text, NULL, &errors);
-    if (!object)
-        fail_msg("%s: %s", name, errors.items[0].message);
-    diagnostics_free(&errors);
+    struct object *object = good(text);
     check(name, object);
     object_free(object);
 }
 
 /* ---- Programs ---------------------------------------------------------- */
 
-static size_t check_files(const char *pattern)
+static void check_program(const char *path)
 {
-    glob_t found;
-    assert_int_equal(glob(pattern, 0, NULL, &found), 0);
-    size_t count = found.gl_pathc;
-    for (size_t i = 0; i < count; i++) {
-        const char *path = found.gl_pathv[i];
-        struct diagnostics errors = { 0 };
-        struct object *object = assemble_file(path, NULL, &errors);
-        if (!object)
-            fail_msg("%s: %s", path, errors.items[0].message);
-        diagnostics_free(&errors);
-        check(path, object);
-        object_free(object);
-    }
-    globfree(&found);
-    return count;
+    struct object *object = good_file(path);
+    check(path, object);
+    object_free(object);
 }
 
 TEST(programs)
 {
-    assert_true(check_files("tests/programs/*.s") > 40);
-    assert_true(check_files("asm/examples/*.s") > 0);
+    assert_true(each_file("tests/programs/*.s", check_program) > 40);
+    assert_true(each_file("asm/examples/*.s", check_program) > 0);
 }
 
 /* Each operand stands in a page of its own, which nobody has touched yet. */
@@ -219,14 +202,11 @@ static const char powers[] = "title t\nlike cyber720-prior\n"
 /* Each takes a time of its own: which of them were charged shows in the sum. */
 TEST(operations)
 {
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_text("operations", operations, NULL, &errors);
+    struct object *object = good(operations);
     c205_error error;
     c205_model *model = find("cyber205-2pipe-prior");
     c205_model *times = c205_model_parse("powers", powers, &error);
-    if (!object || !times)
-        fail_msg("%s", times ? errors.items[0].message : error.message);
-    diagnostics_free(&errors);
+    assert_non_null(times);
     c205 *machine = loaded(object, model);
     c205_projection *projection = c205_projection_new(times, &error);
     assert_true(c205_listen(machine, c205_project, projection));

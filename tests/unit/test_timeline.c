@@ -1,7 +1,5 @@
 /* test_timeline.c - what a timeline has is what the accounts have; no two spans of a row
  * overlap; and the log for Konata obeys its format's rules, as a reader of it would find. */
-#include <glob.h>
-
 #include "asm/timeline/lanes.h"
 #include "tests/random.h"
 #include "tests/unit/asm_helper.h"
@@ -51,11 +49,7 @@ static void check_sums(const struct timeline *timeline, const c205 *machine,
     }
     assert_int_equal(at, c205_clock(machine));
     for (int cause = 0; cause < C205_CAUSES; cause++) {
-        uint64_t all = 0;
-
-        for (size_t i = 0; i < c205_account_count(machine); i++)
-            all += c205_account_at(machine, i)->clocks[cause];
-        if (all != clocks[cause])
+        if (clocks_of_cause(machine, (c205_cause)cause) != clocks[cause])
             fail_msg("%s: %s", path, c205_cause_name((c205_cause)cause));
     }
 }
@@ -182,17 +176,6 @@ static void check_kanata(const struct timeline *timeline)
 
 /* ---- The others ----------------------------------------------------------- */
 
-static size_t count_of(const char *text, const char *part)
-{
-    size_t count = 0;
-
-    while ((text = strstr(text, part)) != NULL) {
-        count++;
-        text += strlen(part);
-    }
-    return count;
-}
-
 /* As many events and boxes as there are spans, each of them closed. */
 static void check_texts(const struct timeline *timeline)
 {
@@ -241,11 +224,8 @@ static void check_object(const struct object *object, const char *path)
 
 static void check_program(const char *path)
 {
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_file(path, NULL, &errors);
+    struct object *object = good_file(path);
 
-    diagnostics_free(&errors);
-    assert_non_null(object);
     check_object(object, path);
     object_free(object);
 }
@@ -255,14 +235,8 @@ TEST(programs)
     static const char *const patterns[] = { "asm/examples/*.s", "tests/programs/*.s",
                                             "tests/programs/traps/*.s" };
 
-    for (size_t i = 0; i < 3; i++) {
-        glob_t found;
-
-        assert_int_equal(glob(patterns[i], 0, NULL, &found), 0);
-        for (size_t k = 0; k < found.gl_pathc; k++)
-            check_program(found.gl_pathv[k]);
-        globfree(&found);
-    }
+    for (size_t i = 0; i < COUNT(patterns); i++)
+        each_file(patterns[i], check_program);
 }
 
 TEST(drawn)

@@ -32,17 +32,6 @@ static char *watched(const struct object *object, const struct warning_choice *c
     return report.text;
 }
 
-static size_t count(const char *text, const char *what)
-{
-    size_t n = 0;
-
-    while (text && (text = strstr(text, what)) != NULL) {
-        n++;
-        text++;
-    }
-    return n;
-}
-
 /* One warning with these words, or none: "". */
 static void check(const char *text, const char *said)
 {
@@ -50,7 +39,8 @@ static void check(const char *text, const char *said)
     struct object *object = good(text);
     char *report = watched(object, &all);
 
-    if (*said ? count(report, said) != 1 || count(report, "[-W") != 1 : report != NULL)
+    if (*said ? count_of(report, said) != 1 || count_of(report, "[-W") != 1
+              : report != NULL)
         fail_msg("%s\nexpected '%s', found '%s'", text, said, report ? report : "");
     free(report);
     object_free(object);
@@ -215,13 +205,13 @@ TEST(choice)
     struct object bare = *object;
     char *report = watched(object, &choice);
 
-    assert_int_equal(count(report, "error: r1 is the integer 3"), 1);
+    assert_int_equal(count_of(report, "error: r1 is the integer 3"), 1);
     free(report);
     choice.errors = false;
     bare.line_count = 0;
     report = watched(&bare, &choice);
-    assert_int_equal(count(report, "test.o: warning: MPYS at 400040: r1 is"
-                                   " the integer 3"),
+    assert_int_equal(count_of(report, "test.o: warning: MPYS at 400040: r1 is"
+                                      " the integer 3"),
                      1);
     free(report);
     object_free(object);
