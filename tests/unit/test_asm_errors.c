@@ -220,57 +220,6 @@ TEST(search_folders)
     assert_int_equal(errors.count, 0);
 }
 
-/* ---- Operators --------------------------------------------------------- */
-
-TEST(operators)
-{
-    static const struct {
-        const char *expression;
-        int64_t value;
-    } cases[] = {
-        { "1 >= 1", 1 },
-        { "1 >= 2", 0 },
-        { "1 != 2", 1 },
-        { "2 != 2", 0 },
-        { "1 <= 0", 0 },
-        { "1 < 2", 1 },
-        { "2 > 1", 1 },
-        { "1 == 1", 1 },
-        { "!1", 0 },
-        { "!0", 1 },
-        { "-(5)", -5 },
-        { "~5", -6 },
-        { "7 % 4", 3 },
-        { "7 / 2", 3 },
-        { "1 && 0", 0 },
-        { "2 && 3", 1 },
-        { "0 || 0", 0 },
-        { "0 || 5", 1 },
-        { "1 || 1 / 0", 1 },
-        { "0 && 1 / 0", 0 },
-        { "1 ^ 3", 2 },
-        { "3 | 4", 7 },
-        { "6 & 3", 2 },
-        { "1 << 5", 32 },
-        { "64 >> 5", 2 },
-        { "2 + 3 * 4", 14 },
-        { "length(\"abc\")", 3 },
-        { "bits(word(77))", 77 },
-    };
-
-    for (size_t i = 0; i < COUNT(cases); i++) {
-        char text[80];
-        struct object *object;
-
-        snprintf(text, sizeof text, " EXIT\n .equ v, %s\n", cases[i].expression);
-        object = good(text);
-        if (object_symbol(object, "v")->value != cases[i].value)
-            fail_msg("%s is %lld", cases[i].expression,
-                     (long long)object_symbol(object, "v")->value);
-        object_free(object);
-    }
-}
-
 /* Every error of a line is told, each at its place, and what was meant. */
 static void check_all(const char *text, const struct asm_error *wanted, size_t count)
 {

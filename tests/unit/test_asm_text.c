@@ -8,15 +8,6 @@
 
 enum { CODE = 0x400000, DATA = 0x800000 };
 
-static c205_word first_word(const char *text, uint64_t address)
-{
-    struct object *object = good(text);
-    c205_word word = word_of(&object->program, address);
-
-    object_free(object);
-    return word;
-}
-
 TEST(data)
 {
     struct object *object = good(" .data\n"
@@ -128,55 +119,64 @@ TEST(regions)
     object_free(object);
 }
 
-TEST(macros)
+/* Texts, and the word that they put at an address. */
+TEST(words)
 {
-    assert_int_equal(first_word(" .macro put a, b=7\n .word \\a + \\b\n"
-                                " .endm\n .data\n put 5\n",
-                                DATA),
-                     12);
-    assert_int_equal(first_word(" .macro put a, b=7\n .word \\a + \\b\n"
-                                " .endm\n .data\n put 5, 1\n",
-                                DATA),
-                     6);
-    assert_int_equal(first_word(" .macro put a\n x\\a\\()0: .word x\\a\\()0\n"
-                                " .endm\n .data\n put 3\n",
-                                DATA),
-                     DATA);
-    assert_int_equal(first_word(" .macro two\n l\\@: .word l\\@\n .endm\n"
-                                " .data\n two\n two\n",
-                                DATA + 64),
-                     DATA + 64);
-    assert_int_equal(first_word(" .macro out n\n .macro in m\n"
-                                " .word \\m * \\n\n .endm\n .endm\n"
-                                " .data\n out 6\n in 7\n",
-                                DATA),
-                     42);
-    assert_int_equal(first_word(" .macro text s\n .text \\s\n .endm\n .data\n"
-                                " text \"a,\\x62\"\n",
-                                DATA),
-                     0x612C620000000000);
-}
+    static const struct {
+        const char *text;
+        uint64_t address;
+        c205_word word;
+    } cases[] = {
+        /* A macro. */
+        { " .macro put a, b=7\n .word \\a + \\b\n .endm\n .data\n put 5\n", DATA, 12 },
+        { " .macro put a, b=7\n .word \\a + \\b\n .endm\n .data\n put 5, 1\n", DATA,
+          6 },
+        { " .macro put a\n x\\a\\()0: .word x\\a\\()0\n .endm\n .data\n put 3\n", DATA,
+          DATA },
+        { " .macro two\n l\\@: .word l\\@\n .endm\n .data\n two\n two\n", DATA + 64,
+          DATA + 64 },
+        { " .macro out n\n .macro in m\n .word \\m * \\n\n .endm\n .endm\n"
+          " .data\n out 6\n in 7\n",
+          DATA, 42 },
+        { " .macro text s\n .text \\s\n .endm\n .data\n text \"a,\\x62\"\n", DATA,
+          0x612C620000000000 },
+        /* Parameters. */
+        { " .macro put a=7, b\n .word \\a + \\b\n .endm\n .data\n put , 1\n", DATA, 8 },
+        { " .macro put ab, a\n .word \\a\n .endm\n .data\n put 5, 6\n", DATA, 6 },
+        /* The number of each expansion is its own. */
+        { " .macro out\n .macro in\n l\\@: .word l\\@\n .endm\n .endm\n .data\n"
+          " out\n in\n in\n",
+          DATA + 64, DATA + 64 },
+        /* Arguments in brackets. */
+        { " .macro add a, b\n ADDNV \\a, \\b, [r3]\n .endm\n"
+          "l: add [r1, r9], r2 ; a comment\n",
+          CODE, 0x8208090100020003 },
+        /* Repetitions. */
+        { " .data\n .rept 3\n .word \\+\n .endr\n", DATA + 128, 2 },
+        { " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
+          " .endr\n",
+          DATA + 2 * 64, 2 },
+        { " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
+          " .endr\n",
+          DATA + 3 * 64, 10 },
+        { " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
+          " .endr\n",
+          DATA + 7 * 64, 11 },
+        { " .data\n .rept 0\n .word 1\n .endr\n .word 2\n", DATA, 2 },
+        /* Registers are named again. */
+        { " .reg x, r1\n .reg x, r2\n RTOR x, r3\n", CODE, 0x7802000300000000 },
+        { " .reg x, r1\n .regs h8, y, x\n RTORH y, x\n", CODE, 0x5808000900000000 },
+        { " .reg x, h1\n .reg x, r9\n RTOR x, r3\n", CODE, 0x7809000300000000 },
+    };
 
-TEST(parameters)
-{
-    assert_int_equal(first_word(" .macro put a=7, b\n .word \\a + \\b\n"
-                                " .endm\n .data\n put , 1\n",
-                                DATA),
-                     8);
-    assert_int_equal(first_word(" .macro put ab, a\n .word \\a\n .endm\n"
-                                " .data\n put 5, 6\n",
-                                DATA),
-                     6);
-}
+    for (size_t i = 0; i < COUNT(cases); i++) {
+        struct object *object = good(cases[i].text);
+        c205_word word = word_of(&object->program, cases[i].address);
 
-/* The number of each expansion is its own. */
-TEST(macro_in_macro)
-{
-    assert_int_equal(first_word(" .macro out\n .macro in\n"
-                                " l\\@: .word l\\@\n .endm\n .endm\n"
-                                " .data\n out\n in\n in\n",
-                                DATA + 64),
-                     DATA + 64);
+        if (word != cases[i].word)
+            fail_msg("%s: %016llX", cases[i].text, (unsigned long long)word);
+        object_free(object);
+    }
 }
 
 TEST(lines_of_dos)
@@ -201,32 +201,6 @@ TEST(overlaps)
     diagnostics_free(&errors);
 }
 
-TEST(macro_in_brackets)
-{
-    assert_int_equal(first_word(" .macro add a, b\n"
-                                " ADDNV \\a, \\b, [r3]\n .endm\n"
-                                "l: add [r1, r9], r2 ; a comment\n",
-                                CODE),
-                     0x8208090100020003);
-}
-
-TEST(repetition)
-{
-    static const char nested[] =
-        " .data\n .rept 2\n .rept 3\n .word \\+\n .endr\n .word 10 + \\+\n"
-        " .endr\n";
-
-    assert_int_equal(first_word(" .data\n .rept 3\n .word \\+\n .endr\n", DATA + 128),
-                     2);
-    assert_int_equal(first_word(nested, DATA + 2 * 64), 2);
-    assert_int_equal(first_word(nested, DATA + 3 * 64), 10);
-    assert_int_equal(first_word(nested, DATA + 7 * 64), 11);
-    assert_int_equal(first_word(" .data\n .rept 0\n .word 1\n .endr\n"
-                                " .word 2\n",
-                                DATA),
-                     2);
-}
-
 TEST(conditions)
 {
     static const char text[] = " .data\n"
@@ -245,18 +219,6 @@ TEST(conditions)
     assert_int_equal(word_of(&object->program, DATA + 64), 22);
     assert_int_equal(word_of(&object->program, DATA + 128), 4);
     object_free(object);
-}
-
-TEST(registers_are_named_anew)
-{
-    assert_int_equal(first_word(" .reg x, r1\n .reg x, r2\n RTOR x, r3\n", CODE),
-                     0x7802000300000000);
-    assert_int_equal(first_word(" .reg x, r1\n .regs h8, y, x\n"
-                                " RTORH y, x\n",
-                                CODE),
-                     0x5808000900000000);
-    assert_int_equal(first_word(" .reg x, h1\n .reg x, r9\n RTOR x, r3\n", CODE),
-                     0x7809000300000000);
 }
 
 TEST(errors)
