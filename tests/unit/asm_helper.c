@@ -136,3 +136,19 @@ void assert_asm_errors(const struct asm_error *error, size_t count)
         diagnostics_free(&found);
     }
 }
+
+void assert_asm_warnings(const struct asm_error *warning, size_t count)
+{
+    for (; count > 0; count--, warning++) {
+        struct diagnostics found = { 0 };
+        struct object *object = assemble_text("test.s", warning->text, NULL, &found);
+
+        if (!object || found.errors > 0 || (!warning->line && found.count > 0))
+            fail_msg("%s\n%s", warning->text, found.count ? found.items->message : "");
+        if (warning->line)
+            assert_one_error(&found, warning->text, warning->line, warning->column,
+                             warning->message);
+        diagnostics_free(&found);
+        object_free(object);
+    }
+}

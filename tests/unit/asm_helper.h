@@ -28,6 +28,8 @@ void assert_one_error(const struct diagnostics *errors, const char *text, size_t
                       size_t column, const char *message);
 /* Each text has this one error. */
 void assert_asm_errors(const struct asm_error *error, size_t count);
+/* Each is assembled with this one warning; with none where the line is 0. */
+void assert_asm_warnings(const struct asm_error *warning, size_t count);
 
 /* The word at an address, 0 where there is none. */
 c205_word word_of(const c205_program *program, uint64_t address);

@@ -6,25 +6,6 @@
 
 #include "tests/random.h"
 
-static void check_warning(const struct asm_error *expected)
-{
-    struct diagnostics found = { 0 };
-    struct object *object = assemble_text("test.s", expected->text, NULL, &found);
-    const struct diagnostic *first = found.items;
-    bool good = object && found.errors == 0 && found.count == (expected->line > 0);
-
-    if (good && expected->line > 0)
-        good = first->severity == SEVERITY_WARNING && first->line == expected->line
-               && first->column == expected->column
-               && strstr(first->message, expected->message);
-    if (!good)
-        fail_msg("%s\n%zu found: %zu:%zu: %s", expected->text, found.count,
-                 found.count ? first->line : 0, found.count ? first->column : 0,
-                 found.count ? first->message : "");
-    diagnostics_free(&found);
-    object_free(object);
-}
-
 TEST(warnings)
 {
     static const struct asm_error warnings[] = {
@@ -81,8 +62,7 @@ TEST(warnings)
           "'a' already, of test.s:1" },
     };
 
-    for (size_t i = 0; i < COUNT(warnings); i++)
-        check_warning(&warnings[i]);
+    assert_asm_warnings(warnings, COUNT(warnings));
 }
 
 TEST(errors)

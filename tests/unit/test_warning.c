@@ -1,14 +1,11 @@
-/* test_warning.c - what the assembler warns of, where, and how warnings are
- * turned off, into errors, and meant. */
+/* test_warning.c - warnings of the assembler: each text of a table has the one warning
+ * that is written there, at its line and column, or none; and each way to choose warnings
+ * leaves those that it should.  A warning that is missing, too much or misplaced fails
+ * here.
+ */
 #include "tests/unit/asm_helper.h"
 
 #include "base/file.h"
-
-struct case_of {
-    const char *text;
-    size_t line, column; /* of the one warning; line 0: none */
-    const char *message;
-};
 
 static struct object *assembled(const char *text, const char *choice,
                                 struct diagnostics *diagnostics)
@@ -31,38 +28,9 @@ static void check_none(const char *text, const char *choice)
     diagnostics_free(&diagnostics);
 }
 
-static void check_one(const struct case_of *wanted)
-{
-    struct diagnostics diagnostics = { 0 };
-    struct object *object = assembled(wanted->text, NULL, &diagnostics);
-    const struct diagnostic *found = diagnostics.items;
-
-    assert_non_null(object);
-    if (diagnostics.count != 1 || diagnostics.errors != 0
-        || found->severity != SEVERITY_WARNING || found->line != wanted->line
-        || found->column != wanted->column || !strstr(found->message, wanted->message))
-        fail_msg("%s\n%zu: %zu:%zu: %s", wanted->text, diagnostics.count,
-                 diagnostics.count ? found->line : 0,
-                 diagnostics.count ? found->column : 0,
-                 diagnostics.count ? found->message : "");
-    object_free(object);
-    diagnostics_free(&diagnostics);
-}
-
-static void check_cases(const struct case_of *cases, size_t count)
-{
-    for (; count > 0; count--, cases++)
-        if (cases->line)
-            check_one(cases);
-        else
-            check_none(cases->text, NULL);
-}
-
-#define CHECK(cases) check_cases(cases, COUNT(cases))
-
 TEST(misspelt)
 {
-    static const struct case_of cases[] = {
+    static const struct asm_error cases[] = {
         { "; expct: r1 = 5\n", 1, 3, "is this an expectation? 'expct'" },
         { "; Expect: r1 = 5\n", 1, 3, "[-Wmisspelt-expect]" },
         { "; expect r1 = 5\n", 1, 3, "'expect'" },
@@ -82,12 +50,12 @@ TEST(misspelt)
         { ";\n;:\n;=\n; \n;-:\n;expect\n", 0, 0, NULL },
     };
 
-    CHECK(cases);
+    assert_asm_warnings(cases, COUNT(cases));
 }
 
 TEST(run_off)
 {
-    static const struct case_of cases[] = {
+    static const struct asm_error cases[] = {
         { " ES r1, 5\n", 1, 2, "[-Wrun-off]" },
         { " EXIT\n ADDN r1, r1, r1\n", 2, 2, "run on behind this" },
         { " EXIT r1, r0, 1\n", 1, 2, "EXIT or a branch" },
@@ -109,7 +77,7 @@ TEST(run_off)
         { "", 0, 0, NULL },
     };
 
-    CHECK(cases);
+    assert_asm_warnings(cases, COUNT(cases));
 }
 
 TEST(choice)
