@@ -38,8 +38,10 @@ void session_check(struct debug_session *session, const struct line_said *lines,
                    size_t count)
 {
     for (size_t i = 0; i < count; i++) {
+        bool absent = *lines[i].said == '!';
+
         session_obey(session, lines[i].line);
-        if (!session_says(session, lines[i].said))
+        if (session_says(session, lines[i].said + absent) == absent)
             fail_msg("%s: %s", lines[i].line, session->said.text);
     }
 }

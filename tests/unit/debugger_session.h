@@ -19,7 +19,7 @@ void session_end(struct debug_session *session);
 void session_obey(struct debug_session *session, const char *line);
 bool session_says(const struct debug_session *session, const char *part);
 
-/* Lines, and a part of what must be said to each. */
+/* Lines, and a part of what must be said to each; with a ! before it, of what must not. */
 struct line_said {
     const char *line, *said;
 };

@@ -1,5 +1,8 @@
-/* test_debugger_lines.c - what the debugger says to lines: values, what it cannot do, what a
- * program prints, calls, links, macros and ends. */
+/* test_debugger_lines.c - what the debugger says to lines is compared with what is written
+ * beside them: values, lines that it cannot obey, what a program prints, calls, links,
+ * macros and ends.  A value of another register, or an output that is printed twice,
+ * fails here.
+ */
 #include "tests/unit/debugger_session.h"
 
 /* ---- Values --------------------------------------------------------------- */
@@ -139,52 +142,49 @@ TEST(faults)
     session_end(&session);
 }
 
-/* What a program prints is printed once, however often it is gone through. */
-TEST(printed)
-{
-    static const char program[] = "        ES  r10, 5\n"
-                                  "        EXIT r10, r0, 2\n"
-                                  "        EXIT r0, r0, 5\n"
-                                  "        ES  r10, 6\n"
-                                  "        EXIT\n";
-    struct debug_session session;
+/* ---- Sessions ------------------------------------------------------------- */
 
-    session_begin(&session, good(program), "-");
-    session_obey(&session, "step 3");
-    assert_true(session_says(&session, "5\n"));
-    session_obey(&session, "goto 0");
-    session_obey(&session, "step 4");
-    assert_false(session_says(&session, "5\n"));
-    session_obey(&session, "");
-    assert_true(session_says(&session, "ended with status 0"));
-    session_end(&session);
-}
+#define ONE_NUMBER "        ES  r10, 5\n        EXIT r10, r0, 2\n        EXIT\n"
 
-/* An open line of the program's output is ended before the debugger reports, once. */
-TEST(open_line)
-{
-    static const char program[] = "        ES  r10, 5\n"
-                                  "        EXIT r10, r0, 2\n"
-                                  "        EXIT\n";
-    static const char *const lines[] = { "step 2", "continue", "goto 2" };
-    struct debug_session session;
+enum { LINES_MOST = 20 };
 
-    for (size_t i = 0; i < COUNT(lines); i++) {
-        session_begin(&session, good(program), "-");
-        session_obey(&session, lines[i]);
-        assert_true(session_says(&session, "5\nstep "));
-        session_obey(&session, "account");
-        assert_false(session_says(&session, "\n\n"));
-        session_end(&session);
-    }
-}
-
-/* A call is one for next; a break at an instruction of a linked pair is one at its
- * LINKV. */
-TEST(calls_and_links)
-{
-    static const struct line_said lines[] = {
-        { "next 2", "BSAVE" },
+static const struct {
+    const char *program;
+    struct line_said lines[LINES_MOST];
+    size_t faults;
+} sessions[] = {
+    /* What a program prints is printed once, however often it is gone through. */
+    { "        ES  r10, 5\n"
+      "        EXIT r10, r0, 2\n"
+      "        EXIT r0, r0, 5\n"
+      "        ES  r10, 6\n"
+      "        EXIT\n",
+      { { "step 3", "5\n" },
+        { "goto 0", "" },
+        { "step 4", "!5\n" },
+        { "", "ended with status 0" } },
+      0 },
+    /* An open line of the program's output is ended before the debugger reports, once. */
+    { ONE_NUMBER, { { "step 2", "5\nstep " }, { "account", "!\n\n" } }, 0 },
+    { ONE_NUMBER, { { "continue", "5\nstep " }, { "account", "!\n\n" } }, 0 },
+    { ONE_NUMBER, { { "goto 2", "5\nstep " }, { "account", "!\n\n" } }, 0 },
+    /* A call is one for next; a break at an instruction of a linked pair is one at its
+     * LINKV. */
+    { "        .include \"vectors.s\"\n"
+      "        .regs r16, a, link\n"
+      "        .code\n"
+      "        EX   r20, routine\n"
+      "        ES   r22, 3\n"
+      "        BSAVE link, [r20]\n"
+      "        words a, 1.0, 2.0, 3.0, 4.0\n"
+      "linked: LINKV\n"
+      "first:  MPYSV [a], [a], [a]\n"
+      "second: ADDNV [a], [a], [a]\n"
+      "        EXIT\n"
+      "routine: ES  r21, 1\n"
+      "        ES   r21, 2\n"
+      "        BIM  0, link\n",
+      { { "next 2", "BSAVE" },
         { "next", "=> 400080" },
         { "print step", "6" },
         { "break first", "break 1" },
@@ -194,97 +194,58 @@ TEST(calls_and_links)
         { "delete 1", "" },
         { "run", "break 2: second" },
         { "print pc == linked", "1" },
-        { "step", "EXIT" },
-    };
-    static const char program[] = "        .include \"vectors.s\"\n"
-                                  "        .regs r16, a, link\n"
-                                  "        .code\n"
-                                  "        EX   r20, routine\n"
-                                  "        ES   r22, 3\n"
-                                  "        BSAVE link, [r20]\n"
-                                  "        words a, 1.0, 2.0, 3.0, 4.0\n"
-                                  "linked: LINKV\n"
-                                  "first:  MPYSV [a], [a], [a]\n"
-                                  "second: ADDNV [a], [a], [a]\n"
-                                  "        EXIT\n"
-                                  "routine: ES  r21, 1\n"
-                                  "        ES   r21, 2\n"
-                                  "        BIM  0, link\n";
-
-    check_session(program, lines, COUNT(lines), 0);
-}
-
-/* A loop is no call: next goes round it with the program. */
-TEST(loops_and_conditions)
-{
-    static const struct line_said lines[] = {
-        { "next 2", "DBNZ" },
+        { "step", "EXIT" } },
+      0 },
+    /* A loop is no call: next goes round it with the program. */
+    { "        .regs r16, turns, to, count\n"
+      "        ES   turns, 3\n"
+      "        EX   to, again\n"
+      "again:  DBNZ turns, [to]\n"
+      "        EXIT\n",
+      { { "next 2", "DBNZ" },
         { "next", "=> 400060" },
         { "print step", "3" },
         { "break again if [turns * 0] == 1 / (turns - turns)", "break 1" },
         { "delete", "" },
-        { "break again if turns ==", "expected a value" },
-    };
-    static const char program[] = "        .regs r16, turns, to, count\n"
-                                  "        ES   turns, 3\n"
-                                  "        EX   to, again\n"
-                                  "again:  DBNZ turns, [to]\n"
-                                  "        EXIT\n";
-
-    check_session(program, lines, COUNT(lines), 1);
-}
-
-/* Behind its end a program does not go on, whatever is asked. */
-TEST(end)
-{
-    static const char *const lines[] = {
-        "step", "rs 0", "goto 4", "c", "until *0x400000", "goto clock 100000"
-    };
-    static const char program[] = "        ES  r10, 5\n"
-                                  "        ES  r11, 6\n"
-                                  "        DIVS r10, r11, r12\n"
-                                  "        EXIT\n";
-    struct debug_session session;
-
-    session_begin(&session, good(program), "-");
-    session_obey(&session, "run");
-    for (size_t i = 0; i < COUNT(lines); i++) {
-        session_obey(&session, lines[i]);
-        if (!session_says(&session, "ended with status 0"))
-            fail_msg("%s: %s", lines[i], session.said.text);
-    }
-    session_obey(&session, "set r10 = 3");
-    assert_true(session_says(&session, "go back first"));
-    session_obey(&session, "why");
-    assert_true(session_says(&session, "and until all in flight was done"));
-    assert_true(session_says(&session, "operand wait"));
-    session_end(&session);
-}
-
-/* What a run prints that somebody has changed is printed. */
-TEST(printed_again)
-{
-    static const char program[] = "        ES  r10, 5\n"
-                                  "        EXIT r10, r0, 2\n"
-                                  "        EXIT\n";
-    struct debug_session session;
-
-    session_begin(&session, good(program), "-");
-    session_obey(&session, "run");
-    assert_true(session_says(&session, "5\n"));
-    session_obey(&session, "goto 1");
-    session_obey(&session, "set r10 = 77");
-    session_obey(&session, "c");
-    assert_true(session_says(&session, "77\n"));
-    session_end(&session);
-}
-
-/* Stops at lines: of a macro's call at its first instruction, of a line in a macro at each of
- * its calls, of data behind them; several at one step are all told. */
-TEST(lines_and_several)
-{
-    static const struct line_said lines[] = {
-        { "break 9", "break 1: 9" },
+        { "break again if turns ==", "expected a value" } },
+      1 },
+    /* Behind its end a program does not go on, whatever is asked. */
+    { "        ES  r10, 5\n"
+      "        ES  r11, 6\n"
+      "        DIVS r10, r11, r12\n"
+      "        EXIT\n",
+      { { "run", "ended with status 0" },
+        { "step", "ended with status 0" },
+        { "rs 0", "ended with status 0" },
+        { "goto 4", "ended with status 0" },
+        { "c", "ended with status 0" },
+        { "until *0x400000", "ended with status 0" },
+        { "goto clock 100000", "ended with status 0" },
+        { "set r10 = 3", "go back first" },
+        { "why", "and until all in flight was done" },
+        { "why", "operand wait" } },
+      1 },
+    /* What a run prints that somebody has changed is printed. */
+    { ONE_NUMBER,
+      { { "run", "5\n" }, { "goto 1", "" }, { "set r10 = 77", "" }, { "c", "77\n" } },
+      0 },
+    /* Stops at lines: of a macro's call at its first instruction, of a line in a macro at each of
+     * its calls, of data behind them; several at one step are all told. */
+    { "        .data\n"
+      "datum:  .word 1.0\n"
+      "        .macro twice r\n"
+      "        ADDX \\r, r9, \\r\n"
+      "        ADDX \\r, r9, \\r\n"
+      "        .endm\n"
+      "        .code\n"
+      "        ES   r9, 1\n"
+      "        ES   r10, 5\n"
+      "        ES   r11, 5\n"
+      "        twice r10\n"
+      "        twice r11\n"
+      "here:   DIVS r10, r11, r12\n"
+      "        EXIT\n",
+      { { "break 9", "break 1: 9" },
         { "break 11", "break 2: 11" },
         { "break test.s:4", "break 3: test.s:4" },
         { "run", "break 1: 9" },
@@ -301,42 +262,30 @@ TEST(lines_and_several)
         { "tbreak *here", "break 6" },
         { "goto 0", "" },
         { "c 2", "ended" },
-        { "info breaks", "there are none" },
-    };
-    static const char program[] = "        .data\n"
-                                  "datum:  .word 1.0\n"
-                                  "        .macro twice r\n"
-                                  "        ADDX \\r, r9, \\r\n"
-                                  "        ADDX \\r, r9, \\r\n"
-                                  "        .endm\n"
-                                  "        .code\n"
-                                  "        ES   r9, 1\n"
-                                  "        ES   r10, 5\n"
-                                  "        ES   r11, 5\n"
-                                  "        twice r10\n"
-                                  "        twice r11\n"
-                                  "here:   DIVS r10, r11, r12\n"
-                                  "        EXIT\n";
+        { "info breaks", "there are none" } },
+      0 },
+    /* An endless program ends no script. */
+    { "        .include \"vectors.s\"\n"
+      "        .data\n"
+      "v:      .space 65000\n"
+      "        .code\n"
+      "        descriptor r10, v, 65000\n"
+      "loop:   DIVSV [r10], [r10], [r10]\n"
+      "        BIM loop\n",
+      { { "c", "1000000000 clocks have passed" } },
+      0 },
+};
 
-    check_session(program, lines, COUNT(lines), 0);
-}
-
-/* An endless program ends no script. */
-TEST(endless)
+TEST(sessions)
 {
-    static const char program[] = "        .include \"vectors.s\"\n"
-                                  "        .data\n"
-                                  "v:      .space 65000\n"
-                                  "        .code\n"
-                                  "        descriptor r10, v, 65000\n"
-                                  "loop:   DIVSV [r10], [r10], [r10]\n"
-                                  "        BIM loop\n";
-    struct debug_session session;
+    for (size_t i = 0; i < COUNT(sessions); i++) {
+        size_t count = 0;
 
-    session_begin(&session, good(program), "test.s");
-    session_obey(&session, "c");
-    assert_true(session_says(&session, "1000000000 clocks have passed"));
-    session_end(&session);
+        while (count < LINES_MOST && sessions[i].lines[count].line)
+            count++;
+        check_session(sessions[i].program, sessions[i].lines, count,
+                      sessions[i].faults);
+    }
 }
 
 GROUP(set_up_model, tear_down_model);

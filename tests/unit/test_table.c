@@ -70,18 +70,6 @@ static struct table *some_table(void)
     return table;
 }
 
-TEST_WITH(columns_line_up, set_up, tear_down)
-{
-    struct table *table = some_table();
-    FILE *file = fopen(folder.path, "w");
-    assert_true(table_print(table, file));
-    fclose(file);
-    table_free(table);
-    expect_text(folder.path, "name      clocks      %  remark\n"
-                             "a       12345678  100.0  say \"so\"\n"
-                             "longer         7         \n");
-}
-
 /* Words of the letters a to z, so many; the text is written there. */
 static void random_words(unsigned *seed, size_t count, char *text)
 {
@@ -112,51 +100,6 @@ static void assert_folded(const char *printed, size_t begins, const char *text)
         assert_int_equal(strspn(line, " "), *text ? begins : 0);
     }
     assert_string_equal(line, "");
-}
-
-/* What is too long for a line goes on below, and nowhere but in print. */
-TEST(long_text_is_folded)
-{
-    enum { FIRST = 76 };
-    static char printed[1 << 14], csv[1 << 14];
-    unsigned seed = 12;
-    for (size_t words = 1; words < 200; words++) {
-        char name[FIRST + 1] = "", text[13 * 200];
-        FILE *file = fmemopen(printed, sizeof printed, "w");
-        FILE *other = fmemopen(csv, sizeof csv, "w");
-        struct table *table = table_new(TABLE_COLUMNS(named));
-        memset(name, 'x', words % FIRST > 0 ? words % FIRST : 1);
-        random_words(&seed, words, text);
-        table_text(table, name);
-        table_text(table, text);
-        assert_true(table_print(table, file));
-        assert_true(table_write(table, TABLE_CSV, other));
-        fclose(file);
-        fclose(other);
-        table_free(table);
-        assert_folded(printed, 2 + (strlen(name) > 4 ? strlen(name) : 4), text);
-        assert_non_null(strstr(csv, text));
-    }
-}
-
-TEST_WITH(table_as_json, set_up, tear_down)
-{
-    struct table *table = some_table();
-    c205_error error;
-    struct json *json = json_open(folder.path, &error);
-    assert_non_null(json);
-    table_json(table, json, "rows");
-    assert_true(json_close(json, &error));
-    table_free(table);
-    expect_text(folder.path, "{\n  \"rows\": [\n"
-                             "    {\n      \"name\": \"a\",\n"
-                             "      \"clocks\": 12345678,\n"
-                             "      \"percent\": 99.96,\n"
-                             "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
-                             "    {\n      \"name\": \"longer\",\n"
-                             "      \"clocks\": 7,\n"
-                             "      \"percent\": null,\n"
-                             "      \"remark\": \"\"\n    }\n  ]\n}\n");
 }
 
 /* What a format would break on: its own marks, lines, numbers that are
@@ -196,12 +139,63 @@ static void expect_written(struct table *table, enum table_format format,
     table_free(table);
 }
 
-TEST(table_as_csv)
+TEST(formats)
 {
+    struct table *table = some_table();
+    char *text = NULL;
+    size_t length = 0;
+    c205_error error;
+    FILE *file = open_memstream(&text, &length);
+    struct json *json = json_open_stream(file, NULL, &error);
+    table_json(table, json, "rows");
+    assert_true(json_close(json, &error));
+    assert_int_equal(fclose(file), 0);
+    assert_string_equal(text, "{\n  \"rows\": [\n"
+                              "    {\n      \"name\": \"a\",\n"
+                              "      \"clocks\": 12345678,\n"
+                              "      \"percent\": 99.96,\n"
+                              "      \"remark\": \"say \\\"so\\\"\"\n    },\n"
+                              "    {\n      \"name\": \"longer\",\n"
+                              "      \"clocks\": 7,\n"
+                              "      \"percent\": null,\n"
+                              "      \"remark\": \"\"\n    }\n  ]\n}\n");
+    free(text);
+    table_free(table);
+    expect_written(some_table(), TABLE_PLAIN,
+                   "name      clocks      %  remark\n"
+                   "a       12345678  100.0  say \"so\"\n"
+                   "longer         7         \n");
     expect_written(some_table(), TABLE_CSV,
                    "name,clocks,percent,remark\n"
                    "a,12345678,99.96,\"say \"\"so\"\"\"\n"
                    "longer,7,,\n");
+    expect_written(some_table(), TABLE_MARKDOWN,
+                   "| name   |   clocks |     % | remark   |\n"
+                   "|:-------|---------:|------:|:---------|\n"
+                   "| a      | 12345678 | 100.0 | say \"so\" |\n"
+                   "| longer |        7 |       |          |\n");
+}
+
+/* What is too long for a line continues below, and nowhere but in print. */
+TEST(long_text_is_folded)
+{
+    enum { FIRST = 76 };
+    unsigned seed = 12;
+    for (size_t words = 1; words < 200; words++) {
+        char name[FIRST + 1] = "", text[13 * 200], *printed, *csv;
+        struct table *table = table_new(TABLE_COLUMNS(named));
+        memset(name, 'x', words % FIRST > 0 ? words % FIRST : 1);
+        random_words(&seed, words, text);
+        table_text(table, name);
+        table_text(table, text);
+        printed = written(table, TABLE_PLAIN);
+        csv = written(table, TABLE_CSV);
+        table_free(table);
+        assert_folded(printed, 2 + (strlen(name) > 4 ? strlen(name) : 4), text);
+        assert_non_null(strstr(csv, text));
+        free(printed);
+        free(csv);
+    }
 }
 
 TEST(csv_comes_back)
@@ -210,6 +204,7 @@ TEST(csv_comes_back)
     struct table *table = odd_table();
     char *text = written(table, TABLE_CSV);
     table_free(table);
+    assert_null(strstr(text, "\n#")); /* its reader would ignore the line */
     assert_string_equal(csv_table(text, &back), "");
     free(text);
     assert_int_equal(back.rows, 7);
@@ -221,16 +216,6 @@ TEST(csv_comes_back)
     assert_string_equal(back.cell[3][0], "# d");
     assert_string_equal(back.cell[5][0], "two\nlines");
     assert_true(strtod(back.cell[4][2], NULL) == 1.0 / 3.0);
-}
-
-/* A line of text that begins with # would be passed over by its reader. */
-TEST(csv_has_no_remarks)
-{
-    struct table *table = odd_table();
-    char *text = written(table, TABLE_CSV);
-    assert_null(strstr(text, "\n#"));
-    free(text);
-    table_free(table);
 }
 
 /* Whatever a text begins with, no cell is a formula of a spreadsheet; numbers
@@ -262,15 +247,6 @@ TEST(csv_has_no_formulas)
             table_free(table);
         }
     }
-}
-
-TEST(table_as_markdown)
-{
-    expect_written(some_table(), TABLE_MARKDOWN,
-                   "| name   |   clocks |     % | remark   |\n"
-                   "|:-------|---------:|------:|:---------|\n"
-                   "| a      | 12345678 | 100.0 | say \"so\" |\n"
-                   "| longer |        7 |       |          |\n");
 }
 
 static size_t markdown_cells(const char *line)
