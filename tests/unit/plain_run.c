@@ -44,3 +44,50 @@ const char *plain_region(const struct plain *plain, uint64_t pc)
             return program->regions[i].name;
     return "";
 }
+
+/* ---- Where a debugger stops -------------------------------------------------- */
+
+static bool enters(const struct plain *plain, const char *region, size_t step)
+{
+    return strcmp(plain_region(plain, plain->moments[step].pc), region) == 0
+           && strcmp(plain_region(plain, plain->moments[step - 1].pc), region) != 0;
+}
+
+bool plain_stops_at(const struct plain *plain, const struct plain_stops *stops,
+                    size_t step)
+{
+    const struct moment *now = &plain->moments[step];
+
+    if (step == 0 || step >= plain->end)
+        return false;
+    return (stops->by_place && now->pc == stops->place
+            && (stops->every == 0 || step % stops->every == 0))
+           || (stops->region && enters(plain, stops->region, step))
+           || (stops->by_watch && now->watched != now[-1].watched);
+}
+
+size_t plain_on(const struct plain *plain, const struct plain_stops *stops, size_t step,
+                uint64_t count)
+{
+    while (step < plain->end && count-- > 0)
+        if (plain_stops_at(plain, stops, ++step))
+            break;
+    return step;
+}
+
+size_t plain_back(const struct plain *plain, const struct plain_stops *stops,
+                  size_t step)
+{
+    while (step > 0 && !plain_stops_at(plain, stops, --step))
+        continue;
+    return step;
+}
+
+size_t plain_to_clock(const struct plain *plain, size_t step, uint64_t clock)
+{
+    if (plain->moments[step].clock >= clock)
+        step = 0;
+    while (step < plain->end && plain->moments[step].clock < clock)
+        step++;
+    return step;
+}

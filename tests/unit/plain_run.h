@@ -28,4 +28,23 @@ struct plain run_plainly(struct object *object, uint64_t *random_state);
 /* The region of an address, "" for none. */
 const char *plain_region(const struct plain *plain, uint64_t pc);
 
+/* ---- Where a debugger stops -------------------------------------------------- */
+
+struct plain_stops {
+    bool by_watch, by_place;
+    uint64_t place;
+    size_t every;       /* the place counts at steps that this divides; 0: at all */
+    const char *region; /* that is entered; NULL: none */
+};
+
+bool plain_stops_at(const struct plain *plain, const struct plain_stops *stops,
+                    size_t step);
+/* Forward to a stop, by up to a number of steps; back to a stop, or to the beginning. */
+size_t plain_on(const struct plain *plain, const struct plain_stops *stops, size_t step,
+                uint64_t count);
+size_t plain_back(const struct plain *plain, const struct plain_stops *stops,
+                  size_t step);
+/* The first step at or after a clock. */
+size_t plain_to_clock(const struct plain *plain, size_t step, uint64_t clock);
+
 #endif

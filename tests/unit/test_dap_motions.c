@@ -14,9 +14,8 @@
 struct walk {
     struct dap_client client;
     struct plain plain;
+    struct plain_stops stops;
     size_t step;
-    bool has_place, by_watch;
-    uint64_t place;
 };
 
 static void check_moment(struct walk *walk, const char *request)
@@ -41,29 +40,20 @@ static void check_moment(struct walk *walk, const char *request)
     assert_true(word_in(client_print(&walk->client, watched)) == moment->watched);
 }
 
-static bool is_stop(const struct walk *walk, size_t step)
-{
-    const struct moment *now = &walk->plain.moments[step];
-
-    return step > 0 && step < walk->plain.end
-           && ((walk->has_place && now->pc == walk->place)
-               || (walk->by_watch && now->watched != now[-1].watched));
-}
-
 static void choose_stops(struct walk *walk)
 {
-    walk->place = walk->plain.moments[below(walk->plain.end)].pc;
-    walk->has_place = below(3) > 0;
-    walk->by_watch = below(2);
+    walk->stops.place = walk->plain.moments[below(walk->plain.end)].pc;
+    walk->stops.by_place = below(3) > 0;
+    walk->stops.by_watch = below(2);
     client_ask(&walk->client, "setInstructionBreakpoints",
-               walk->has_place ? "{\"breakpoints\": "
-                                 "[{\"instructionReference\": \"0x%llX\"}]}"
-                               : "{\"breakpoints\": []}",
-               (unsigned long long)walk->place);
+               walk->stops.by_place ? "{\"breakpoints\": "
+                                      "[{\"instructionReference\": \"0x%llX\"}]}"
+                                    : "{\"breakpoints\": []}",
+               (unsigned long long)walk->stops.place);
     client_ask(&walk->client, "setDataBreakpoints",
-               walk->by_watch ? "{\"breakpoints\": [{\"dataId\": "
-                                "\"0x%llX, 1\"}]}"
-                              : "{\"breakpoints\": []}",
+               walk->stops.by_watch ? "{\"breakpoints\": [{\"dataId\": "
+                                      "\"0x%llX, 1\"}]}"
+                                    : "{\"breakpoints\": []}",
                (unsigned long long)walk->plain.watched);
 }
 
@@ -76,9 +66,10 @@ static const char *reason_for(const struct walk *walk, const char *request, size
         return "end";
     if (walk->step == 0)
         return steps_back && from > 0 ? "step" : "entry";
-    if (steps_back || !is_stop(walk, walk->step))
+    if (steps_back || !plain_stops_at(&walk->plain, &walk->stops, walk->step))
         return "step";
-    return walk->has_place && walk->plain.moments[walk->step].pc == walk->place
+    return walk->stops.by_place
+                   && walk->plain.moments[walk->step].pc == walk->stops.place
                ? "instruction breakpoint"
                : "data breakpoint";
 }
@@ -101,17 +92,14 @@ static void move(struct walk *walk)
 
     switch (step == end ? 2 + below(2) : below(5)) {
     case 0:
-        do
-            step++;
-        while (step < end && !is_stop(walk, step));
+        step = plain_on(&walk->plain, &walk->stops, step, UINT64_MAX);
         move_to(walk, "continue", step);
         break;
     case 1:
     case 4: move_to(walk, "stepIn", step + 1); break;
     case 2: move_to(walk, "stepBack", step > 0 ? step - 1 : 0); break;
     default:
-        while (step > 0 && !is_stop(walk, --step))
-            continue;
+        step = plain_back(&walk->plain, &walk->stops, step);
         move_to(walk, "reverseContinue", step);
     }
 }

@@ -14,32 +14,7 @@ enum { PROGRAMS = COUNT(programs) };
 
 /* ---- What must become of a line ------------------------------------------- */
 
-/* Stops that the debugger was told of; the oracle keeps its own list. */
-struct told {
-    bool by_watch, by_place;
-    uint64_t place;
-    size_t every;       /* the place counts at steps that this divides */
-    const char *region; /* that is entered; NULL: none */
-};
-
-static bool enters(const struct plain *plain, const char *region, size_t step)
-{
-    return strcmp(plain_region(plain, plain->moments[step].pc), region) == 0
-           && strcmp(plain_region(plain, plain->moments[step - 1].pc), region) != 0;
-}
-
-static bool stops_at(const struct plain *plain, const struct told *told, size_t step)
-{
-    const struct moment *now = &plain->moments[step];
-
-    if (step == 0 || step == plain->end)
-        return false;
-    return (told->by_place && now->pc == told->place && step % told->every == 0)
-           || (told->region && enters(plain, told->region, step))
-           || (told->by_watch && now->watched != now[-1].watched);
-}
-
-static bool begins_with_stop(const struct plain *plain, const struct told *told)
+static bool begins_with_stop(const struct plain *plain, const struct plain_stops *told)
 {
     uint64_t pc = plain->moments[0].pc;
 
@@ -47,37 +22,12 @@ static bool begins_with_stop(const struct plain *plain, const struct told *told)
            || (told->region && strcmp(plain_region(plain, pc), told->region) == 0);
 }
 
-static size_t on_from(const struct plain *plain, const struct told *told, size_t step,
-                      uint64_t count)
-{
-    while (step < plain->end && count-- > 0)
-        if (stops_at(plain, told, ++step))
-            break;
-    return step;
-}
-
-static size_t back_from(const struct plain *plain, const struct told *told, size_t step)
-{
-    while (step > 0 && !stops_at(plain, told, --step))
-        continue;
-    return step;
-}
-
-static size_t to_clock(const struct plain *plain, size_t step, uint64_t clock)
-{
-    if (plain->moments[step].clock >= clock)
-        step = 0;
-    while (step < plain->end && plain->moments[step].clock < clock)
-        step++;
-    return step;
-}
-
-static size_t to_place(const struct plain *plain, const struct told *told, size_t step,
-                       uint64_t place)
+static size_t to_place(const struct plain *plain, const struct plain_stops *told,
+                       size_t step, uint64_t place)
 {
     while (step < plain->end) {
         step++;
-        if (plain->moments[step].pc == place || stops_at(plain, told, step))
+        if (plain->moments[step].pc == place || plain_stops_at(plain, told, step))
             break;
     }
     return step;
@@ -88,7 +38,7 @@ static size_t to_place(const struct plain *plain, const struct told *told, size_
 struct session {
     const struct plain *plain;
     struct debug_session debug;
-    struct told told;
+    struct plain_stops told; /* to the debugger */
     size_t step;
 };
 
@@ -140,7 +90,7 @@ static void choose_watch(struct session *session)
 static size_t draw_line(struct session *session, char line[80])
 {
     const struct plain *plain = session->plain;
-    const struct told *told = &session->told;
+    const struct plain_stops *told = &session->told;
     size_t step = session->step;
     uint64_t number;
 
@@ -148,13 +98,13 @@ static size_t draw_line(struct session *session, char line[80])
     case 0:
         number = 1 + below(40);
         snprintf(line, 80, "step %llu", (unsigned long long)number);
-        return on_from(plain, told, step, number);
+        return plain_on(plain, told, step, number);
     case 1:
         number = 1 + below(40);
         snprintf(line, 80, "reverse-step %llu", (unsigned long long)number);
         return step > number ? step - (size_t)number : 0;
-    case 2: strcpy(line, "c"); return on_from(plain, told, step, UINT64_MAX);
-    case 3: strcpy(line, "rc"); return back_from(plain, told, step);
+    case 2: strcpy(line, "c"); return plain_on(plain, told, step, UINT64_MAX);
+    case 3: strcpy(line, "rc"); return plain_back(plain, told, step);
     case 4:
         number = below(plain->end + 1);
         snprintf(line, 80, "goto %llu", (unsigned long long)number);
@@ -162,10 +112,10 @@ static size_t draw_line(struct session *session, char line[80])
     case 5:
         number = below(plain->moments[plain->end].clock + 1);
         snprintf(line, 80, "goto clock %llu", (unsigned long long)number);
-        return to_clock(plain, step, number);
+        return plain_to_clock(plain, step, number);
     case 6:
         strcpy(line, "run");
-        return begins_with_stop(plain, told) ? 0 : on_from(plain, told, 0, UINT64_MAX);
+        return begins_with_stop(plain, told) ? 0 : plain_on(plain, told, 0, UINT64_MAX);
     default:
         number = plain->moments[below(plain->end)].pc;
         snprintf(line, 80, "until *%llu", (unsigned long long)number);

@@ -169,8 +169,7 @@ struct walk {
     struct talk talk;
     struct plain plain;
     uint64_t step, known;
-    size_t line; /* 0: it stops nowhere */
-    uint64_t place;
+    struct plain_stops stops;
 };
 
 static void check_place(struct walk *walk, const char *asked)
@@ -197,36 +196,37 @@ static void check_place(struct walk *walk, const char *asked)
     fresh_end(&fresh);
 }
 
-static bool is_stop(const struct walk *walk, uint64_t step)
+static const char *why_at(const struct walk *walk, uint64_t step)
 {
-    return walk->line > 0 && step < walk->plain.end
-           && walk->plain.moments[step].pc == walk->place;
+    return step == walk->plain.end                            ? "end"
+           : plain_stops_at(&walk->plain, &walk->stops, step) ? "breakpoint"
+                                                              : "moved";
 }
 
 /* A line, and where it stands: at the first line from there on that has code. */
 static void choose_stop(struct walk *walk)
 {
     const struct object *object = walk->plain.object;
-    size_t wanted = 1 + below(60);
+    size_t wanted = 1 + below(60), found = 0;
     const struct json_value *line;
 
-    walk->line = 0;
     for (size_t i = 0; i < object->line_count; i++) {
         const struct asm_line *each = &object->lines[i];
 
         if (each->is_code && strcmp(each->call_file, "program.s") == 0
             && each->call_number >= wanted
-            && (walk->line == 0 || each->call_number < walk->line)) {
-            walk->line = each->call_number;
-            walk->place = each->address;
+            && (found == 0 || each->call_number < found)) {
+            found = each->call_number;
+            walk->stops.place = each->address;
         }
     }
     line = json_member_first(talk_ask(&walk->talk, "{'do': 'breaks', 'lines': [%zu]}",
                                       wanted),
                              "lines");
     assert_true(number_of(line, "wanted") == (double)wanted);
-    if (walk->line > 0)
-        assert_true(number_of(line, "line") == (double)walk->line);
+    walk->stops.by_place = found > 0;
+    if (found > 0)
+        assert_true(number_of(line, "line") == (double)found);
     else
         assert_true(*text_of(line, "message"));
 }
@@ -250,18 +250,9 @@ static void go(struct walk *walk, const char *how, uint64_t n, uint64_t step,
 /* Forward to a stop behind one step, at the most so many. */
 static void go_on(struct walk *walk, const char *how, uint64_t n)
 {
-    uint64_t step = walk->step, left = n;
+    uint64_t step = plain_on(&walk->plain, &walk->stops, walk->step, n);
 
-    while (step < walk->plain.end && left > 0) {
-        step++;
-        left--;
-        if (is_stop(walk, step))
-            break;
-    }
-    go(walk, how, n, step,
-       step == walk->plain.end ? "end"
-       : is_stop(walk, step)   ? "breakpoint"
-                               : "moved");
+    go(walk, how, n, step, why_at(walk, step));
 }
 
 /* Over a call, and all that it does. */
@@ -272,21 +263,16 @@ static void go_next(struct walk *walk)
     const struct asm_line *line = object_line(plain->object, pc);
 
     if (strstr(line->source, "BSAVE"))
-        while (step < plain->end && !is_stop(walk, step)
+        while (step < plain->end && !plain_stops_at(plain, &walk->stops, step)
                && plain->moments[step].pc != pc + 32 * line->halves)
             step++;
-    go(walk, "next", 1, step,
-       step == plain->end    ? "end"
-       : is_stop(walk, step) ? "breakpoint"
-                             : "moved");
+    go(walk, "next", 1, step, why_at(walk, step));
 }
 
 static void go_back_to_stop(struct walk *walk)
 {
-    uint64_t step = walk->step;
+    uint64_t step = plain_back(&walk->plain, &walk->stops, walk->step);
 
-    while (step > 0 && !is_stop(walk, --step))
-        continue;
     go(walk, "reverse-continue", 1, step, step > 0 ? "breakpoint" : "start");
 }
 
@@ -294,10 +280,8 @@ static void go_to_clock(struct walk *walk)
 {
     const struct plain *plain = &walk->plain;
     uint64_t clock = 1 + below(plain->moments[plain->end].clock);
-    uint64_t step = 0;
+    uint64_t step = plain_to_clock(plain, 0, clock);
 
-    while (plain->moments[step].clock < clock)
-        step++;
     go(walk, "clock-to", clock, step, step == plain->end ? "end" : "moved");
 }
 
