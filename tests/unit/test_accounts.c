@@ -4,11 +4,11 @@
 
 #include "base/accounts_show.h"
 #include "base/fold.h"
+#include "tests/unit/prior_model.h"
 #include "tests/unit/unit.h"
 
 enum { REGIONS_MOST = 20, TRIES = 300 };
 
-static c205_model *model;
 static unsigned seed = 205;
 
 static unsigned any(unsigned below)
@@ -21,7 +21,7 @@ static unsigned any(unsigned below)
  * all clocks below a length that is any, too. */
 static struct accounts random_accounts(void)
 {
-    struct accounts accounts = { .model = model };
+    struct accounts accounts = { .model = prior_model };
     unsigned regions = 1 + any(REGIONS_MOST), scale = 1u << any(24);
     unsigned causes = any(1u << C205_CAUSES);
     for (unsigned i = 0; i < regions; i++) {
@@ -60,8 +60,8 @@ static void assert_near(double a, double b)
 static double in_unit(const struct accounts *accounts, uint64_t clocks)
 {
     const struct accounts_unit *unit = accounts_unit(
-        accounts_seconds(model, accounts->clocks));
-    return accounts_seconds(model, clocks) * unit->per_second;
+        accounts_seconds(prior_model, accounts->clocks));
+    return accounts_seconds(prior_model, clocks) * unit->per_second;
 }
 
 static size_t used_causes(const c205_account *sum)
@@ -113,7 +113,7 @@ static void check_place(struct view view, const struct accounts *accounts,
                         : 0);
     }
     if (sum->operations > 0) {
-        double seconds = accounts_seconds(model, accounts_clocks(account));
+        double seconds = accounts_seconds(prior_model, accounts_clocks(account));
         assert_near(at(view, line, place), (double)account->operations / seconds / 1e6);
     }
 }
@@ -211,7 +211,8 @@ static void check_share(const struct accounts *accounts, const char *text,
     const char *found = strstr(text, row);
     char *end;
     assert_non_null(found);
-    assert_near(strtod(found + strlen(row), &end), accounts_seconds(model, clocks));
+    assert_near(strtod(found + strlen(row), &end),
+                accounts_seconds(prior_model, clocks));
     assert_int_equal(*end, ',');
     assert_near(strtod(end + 1, &end), all > 0 ? 100 * (double)clocks / all : 0);
     assert_int_equal(*end, '\n');
@@ -257,7 +258,7 @@ static void assert_twice(const c205_account *twice, const c205_account *once)
 TEST(runs_add_up)
 {
     for (int i = 0; i < TRIES; i++) {
-        struct accounts once = random_accounts(), twice = { .model = model };
+        struct accounts once = random_accounts(), twice = { .model = prior_model };
         for (size_t k = 0; k < 2 * once.count; k++) {
             assert_true(accounts_add_account(&twice, &once.items[k % once.count]));
         }
@@ -274,7 +275,7 @@ TEST(runs_add_up)
 static void assert_time(uint64_t clocks, const char *expected)
 {
     char text[ACCOUNTS_TIME];
-    accounts_time(model, clocks, text);
+    accounts_time(prior_model, clocks, text);
     assert_string_equal(text, expected);
 }
 
@@ -291,17 +292,4 @@ TEST(times_are_short)
     assert_time(50000000000, "1000.000 s");
 }
 
-FIXTURE(set_up)
-{
-    c205_error error;
-    model = c205_model_find(C205_DEFAULT_MODEL, &error);
-    return !model;
-}
-
-FIXTURE(tear_down)
-{
-    c205_model_free(model);
-    return 0;
-}
-
-GROUP(set_up, tear_down);
+GROUP(set_up_model, tear_down_model);

@@ -318,7 +318,7 @@ static void compare(void)
 /* By the coefficient of any word; of a half word, the left halves of the results. */
 static void shift(void)
 {
-    const int32_t width = format_width(size->format);
+    int32_t width = format_width(size->format);
     const struct {
         int64_t count;
         c205_word expected;

@@ -1,8 +1,8 @@
-/* test_machine.c - what a machine does that is no result of an instruction, and SWAP: traps, their
- * addresses and messages, limits, regions, events and copies of memory are compared with
- * what is written here.  What instructions do, check-programs and check-random compare
- * with results by hand and with a second interpreter.  A trap that is missing, or named
- * with another address, fails here.
+/* test_machine.c - what a machine does besides the results of instructions, and SWAP:
+ * traps, their addresses and messages, limits, regions, events and copies of memory are
+ * compared with what is written here.  What instructions do, check-programs and
+ * check-random compare with results by hand and with a second interpreter.  A trap that is
+ * missing, or named with another address, fails here.
  */
 #include "machine_fixture.h"
 

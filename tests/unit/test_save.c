@@ -1,5 +1,9 @@
-/* Saving and restoring: a run that was broken off ends like one that was not,
- * and nothing but a whole saved machine is taken for one. */
+/* test_save.c - saving and restoring: runs of examples and kernels that are saved and
+ * restored on the way are compared with runs that are not, and saved machines that are cut,
+ * damaged, forged or of another model are rejected.  A state that is not saved, or bytes
+ * that are accepted without their hash, fail here.
+ */
+#include "tests/unit/prior_model.h"
 #include "tests/unit/saved_machine.h"
 
 #include "rt/trace/trace.h"
@@ -10,7 +14,6 @@
 
 enum { WORD_BYTES = 8 };
 
-static c205_model *model;
 static uint64_t random_state = RANDOM_SEED;
 
 static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
@@ -25,7 +28,7 @@ static c205_stop run_in_pieces(c205 **machine, uint64_t clocks)
 /* From this state to the end, in one go and in pieces of so many clocks. */
 static void compare_runs(const struct bytes *begin, uint64_t clocks)
 {
-    c205 *whole = restore(begin, model), *broken = restore(begin, model);
+    c205 *whole = restore(begin, prior_model), *broken = restore(begin, prior_model);
     c205_stop one = c205_run(whole, C205_NO_LIMIT);
     c205_stop other = run_in_pieces(&broken, clocks);
     assert_same_stop(&one, &other);
@@ -38,7 +41,7 @@ static void compare_runs(const struct bytes *begin, uint64_t clocks)
 
 static void compare_program(const char *path, uint64_t clocks)
 {
-    c205 *machine = machine_from(path, model);
+    c205 *machine = machine_from(path, prior_model);
     struct bytes begin = save(machine);
     compare_runs(&begin, clocks);
     free(begin.byte);
@@ -61,7 +64,7 @@ TEST(programs)
 static void compare_frame(const struct scene *scene, enum trace_mode mode)
 {
     struct trace_options options = {
-        .mode = mode, .width = 8, .height = 6, .queue = 30, .model = model
+        .mode = mode, .width = 8, .height = 6, .queue = 30, .model = prior_model
     };
     c205_error error = { "" };
     struct trace *trace = trace_new(scene, &options, &error);
@@ -96,7 +99,7 @@ TEST(kernels)
 TEST(access)
 {
     uint64_t address = UINT64_C(0xFFFFFFFFFFC0);
-    c205 *machine = machine_from("asm/examples/dot.s", model);
+    c205 *machine = machine_from("asm/examples/dot.s", prior_model);
     c205_word word = 205;
     c205_error error;
     uint64_t fault;
@@ -119,7 +122,7 @@ TEST(untouched)
     struct bytes saved[2];
     for (size_t i = 0; i < 2; i++) {
         c205_error error;
-        c205 *machine = c205_new(model, &error);
+        c205 *machine = c205_new(prior_model, &error);
         assert_non_null(machine);
         assert_true(c205_map(machine, 0, 3 * C205_PAGE_WORDS, access[i], &error));
         saved[i] = save(machine);
@@ -138,7 +141,7 @@ TEST(untouched)
 TEST(empty_machine)
 {
     c205_error error;
-    c205 *machine = c205_new(model, &error);
+    c205 *machine = c205_new(prior_model, &error);
     assert_non_null(machine);
     machine = replace(machine);
     assert_int_equal(c205_loaded_program(machine), 0);
@@ -191,7 +194,7 @@ static void seal(struct bytes *bytes)
 
 static struct bytes in_the_middle(uint64_t clock)
 {
-    c205 *machine = machine_from("asm/examples/lookup.s", model);
+    c205 *machine = machine_from("asm/examples/lookup.s", prior_model);
     assert_int_equal(c205_run(machine, clock).trap, C205_TRAP_CLOCK_LIMIT);
     struct bytes bytes = save(machine);
     c205_free(machine);
@@ -215,7 +218,7 @@ TEST(truncated)
         unsigned char *part = malloc(count ? count : 1);
         assert_non_null(part);
         memcpy(part, bytes.byte, count);
-        assert_refused(part, count, model,
+        assert_refused(part, count, prior_model,
                        count < WORD_BYTES ? "not a saved machine" : "damaged");
         free(part);
     }
@@ -228,11 +231,11 @@ TEST(flipped)
     for (size_t i = 0; i < bytes.count; i++) {
         unsigned char bit = (unsigned char)(1 << xorshift(&random_state) % 8);
         bytes.byte[i] ^= bit;
-        assert_refused(bytes.byte, bytes.count, model, "");
+        assert_refused(bytes.byte, bytes.count, prior_model, "");
         bytes.byte[i] ^= bit;
     }
     append(&bytes, "beyond..", WORD_BYTES);
-    assert_refused(bytes.byte, bytes.count, model, "damaged");
+    assert_refused(bytes.byte, bytes.count, prior_model, "damaged");
     free(bytes.byte);
 }
 
@@ -244,7 +247,7 @@ static void try_word(struct bytes *bytes, size_t i, uint64_t word)
     c205_error error = { "" };
     put_word(bytes, i, word);
     seal(bytes);
-    c205 *machine = c205_restore(bytes->byte, bytes->count, model, &error);
+    c205 *machine = c205_restore(bytes->byte, bytes->count, prior_model, &error);
     put_word(bytes, i, before);
     if (!machine) {
         assert_true(error.message[0]);
@@ -280,10 +283,10 @@ TEST(foreign)
     c205_model *other = c205_model_find("cyber205-4pipe-prior", &error);
     assert_non_null(other);
     assert_refused(bytes.byte, bytes.count, other, "cyber205-2pipe-prior");
-    assert_refused(text, sizeof text, model, "not a saved machine");
+    assert_refused(text, sizeof text, prior_model, "not a saved machine");
     put_word(&bytes, 1, get_word(&bytes, 1) + 1);
     seal(&bytes);
-    assert_refused(bytes.byte, bytes.count, model, "another version");
+    assert_refused(bytes.byte, bytes.count, prior_model, "another version");
     free(bytes.byte);
     c205_model_free(other);
 }
@@ -307,7 +310,7 @@ TEST(same_constants)
 
 TEST(no_room)
 {
-    c205 *machine = machine_from("asm/examples/dot.s", model);
+    c205 *machine = machine_from("asm/examples/dot.s", prior_model);
     c205_error error;
     for (size_t room = 1; room < 4000; room += 97) {
         struct bytes bytes = { 0, room, NULL, 0 };
@@ -319,17 +322,4 @@ TEST(no_room)
     c205_free(machine);
 }
 
-FIXTURE(find_model)
-{
-    c205_error error;
-    model = c205_model_find("cyber205-2pipe-prior", &error);
-    return model ? 0 : -1;
-}
-
-FIXTURE(drop_model)
-{
-    c205_model_free(model);
-    return 0;
-}
-
-GROUP(find_model, drop_model);
+GROUP(set_up_model, tear_down_model);
