@@ -1,6 +1,8 @@
 /* prior_model.c - found by its name, once. */
 #include "prior_model.h"
 
+#include "tests/oracle/arithmetic_oracle.h"
+
 c205_model *prior_model;
 
 int set_up_model(STATE)
@@ -15,4 +17,26 @@ int tear_down_model(STATE)
 {
     c205_model_free(prior_model);
     return 0;
+}
+
+int set_up_oracle(STATE)
+{
+    oracle_begin();
+    return 0;
+}
+
+int tear_down_oracle(STATE)
+{
+    oracle_end();
+    return 0;
+}
+
+int set_up_both(void **state)
+{
+    return set_up_oracle(state) || set_up_model(state);
+}
+
+int tear_down_both(void **state)
+{
+    return tear_down_oracle(state) || tear_down_model(state);
 }

@@ -7,8 +7,12 @@
 
 extern c205_model *prior_model;
 
-/* For a group of tests. */
+/* For a group of tests: the model, the arithmetic of the oracle, or both. */
 int set_up_model(void **state);
 int tear_down_model(void **state);
+int set_up_oracle(void **state);
+int tear_down_oracle(void **state);
+int set_up_both(void **state);
+int tear_down_both(void **state);
 
 #endif

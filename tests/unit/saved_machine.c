@@ -85,3 +85,21 @@ c205 *machine_from(const char *path, const c205_model *model)
     object_free(object);
     return machine;
 }
+
+c205_model *model_of(const struct random_program *program)
+{
+    c205_error error;
+    c205_model *model = c205_model_parse("random", random_models[program->model],
+                                         &error);
+    assert_non_null(model);
+    return model;
+}
+
+c205 *machine_of(const struct random_program *program, const c205_model *model)
+{
+    c205_error error;
+    c205 *machine = c205_new(model, &error);
+    assert_non_null(machine);
+    assert_true(random_load(machine, program, &error));
+    return machine;
+}

@@ -2,6 +2,7 @@
 #ifndef TESTS_SAVED_MACHINE_H
 #define TESTS_SAVED_MACHINE_H
 
+#include "tests/oracle/random_program.h"
 #include "tests/unit/asm_helper.h"
 
 struct bytes {
@@ -22,5 +23,9 @@ c205 *replace(c205 *machine);
 void assert_same_stop(const c205_stop *a, const c205_stop *b);
 c205 *machine_with(const c205_program *program, const c205_model *model);
 c205 *machine_from(const char *path, const c205_model *model);
+
+/* The model of a random program, and a machine with the program. */
+c205_model *model_of(const struct random_program *program);
+c205 *machine_of(const struct random_program *program, const c205_model *model);
 
 #endif

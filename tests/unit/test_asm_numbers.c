@@ -262,16 +262,4 @@ TEST(functions)
     }
 }
 
-FIXTURE(begin_all)
-{
-    oracle_begin();
-    return set_up_model(test_state);
-}
-
-FIXTURE(end_all)
-{
-    oracle_end();
-    return tear_down_model(test_state);
-}
-
-GROUP(begin_all, end_all);
+GROUP(set_up_both, tear_down_both);

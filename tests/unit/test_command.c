@@ -1,5 +1,8 @@
-/* test_command.c - command lines by chance: every value lands where its row
- * says, in whatever order and form it is given; what is wrong is refused. */
+/* test_command.c - random command lines: every value arrives where its row of the table
+ * says, in any order and form; wrong words are rejected with the message that is written
+ * here; and the nearest name to a misspelt one is found.  A value that goes to another
+ * row, or a wrong one that is accepted, fails here.
+ */
 #include <unistd.h>
 
 #include "base/command.h"
@@ -267,11 +270,6 @@ static void add_operands(struct line *line, size_t count)
     }
 }
 
-static size_t option_count(void)
-{
-    return COUNT(options) - 1;
-}
-
 TEST(right_lines)
 {
     for (uint64_t seed = 1; seed <= 3000; seed++) {
@@ -281,7 +279,7 @@ TEST(right_lines)
         begin(&line, seed * RANDOM_SEED);
         add_operands(&line, 1);
         for (size_t i = below(&line, 12); i > 0; i--) {
-            add_option(&line, &options[below(&line, option_count())]);
+            add_option(&line, &options[below(&line, COUNT(options) - 1)]);
             add_operands(&line, below(&line, 3) == 0);
         }
         describe(&line.expected, expected);
@@ -379,34 +377,38 @@ TEST(wrong_lines)
     refused("--output=a", "--kept=./a", "--output and --kept name one file");
 }
 
+/* The words of a line, up to NULL: its exit code. */
+static int run_words(const char *first, ...)
+{
+    struct line line = { .argc = 0 };
+    va_list words;
+
+    strcpy(add(&line), "test");
+    va_start(words, first);
+    for (const char *word = first; word; word = va_arg(words, const char *))
+        strcpy(add(&line), word);
+    va_end(words);
+    return run(line.argc, line.argv);
+}
+
 /* The least and the most of a count are right. */
 TEST(bounds)
 {
-    char test[] = "test", look[] = "look", first[] = "first";
-    char least[] = "--count=3", most[] = "--count=1000";
-    char *few[] = { test, look, least, first, NULL };
-    char *many[] = { test, look, most, first, NULL };
-
-    assert_int_equal(run(4, few), CMD_DONE);
+    assert_int_equal(run_words("look", "--count=3", "first", NULL), CMD_DONE);
     assert_non_null(strstr(seen, "|3|"));
-    assert_int_equal(run(4, many), CMD_DONE);
+    assert_int_equal(run_words("look", "--count=1000", "first", NULL), CMD_DONE);
     assert_non_null(strstr(seen, "|1000|"));
 }
 
 TEST(missing_and_too_many)
 {
-    char test[] = "test", look[] = "look", other[] = "other", loo[] = "lok";
-    char *none[] = { test, look, NULL }, *more[] = { test, other, look, NULL };
-    char *odd[] = { test, loo, NULL };
-    char input[] = "--input=-", stream[] = "-";
-    char *twice[] = { test, look, input, other, stream, NULL };
     struct caught caught;
 
     catch (&caught);
-    assert_int_equal(run(2, none), CMD_USAGE);
-    assert_int_equal(run(3, more), CMD_USAGE);
-    assert_int_equal(run(2, odd), CMD_USAGE);
-    assert_int_equal(run(5, twice), CMD_USAGE);
+    assert_int_equal(run_words("look", NULL), CMD_USAGE);
+    assert_int_equal(run_words("other", "look", NULL), CMD_USAGE);
+    assert_int_equal(run_words("lok", NULL), CMD_USAGE);
+    assert_int_equal(run_words("look", "--input=-", "other", "-", NULL), CMD_USAGE);
     release(&caught);
     assert_non_null(strstr(caught.text, "test look: FIRST is missing: a text"));
     assert_non_null(strstr(caught.text, "too many arguments: look"));
@@ -454,14 +456,18 @@ TEST(nearest)
 
 TEST(time_left)
 {
-    char text[PROGRESS_TIME_SIZE];
+    static const struct {
+        double seconds;
+        const char *text;
+    } cases[] = { { 59.4, "59 s" },
+                  { 59.6, "1 min 0 s" },
+                  { 3599, "59 min 59 s" },
+                  { 7290, "2 h 1 min" } };
 
-    progress_time(59.4, text);
-    assert_string_equal(text, "59 s");
-    progress_time(59.6, text);
-    assert_string_equal(text, "1 min 0 s");
-    progress_time(3599, text);
-    assert_string_equal(text, "59 min 59 s");
-    progress_time(7290, text);
-    assert_string_equal(text, "2 h 1 min");
+    for (size_t i = 0; i < COUNT(cases); i++) {
+        char text[PROGRESS_TIME_SIZE];
+
+        progress_time(cases[i].seconds, text);
+        assert_string_equal(text, cases[i].text);
+    }
 }

@@ -2,6 +2,7 @@
 #include "tests/oracle/arithmetic_oracle.h"
 #include "tests/random.h"
 #include "tests/unit/machine_fixture.h"
+#include "tests/unit/prior_model.h"
 
 enum { TRIES = 40000, DIGITS = 128, LONGEST = 20000 };
 
@@ -121,16 +122,4 @@ TEST(ends)
         }
 }
 
-FIXTURE(begin_oracle)
-{
-    oracle_begin();
-    return 0;
-}
-
-FIXTURE(end_oracle)
-{
-    oracle_end();
-    return 0;
-}
-
-GROUP(begin_oracle, end_oracle);
+GROUP(set_up_oracle, tear_down_oracle);

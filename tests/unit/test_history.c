@@ -1,7 +1,6 @@
 /* test_history.c - a machine with its past: at any step, from wherever it comes there, its
  * state, clock and accounts are those of a run from the beginning; and the record of
  * each instruction's time is that of its clocks. */
-#include "tests/oracle/random_program.h"
 #include "tests/unit/draw.h"
 #include "tests/unit/saved_machine.h"
 
@@ -43,19 +42,7 @@ static uint64_t hash_of(const c205 *machine)
 
 static c205 *begin(const struct story *story)
 {
-    c205_error error;
-    c205 *machine = c205_new(story->model, &error);
-    assert_non_null(machine);
-    assert_true(random_load(machine, &story->program, &error));
-    return machine;
-}
-
-static c205_model *model_of(size_t number)
-{
-    c205_error error;
-    c205_model *model = c205_model_parse("random", random_models[number], &error);
-    assert_non_null(model);
-    return model;
+    return machine_of(&story->program, story->model);
 }
 
 static bool change_at(const struct story *story, c205 *machine, uint64_t step)
@@ -101,7 +88,7 @@ static struct random_program draw_program(size_t number)
 static void make_story(struct story *story, size_t number)
 {
     *story = (struct story){ .program = draw_program(number) };
-    story->model = model_of(story->program.model);
+    story->model = model_of(&story->program);
     story->steps_before = story->steps = run_plainly(story, false);
     story->change_count = number % (CHANGES + 1);
     for (size_t i = 0; i < story->change_count; i++)
@@ -332,7 +319,7 @@ TEST(times)
     c205_model_free(model);
     for (size_t number = 0; number < 400; number++) {
         struct story story = { .program = random_program(RANDOM_SEED ^ number << 20) };
-        story.model = model_of(story.program.model);
+        story.model = model_of(&story.program);
         vectors += check_times(begin(&story));
         c205_model_free(story.model);
     }

@@ -12,6 +12,7 @@
 #include "machine_fixture.h"
 
 #include "tests/oracle/operand_letters.h"
+#include "tests/unit/prior_model.h"
 #include "tests/oracle/operands.h"
 #include "tests/oracle/reference.h"
 
@@ -613,16 +614,4 @@ TEST(linked_pairs)
     free_bench(bench);
 }
 
-FIXTURE(begin_oracle)
-{
-    oracle_begin();
-    return 0;
-}
-
-FIXTURE(end_oracle)
-{
-    oracle_end();
-    return 0;
-}
-
-GROUP(begin_oracle, end_oracle);
+GROUP(set_up_oracle, tear_down_oracle);
