@@ -6,39 +6,19 @@ enum { DIGITS = 600 };
 
 /* ---- Functions ----------------------------------------------------------- */
 
-void exact_exp(mpfr_t value, const mpfr_t x, const mpfr_t y)
-{
-    (void)y;
-    mpfr_exp(value, x, MPFR_RNDN);
-}
+#define EXACT(name, ...) \
+    void exact_##name(mpfr_t value, const mpfr_t x, const mpfr_t y) \
+    { \
+        (void)y; \
+        __VA_ARGS__; \
+    }
 
-void exact_log(mpfr_t value, const mpfr_t x, const mpfr_t y)
-{
-    (void)y;
-    mpfr_log(value, x, MPFR_RNDN);
-}
-
-void exact_sin(mpfr_t value, const mpfr_t x, const mpfr_t y)
-{
-    (void)y;
-    mpfr_sin(value, x, MPFR_RNDN);
-}
-
-void exact_cos(mpfr_t value, const mpfr_t x, const mpfr_t y)
-{
-    (void)y;
-    mpfr_cos(value, x, MPFR_RNDN);
-}
-
-void exact_atan2(mpfr_t value, const mpfr_t x, const mpfr_t y)
-{
-    mpfr_atan2(value, x, y, MPFR_RNDN);
-}
-
-void exact_power(mpfr_t value, const mpfr_t x, const mpfr_t y)
-{
-    mpfr_pow(value, x, y, MPFR_RNDN);
-}
+EXACT(exp, mpfr_exp(value, x, MPFR_RNDN))
+EXACT(log, mpfr_log(value, x, MPFR_RNDN))
+EXACT(sin, mpfr_sin(value, x, MPFR_RNDN))
+EXACT(cos, mpfr_cos(value, x, MPFR_RNDN))
+EXACT(atan2, mpfr_atan2(value, x, y, MPFR_RNDN))
+EXACT(power, mpfr_pow(value, x, y, MPFR_RNDN))
 
 /* ---- Polynomials --------------------------------------------------------- */
 
@@ -253,8 +233,7 @@ void exact_coefficients(const struct exact_polynomial *polynomial,
     }
     divide_differences(values, points, count);
     multiply_out(coefficients, values, points, count);
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < count; i++)
         mpfr_clears(points[i], values[i], (mpfr_ptr)NULL);
-    }
     mpfr_clears(low, high, (mpfr_ptr)NULL);
 }

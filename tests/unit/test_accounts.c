@@ -28,9 +28,8 @@ static struct accounts random_accounts(void)
         char name[C205_TEXT_SIZE] = "";
         c205_account account = { .name = name };
         snprintf(name, sizeof name, "r%u%.*s", i, (int)any(9), "_of_many");
-        for (int cause = 0; any(5) > 0 && cause < C205_CAUSES; cause++) {
+        for (int cause = 0; any(5) > 0 && cause < C205_CAUSES; cause++)
             account.clocks[cause] = (causes >> cause & 1) * any(3) * any(scale);
-        }
         if (accounts_clocks(&account) > 0) {
             account.instructions = 1 + any(1000);
             account.entries = 1 + any(100);
@@ -52,9 +51,8 @@ static double cell(const struct table *table, size_t row, size_t column)
 
 static void assert_near(double a, double b)
 {
-    if (!(fabs(a - b) <= 1e-9 * (1 + fabs(b)))) {
+    if (!(fabs(a - b) <= 1e-9 * (1 + fabs(b))))
         fail_msg("%.17g is not %.17g", a, b);
-    }
 }
 
 static double in_unit(const struct accounts *accounts, uint64_t clocks)
@@ -67,9 +65,8 @@ static double in_unit(const struct accounts *accounts, uint64_t clocks)
 static size_t used_causes(const c205_account *sum)
 {
     size_t count = 0;
-    for (int cause = 0; cause < C205_CAUSES; cause++) {
+    for (int cause = 0; cause < C205_CAUSES; cause++)
         count += sum->clocks[cause] > 0;
-    }
     return count;
 }
 
@@ -102,9 +99,8 @@ static void check_place(struct view view, const struct accounts *accounts,
     assert_near(at(view, line, place), all);
     line += view.causes_down ? 1 : 2;
     assert_near(at(view, line++, place), (double)account->instructions);
-    if (sum->vector_instructions > 0) {
+    if (sum->vector_instructions > 0)
         assert_near(at(view, line++, place), (double)account->vector_instructions);
-    }
     if (sum->elements > 0) {
         assert_near(at(view, line++, place),
                     account->vector_instructions > 0
@@ -244,9 +240,8 @@ TEST(csv_is_exact)
 
 static void assert_twice(const c205_account *twice, const c205_account *once)
 {
-    for (int cause = 0; cause < C205_CAUSES; cause++) {
+    for (int cause = 0; cause < C205_CAUSES; cause++)
         assert_int_equal(twice->clocks[cause], 2 * once->clocks[cause]);
-    }
     assert_int_equal(twice->instructions, 2 * once->instructions);
     assert_int_equal(twice->vector_instructions, 2 * once->vector_instructions);
     assert_int_equal(twice->elements, 2 * once->elements);
@@ -259,14 +254,12 @@ TEST(runs_add_up)
 {
     for (int i = 0; i < TRIES; i++) {
         struct accounts once = random_accounts(), twice = { .model = prior_model };
-        for (size_t k = 0; k < 2 * once.count; k++) {
+        for (size_t k = 0; k < 2 * once.count; k++)
             assert_true(accounts_add_account(&twice, &once.items[k % once.count]));
-        }
         assert_int_equal(twice.count, once.count);
         assert_int_equal(twice.clocks, 2 * once.clocks);
-        for (size_t k = 0; k < once.count; k++) {
+        for (size_t k = 0; k < once.count; k++)
             assert_twice(accounts_find(&twice, once.items[k].name), &once.items[k]);
-        }
         accounts_free(&twice);
         accounts_free(&once);
     }

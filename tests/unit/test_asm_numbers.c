@@ -40,9 +40,8 @@ static void draw_leaf(struct drawn *drawn)
     } else {
         snprintf(drawn->text, TEXT, "%.*g", (int)below(&state, 16) + 1,
                  of_any_size(&state, 1e-3, 1e6));
-        if (!strpbrk(drawn->text, ".e")) {
+        if (!strpbrk(drawn->text, ".e"))
             strcat(drawn->text, ".0");
-        }
         drawn->word = c205_from_text(drawn->text, &end);
     }
 }
@@ -90,9 +89,8 @@ static void draw_comparison(struct drawn *drawn, int depth)
 
     draw_value(&sides[0], depth);
     draw_value(&sides[1], depth);
-    if (one_in(&state, 4)) {
+    if (one_in(&state, 4))
         sides[1] = sides[0];
-    }
     left = number_of(&sides[0]);
     right = number_of(&sides[1]);
     snprintf(drawn->text, TEXT, "(%.1900s) %s (%.1900s)", sides[0].text, operators[i],
@@ -180,12 +178,10 @@ TEST(operations)
 
         draw_value(&drawn, DEPTH);
         object = assemble_value(drawn.text);
-        if (drawn.good != (bool)object) {
+        if (drawn.good != (bool)object)
             fail_msg("%s: it has %s value", drawn.text, drawn.good ? "a" : "no");
-        }
-        if (!object) {
+        if (!object)
             continue;
-        }
         word = word_of(&object->program, 0x800000);
         expected = drawn.is_integer ? c205_from_integer(drawn.integer) : drawn.word;
         if (word != expected) {
@@ -211,9 +207,8 @@ static void check_function(const char *name, bool two)
     c205 *machine = c205_new(prior_model, &error);
     c205_word computed;
 
-    if (two) {
+    if (two)
         snprintf(second, sizeof second, ", %.9f", y);
-    }
     snprintf(program, sizeof program,
              "        .include \"%s.s\"\n        .regs   r10, x, y, r, s\n"
              "        load_constant x, %.9f\n"

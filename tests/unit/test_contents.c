@@ -87,13 +87,11 @@ static void put_labelled(struct drawn_text *drawn, size_t i)
     drawn->label[i] = (struct labelled){ contents, 0 };
     put(drawn, contents == ASM_CODE ? "        .code\n" : "        .data\n");
     put(drawn, "l%zu:\n", i);
-    for (size_t k = below(&state, 3) + 1; k > 0; k--) {
+    for (size_t k = below(&state, 3) + 1; k > 0; k--)
         drawn->label[i].count += put_data(drawn, contents);
-    }
     /* Something else ends it, with a label or without. */
-    if (contents == ASM_WORDS && one_in(&state, 2)) {
+    if (contents == ASM_WORDS && one_in(&state, 2))
         put(drawn, "        .text   \"abc\"\n");
-    }
 }
 
 static void check(const struct drawn_text *drawn)

@@ -60,9 +60,8 @@ static c205_word special(void)
 static c205_word beside(double near)
 {
     double number = near * (double)xorshift_between(&state, -40, 40);
-    if (one_in(&state, 3)) {
+    if (one_in(&state, 3))
         number *= (double)xorshift_between(&state, 1, 1 << 20);
-    }
     return c205_from_double(number) + (c205_word)xorshift_between(&state, -2, 2);
 }
 
@@ -202,21 +201,16 @@ struct errors {
 /* Whether a result must be indefinite, whatever its exact value. */
 static bool has_none(const struct function *function, const mpfr_t x, const mpfr_t y)
 {
-    if (mpfr_nan_p(x) || (function->arguments == 2 && mpfr_nan_p(y))) {
+    if (mpfr_nan_p(x) || (function->arguments == 2 && mpfr_nan_p(y)))
         return true;
-    }
-    if (function->exact == exact_log) {
+    if (function->exact == exact_log)
         return mpfr_sgn(x) <= 0;
-    }
-    if (function->exact == exact_sin || function->exact == exact_cos) {
+    if (function->exact == exact_sin || function->exact == exact_cos)
         return mpfr_cmp_ui(x, 13176794) > 0 || mpfr_cmp_si(x, -13176794) < 0;
-    }
-    if (function->exact == exact_atan2) {
+    if (function->exact == exact_atan2)
         return mpfr_zero_p(x) && mpfr_zero_p(y);
-    }
-    if (function->exact == exact_power) {
+    if (function->exact == exact_power)
         return mpfr_sgn(x) < 0 || (mpfr_zero_p(x) && mpfr_sgn(y) <= 0);
-    }
     return false;
 }
 
@@ -290,17 +284,16 @@ static void check_result(const struct function *function, size_t i,
         good = word == C205_INDEFINITE;
     } else {
         function->exact(exact, x, y);
-        if (overflows(function, x, y)) {
+        if (overflows(function, x, y))
             good = true;
-        } else if (mpfr_inf_p(exact) || exponent_of(exact) > EXPONENTS + AT_END) {
+        else if (mpfr_inf_p(exact) || exponent_of(exact) > EXPONENTS + AT_END)
             good = word == C205_INDEFINITE;
-        } else if (exponent_of(exact) < -EXPONENTS - AT_END) {
+        else if (exponent_of(exact) < -EXPONENTS - AT_END)
             good = word == C205_MACHINE_ZERO;
-        } else if (labs(exponent_of(exact)) > EXPONENTS - AT_END) {
+        else if (labs(exponent_of(exact)) > EXPONENTS - AT_END)
             good = true; /* either side */
-        } else {
+        else
             check_value(function, i, exact, factor_of(function, y), errors);
-        }
     }
     mpfr_clears(x, y, exact, (mpfr_ptr)NULL);
     if (!good) {
@@ -326,9 +319,8 @@ TEST(errors)
             compute(functions[f].name, f == 3 ? "sin" : functions[f].name, results[k]);
             check_forms(functions[f].name);
         }
-        for (size_t i = 0; i < tries; i++) {
+        for (size_t i = 0; i < tries; i++)
             check_result(&functions[f], i, &errors);
-        }
         assert_true(errors.count > tries / 20);
         printf("%-8s %9zu   %5.2f to %4.2f\n", functions[f].name, errors.count,
                errors.least, errors.most);
@@ -388,9 +380,8 @@ static bool is_integer(c205_word word, int64_t *integer)
                                     0, &flags);
 
     *integer = 0;
-    if (word >> 60 == 7 || fabs(c205_to_double(cut)) >= 0x1p47) {
+    if (word >> 60 == 7 || fabs(c205_to_double(cut)) >= 0x1p47)
         return false;
-    }
     *integer = (int64_t)c205_to_double(cut);
     return true;
 }
@@ -422,24 +413,19 @@ TEST(quotients)
         x = x >= INT64_C(1) << 47 || -x >= INT64_C(1) << 47 ? y : x;
         both.x[i] = c205_from_integer(x);
         both.y[i] = c205_from_integer(one_in(&state, 50) ? 0 : y);
-        if (one_in(&state, 4)) {
+        if (one_in(&state, 4))
             both.x[i] = c205_from_double((double)x + between(&state, -1, 1));
-        }
-        if (one_in(&state, 20)) {
+        if (one_in(&state, 20))
             both.x[i] = one_in(&state, 2) ? special() : xorshift(&state);
-        }
-        if (one_in(&state, 20)) {
+        if (one_in(&state, 20))
             both.y[i] = one_in(&state, 2) ? special() : xorshift(&state);
-        }
-        if (one_in(&state, 50)) {
+        if (one_in(&state, 50))
             both.x[i] = UINT64_C(0x0000800000000000); /* -2^47 */
-        }
     }
     compute("divide", "divide", "vectors");
     check_forms("divide");
-    for (size_t i = 0; i < tries; i++) {
+    for (size_t i = 0; i < tries; i++)
         check_quotient(i);
-    }
 }
 
 /* ---- Constants ----------------------------------------------------------- */
@@ -534,9 +520,8 @@ ARGUMENTS(argc, argv)
         tries = (size_t)strtoul(argv[1], NULL, 10);
         tries = tries < MOST ? tries : MOST;
     }
-    if (argc > 2) {
+    if (argc > 2)
         state ^= strtoull(argv[2], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15);
-    }
 }
 
 GROUP(begin_all, end_all);

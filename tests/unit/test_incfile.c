@@ -72,12 +72,10 @@ static void draw_table(struct drawn_table *table, bool headed)
     table->integers = one_in(&state, 2);
     table->commas = table->columns > 1 && one_in(&state, 2);
     *table->text = '\0';
-    if (one_in(&state, 5)) {
+    if (one_in(&state, 5))
         add(table, "\xEF\xBB\xBF");
-    }
-    if (one_in(&state, 3)) {
+    if (one_in(&state, 3))
         add(table, "# a table\n");
-    }
     for (size_t i = 0; headed && i < table->columns; i++) {
         char name[40];
 
@@ -87,18 +85,16 @@ static void draw_table(struct drawn_table *table, bool headed)
                                    : "\"c %zu\"",
                  i + 1);
         add(table, name);
-        if (i + 1 < table->columns) {
+        if (i + 1 < table->columns)
             add_separator(table);
-        } else {
+        else
             end_line(table);
-        }
     }
     for (size_t row = 0; row < table->rows; row++) {
         for (size_t i = 0; i < table->columns; i++) {
             draw_number(table, &table->words[row][i]);
-            if (i + 1 < table->columns) {
+            if (i + 1 < table->columns)
                 add_separator(table);
-            }
         }
         end_line(table);
     }
@@ -132,15 +128,13 @@ static void check_words(const struct drawn_table *table, const char *wishes,
     struct object *object = include_file(wishes, &errors);
     uint64_t at = 0x800000;
 
-    if (!object) {
+    if (!object)
         fail_msg("%s, of\n%s", errors.items[0].message, table->text);
-    }
     diagnostics_free(&errors);
     for (size_t row = 0; row < table->rows; row++) {
         for (size_t i = 0; i < table->columns; i++) {
-            if (column && column != i + 1) {
+            if (column && column != i + 1)
                 continue;
-            }
             if (word_of(&object->program, at) != table->words[row][i]) {
                 fail_msg("row %zu, column %zu%s of\n%s", row, i + 1, wishes,
                          table->text);

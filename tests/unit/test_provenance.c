@@ -18,9 +18,8 @@ static c205_model *parsed(const char *text)
 {
     c205_error error;
     c205_model *model = c205_model_parse("test", text, &error);
-    if (!model) {
+    if (!model)
         fail_msg("%s", error.message);
-    }
     return model;
 }
 
@@ -50,9 +49,8 @@ static char *as_json(const c205_model *model)
 
 static void holds(const char *text, const char *expected)
 {
-    if (!strstr(text, expected)) {
+    if (!strstr(text, expected))
         fail_msg("'%s' does not hold '%s'", text, expected);
-    }
 }
 
 /* ---- How far to believe it ---- */
@@ -126,9 +124,8 @@ TEST(models)
 static size_t count_from(const c205_model *model, char source)
 {
     size_t count = 0;
-    for (size_t i = 0; i < c205_model_size(model); i++) {
+    for (size_t i = 0; i < c205_model_size(model); i++)
         count += c205_model_constant(model, i)->source == source;
-    }
     return count;
 }
 

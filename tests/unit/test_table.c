@@ -32,9 +32,8 @@ static struct {
 FIXTURE(set_up)
 {
     strcpy(folder.name, "/tmp/test_table.XXXXXX");
-    if (!mkdtemp(folder.name)) {
+    if (!mkdtemp(folder.name))
         return -1;
-    }
     snprintf(folder.path, sizeof folder.path, "%s/file", folder.name);
     return 0;
 }
@@ -252,13 +251,11 @@ TEST(csv_has_no_formulas)
 static size_t markdown_cells(const char *line)
 {
     size_t bars = 0;
-    for (; *line && *line != '\n'; line++) {
-        if (*line == '\\') {
+    for (; *line && *line != '\n'; line++)
+        if (*line == '\\')
             line++;
-        } else {
+        else
             bars += *line == '|';
-        }
-    }
     return bars - 1;
 }
 
@@ -284,9 +281,8 @@ TEST(signs_and_decimals)
     static const struct table_column column = { "e", "e", TABLE_NUMBER, 4 };
     static const double values[] = { 1.06, -12, NAN };
     struct table *table = table_new(&column, 1);
-    for (size_t i = 0; i < 3; i++) {
+    for (size_t i = 0; i < 3; i++)
         table_signed(table, values[i], 1);
-    }
     char *text = written(table, TABLE_CSV);
     assert_string_equal(text, "e\n1.06\n-12\n\n");
     free(text);

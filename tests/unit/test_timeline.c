@@ -48,10 +48,9 @@ static void check_sums(const struct timeline *timeline, const c205 *machine,
         at = piece->end;
     }
     assert_int_equal(at, c205_clock(machine));
-    for (int cause = 0; cause < C205_CAUSES; cause++) {
+    for (int cause = 0; cause < C205_CAUSES; cause++)
         if (clocks_of_cause(machine, (c205_cause)cause) != clocks[cause])
             fail_msg("%s: %s", path, c205_cause_name((c205_cause)cause));
-    }
 }
 
 static void check_rows(const struct timeline *timeline)
