@@ -1,9 +1,14 @@
 // arrays.pov - arrays and their elements.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#macro Number(Value) #debug concat(str(Value, 0, 9), "\n") #end
-#macro Text(Value) #debug concat(Value, "\n") #end
-#macro Vector(Value) #debug concat(vstr(3, Value, ", ", 0, 9), "\n") #end
+// Four numbers are printed on a line.
+#declare Column = 0;
+#macro Number(Value)
+    #declare Column = mod(Column + 1, 4);
+    #debug concat(str(Value, 0, 9), #if (Column) " " #else "\n" #end)
+#end
+#macro Text(Value) #declare Column = 0; #debug concat(Value, "\n") #end
+#macro Vector(Value) Text(vstr(3, Value, ", ", 0, 9)) #end
 
 #declare Row = array[3] { 5, 6, 7 }
 Number(Row[0]) Number(Row[2]) Number(Row[1.7]) Number(Row[Row[0] - 4])
@@ -43,3 +48,4 @@ Set(Row) Number(Row[0])
 object { Solids[1] } union { object { Solids[0] } object { Solids[1] } }
 #declare Moves = array[1] { transform { translate x } }
 object { Solids[0] transform { Moves[0] } pigment { rgb Points[0] } }
+#debug "\n"

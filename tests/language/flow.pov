@@ -1,9 +1,14 @@
 // flow.pov - conditions, loops and choices.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#macro Number(Value) #debug concat(str(Value, 0, 9), "\n") #end
-#macro Text(Value) #debug concat(Value, "\n") #end
-#macro Vector(Value) #debug concat(vstr(3, Value, ", ", 0, 9), "\n") #end
+// Four numbers are printed on a line.
+#declare Column = 0;
+#macro Number(Value)
+    #declare Column = mod(Column + 1, 4);
+    #debug concat(str(Value, 0, 9), #if (Column) " " #else "\n" #end)
+#end
+#macro Text(Value) #declare Column = 0; #debug concat(Value, "\n") #end
+#macro Vector(Value) Text(vstr(3, Value, ", ", 0, 9)) #end
 
 #if (1.5) Text("1.5") #end #if (1e-12) Text("1e-12") #end
 #if (-1) Text("-1") #else Text("not -1") #end
@@ -54,3 +59,4 @@ Number(Count) Number(K)
 Choose(1) Choose(2) Choose(3) Choose(5) Choose(7) Choose(9) Choose(3.5)
 #switch (1.00000000001) #case (1) Text("near") #end
 #switch (2) #case (2) #if (1) #break #end Text("not here") #end
+#debug "\n"

@@ -1,9 +1,14 @@
 // macros.pov - macros, their arguments and their names.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#macro Number(Value) #debug concat(str(Value, 0, 9), "\n") #end
-#macro Text(Value) #debug concat(Value, "\n") #end
-#macro Vector(Value) #debug concat(vstr(3, Value, ", ", 0, 9), "\n") #end
+// Four numbers are printed on a line.
+#declare Column = 0;
+#macro Number(Value)
+    #declare Column = mod(Column + 1, 4);
+    #debug concat(str(Value, 0, 9), #if (Column) " " #else "\n" #end)
+#end
+#macro Text(Value) #declare Column = 0; #debug concat(Value, "\n") #end
+#macro Vector(Value) Text(vstr(3, Value, ", ", 0, 9)) #end
 
 #macro Product(A, B) A*B #end
 Number(Product(2, 3) + 1) Number(Product(1 + 1, 3)) Number(-Product(2, 3))
@@ -65,3 +70,4 @@ sphere { #if (0) 0 #else x #end, Three() Look() }
 #macro Moved(T) sphere { 0, 1 transform { T } } #end
 #local T = transform { translate x }
 Moved(T)
+#debug "\n"

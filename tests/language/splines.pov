@@ -1,6 +1,11 @@
 // Splines of every kind, and what can be done with them.
 #version 3.7;
-#macro Show(A) #debug concat(vstr(5, A + <0, 0, 0, 0, 0>, " ", 0, 3), "\n") #end
+// Two values are printed on a line.
+#declare Column = 0;
+#macro Show(A)
+    #declare Column = 1 - Column;
+    #debug concat(vstr(5, A + <0, 0, 0, 0, 0>, " ", 0, 3), #if (Column) "  " #else "\n" #end)
+#end
 #macro All(S, From, To, Step)
     #for (T, From, To, Step)
         Show(S(T))

@@ -1,9 +1,14 @@
 // strings.pov - strings and their functions.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#macro Number(Value) #debug concat(str(Value, 0, 9), "\n") #end
-#macro Text(Value) #debug concat(Value, "\n") #end
-#macro Vector(Value) #debug concat(vstr(3, Value, ", ", 0, 9), "\n") #end
+// Four numbers are printed on a line.
+#declare Column = 0;
+#macro Number(Value)
+    #declare Column = mod(Column + 1, 4);
+    #debug concat(str(Value, 0, 9), #if (Column) " " #else "\n" #end)
+#end
+#macro Text(Value) #declare Column = 0; #debug concat(Value, "\n") #end
+#macro Vector(Value) Text(vstr(3, Value, ", ", 0, 9)) #end
 
 Text(str(3.14159, 8, 2)) Text(str(3.14159, -8, 2)) Text(str(3.7, 0, 0))
 Text(str(3.7, 0, -1)) Text(str(-2.5, 10, 3)) Text(str(-2.5, -10, 3))
@@ -31,3 +36,4 @@ Text(Joined)
 #include concat("colors", ".inc")
 Number(Red.red)
 Number(file_exists("colors.inc")) Number(file_exists("no such file.inc"))
+#debug "\n"

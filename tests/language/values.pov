@@ -1,9 +1,14 @@
 // values.pov - floats, vectors and their functions.
 #version 3.7;
 global_settings { assumed_gamma 1 }
-#macro Number(Value) #debug concat(str(Value, 0, 9), "\n") #end
-#macro Text(Value) #debug concat(Value, "\n") #end
-#macro Vector(Value) #debug concat(vstr(3, Value, ", ", 0, 9), "\n") #end
+// Four numbers are printed on a line.
+#declare Column = 0;
+#macro Number(Value)
+    #declare Column = mod(Column + 1, 4);
+    #debug concat(str(Value, 0, 9), #if (Column) " " #else "\n" #end)
+#end
+#macro Text(Value) #declare Column = 0; #debug concat(Value, "\n") #end
+#macro Vector(Value) Text(vstr(3, Value, ", ", 0, 9)) #end
 
 // Signs and ranks.
 Number(2-3-4) Number(12/3/2) Number(-2*-3) Number(2+3*4) Number(-(2+3)*4)
@@ -63,3 +68,4 @@ Text(vstr(5, Five, ", ", 0, 3)) Number(Five.transmit) Number(<7, 8, 9>.y)
 Number(clock) Number(clock_on) Number(clock_delta) Number(frame_number)
 Number(initial_frame) Number(final_frame) Number(initial_clock)
 Number(final_clock) Number(version) Number(pi) Number(yes) Number(off)
+#debug "\n"
