@@ -14,42 +14,32 @@ const char language_image[] =
     "89 157 208  180 250 128  253 79 136  89 252 198  156 115 126  138 99 223  196 238 191  51 232 133\n";
 
 /* What is planar or about a cylinder is clear around an image that is shown once. */
-static void say_words(struct language *draw, uint64_t *state, bool clear)
+static void say_image(struct language *draw, bool clear)
 {
     static const char *const types[] = { "", "map_type 0", "map_type 2", "map_type 1",
                                          "map_type 5" };
     static const char *const gammas[] = { "", "", "gamma 2.2", "gamma srgb" };
     static const char *const between_them[] = { "", "interpolate 2", "interpolate 4" };
-    size_t type = below(state, clear ? 3 : 5);
-    say(draw, "%s \"%s\" %s %s %s", one_in(state, 2) ? "ppm" : "", LANGUAGE_IMAGE,
-        gammas[below(state, 4)], types[type], between_them[below(state, 3)]);
-    if (clear || (type >= 3 && one_in(state, 3)))
-        say(draw, " once");
-}
-
-/* Borders of pixels lie off the planes in which things are drawn. */
-static void say_place(struct language *draw, uint64_t *state)
-{
-    if (one_in(state, 2))
-        say_line(draw, "rotate <%.2f, %.2f, %.2f>", between(state, -90, 90),
-                 between(state, -90, 90), between(state, -90, 90));
-    say_line(draw, "scale %.4f", between(state, .7, 2));
-    say_line(draw, "translate <%.4f, %.4f, %.4f>", between(state, .1, .3),
-             between(state, .1, .3), between(state, .1, .3));
+    size_t type = below(&draw->state, clear ? 3 : 5);
+    size_t smooth = below(&draw->state, 3), gamma = below(&draw->state, 4);
+    say(draw, "image_map { $2[ppm|$] \"%s\" %s %s %s", LANGUAGE_IMAGE, gammas[gamma],
+        types[type], between_them[smooth]);
+    say(draw, clear ? " once }\n" : type >= 3 ? "$3[ once|$] }\n" : " }\n");
+    /* Borders of pixels lie off the planes in which things are drawn. */
+    say(draw, "$2[rotate <^2-90:90^, ^2-90:90^, ^2-90:90^>\n|$]scale ^4.7:2^\n"
+              "$.translate <^4.1:.3^, ^4.1:.3^, ^4.1:.3^>\n");
 }
 
 void begin_image(struct language *draw, size_t one_of, bool clear)
 {
-    uint64_t state = stream_beside(draw->state, 7, 3);
-    if (!one_in(&state, one_of))
-        return;
-    begin_line(draw);
-    say(draw, "image_map { ");
-    say_words(draw, &state, clear);
-    say(draw, " }\n");
-    say_place(draw, &state);
-    draw->text_of_all = draw->text;
-    draw->text = fopen("/dev/null", "w");
+    uint64_t kept = draw->state;
+    draw->state = stream_beside(kept, 7, 3);
+    if (one_in(&draw->state, one_of)) {
+        say_image(draw, clear);
+        draw->text_of_all = draw->text;
+        draw->text = fopen("/dev/null", "w");
+    }
+    draw->state = kept;
 }
 
 void end_image(struct language *draw)

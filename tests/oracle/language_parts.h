@@ -1,8 +1,20 @@
 /* language_parts.h - what draws a scene text by chance: the drawing, and its
  * parts from values up to objects.
  *
- * Each part writes whole lines but for values, which stand in a line: what may
- * be left out is a line, or a block from its opening to its closing line
+ * Texts are drawn by patterns: a pattern is text with parts, drawn from left to right.
+ *
+ *     ~LOW:HIGH~     a number between these, written down or computed
+ *     @LOW:HIGH@     a vector of three such
+ *     ^DLOW:HIGH^    a number with D digits; of several that no other part separates the
+ *                    last is drawn first; $. separates
+ *     ^#LOW:COUNT^   .. a whole number, one of COUNT from LOW on
+ *     $N[A|B..$]     one of the patterns, of N cases: the last pattern has all that are
+ *                    left; without N each has one
+ *     $f2; $v2;      an expression, a float's or a vector's, two deep at most
+ *     $=N; $+N; $!N; a declared name N0, N1 ..; a new one; from here on it is declared
+ *     $rule;         the rule of this name (language_rules.c)
+ *
+ * What may be left out is a line, or a block from its opening to its closing line
  * (text_shrink.h).
  */
 #ifndef LANGUAGE_PARTS_H
@@ -34,8 +46,8 @@ struct language {
     uint64_t state;
     FILE *text;
     FILE *text_of_all; /* where text goes to again behind an image, or NULL */
-    int depth;         /* of blocks */
     size_t names[LANGUAGE_NAMES];
+    double steep;  /* how steep a normal may be */
     bool streams;  /* Stream is a seed */
     bool library;  /* colors.inc is there */
     bool turning;  /* I is a loop's float */
@@ -45,69 +57,61 @@ struct language {
     bool clipping; /* what is drawn clips: it is no mesh */
 };
 
-/* --- lines ---------------------------------------------------------------- */
+/* A rule is a pattern, or a function where the text depends on what was drawn before. */
+struct language_rule {
+    const char *name;
+    void (*say)(struct language *draw);
+    const char *pattern;
+};
+extern const struct language_rule language_rules[];
+extern const size_t language_rule_count;
 
-/* Words in the line that is begun. */
+/* The pattern that the format makes. */
 void say(struct language *draw, const char *format, ...);
-void begin_line(struct language *draw);
-void end_line(struct language *draw);
-/* A whole line. */
-void say_line(struct language *draw, const char *format, ...);
-/* A line that opens a block: "sphere {"; and one that closes it. */
-void open_block(struct language *draw, const char *format, ...);
-void close_block(struct language *draw, const char *end);
-
-/* --- values --------------------------------------------------------------- */
-
-/* What comes next of these; the words are drawn with the same chance. */
-#define SAY_ONE_OF(draw, ...) say_one_of(draw, (const char *[]){ __VA_ARGS__, NULL })
-void say_one_of(struct language *draw, const char *const *words);
-/* A name of that kind; there is one. */
-void say_name(struct language *draw, enum language_name kind);
-/* A new one: "N3". */
-void say_new_name(struct language *draw, enum language_name kind);
-
-/* Expressions of any value. */
-void say_float(struct language *draw, int depth);
-void say_vector(struct language *draw, int depth);
-/* Of a value between these, written down or computed. */
+void say_pattern(struct language *draw, const char *pattern);
 void say_number(struct language *draw, double low, double high);
-/* A line of a word and such a value. */
-void say_amount(struct language *draw, const char *word, double low, double high);
-/* A vector of three such. */
-void say_point(struct language *draw, double low, double high);
-/* Its length is between these. */
-void say_arrow(struct language *draw, double low, double high);
-/* A colour that lets nothing pass, for where one stands: with its words. */
-void say_color(struct language *draw);
 
-/* --- looks and motions ---------------------------------------------------- */
-
-void say_pigment(struct language *draw, bool clear);
-/* Of what goes on for ever: far out a gradient is another one in POV-Ray, whose
- * values go round at 1.00001 below -1. */
-void say_far_pigment(struct language *draw);
 /* Of one pigment of so many the lines that make it an image, clear around that or not
- * anywhere.  What else is drawn of
- * it is drawn as ever, up to end_image, but not said. */
+ * anywhere.  What else is drawn of it is drawn as ever, up to end_image, but not said. */
 void begin_image(struct language *draw, size_t one_of, bool clear);
 void end_image(struct language *draw);
-void say_finish(struct language *draw, bool mirror);
-/* Lines of an object: its texture, or pigment and finish, or nothing. */
-void say_look(struct language *draw);
-/* Of one that lets light pass, bent if it is told so. */
-void say_clear_look(struct language *draw, bool bent);
-/* Lines of turns and sizes; what they move stays about the origin. */
+
+/* An open block of a shape, for modifiers: about the origin, no larger than a ball of 1.3
+ * about it.  closed: with an inside, and no way in. */
+void open_solid_shape(struct language *draw, bool closed);
+
+/* The functions of the rules. */
+void say_color(struct language *draw);
 void say_turns(struct language *draw);
+void say_map(struct language *draw);
+void say_plain_color(struct language *draw);
+void say_pigment(struct language *draw);
+void say_clear_look(struct language *draw);
+void say_metallic(struct language *draw);
+void say_finish(struct language *draw);
+void say_ground_finish(struct language *draw);
+void say_steepness(struct language *draw);
+void say_bump_map(struct language *draw);
+void say_slopes(struct language *draw);
+void say_normal(struct language *draw);
+void say_steep_normal(struct language *draw);
+void say_texture_words(struct language *draw);
 void declare_look(struct language *draw);
-void declare_motion(struct language *draw);
-
-/* --- things ---------------------------------------------------------------- */
-
-/* One thing, whose middle comes to a place by chance. */
-void say_thing(struct language *draw);
-/* A macro and calls of it: once in a scene. */
-void say_macro(struct language *draw);
+void say_component(struct language *draw);
+void open_solid(struct language *draw);
+void open_quadric(struct language *draw);
+void open_lone_triangle(struct language *draw);
+void open_mesh(struct language *draw);
+void open_net(struct language *draw);
+void open_bicubic(struct language *draw);
+void say_clip(struct language *draw);
+void say_listed_solid(struct language *draw);
+void say_great_solid(struct language *draw);
 void declare_solid(struct language *draw);
+void say_for(struct language *draw);
+void say_macro(struct language *draw);
+void say_thing(struct language *draw);
+void declare_array(struct language *draw);
+void declare_palette(struct language *draw);
 
 #endif

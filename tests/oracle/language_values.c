@@ -1,67 +1,11 @@
-/* language_values.c - lines, names, and expressions by chance. */
+/* language_values.c - patterns, names, and expressions by chance. */
 #include "tests/oracle/language_parts.h"
 
 #include <stdarg.h>
-
-/* --- lines ---------------------------------------------------------------- */
-
-void say(struct language *draw, const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    vfprintf(draw->text, format, values);
-    va_end(values);
-}
-
-void begin_line(struct language *draw)
-{
-    say(draw, "%*s", 4 * draw->depth, "");
-}
-
-void end_line(struct language *draw)
-{
-    say(draw, "\n");
-}
-
-static void say_words(struct language *draw, const char *format, va_list values)
-{
-    begin_line(draw);
-    vfprintf(draw->text, format, values);
-    end_line(draw);
-}
-
-void say_line(struct language *draw, const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    say_words(draw, format, values);
-    va_end(values);
-}
-
-void open_block(struct language *draw, const char *format, ...)
-{
-    va_list values;
-    va_start(values, format);
-    say_words(draw, format, values);
-    va_end(values);
-    draw->depth++;
-}
-
-void close_block(struct language *draw, const char *end)
-{
-    draw->depth--;
-    say_line(draw, "%s", end);
-}
+#include <stdlib.h>
+#include <string.h>
 
 /* --- names ---------------------------------------------------------------- */
-
-void say_one_of(struct language *draw, const char *const *words)
-{
-    size_t count = 0;
-    while (words[count])
-        count++;
-    say(draw, "%s", words[below(&draw->state, count)]);
-}
 
 static const char *const name_of[LANGUAGE_NAMES] = {
     [NAME_FLOAT] = "N",      [NAME_VECTOR] = "V",        [NAME_COLOR] = "Color",
@@ -70,44 +14,37 @@ static const char *const name_of[LANGUAGE_NAMES] = {
     [NAME_TEXTURE] = "Look", [NAME_MOTION] = "Motion",   [NAME_SOLID] = "Solid",
 };
 
-void say_name(struct language *draw, enum language_name kind)
+static bool is_word(const char *word, const char *text, size_t length)
 {
-    say(draw, "%s%zu", name_of[kind], below(&draw->state, draw->names[kind]));
+    return strlen(word) == length && strncmp(word, text, length) == 0;
 }
 
-void say_new_name(struct language *draw, enum language_name kind)
+/* A name that is there, or a new one. */
+static void say_name(struct language *draw, enum language_name kind, char use)
 {
-    say(draw, "%s%zu", name_of[kind], draw->names[kind]);
+    size_t *count = &draw->names[kind];
+    if (use == '!')
+        ++*count;
+    else
+        fprintf(draw->text, "%s%zu", name_of[kind],
+                use == '=' ? below(&draw->state, *count) : *count);
 }
 
-/* --- floats --------------------------------------------------------------- */
+/* --- expressions ---------------------------------------------------------- */
 
-/* A pattern of an expression: # stands for a float, @ for a vector, all else for
- * itself. */
-static void say_pattern(struct language *draw, const char *pattern, int depth)
+static void say_float(struct language *draw, int depth);
+static void say_vector(struct language *draw, int depth);
+
+/* Of an expression: # stands for a float, @ for a vector, all else for itself. */
+static void say_operation(struct language *draw, const char *operation, int depth)
 {
-    for (; *pattern; pattern++)
-        if (*pattern == '#')
+    for (; *operation; operation++)
+        if (*operation == '#')
             say_float(draw, depth);
-        else if (*pattern == '@')
+        else if (*operation == '@')
             say_vector(draw, depth);
         else
-            say(draw, "%c", *pattern);
-}
-
-static void say_element(struct language *draw)
-{
-    say_name(draw, NAME_ARRAY);
-    if (one_in(&draw->state, 4))
-        say(draw, "[dimension_size(List0, 1) - 1]");
-    else
-        say(draw, "[%zu]", below(&draw->state, LANGUAGE_ELEMENTS));
-}
-
-static void say_call(struct language *draw, enum language_name kind, int depth)
-{
-    say_name(draw, kind);
-    say_pattern(draw, "(#, #)", depth);
+            putc(*operation, draw->text);
 }
 
 /* Names if there are any; else a number. */
@@ -118,22 +55,20 @@ static void say_float_leaf(struct language *draw)
     if (kind == 0 && draw->turning)
         say(draw, "I");
     else if (kind < 4 && names[NAME_FLOAT])
-        say_name(draw, NAME_FLOAT);
+        say(draw, "$=N;");
     else if (kind == 4 && names[NAME_ARRAY])
-        say_element(draw);
-    else if (kind == 5 && names[NAME_VECTOR]) {
-        say_name(draw, NAME_VECTOR);
-        SAY_ONE_OF(draw, ".x", ".y", ".z");
-    } else if (kind == 6 && names[NAME_COLOR]) {
-        say_name(draw, NAME_COLOR);
-        SAY_ONE_OF(draw, ".red", ".green", ".blue", ".gray", ".transmit");
-    } else if (kind == 7)
-        SAY_ONE_OF(draw, "pi", "true", "no", "on", "clock", "version", "image_width/20",
-                   "1.5e-1", "2.5E+0", ".5");
+        say(draw, "$=List;$4[[dimension_size(List0, 1) - 1]|[^#0:%d^]$]",
+            LANGUAGE_ELEMENTS);
+    else if (kind == 5 && names[NAME_VECTOR])
+        say(draw, "$=V;$[.x|.y|.z$]");
+    else if (kind == 6 && names[NAME_COLOR])
+        say(draw, "$=Color;$[.red|.green|.blue|.gray|.transmit$]");
+    else if (kind == 7)
+        say(draw, "$[pi|true|no|on|clock|version|image_width/20|1.5e-1|2.5E+0|.5$]");
     else if (kind == 8 && draw->streams)
         say(draw, "rand(Stream)");
     else
-        say(draw, "%.3f", between(&draw->state, 0, 3));
+        say(draw, "^30:3^");
 }
 
 /* Arguments are within the functions' domains; nothing grows beyond what a sine
@@ -202,171 +137,216 @@ static const char *const float_patterns[] = {
     "strcmp(\"ab\", \"b\")",
     "(strupr(\"x\") = \"X\" ? # : 2)",
     "<#, #, #, #>.t",
-    "<#, #>.v",
+    "<#, #>.v"
 };
-enum { FLOAT_PATTERNS = sizeof float_patterns / sizeof *float_patterns };
 
-void say_float(struct language *draw, int depth)
+static void say_float(struct language *draw, int depth)
 {
     size_t call = below(&draw->state, 16);
-    if (depth <= 0 || one_in(&draw->state, 4))
+    const char *operation = "(#, #)";
+    if (depth <= 0 || one_in(&draw->state, 4)) {
         say_float_leaf(draw);
-    else if (call == 0 && draw->names[NAME_FUNCTION])
-        say_call(draw, NAME_FUNCTION, depth - 1);
+        return;
+    }
+    if (call == 0 && draw->names[NAME_FUNCTION])
+        say(draw, "$=Wave;");
     else if (call == 1 && draw->names[NAME_VALUE] && draw->calling)
-        say_call(draw, NAME_VALUE, depth - 1);
+        say(draw, "$=Bent;");
     else
-        say_pattern(draw, float_patterns[below(&draw->state, FLOAT_PATTERNS)],
-                    depth - 1);
+        operation = float_patterns[below(&draw->state, sizeof float_patterns
+                                                           / sizeof *float_patterns)];
+    say_operation(draw, operation, depth - 1);
 }
 
-/* --- vectors -------------------------------------------------------------- */
+static const char *const vector_patterns[] = { "<#, #, #>",
+                                               "<#, #, #>",
+                                               "(@ + @)",
+                                               "(@ - @)",
+                                               "(@*#)",
+                                               "(#*@)",
+                                               "(@/(2 + abs(#)))",
+                                               "(@*@)",
+                                               "(-@)",
+                                               "(@ + #)",
+                                               "(<#, #> + @)",
+                                               "(#*x + #*y)",
+                                               "(# > # ? @ : @)",
+                                               "vcross(@, @)",
+                                               "vrotate(@, 60*@)",
+                                               "vrotate(@, #*90*y)",
+                                               "vaxis_rotate(@, <.3, .5, -.4>, 70*#)",
+                                               "vnormalize(@ + <1.7, 2.3, 9>)" };
 
-static const char *const vector_patterns[] = {
-    "<#, #, #>",
-    "<#, #, #>",
-    "(@ + @)",
-    "(@ - @)",
-    "(@*#)",
-    "(#*@)",
-    "(@/(2 + abs(#)))",
-    "(@*@)",
-    "(-@)",
-    "(@ + #)",
-    "(<#, #> + @)",
-    "(#*x + #*y)",
-    "(# > # ? @ : @)",
-    "vcross(@, @)",
-    "vrotate(@, 60*@)",
-    "vrotate(@, #*90*y)",
-    "vaxis_rotate(@, <.3, .5, -.4>, 70*#)",
-    "vnormalize(@ + <1.7, 2.3, 9>)",
-};
-enum { VECTOR_PATTERNS = sizeof vector_patterns / sizeof *vector_patterns };
-
-static void say_vector_leaf(struct language *draw)
+static void say_vector(struct language *draw, int depth)
 {
-    if (draw->names[NAME_VECTOR] && one_in(&draw->state, 2))
-        say_name(draw, NAME_VECTOR);
-    else if (one_in(&draw->state, 2))
-        SAY_ONE_OF(draw, "x", "y", "z");
+    size_t count = sizeof vector_patterns / sizeof *vector_patterns;
+    if (depth > 0 && !one_in(&draw->state, 4))
+        say_operation(draw, vector_patterns[below(&draw->state, count)], depth - 1);
+    else if (draw->names[NAME_VECTOR] && one_in(&draw->state, 2))
+        say(draw, "$=V;");
     else
-        say(draw, "<%.3f, %.3f, %.3f>", between(&draw->state, -2, 2),
-            between(&draw->state, -2, 2), between(&draw->state, -2, 2));
+        say(draw, "$2[$[x|y|z$]|<^3-2:2^, ^3-2:2^, ^3-2:2^>$]");
 }
-
-void say_vector(struct language *draw, int depth)
-{
-    if (depth <= 0 || one_in(&draw->state, 4))
-        say_vector_leaf(draw);
-    else
-        say_pattern(draw, vector_patterns[below(&draw->state, VECTOR_PATTERNS)],
-                    depth - 1);
-}
-
-/* --- values within bounds ------------------------------------------------- */
 
 void say_number(struct language *draw, double low, double high)
 {
-    if (!one_in(&draw->state, 4)) {
+    if (!one_in(&draw->state, 4))
         say(draw, "%.4f", between(&draw->state, low, high));
-        return;
-    }
-    say(draw, "%.3f + %.3f*", low, high - low);
-    if (one_in(&draw->state, 2)) {
-        say(draw, "abs(sin(");
-        say_float(draw, 2);
-        say(draw, "))");
-    } else {
-        say(draw, "(.5 + .5*cos(");
-        say_float(draw, 3);
-        say(draw, "))");
-    }
-}
-
-void say_point(struct language *draw, double low, double high)
-{
-    say(draw, "<");
-    for (int i = 0; i < 3; i++) {
-        say_number(draw, low, high);
-        say(draw, i < 2 ? ", " : ">");
-    }
-}
-
-void say_amount(struct language *draw, const char *word, double low, double high)
-{
-    begin_line(draw);
-    say(draw, "%s ", word);
-    say_number(draw, low, high);
-    end_line(draw);
-}
-
-void say_arrow(struct language *draw, double low, double high)
-{
-    say_number(draw, low, high);
-    say(draw, one_in(&draw->state, 2) ? "*" : " * ");
-    say(draw, "vnormalize(<.013, .027, .041> + ");
-    say_vector(draw, 2);
-    say(draw, ")");
+    else
+        say(draw, "%.3f + %.3f*$2[abs(sin($f2;))|(.5 + .5*cos($f3;))$]", low,
+            high - low);
 }
 
 /* --- colours -------------------------------------------------------------- */
 
-static void say_made_color(struct language *draw)
-{
-    switch (below(&draw->state, 6)) {
-    case 0:
-        SAY_ONE_OF(draw, "rgb ", "color rgb ", "srgb ");
-        say_number(draw, .2, 1);
-        break;
-    case 1:
-        say(draw, "red ");
-        say_number(draw, 0, 1);
-        say(draw, " green ");
-        say_number(draw, 0, 1);
-        say(draw, " blue ");
-        say_number(draw, 0, 1);
-        break;
-    default:
-        SAY_ONE_OF(draw, "rgb ", "rgb ", "color rgb ", "srgb ", "color srgb ");
-        say_point(draw, .05, 1);
-        break;
-    }
-}
-
-static void say_named_color(struct language *draw)
-{
-    SAY_ONE_OF(draw, "", "color ");
-    if (draw->library && one_in(&draw->state, 2))
-        SAY_ONE_OF(draw, "Red", "SteelBlue", "Gold", "Gray60", "Orange");
-    else
-        say_name(draw, NAME_COLOR);
-    switch (below(&draw->state, 4)) {
-    case 0:
-        say(draw, "*(");
-        say_number(draw, .3, 1);
-        say(draw, ")");
-        break;
-    case 1: say(draw, "*<.6, .8, .9>"); break;
-    default: break;
-    }
-}
-
-static void say_palette_color(struct language *draw)
-{
-    say_name(draw, NAME_PALETTE);
-    if (draw->turning && one_in(&draw->state, 2))
-        say(draw, "[mod(I, %d)]", LANGUAGE_ELEMENTS);
-    else
-        say(draw, "[%zu]", below(&draw->state, LANGUAGE_ELEMENTS));
-}
-
+/* One that lets nothing pass, for where one stands: with its words. */
 void say_color(struct language *draw)
 {
-    if (draw->names[NAME_COLOR] && one_in(&draw->state, 3))
-        say_named_color(draw);
-    else if (draw->names[NAME_PALETTE] && one_in(&draw->state, 5))
-        say_palette_color(draw);
-    else
-        say_made_color(draw);
+    if (draw->names[NAME_COLOR] && one_in(&draw->state, 3)) {
+        say(draw, "$[|color $]");
+        if (draw->library && one_in(&draw->state, 2))
+            say(draw, "$[Red|SteelBlue|Gold|Gray60|Orange$]");
+        else
+            say(draw, "$=Color;");
+        say(draw, "$4[*(~.3:1~)|*<.6, .8, .9>|$]");
+    } else if (draw->names[NAME_PALETTE] && one_in(&draw->state, 5)) {
+        say(draw, "$=Palette;");
+        if (draw->turning && one_in(&draw->state, 2))
+            say(draw, "[mod(I, %d)]", LANGUAGE_ELEMENTS);
+        else
+            say(draw, "[^#0:%d^]", LANGUAGE_ELEMENTS);
+    } else
+        say(draw, "$made_color;");
+}
+
+/* --- patterns ------------------------------------------------------------- */
+
+static void expand(struct language *draw, const char *pattern, const char *end);
+
+/* LOW:HIGH and the character that ends it. */
+static const char *read_range(const char *text, double *low, double *high)
+{
+    char *end;
+    *low = strtod(text, &end);
+    *high = strtod(end + 1, &end);
+    return end + 1;
+}
+
+/* The numbers in ^ up to another part. */
+static const char *say_numbers(struct language *draw, const char *pattern,
+                               const char *end)
+{
+    double number[8], low, high;
+    const char *field[8];
+    size_t count = 0;
+    for (const char *p = pattern; p < end && !strchr("~@$", *p); p++)
+        if (*p == '^') {
+            field[count++] = p + 1;
+            p = strchr(p + 1, '^');
+        }
+    for (size_t i = count; i-- > 0;) {
+        read_range(field[i] + 1, &low, &high);
+        number[i] = *field[i] == '#' ? low + (double)below(&draw->state, (size_t)high)
+                                     : between(&draw->state, low, high);
+    }
+    for (size_t i = 0; i < count; i++) {
+        fprintf(draw->text, "%.*f", *field[i] == '#' ? 0 : *field[i] - '0', number[i]);
+        pattern = strchr(field[i], '^') + 1;
+        for (; i + 1 < count && pattern + 1 < field[i + 1]; pattern++)
+            putc(*pattern, draw->text);
+    }
+    return pattern;
+}
+
+static void say_point(struct language *draw, double low, double high)
+{
+    for (int i = 0; i < 3; i++) {
+        fputs(i ? ", " : "<", draw->text);
+        say_number(draw, low, high);
+    }
+    putc('>', draw->text);
+}
+
+/* Where the alternative ends that begins here. */
+static const char *alternative_end(const char *p)
+{
+    for (int open = 0; open > 0 || (*p != '|' && strncmp(p, "$]", 2) != 0); p++)
+        if (*p == '$')
+            open += (p[1 + strspn(p + 1, "0123456789")] == '[') - (p[1] == ']');
+    return p;
+}
+
+static const char *say_choice(struct language *draw, const char *pattern)
+{
+    const char *alternative[16];
+    char *begin;
+    size_t cases = strtoul(pattern, &begin, 10), count = 0;
+    for (pattern = begin; *pattern != '$'; pattern = alternative_end(pattern))
+        alternative[count++] = ++pattern;
+    size_t which = below(&draw->state, cases ? cases : count);
+    which = which < count ? which : count - 1;
+    expand(draw, alternative[which], alternative_end(alternative[which]));
+    return pattern + 2;
+}
+
+static void say_rule(struct language *draw, const char *name, size_t length)
+{
+    const struct language_rule *rule = language_rules;
+    if (length == 2 && strchr("123", name[1])) {
+        (*name == 'f' ? say_float : say_vector)(draw, name[1] - '0');
+        return;
+    }
+    for (int kind = 0; strchr("=+!", *name) && kind < LANGUAGE_NAMES; kind++)
+        if (is_word(name_of[kind], name + 1, length - 1)) {
+            say_name(draw, (enum language_name)kind, *name);
+            return;
+        }
+    while (!is_word(rule->name, name, length))
+        if (++rule == language_rules + language_rule_count)
+            abort();
+    rule->say ? rule->say(draw) : say_pattern(draw, rule->pattern);
+}
+
+static const char *say_part(struct language *draw, const char *name)
+{
+    size_t length = strcspn(name, ";");
+    if (*name == '.')
+        return name + 1;
+    if (name[strspn(name, "0123456789")] == '[')
+        return say_choice(draw, name);
+    say_rule(draw, name, length);
+    return name + length + 1;
+}
+
+static void expand(struct language *draw, const char *pattern, const char *end)
+{
+    double low, high;
+    while (pattern < end)
+        if (*pattern == '~') {
+            pattern = read_range(pattern + 1, &low, &high);
+            say_number(draw, low, high);
+        } else if (*pattern == '@') {
+            pattern = read_range(pattern + 1, &low, &high);
+            say_point(draw, low, high);
+        } else if (*pattern == '^')
+            pattern = say_numbers(draw, pattern, end);
+        else if (*pattern == '$')
+            pattern = say_part(draw, pattern + 1);
+        else
+            putc(*pattern++, draw->text);
+}
+
+void say_pattern(struct language *draw, const char *pattern)
+{
+    expand(draw, pattern, pattern + strlen(pattern));
+}
+
+void say(struct language *draw, const char *format, ...)
+{
+    char pattern[1200];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(pattern, sizeof pattern, format, values);
+    va_end(values);
+    say_pattern(draw, pattern);
 }

@@ -72,3 +72,19 @@ char *text_without(const char *text, size_t number, bool kept)
     strcat(less, next_line(last));
     return less;
 }
+
+char *text_indented(char *text)
+{
+    char *words;
+    FILE *indented = test_text(&words);
+    int depth = 0;
+    for (const char *line = text; *line; line = next_line(line)) {
+        int change = opened(line);
+        fprintf(indented, "%*s%.*s", 4 * (change < 0 ? depth + change : depth), "",
+                (int)(next_line(line) - line), line);
+        depth += change;
+    }
+    fclose(indented);
+    free(text);
+    return words;
+}

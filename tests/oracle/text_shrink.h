@@ -12,4 +12,7 @@
 char *text_without(const char *text, size_t line, bool kept);
 size_t text_lines(const char *text);
 
+/* The text with the lines of blocks indented; it is freed. */
+char *text_indented(char *text);
+
 #endif

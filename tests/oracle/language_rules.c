@@ -1,0 +1,241 @@
+/* language_rules.c - the scene language by chance: the rules of its texts. */
+#include "tests/oracle/language_parts.h"
+
+#define PLACE_OFF "translate <^4.1:.2^, ^4.1:.2^, ^4.1:.2^>\n"
+#define SHARE(word, most) word " $3[rgb @.02:" most "@|~.02:" most "~$]\n"
+#define SHIFT "translate <^4-.4:.4^, ^4-.4:.4^, ^4-.4:.4^>\n"
+/* Rays that pass a thing as if it was not there. */
+#define HIDDEN(in) \
+    "$" in "[no_shadow\n|$]$" in "[$6[no_image off|no_image$]\n|$]$" in \
+    "[no_reflection\n|$]"
+#define AFTER_TURNED "location <.021, .033, -8>\ndirection <.02, .01, ^31.2:2^>\n"
+
+const struct language_rule language_rules[] = {
+    /* --- values --- */
+    { "arrow", NULL, "~.5:2~$2[*| * $]vnormalize(<.013, .027, .041> + $v2;)" },
+    { "color", say_color, NULL },
+    { "made_color", NULL,
+      "$6[$[rgb |color rgb |srgb $]~.2:1~|red ~0:1~ green ~0:1~ blue ~0:1~"
+      "|$[rgb |rgb |color rgb |srgb |color srgb $]@.05:1@$]" },
+    /* --- declarations --- */
+    { "float", NULL, "$[#declare |#local $]$+N; = $f3;;\n$!N;" },
+    { "vector", NULL, "#declare $+V; = <.1, .2, .3> + $v2;;\n$!V;" },
+    { "named_color", NULL, "#declare $+Color; = $color;;\n$!Color;" },
+    { "array", declare_array, NULL },
+    { "palette", declare_palette, NULL },
+    { "function", NULL,
+      "#declare $+Wave; = function$[(a, b) { sin(a)*b + a/(2 + b*b) }"
+      "|(a, b) { a - b - 1 + (a > b & a != 0) }"
+      "|(a, b) { select(a - b, 1, 2, pow(abs(a), 1.5)) }"
+      "|(a, b) { min(a, b, 2)*max(a, .3) - -b }"
+      "|(a, b) { mod(abs(a) + 3, 1.7) + sqrt(abs(b)) }"
+      "|(x, y) { x*x*x - y*y/3 + atan2(y, 1 + x*x) }$]\n$!Wave;" },
+    { "value", NULL,
+      "#macro $+Bent;$[(A, B) (A*.3 + sin(B)) #end|(A, B) max(A, 2*B, .5) #end"
+      "|(A, B) #local C = A - B; (C*C > 1 ? C : B) #end$]\n$!Bent;" },
+    { "declaration", NULL,
+      "$8[$vector;|$named_color;|$array;|$palette;|$function;|$value;|$float;$]" },
+    { "look_declaration", NULL, "$4[$motion;|$solid;|$declared_look;$]" },
+    { "motion", NULL, "#declare $+Motion; = transform {\n$turn;$turn;}\n$!Motion;" },
+    { "solid", declare_solid, NULL },
+    { "declared_look", declare_look, NULL },
+    /* --- motions --- */
+    { "turn", NULL,
+      "$5[rotate @-90:90@|rotate ~-90:90~$[*x|*y|*z$]|scale @.6:1.2@|scale ~.7:1.1~"
+      "|matrix <1, ^3-.3:.3^, 0, ^3-.3:.3^, .9, 0, 0, ^3-.3:.3^, 1, 0, ^3-.2:.2^, 0>$]\n" },
+    { "turns", say_turns, NULL },
+    /* --- pigments --- */
+    /* Steps of a pattern lie off the planes in which things are drawn, where a
+     * rounding would decide between two of its colours. */
+    { "pattern_place", NULL, "scale ^4.3:.9^\n$2[$turn;|$]" PLACE_OFF },
+    { "checker", NULL, "checker$8[| $color;$[, | $]$color;$]\n$pattern_place;" },
+    { "map", say_map, NULL },
+    { "gradient", NULL, "gradient $arrow;$6[\n|$map;$]$pattern_place;" },
+    /* What goes round more than once or twice has edges that are as narrow as pixels. */
+    { "waves", NULL,
+      "$2[$[ramp_wave|triangle_wave|sine_wave|scallop_wave|cubic_wave|poly_wave$]\n|$]"
+      "$6[poly_wave ^3.3:4^\n|$]$3[frequency ~-2:2~\n|$]$3[phase ~-1:2~\n|$]" },
+    { "pattern", NULL,
+      "$5[hexagon $4[|$color;$[, | $]$color;$[, | $]$color;$]\n"
+      "|brick $4[|$color;$[, | $]$color;$]\n"
+      "brick_size <^3.5:1.5^, ^3.3:1^, ^3.4:1.2^>\n$.mortar ^3.05:.2^\n"
+      "|$[planar|spherical|cylindrical|boxed|onion|leopard|radial|gradient x"
+      "|gradient <1, 1, .5>$]$6[\n|$map;$]$waves;$]$pattern_place;" },
+    { "mapped", NULL, "$2[$gradient;|$pattern;$]" },
+    { "plain_color", say_plain_color, NULL },
+    { "clear_color", NULL,
+      "$4[rgbf <^2.4:1^, ^2.4:1^, ^2.4:1^, ~.5:.9~>|color rgbt ~.3:.9~"
+      "|rgbft <^2.4:1^, ^2.4:1^, ^2.4:1^, .5, ~.1:.4~>"
+      "|$color;$[ transmit .6| filter .7| filter .4 transmit .3$]$]\n" },
+    { "pigment", say_pigment, NULL },
+    /* Of what goes on for ever: far out a gradient is another one in POV-Ray, whose
+     * values go round at 1.00001 below -1. */
+    { "far_pigment", NULL, "pigment {\n$2[$checker;|$plain_color;$]}\n" },
+    /* --- finishes --- */
+    { "reflection", NULL,
+      "$3[reflection { ^3.1:.5^ }\n|" SHARE("reflection", ".5") "$]" },
+    { "metallic", say_metallic, NULL },
+    /* A mirror that depends on the angle. */
+    { "turned_mirror", NULL,
+      "reflection {\nrgb <^30:.4^, ^30:.4^, ^30:.4^>, ^3.2:.9^\n"
+      "$2[fresnel\n|$2[falloff ~.5:4~\n|$]$]$metallic;}\n" },
+    { "finish_words", NULL,
+      "$2[" SHARE(
+          "ambient",
+          ".4") "|$]$2[diffuse ~.4:.9~\n|$]$4[brilliance ~.4:4~\n|$]"
+                "$5[" SHARE(
+                    "emission",
+                    ".3") "|$]"
+                          "$3[phong ~.2:.9~\n$2[phong_size ~8:60~\n|$]|$]"
+                          "$3[specular ~.2:.9~\n$2[roughness ~.02:.2~\n|$]|$]$metallic;" },
+    { "finish", say_finish, NULL },
+    { "ground_finish", say_ground_finish, NULL },
+    /* --- normals --- */
+    /* Without the functions and streams that numbers may have: what else is drawn does
+     * not depend on normals. */
+    { "bump", NULL,
+      "$[gradient x|gradient <1, -1, .5>|onion|leopard|radial frequency 3|boxed|spherical"
+      "|cylindrical|planar|quilted$]"
+      "$[| sine_wave| triangle_wave| scallop_wave| cubic_wave$] bump_size $steepness;"
+      "$4[ phase ^30:1^|$] scale ^4.2:.6^" },
+    { "steepness", say_steepness, NULL },
+    { "bump_entry", NULL, " normal { $bump; }" },
+    { "bump_list", NULL,
+      "$[checker$2[, $steepness;|$bump_entry;$bump_entry;$]"
+      "|hexagon$2[, $steepness;|$bump_entry;$bump_entry;$bump_entry;$]"
+      "|brick$2[, $steepness;|$bump_entry;$bump_entry;$]"
+      " brick_size <.713, .427, .531> mortar .061$]\n" },
+    { "bump_map", say_bump_map, NULL },
+    { "slopes", say_slopes, NULL },
+    { "own_normal", NULL,
+      "normal {\n$6[$bump_list;|$bump_map;|$slopes;|$bump;\n$]scale <1, ^4.6:1.2^, 1>\n"
+      "$.rotate <^2-60:60^, ^2-60:60^, 0>\n$." PLACE_OFF "$6[no_bump_scale\n|$]}\n" },
+    { "normal", say_normal, NULL },
+    { "steep_normal", say_steep_normal, NULL },
+    /* --- textures --- */
+    { "texture_words", say_texture_words, NULL },
+    { "look", NULL,
+      "$4[$pigment;$steep_normal;|$pigment;$finish;$normal;"
+      "|texture {\n$texture_words;}\n$]" },
+    { "clear_look", say_clear_look, NULL },
+    /* --- shapes --- */
+    /* Of a radius below 0 POV-Ray's bounding box is inside out: it sees the ball only
+     * if there are fewer than three things. */
+    { "ball", NULL, "sphere {\n@-.2:.2@$[, | $]^4.4:.9^\n" },
+    { "box", NULL, "box {\n@-.8:-.2@, @.2:.8@\n" },
+    { "cylinder", NULL, "cylinder {\n@-.7:-.2@, @.2:.7@, ~.2:.6~\n" },
+    { "cone", NULL, "cone {\n@-.7:-.2@, ~.3:.6~, @.2:.7@, $3[0|~.2:.6~$]\n" },
+    /* A tube that passes through itself is not drawn: of what is seen only from
+     * within POV-Ray gives normals of another part. */
+    { "torus", NULL, "torus {\n~.5:.8~, ~.1:.4~\nsturm\n" },
+    { "ellipsoid", NULL, "quadric {\n@1.4:4@, @-.5:.5@, @-.2:.2@, -^4.6:1^\n" },
+    /* x^4 + y^4 + z^4 and some of the second order. */
+    { "quartic", NULL,
+      "quartic {\n<2, 0,0,0, ^30:1^,0,0, ^30:1^,0,^3-1:1^, 0,0,0,0,0,^3-.5:.5^, 0,0,0,0, "
+      "3, 0,0, ^30:1^,0,^3-1:.5^, 0,0,0,0, 2, 0,^3-.7:.5^,0, -^3.4:1^>\nsturm\n" },
+    { "component", say_component, NULL },
+    { "blob_begin", NULL,
+      "blob {\nthreshold ^4.2:.6^\n$.sphere { <^3-.3:.3^, 0, ^3-.3:.3^>, .8, 1.3 }\n" },
+    { "shape", open_solid, NULL },
+    /* What has no end, or not in all directions; for cutting. */
+    { "plane", NULL, "plane {\n$arrow;, ^4-.2:.5^\n" },
+    { "quadric", open_quadric, NULL },
+    { "cubic", NULL,
+      "$2[cubic {\n|poly { 3,\n$]<^3.2:1^, 0,0,.2, 0,0,0, 0,0,1, ^3-.5:.5^, 0,0, 0,0,1, "
+      "^3-1:-.2^, .1,-1, .02>\nsturm\n" },
+    { "endless", NULL, "$6[$quadric;|$cubic;|$plane;$]" },
+    /* One that has no inside, but a look of its own in some parts. */
+    { "disc", NULL, "disc {\n@-.2:.2@, $arrow;, ^4.5:1^$2[, ^4.1:.4^|$]\n" },
+    { "triangle", open_lone_triangle, NULL },
+    { "mesh", open_mesh, NULL },
+    { "net", open_net, NULL },
+    { "bicubic", open_bicubic, NULL },
+    /* An outline with a hole; or a star, which crosses itself. */
+    { "polygon", NULL,
+      "polygon {\n$3[6, <0, .9>, <.53, -.73>, <-.86, .28>, <.86, .28>, <-.53, -.73>, "
+      "<0, .9>|5, <-.8, -.7>, <.8, -.6>, <.7, .8>, <-.9, .6>, <-.8, -.7>$]\n" },
+    /* Of letters with little that is round: POV-Ray keeps them in 32 bits, which is
+     * seen in highlights. */
+    { "sign", NULL,
+      "text {\nttf \"timrom.ttf\" \"$[A|H|M|L$]\" ^3.1:.5^, ^20:.2^*x\n" },
+    { "sheet", NULL,
+      "$12[$sign;|$[$disc;|$disc;|$triangle;|$mesh;|$net;|$bicubic;|$polygon;$]$]" },
+    /* --- modifiers --- */
+    { "place", NULL, "translate <~-2.2:2.2~, ~-1:1.6~, ~-2:2~>\n" },
+    /* As a part of a solid, so that no faces coincide. */
+    { "shift", NULL, SHIFT },
+    { "clip", say_clip, NULL },
+    { "cuts", NULL, "$8[$clip;|$]$10[hollow\n|$]" HIDDEN("10") },
+    /* A look before, among or behind the motions. */
+    { "dress", NULL, "$turns;$look;$turns;" },
+    /* --- solids --- */
+    { "listed_solid", say_listed_solid, NULL },
+    { "great_solid", say_great_solid, NULL },
+    { "reference", NULL, "object {\n$=Solid;\n$2[$look;|$]$turns;" SHIFT "}\n" },
+    /* --- things --- */
+    { "shape_thing", NULL, "$shape;$dress;$cuts;$place;}\n" },
+    { "sheet_thing", NULL, "$sheet;$dress;" HIDDEN("8") "$place;}\n" },
+    /* Its words change nothing here. */
+    { "solid_thing", NULL,
+      "object {\n$great_solid;$2[$look;|$]$turns;"
+      "$6[$[hollow|hollow off|no_radiosity|photons { }$]\n|$]" HIDDEN(
+          "8") "$place;}\n" },
+    { "named_thing", NULL, "object {\n$=Solid;\n$dress;$cuts;$place;}\n" },
+    /* A list of solids and sheets. */
+    { "listed", NULL, "$3[$sheet;$turns;" SHIFT "}\n|$listed_solid;$]" },
+    { "group", NULL,
+      "union {\n$2[|$listed;$]$listed;$listed;$dress;" HIDDEN("12") "$place;}\n" },
+    /* One that is within a box or a ball, as its bound says. */
+    { "bounded_thing", NULL,
+      "union {\nbox {\n@-.6:-.1@, @.1:.6@\n$2[$look;|$]}\n"
+      "sphere {\n@-.6:-.1@, ~.2:.5~\n$2[$look;|$]}\n"
+      "bounded_by {\n$2[box { -1.7, 1.7 }|sphere { 0, 1.9 }$]\n}\n$dress;$place;}\n" },
+    /* Whole solids, without a way in: a ray of the eye enters an open one from behind in
+     * POV-Ray, where here it leaves. */
+    { "clear_thing", NULL, "$2[$bent;|$unbent;$]" HIDDEN("6") "$place;}\n" },
+    { "bent", NULL, "$unbent;interior { ior ~1.1:1.7~ }\n" },
+    { "unbent", say_clear_look, NULL },
+    { "small", NULL, "$shape;$turns;$look;scale ^3.3:.6^\n" },
+    { "for", say_for, NULL },
+    { "while", NULL,
+      "#declare Turn = 0;\n#while (Turn < ^#2:4^)\n$4[#if (Turn > 2) #break #end\n|$]"
+      "$small;translate <^3.7:1.2^*Turn - ^31:2.2^, ^3-1:1.5^, ^3-2:2^*mod(Turn, 2)>\n}\n"
+      "#declare Turn = Turn + 1;\n#end\n" },
+    { "condition", NULL,
+      "$[#if (|#if (|#if (0.3 > $]$f2;)\n$shape_thing;$3[#elseif ($f2;)\n$shape_thing;|$]"
+      "#else\n$shape_thing;#end\n" },
+    { "switch", NULL,
+      "#switch (mod(floor(2*abs($f2;)), 4))\n#case (0)\n$shape_thing;$2[#break\n|$]"
+      "#range (1, 2.5)\n$sheet_thing;#break\n#else\n$shape_thing;#end\n" },
+    { "defined", NULL,
+      "$2[#ifdef (N0)|#ifndef (Nobody)$]\n$shape_thing;#else\n$sheet_thing;#end\n" },
+    { "thing", say_thing, NULL },
+    { "macro", say_macro, NULL },
+    { "any_thing", NULL,
+      "$[$shape_thing;|$shape_thing;|$sheet_thing;|$sheet_thing;|$sheet_thing;"
+      "|$solid_thing;|$solid_thing;|$solid_thing;|$group;|$bounded_thing;|$for;|$while;"
+      "|$condition;|$switch;|$defined;$]" },
+    /* --- cameras, lights, the ground --- */
+    { "width", NULL,
+      "$[right x*image_width/image_height|right 4/3*x|right -x*4/3|right x*4/3 up y"
+      "|up 1.2*y right 1.6*x$]\n" },
+    { "aim", NULL, "look_at @-.4:.4@\n$4[sky <~-.6:.6~, 1, .2>\n|$]" },
+    /* By its vectors, and turned as a whole. */
+    { "turned_camera", NULL,
+      "$3[orthographic\n" AFTER_TURNED "$.right ^35:8^*x up ^34:6^*y\n"
+      "|" AFTER_TURNED "$2[$width;|$]$]rotate <~-5:35~, ~-180:180~, ~-20:20~>\n" },
+    /* Below all lamps. */
+    { "point_at", NULL, "point_at @-3:3@\n" },
+    { "spotlight", NULL,
+      "spotlight\n$point_at;$2[radius ~5:60~\n|$]$2[falloff ~10:100~\n|$]"
+      "$2[tightness ~0:8~\n|$]" },
+    { "light_cylinder", NULL,
+      "cylinder\n$point_at;$2[radius ~.5:3~\n|$]$2[falloff ~1:6~\n|$]"
+      "$2[tightness ~0:8~\n|$]" },
+    /* Below all else.  It is hollow, as an orthographic picture may begin below it: in
+     * a body that is not POV-Ray sees no fog. */
+    { "ground", NULL,
+      "$2[plane {\ny, -2.6137 hollow\n$far_pigment;|disc {\n-2.6137*y, y, 6\n$pigment;$]"
+      "$3[$ground_finish;|$]}\n" },
+};
+const size_t language_rule_count = sizeof language_rules / sizeof *language_rules;
