@@ -26,7 +26,6 @@ static void go_round(const struct object *object)
     struct sink sink = text_buffer_sink(&text);
     struct diagnostics errors = { 0 };
     struct object *again;
-
     disassemble(object, &sink);
     again = assemble_text("again.s", text.text, NULL, &errors);
     if (!again)
@@ -40,7 +39,6 @@ static void try_text(const char *text)
 {
     struct diagnostics errors = { 0 };
     struct object *object = assemble_text("fuzz.s", text, NULL, &errors);
-
     if (!object && errors.count == 0)
         abort();
     diagnostics_put(&errors, &nowhere);
@@ -58,7 +56,6 @@ static void try_object(const uint8_t *data, size_t size)
 {
     c205_error error;
     struct object *object = object_read((const char *)data, size, &error);
-
     if (object)
         object_write(object, &nowhere);
     object_free(object);
@@ -67,7 +64,6 @@ static void try_object(const uint8_t *data, size_t size)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     char *text = calloc(1, size + 1);
-
     if (!text)
         return 0;
     if (size > 0)

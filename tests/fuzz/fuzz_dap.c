@@ -47,7 +47,6 @@ static void frame_lines(struct talk *talk, const uint8_t *data, size_t size)
     for (size_t i = 0; i <= size && lines < LINES_MOST; i++) {
         struct text_buffer line = { 0 };
         struct sink filling = text_buffer_sink(&line);
-
         if (i < size && data[i] != '\n')
             continue;
         filling.put(filling.context, (const char *)data + from, i - from);
@@ -63,7 +62,6 @@ static void say(struct talk *talk, const uint8_t *data, size_t size)
 {
     static const char header[] = "Content";
     struct sink sink = text_buffer_sink(&talk->said);
-
     if (size >= sizeof header - 1 && memcmp(data, header, sizeof header - 1) == 0)
         sink.put(sink.context, (const char *)data, size);
     else
@@ -76,7 +74,6 @@ static size_t give(void *context, char *bytes, size_t most)
     struct talk *talk = context;
     size_t left = talk->said.length - talk->taken;
     size_t length = 1 + talk->taken * 7 % 300;
-
     length = length < left ? length : left;
     length = length < most ? length : most;
     if (length > 0)
@@ -100,7 +97,6 @@ static void hear(void *context, const char *bytes, size_t length)
     c205_error error;
     const struct json_value *message, *success;
     int64_t number = -1;
-
     must(message_find(&whole, &content, &error) == MESSAGE_WHOLE);
     must(content.begin + content.length == length);
     message = json_read(&arena, bytes + content.begin, content.length, &error);
@@ -119,7 +115,6 @@ static bool open_program(void *context, const struct dap_program *program,
     const struct asm_options options = { .defines = program->defines };
     struct diagnostics errors = { 0 };
     c205_error error;
-
     (void)context;
     *object = assemble_text("fuzz.s", text, &options, &errors);
     diagnostics_put(&errors, report);
@@ -141,7 +136,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                                .folder = "/nowhere",
                                .clocks_most = 1000000 };
     c205_error error = { "" };
-
     say(&talk, data, size);
     must(dap_serve(&setup, &error) || *error.message);
     text_buffer_free(&talk.said);

@@ -45,7 +45,6 @@ static void check_clock(struct debugger *debugger)
 {
     const c205 *machine = machine_of(debugger);
     uint64_t sum = 0;
-
     for (size_t i = 0; i < c205_account_count(machine); i++)
         for (int cause = 0; cause < C205_CAUSES; cause++)
             sum += c205_account_at(machine, i)->clocks[cause];
@@ -56,7 +55,6 @@ static void check_clock(struct debugger *debugger)
 static void obey_lines(struct debugger *debugger, char *lines)
 {
     size_t count = 0;
-
     for (char *line = strtok(lines, "\n"); line && count < LINES_MOST;
          line = strtok(NULL, "\n"), count++) {
         asked = 0;
@@ -75,10 +73,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
                                     .out = { ignore, NULL },
                                     .clocks_most = 1000000,
                                     .interrupted = is_enough };
-    struct debugger *debugger;
     c205_error error;
     char *lines = malloc(size + 1);
-
     must(lines != NULL);
     memcpy(lines, data, size);
     lines[size] = '\0';
@@ -86,7 +82,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         object = assemble_text("fuzz.s", text, NULL, &errors);
     must(object);
     setup.object = object;
-    debugger = debugger_new(&setup, &error);
+    struct debugger *debugger = debugger_new(&setup, &error);
     must(debugger != NULL);
     obey_lines(debugger, lines);
     debugger_obey(debugger, "goto 0");

@@ -15,7 +15,6 @@ static void ask(struct engine *engine, const char *line, size_t length)
     struct arena arena = { 0 };
     c205_error error;
     const struct json_value *reply, *ok;
-
     must(text);
     reply = json_read(&arena, text, strlen(text), &error);
     ok = json_member(reply, "ok");
@@ -37,7 +36,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (int i = 0; i < MOST && line < end; i++) {
         const char *newline = memchr(line, '\n', (size_t)(end - line));
         const char *next = newline ? newline : end;
-
         ask(engine, line, (size_t)(next - line));
         line = next + 1;
     }

@@ -38,13 +38,11 @@ struct state {
 static c205_word word_of(const uint8_t *bytes)
 {
     c205_word word = 0;
-
     for (int i = 0; i < 8; i++)
         word = word << 8 | bytes[i];
     if (bytes[0] < c205_insn_count) {
         const c205_insn *insn = &c205_insns[bytes[0]];
         c205_fields fields = c205_decode(insn, word);
-
         fields.f = insn->opcode;
         fields.g &= (uint8_t)~insn->subop_mask;
         fields.g |= insn->subop;
@@ -63,7 +61,6 @@ static void load(c205 *machine, const c205_word *code)
     const c205_region region = { "half", CODE, CODE + CODE_WORDS * WORD_BITS / 2 };
     const c205_program program = { CODE, 2, segments, 1, &region, false };
     c205_error error;
-
     must(c205_load(machine, &program, &error));
 }
 
@@ -75,7 +72,6 @@ static void fill_registers(c205 *machine)
                                     c205_from_double(i - 100.5), i % 16,
                                     CODE + i * WORD_BITS / 2,
                                     (c205_word)(i % 8) << 48 | (CODE + i * WORD_BITS) };
-
         c205_set_register(machine, i, kinds[i % COUNT(kinds)]);
     }
 }
@@ -85,7 +81,6 @@ static void fill_registers(c205 *machine)
 static void check_accounts(const c205 *machine)
 {
     uint64_t sum = 0;
-
     for (size_t i = 0; i < c205_account_count(machine); i++)
         for (int cause = 0; cause < C205_CAUSES; cause++)
             sum += c205_account_at(machine, i)->clocks[cause];
@@ -119,7 +114,6 @@ static c205_stop run_slices(c205 *machine)
 {
     c205_stop stop;
     uint64_t limit = 0;
-
     do {
         limit = CLOCKS - limit < SLICE ? CLOCKS : limit + SLICE;
         stop = c205_run(machine, limit);
@@ -133,7 +127,6 @@ static size_t walk(c205 *machine)
 {
     c205_stop stop;
     size_t steps = 0;
-
     while (c205_step(machine, &stop))
         steps++;
     return steps;
@@ -144,7 +137,6 @@ static void check_trap(c205 *machine, const c205_word *code, size_t steps,
 {
     static struct state before, after;
     c205_stop stop;
-
     begin(machine, code);
     while (steps-- > 0)
         must(c205_step(machine, &stop));
@@ -160,7 +152,6 @@ static void check_trap(c205 *machine, const c205_word *code, size_t steps,
 static void check_end(const c205 *machine, const struct state *ran, uint64_t clock)
 {
     static struct state state;
-
     check_accounts(machine);
     take_state(machine, &state);
     check_same(ran, &state);
@@ -171,15 +162,11 @@ static void run_and_walk(c205 *machine, const c205_word *code)
 {
     static struct state ran;
     c205_error text;
-    c205_stop end;
-    uint64_t clock;
-    size_t steps;
-
     begin(machine, code);
-    end = c205_run(machine, CLOCKS);
+    c205_stop end = c205_run(machine, CLOCKS);
     c205_describe_stop(machine, &end, &text);
     take_state(machine, &ran);
-    clock = c205_clock(machine);
+    uint64_t clock = c205_clock(machine);
     check_end(machine, &ran, clock);
 
     begin(machine, code);
@@ -191,7 +178,7 @@ static void run_and_walk(c205 *machine, const c205_word *code)
     }
 
     begin(machine, code);
-    steps = walk(machine);
+    size_t steps = walk(machine);
     fuzz_accepted = fuzz_accepted || steps > 0;
     check_end(machine, &ran, clock);
     if (end.trap != C205_TRAP_NONE)
@@ -203,7 +190,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     c205_word code[CODE_WORDS] = { 0 };
     c205_error error;
     c205 *machine = c205_new(fuzz_model(), &error);
-
     for (size_t i = 0; i < CODE_WORDS && 8 * i + 8 <= size; i++)
         code[i] = word_of(data + 8 * i);
     if (machine)

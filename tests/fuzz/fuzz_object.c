@@ -11,7 +11,6 @@ bool fuzz_accepted;
 static size_t words_of(const c205_program *program)
 {
     size_t words = 0;
-
     for (size_t i = 0; i < program->segment_count; i++)
         words += program->segments[i].length;
     return words;
@@ -21,10 +20,8 @@ static void load_and_run(const c205_program *program)
 {
     c205_error error;
     c205 *machine = c205_new(fuzz_model(), &error);
-
     if (machine && c205_load(machine, program, &error)) {
         c205_stop stop = c205_run(machine, CLOCKS);
-
         c205_describe_stop(machine, &stop, &error);
         fuzz_accepted = true;
     }
@@ -35,7 +32,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     c205_error error;
     struct object *object = object_read((const char *)data, size, &error);
-
     if (object && words_of(&object->program) <= WORDS_MOST)
         load_and_run(&object->program);
     object_free(object);

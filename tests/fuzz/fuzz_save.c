@@ -23,7 +23,6 @@ struct bytes {
 static bool append(void *context, const void *more, size_t count)
 {
     struct bytes *bytes = context;
-
     if (bytes->count + count > bytes->room) {
         bytes->room = 2 * (bytes->count + count);
         bytes->byte = realloc(bytes->byte, bytes->room);
@@ -38,7 +37,6 @@ static struct bytes save(const c205 *machine)
 {
     struct bytes bytes = { 0, 0, NULL };
     c205_error error;
-
     must(c205_save(machine, append, &bytes, &error));
     return bytes;
 }
@@ -47,7 +45,6 @@ static c205 *restore(const uint8_t *data, size_t size)
 {
     c205_error error = { "" };
     c205 *machine = c205_restore(data, size, fuzz_model(), &error);
-
     must(machine || error.message[0] != '\0');
     return machine;
 }
@@ -57,7 +54,6 @@ static size_t seal(uint8_t *byte, size_t size)
 {
     size_t words = size / WORD_BYTES;
     uint64_t hash = HASH_BEGIN;
-
     for (size_t i = 0; i + 1 < words; i++) {
         uint64_t word = 0;
         for (size_t k = 0; k < WORD_BYTES; k++)
@@ -74,7 +70,6 @@ static size_t seal(uint8_t *byte, size_t size)
 static void check_accounts(const c205 *machine)
 {
     uint64_t sum = 0;
-
     for (size_t i = 0; i < c205_account_count(machine); i++)
         for (int cause = 0; cause < C205_CAUSES; cause++)
             sum += c205_account_at(machine, i)->clocks[cause];
@@ -84,7 +79,6 @@ static void check_accounts(const c205 *machine)
 static void check_same(const c205 *a, const c205 *b)
 {
     struct bytes left = save(a), right = save(b);
-
     must(left.count == right.count && memcmp(left.byte, right.byte, left.count) == 0);
     free(left.byte);
     free(right.byte);
@@ -94,7 +88,6 @@ static c205_stop go_on(c205 *machine)
 {
     c205_stop stop = { .trap = C205_TRAP_NONE };
     int steps = 0;
-
     while (steps < STEPS && c205_step(machine, &stop))
         steps++;
     if (steps == STEPS)
@@ -109,7 +102,6 @@ static void check_twins(c205 *machine)
     struct bytes bytes = save(machine);
     c205 *twin = restore(bytes.byte, bytes.count);
     c205_stop one, other;
-
     must(twin != NULL);
     check_accounts(machine);
     check_same(machine, twin);
@@ -124,7 +116,6 @@ static void check_twins(c205 *machine)
 static void try_bytes(const uint8_t *data, size_t size)
 {
     c205 *machine = restore(data, size);
-
     if (machine) {
         fuzz_accepted = true;
         check_twins(machine);
@@ -136,7 +127,6 @@ static void try_bytes(const uint8_t *data, size_t size)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     uint8_t *sealed = malloc(size ? size : 1);
-
     try_bytes(data, size);
     must(sealed != NULL);
     if (size > 0)

@@ -15,7 +15,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     struct diagnostics reports = { 0 };
     FILE *out = fopen("/dev/null", "w");
     char *text = malloc(size + 1);
-
     if (out && text) {
         memcpy(text, data, size);
         text[size] = '\0';

@@ -10,11 +10,9 @@ enum { SIZE_MOST = 1 << 20, ALL_REFUSED = 3 };
 int main(int argc, char **argv)
 {
     uint8_t *data = malloc(SIZE_MOST);
-
     for (int i = 1; data && i < argc; i++) {
         FILE *file = fopen(argv[i], "rb");
         size_t size;
-
         if (!file) {
             perror(argv[i]);
             return 1;

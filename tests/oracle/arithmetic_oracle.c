@@ -45,7 +45,6 @@ void oracle_end(void)
 static long first_bits(c205_word word, long bits)
 {
     long number = (long)(word >> (64 - bits));
-
     return word >> 63 == 1 ? number - (1l << bits) : number;
 }
 
@@ -53,7 +52,6 @@ static void take(struct number *number, const struct oracle_format *format,
                  c205_word word)
 {
     long exponent_bits = format->width - format->digits - 1;
-
     number->kind = word >> 60 == 8   ? MACHINE_ZERO
                    : word >> 60 == 7 ? INDEFINITE
                                      : NUMBER;
@@ -120,7 +118,6 @@ static c205_word make(const struct oracle_format *format, const mpz_t coefficien
 {
     long coefficient_bits = format->digits + 1;
     c205_word end = 1ul << (coefficient_bits - 1) << 1;
-
     if (exponent > format->exponent_max)
         return indefinite(FLAG_EXPONENT_OVERFLOW, flags);
     if (exponent < format->exponent_min)
@@ -153,7 +150,6 @@ static c205_word make_significant(const struct oracle_format *format, long bits,
                                   long exponent, uint64_t *flags)
 {
     long k = significant_bits(wide) - bits;
-
     scale_down(wide, k);
     assert(significant_bits(wide) == bits);
     return make(format, wide, exponent + k, flags);
@@ -164,7 +160,6 @@ static long less_significant_operand(void)
     long a = significant_bits(left.coefficient);
     long b = significant_bits(right.coefficient);
     long s = a < b ? a : b;
-
     return s < 1 ? 1 : s;
 }
 
@@ -294,7 +289,6 @@ c205_word oracle_multiply_upper(const struct oracle_format *format, c205_word a,
                                 c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (!multiply(format, a, b, &special, flags))
         return special;
     long exponent = left.exponent + right.exponent + format->digits;
@@ -306,7 +300,6 @@ c205_word oracle_multiply_lower(const struct oracle_format *format, c205_word a,
                                 c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (!multiply(format, a, b, &special, flags))
         return special;
     mpz_fdiv_r_2exp(wide, wide, (mp_bitcnt_t)format->digits);
@@ -317,7 +310,6 @@ c205_word oracle_multiply_significant(const struct oracle_format *format, c205_w
                                       c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (!multiply(format, a, b, &special, flags))
         return special;
     if (mpz_sgn(wide) == 0)
@@ -354,7 +346,6 @@ c205_word oracle_divide_upper(const struct oracle_format *format, c205_word a,
                               c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (!divide(format, a, b, &special, flags))
         return special;
     long exponent = left.exponent - right.exponent - format->digits;
@@ -367,7 +358,6 @@ c205_word oracle_divide_significant(const struct oracle_format *format, c205_wor
                                     c205_word b, uint64_t *flags)
 {
     c205_word special;
-
     if (!divide(format, a, b, &special, flags))
         return special;
     if (mpz_sgn(wide) == 0)
@@ -484,7 +474,6 @@ c205_word oracle_exponent(const struct oracle_format *format, c205_word a, c205_
 static long shift_left(const struct oracle_format *format, long wanted, long limit)
 {
     long places = 0;
-
     while (places < wanted && places < limit
            && significant_bits(left.coefficient) < format->digits) {
         scale_down(left.coefficient, -1);
@@ -535,7 +524,6 @@ c205_word oracle_adjust_exponent(const struct oracle_format *format, c205_word a
 static c205_word contract(c205_word a, unsigned long addend, uint64_t *flags)
 {
     long places = oracle_full.digits - oracle_half.digits;
-
     take(&left, &oracle_full, a);
     if (left.kind != NUMBER)
         return plain(left.kind, flags);
@@ -563,7 +551,6 @@ c205_word oracle_extend(const struct oracle_format *format, c205_word a, c205_wo
                         uint64_t *flags)
 {
     long places = oracle_full.digits - oracle_half.digits;
-
     (void)format, (void)b;
     take(&left, &oracle_half, a);
     if (left.kind != NUMBER)
@@ -606,7 +593,6 @@ COMPARISON(less, mpfr_less_p)
 c205_word oracle_word(const struct oracle_format *format, const mpfr_t value)
 {
     uint64_t flags = 0;
-
     if (!mpfr_number_p(value))
         return C205_INDEFINITE;
     if (mpfr_zero_p(value))

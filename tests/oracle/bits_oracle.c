@@ -13,7 +13,6 @@ static c205_word join(const struct oracle_format *format, c205_word high, c205_w
 {
     long middle = format->width - format->digits - 1;
     c205_word word = 0;
-
     for (long i = 0; i < 64; i++) {
         c205_word from = i < middle ? high : low;
         word = word << 1 | (i < format->width ? bit(from, i) : 0);
@@ -36,7 +35,6 @@ c205_word oracle_pack(const struct oracle_format *format, c205_word a, c205_word
                       uint64_t *flags)
 {
     c205_word exponent = as_number(format, a) << (format->digits + 1);
-
     (void)flags;
     return join(format, justified(format, exponent), b);
 }
@@ -62,7 +60,6 @@ static long as_integer(const struct oracle_format *format, c205_word word)
 {
     long first = format->width - format->digits - 1;
     long integer = -(long)bit(word, first);
-
     for (long i = first + 1; i < format->width; i++)
         integer = 2 * integer + (long)bit(word, i);
     return integer;
@@ -74,7 +71,6 @@ c205_word oracle_shift(const struct oracle_format *format, c205_word a, c205_wor
     long width = format->width;
     long count = as_integer(format, b);
     c205_word shifted = 0;
-
     (void)flags;
     for (long i = 0; i < width; i++) {
         long from = count >= 0      ? (i + count % width) % width
@@ -90,7 +86,6 @@ static c205_word bitwise(const struct oracle_format *format, c205_word a, c205_w
                          const unsigned truth[2][2])
 {
     c205_word result = 0;
-
     for (long i = 0; i < format->width; i++)
         result = result << 1 | truth[bit(a, i)][bit(b, i)];
     return justified(format, result);

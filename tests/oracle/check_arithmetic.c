@@ -37,7 +37,6 @@ static struct outcome expect(oracle_rule *rule, const struct oracle_format *form
                              c205_word a, c205_word b)
 {
     struct outcome outcome = { .flags = EARLIER_FLAG };
-
     outcome.word = rule(format, a, b, &outcome.flags);
     return outcome;
 }
@@ -45,7 +44,6 @@ static struct outcome expect(oracle_rule *rule, const struct oracle_format *form
 static struct outcome apply(scalar_rule *rule, c205_word a, c205_word b)
 {
     struct outcome outcome = { .flags = EARLIER_FLAG };
-
     outcome.word = rule(a, b, &outcome.flags);
     return outcome;
 }
@@ -88,7 +86,6 @@ static bool check_span(const struct operation *operation, struct span *span)
 {
     c205_word guard = UINT64_C(0x0123456789ABCDEF);
     uint64_t flags = EARLIER_FLAG, expected_flags = EARLIER_FLAG;
-
     span->c[span->n] = guard;
     operation->span(span->c, span->a, span->b, span->n, &flags);
     for (size_t i = 0; i < span->n; i++) {
@@ -114,7 +111,6 @@ static bool check_span(const struct operation *operation, struct span *span)
 static size_t span_length(uint64_t *random)
 {
     int64_t longest = random_bits(random) % 2 == 0 ? 9 : SPAN;
-
     return (size_t)random_between(random, 1, longest);
 }
 
@@ -124,7 +120,6 @@ static bool check_operation(const struct operation *operation, uint64_t seed,
     static struct span span;
     struct operands operands = operands_begin(operation->format, seed);
     uint64_t random = ~seed;
-
     for (size_t done = 0; done < cases; done += span.n) {
         span.n = span_length(&random);
         if (span.n > cases - done)
@@ -145,7 +140,6 @@ static bool check_reduction(const struct reduction *reduction, uint64_t seed,
     static struct span span;
     struct operands operands = operands_begin(reduction->format, seed);
     uint64_t random = ~seed;
-
     for (size_t done = 0; done < cases; done += span.n) {
         span.n = span_length(&random);
         operands_next(&operands, span.a, span.b, span.n);
@@ -169,7 +163,6 @@ static bool check_masked_store(uint64_t seed, size_t cases)
     static struct span span;
     struct operands operands = operands_begin(&oracle_full, seed);
     uint64_t random = ~seed;
-
     for (size_t done = 0; done < cases; done += span.n) {
         uint64_t bits[BITMAP];
         c205_word choice[SPAN];
@@ -219,7 +212,6 @@ static void count(struct run *run, const char *name, size_t cases, bool pass)
 static void check_everything(struct run *run)
 {
     size_t conversion_cases = run->cases / 10;
-
     for (size_t i = 0; i < operation_count; i++)
         if (wanted(run, operations[i].name))
             count(run, operations[i].name, run->cases,
@@ -245,7 +237,6 @@ static bool read_arguments(struct run *run, int argc, char **argv)
         { NULL, 0, NULL, 0 },
     };
     uint64_t number;
-
     for (int c; (c = getopt_long(argc, argv, "", options, NULL)) != -1;) {
         if (c == 'o')
             run->only = optarg;
@@ -263,7 +254,6 @@ static bool read_arguments(struct run *run, int argc, char **argv)
 int main(int argc, char **argv)
 {
     struct run run = { .seed = 205, .cases = 1000000 };
-
     if (!read_arguments(&run, argc, argv)) {
         fprintf(stderr, "usage: check_arithmetic [--seed N] "
                         "[--operation NAME] [cases]\n");

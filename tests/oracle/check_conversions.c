@@ -38,7 +38,6 @@ static bool same_text(c205_word word, const char *expected, const char *got)
 static double double_of_bits(uint64_t bits)
 {
     double value;
-
     memcpy(&value, &bits, sizeof value);
     return value;
 }
@@ -49,7 +48,6 @@ static int64_t usual_power(uint64_t *random)
 {
     static const int64_t ends[] = { 134, -90 };
     int64_t end = ends[random_bits(random) % 2];
-
     return random_bits(random) % 4 == 0 ? end + random_between(random, -3, 3)
                                         : random_between(random, -60, 60);
 }
@@ -59,7 +57,6 @@ static double random_double(uint64_t *random)
 {
     uint64_t choice = random_bits(random);
     uint64_t bits = random_bits(random);
-
     if (choice % 2 == 0) {
         int64_t exponent = 1023 + usual_power(random);
         bits = bits >> 63 << 63 | bits << 12 >> 12 | (uint64_t)exponent << 52;
@@ -74,7 +71,6 @@ static bool from_double_agrees(const struct converters *as, uint64_t *random)
     double value = random_double(random);
     char what[64];
     mpfr_t cut;
-
     mpfr_init2(cut, as->format->digits);
     mpfr_set_d(cut, value, MPFR_RNDD);
     snprintf(what, sizeof what, "from %a", value);
@@ -91,7 +87,6 @@ static c205_word word_near_doubles(const struct oracle_format *format, uint64_t 
     int64_t low = format->exponent_min, high = format->exponent_max;
     int64_t exponent = random_between(random, low < -1200 ? -1200 : low,
                                       high > 1100 ? 1100 : high);
-
     return random_bits(random) % 4 == 0 ? random_word(format, random)
                                         : (c205_word)exponent << (64 - bits) | digits;
 }
@@ -100,7 +95,6 @@ static bool to_double_agrees(const struct converters *as, uint64_t *random)
 {
     c205_word word = word_near_doubles(as->format, random);
     mpfr_t value;
-
     mpfr_init2(value, 48);
     oracle_value(as->format, value, word);
     double expected = mpfr_get_d(value, MPFR_RNDN);
@@ -120,7 +114,6 @@ static bool from_integer_agrees(const struct converters *as, uint64_t *random)
     int64_t value = random_between(random, -end, end - 1);
     char what[64];
     mpfr_t exact;
-
     mpfr_init2(exact, 48);
     mpfr_set_si(exact, value, MPFR_RNDD);
     c205_word word = c205_from_integer(value);
@@ -137,7 +130,6 @@ static bool to_integer_agrees(const struct converters *as, uint64_t *random)
     int64_t low = (int64_t)(word % (UINT64_C(1) << 48));
     int64_t expected = low >= INT64_C(1) << 47 ? low - (INT64_C(1) << 48) : low;
     int64_t got = c205_to_integer(word);
-
     if (got != expected)
         printf("%016" PRIX64 ": expected %" PRId64 ", got %" PRId64 "\n", word,
                expected, got);
@@ -162,7 +154,6 @@ static void random_digits(const struct converters *as, uint64_t *random,
                                            random_bits(random) % 2 ? 20 : DIGITS);
     mpfr_rnd_t way = random_bits(random) % 2 ? MPFR_RNDU : MPFR_RNDD;
     mpfr_t value;
-
     mpfr_init2(value, 48);
     oracle_value(as->format, value, word_near_doubles(as->format, random));
     mpfr_abs(value, value, MPFR_RNDD);
@@ -268,7 +259,6 @@ static bool from_text_agrees(const struct converters *as, uint64_t *random)
     char *expected_end;
     const char *end;
     mpfr_t cut;
-
     (random_bits(random) % 16 == 0 ? odd_text : random_text)(as, random, text);
     mpfr_init2(cut, as->format->digits);
     mpfr_strtofr(cut, text, &expected_end, 10, MPFR_RNDD);
@@ -286,7 +276,6 @@ static bool from_text_agrees(const struct converters *as, uint64_t *random)
 static size_t significant_digits(const char *text)
 {
     size_t digits = 0, zeros = 0;
-
     for (; *text != '\0' && *text != 'e' && *text != 'E'; text++) {
         if (*text == '0')
             zeros += digits > 0;
@@ -308,7 +297,6 @@ static bool fewer_digits_do(const struct converters *as, const mpfr_t value,
     char shorter[64], text[128];
     mpfr_exp_t point;
     mpfr_t back;
-
     if (digits < 2)
         return false;
     mpfr_get_str(shorter, &point, 10, digits - 1, value, MPFR_RNDU);
@@ -328,7 +316,6 @@ static bool reads_back(const struct converters *as, const mpfr_t value,
     char *expected_end;
     const char *end;
     mpfr_t back;
-
     mpfr_init2(back, as->format->digits);
     mpfr_strtofr(back, text, &expected_end, 10, MPFR_RNDD);
     bool same = *expected_end == '\0' && mpfr_equal_p(back, value);
@@ -357,7 +344,6 @@ static bool to_text_agrees(const struct converters *as, uint64_t *random)
     c205_word word = word_near_doubles(as->format, random);
     char text[C205_TEXT_SIZE];
     mpfr_t value;
-
     as->to_text(word, text);
     mpfr_init2(value, 48);
     oracle_value(as->format, value, word);
@@ -371,7 +357,6 @@ static bool to_hex_agrees(const struct converters *as, uint64_t *random)
 {
     c205_word word = random_word(as->format, random);
     char text[C205_TEXT_SIZE], expected[C205_TEXT_SIZE];
-
     snprintf(expected, sizeof expected, "%04X %04X %04X %04X", (unsigned)(word >> 48),
              (unsigned)(word >> 32 & 0xFFFF), (unsigned)(word >> 16 & 0xFFFF),
              (unsigned)(word & 0xFFFF));
@@ -400,7 +385,6 @@ const size_t conversion_count = sizeof conversions / sizeof conversions[0];
 bool check_conversion(const struct conversion *conversion, uint64_t seed, size_t cases)
 {
     uint64_t random = seed;
-
     for (size_t i = 0; i < cases; i++)
         if (!conversion->agrees(conversion->converters, &random))
             return false;

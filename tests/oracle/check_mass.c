@@ -251,9 +251,8 @@ static bool check_solid(size_t number, bool first)
 {
     uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
     const struct place place = { .at = { 0 }, .size = 1 };
-    struct motion motion;
     struct solid *solid = solid_at(&state, &place, DULL, (int)below(&state, 3));
-    motion = random_motion(&state);
+    struct motion motion = random_motion(&state);
     char *still = text_of(solid, NULL), *moved = text_of(solid, &motion);
     char reason[REASON] = "";
     bool good = passes(still, moved, &motion, &state, reason);

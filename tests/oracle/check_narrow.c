@@ -99,7 +99,6 @@ static void some_words(struct words *words)
         NARROW_DIGITS,
         NARROW_EXPONENT_MAX,
     };
-
     for (size_t i = 0; i < sizeof exponents / sizeof exponents[0]; i++)
         add_words(words, exponents[i]);
 }
@@ -120,7 +119,6 @@ static bool pair_agrees(const struct operation *operation, c205_word a, c205_wor
     uint64_t expected_flags = EARLIER_FLAG, flags = EARLIER_FLAG;
     c205_word expected = operation->expected(a, b, &expected_flags);
     c205_word got = operation->machine(a, b, &flags);
-
     if (expected == got && expected_flags == flags)
         return true;
     printf("%s\n", operation->name);
@@ -135,7 +133,6 @@ static bool check_operation(const struct operation *operation,
                             const struct words *words)
 {
     size_t second = operation->unary ? 1 : words->n;
-
     for (size_t i = 0; i < words->n; i++)
         for (size_t j = 0; j < second; j++)
             if (!pair_agrees(operation, words->at[i], words->at[j]))
@@ -178,7 +175,6 @@ struct run {
 static void check_everything(struct run *run)
 {
     static struct words every;
-
     every_word(&every);
     for (size_t i = 0; i < OPERATION_COUNT; i++) {
         const struct operation *operation = operations + i;
@@ -201,7 +197,6 @@ static bool read_arguments(struct run *run, int argc, char **argv)
         { "operation", required_argument, NULL, 'o' },
         { NULL, 0, NULL, 0 },
     };
-
     for (int c; (c = getopt_long(argc, argv, "", options, NULL)) != -1;) {
         if (c != 'o')
             return false;
@@ -218,7 +213,6 @@ static bool read_arguments(struct run *run, int argc, char **argv)
 int main(int argc, char **argv)
 {
     static struct run run;
-
     if (!read_arguments(&run, argc, argv)) {
         fprintf(stderr, "usage: check_narrow [--operation NAME] [some | all]\n");
         return 2;

@@ -26,7 +26,6 @@ static void show(const struct polynomial *polynomial,
                  const struct polynomial_roots *roots, const char *why)
 {
     char text[C205_TEXT_SIZE];
-
     if (shown++ >= SHOWN_MOST)
         return;
     printf("%s:\n   ", why);
@@ -48,7 +47,6 @@ static void show(const struct polynomial *polynomial,
 static void *allocate(size_t count, size_t size)
 {
     void *room = calloc(count, size);
-
     if (!room) {
         fputs("check_quartic: no memory\n", stderr);
         exit(2);
@@ -61,7 +59,6 @@ static void solve(struct polynomial_roots *roots, const struct polynomial *polyn
 {
     c205_error error = { "" };
     struct root_search *search = roots_new(polynomials, count, options, &error);
-
     if (!search || !roots_run(search, &error) || !roots_read(search, roots, &error)) {
         fprintf(stderr, "check_quartic: %s\n", error.message);
         exit(2);
@@ -73,7 +70,6 @@ static bool same_roots(const struct polynomial_roots *a,
                        const struct polynomial_roots *b, int most)
 {
     int count = a->count < most ? a->count : most;
-
     if (count != b->count)
         return false;
     for (int i = 0; i < count; i++)
@@ -89,7 +85,6 @@ static unsigned long compare(const struct polynomial *polynomials, size_t count,
 {
     struct polynomial_roots *roots = allocate(count, sizeof *roots);
     unsigned long differ = 0;
-
     solve(roots, polynomials, count, options);
     for (size_t i = 0; i < count; i++)
         if (!same_roots(&expected[i], &roots[i], options->first ? 1 : ROOTS_MOST)) {
@@ -108,7 +103,6 @@ static unsigned long compare_ways(const struct polynomial *polynomials, size_t c
     static const size_t queues[] = { 1, 7, 100, 2000 };
     struct roots_options other = *options;
     unsigned long differ = 0;
-
     for (int first = 0; first <= 1; first++) {
         other.first = first != 0;
         other.mode = TRACE_SCALAR;
@@ -129,12 +123,10 @@ static unsigned long compare_ways(const struct polynomial *polynomials, size_t c
 static unsigned long report(const struct tally *tallies)
 {
     unsigned long wrong = 0, all = 0, roots = 0;
-
     printf("%-14s %8s %8s %8s %8s %8s %8s %8s %10s\n", "kind", "polynom.", "roots",
            "sharp", "joined", "touched", "at bound", "wrong", "error");
     for (int kind = 0; kind < QUARTIC_KINDS; kind++) {
         const struct tally *tally = &tallies[kind];
-
         printf("%-14s %8lu %8lu %8lu %8lu %8lu %8lu %8lu %10.2g\n",
                quartic_kind_name((enum quartic_kind)kind), tally->polynomials,
                tally->roots, tally->sharp, tally->joined, tally->touched,
@@ -163,7 +155,6 @@ static bool parse(int argc, char **argv, struct arguments *arguments)
         { NULL, 0, NULL, 0 },
     };
     int letter;
-
     while ((letter = getopt_long(argc, argv, "", options, NULL)) != -1)
         if (letter == 's')
             arguments->seed = strtoull(optarg, NULL, 0);
@@ -180,7 +171,6 @@ static int print_kind(const struct arguments *arguments)
 {
     enum quartic_kind kind = (enum quartic_kind)0;
     uint64_t state = arguments->seed;
-
     while (kind < QUARTIC_KINDS
            && strcmp(quartic_kind_name(kind), arguments->print) != 0)
         kind++;
@@ -191,7 +181,6 @@ static int print_kind(const struct arguments *arguments)
     for (size_t i = 0; i < arguments->each; i++) {
         struct polynomial polynomial;
         char text[C205_TEXT_SIZE];
-
         quartic_case(&polynomial, kind, &state);
         for (int j = 0; j < 5; j++) {
             c205_to_text(polynomial.c[j], text);
@@ -210,13 +199,11 @@ static unsigned long check_all(const struct polynomial *polynomials, size_t coun
     struct tally tallies[QUARTIC_KINDS] = { { 0 } };
     struct half half;
     unsigned long wrong, differ;
-
     solve(roots, polynomials, count, options);
     half_init(&half);
     for (size_t i = 0; i < count; i++) {
         const char *why = quartic_rule(&half, &polynomials[i], &roots[i],
                                        &tallies[i % QUARTIC_KINDS]);
-
         if (why)
             show(&polynomials[i], &roots[i], why);
     }
@@ -238,10 +225,8 @@ static int check(const struct arguments *arguments)
                                      .queue = 1,
                                      .falsi = arguments->falsi };
     uint64_t state = arguments->seed;
-    unsigned long failed;
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
-
     if (!model) {
         fprintf(stderr, "check_quartic: %s\n", error.message);
         return 2;
@@ -249,7 +234,7 @@ static int check(const struct arguments *arguments)
     options.model = model;
     for (size_t i = 0; i < count; i++)
         quartic_case(&polynomials[i], (enum quartic_kind)(i % QUARTIC_KINDS), &state);
-    failed = check_all(polynomials, count, &options);
+    unsigned long failed = check_all(polynomials, count, &options);
     free(polynomials);
     c205_model_free(model);
     return failed > 0;
@@ -258,8 +243,6 @@ static int check(const struct arguments *arguments)
 int main(int argc, char **argv)
 {
     struct arguments arguments = { RANDOM_SEED, POLYNOMIALS, FALSI_DEFAULT, NULL };
-    int code;
-
     if (!parse(argc, argv, &arguments)) {
         fputs("check_quartic [--seed N] [--falsi RULE] [--print KIND] "
               "[polynomials]\n",
@@ -267,7 +250,7 @@ int main(int argc, char **argv)
         return 2;
     }
     oracle_begin();
-    code = arguments.print ? print_kind(&arguments) : check(&arguments);
+    int code = arguments.print ? print_kind(&arguments) : check(&arguments);
     oracle_end();
     mpfr_free_cache();
     return code;

@@ -29,7 +29,6 @@ enum { ENOUGH_FAILURES = 5 };
 static void report(const struct random_program *program)
 {
     struct difference difference;
-
     compare_run(program, &difference);
     print_program(program);
     print_difference(&difference);
@@ -39,7 +38,6 @@ static void check_one(struct run *run, uint64_t seed)
 {
     struct random_program program = random_program(seed);
     struct difference difference;
-
     if (compare_run(&program, &difference)) {
         run->passed++;
         return;
@@ -70,7 +68,6 @@ static bool read_arguments(struct run *run, int argc, char **argv)
         { "first", no_argument, NULL, 'f' },
         { NULL, 0, NULL, 0 },
     };
-
     for (int c; (c = getopt_long(argc, argv, "", options, NULL)) != -1;)
         if (c == 'f')
             run->first = true;
@@ -84,14 +81,12 @@ static bool read_arguments(struct run *run, int argc, char **argv)
 int main(int argc, char **argv)
 {
     struct run run = { .seed = 205, .programs = 2000 };
-    uint64_t enough;
-
     if (!read_arguments(&run, argc, argv)) {
         fprintf(stderr, "usage: check_random [programs] [--seed N] "
                         "[--first]\n");
         return 2;
     }
-    enough = run.first ? 1 : ENOUGH_FAILURES;
+    uint64_t enough = run.first ? 1 : ENOUGH_FAILURES;
     oracle_begin();
     compare_begin();
     for (uint64_t i = 0; i < run.programs && run.failed < enough; i++)

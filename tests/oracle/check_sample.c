@@ -44,7 +44,6 @@ static const char *first_error(const struct diagnostics *reports)
 static size_t count_reports(const struct diagnostics *reports)
 {
     size_t count = 0;
-
     for (size_t i = 0; i < reports->count; i++)
         count += reports->items[i].severity == SEVERITY_REPORT;
     return count;
@@ -64,10 +63,8 @@ static bool compare(const char *path, const struct trace_options *options,
     const struct antialiasing how = { options->samples, options->threshold };
     size_t pixels = frame->width * frame->height;
     bool *all = malloc(pixels * sizeof *all);
-    struct picture_difference difference;
     struct picture_error error;
     struct frame theirs;
-
     if (!all
         || !run_povray(path, frame->width, frame->height,
                        options->threshold > 0 ? &how : NULL, &theirs, &error)) {
@@ -77,7 +74,8 @@ static bool compare(const char *path, const struct trace_options *options,
         return false;
     }
     memset(all, true, pixels * sizeof *all);
-    difference = compare_pictures(&with_povray, &theirs, frame, all);
+    struct picture_difference difference = compare_pictures(&with_povray, &theirs,
+                                                            frame, all);
     printf("\t%zu\t%zu\n", difference.beyond, difference.compared);
     frame_free(&theirs);
     free(all);
@@ -90,8 +88,6 @@ static bool tell_trace(const char *path, struct trace *trace,
     double begin = processor_seconds();
     struct frame frame;
     c205_error error;
-    bool good;
-
     if (!trace_run(trace, &error)) {
         printf("untraced\t%s\n", error.message);
         return true;
@@ -107,7 +103,7 @@ static bool tell_trace(const char *path, struct trace *trace,
     }
     trace_read(trace, 0, &frame);
     cut(&frame);
-    good = compare(path, options, &frame);
+    bool good = compare(path, options, &frame);
     frame_free(&frame);
     return good;
 }
@@ -118,7 +114,6 @@ static bool tell_scene(const char *path, const struct scene *scene,
     c205_error error = { "no memory" };
     struct trace *trace = trace_new(scene, options, &error);
     bool good = true;
-
     if (trace)
         good = tell_trace(path, trace, options, reports);
     else
@@ -135,7 +130,6 @@ static bool tell(const char *path, const struct trace_options *options)
     struct diagnostics reports = { 0 };
     struct scene *scene = scene_read(path, &reading, &reports);
     bool good = true;
-
     if (scene)
         good = tell_scene(path, scene, options, count_reports(&reports));
     else
@@ -152,8 +146,6 @@ int main(int count, char **words)
                                      .jobs = 1 };
     c205_error error;
     c205_model *model;
-    bool good;
-
     if (count != 4 && count != 6) {
         fputs("usage: check_sample SCENE.pov WIDTH HEIGHT "
               "[SAMPLES THRESHOLD]\n",
@@ -167,7 +159,7 @@ int main(int count, char **words)
         options.threshold = strtod(words[5], NULL);
     }
     options.model = model = c205_model_find("cyber205-2pipe", &error);
-    good = model && tell(words[1], &options);
+    bool good = model && tell(words[1], &options);
     c205_model_free(model);
     return good ? 0 : 1;
 }

@@ -124,7 +124,6 @@ static bool contains(const char *path, const char *word)
     char line[4096];
     bool found = false;
     FILE *file = fopen(path, "r");
-
     while (file && !found && fgets(line, sizeof line, file))
         found = strstr(line, word) != NULL;
     if (file)
@@ -139,7 +138,6 @@ static const struct scene *scene_at(struct file *file, size_t width, size_t heig
                                            .height = (int)height,
                                            .read_raster = picture_read_raster };
     struct diagnostics reports = { 0 };
-
     if (file->scene && file->width == width && file->height == height)
         return file->scene;
     scene_free(file->scene);
@@ -157,12 +155,10 @@ static struct trace *traced(struct file *file, struct trace_options options)
 {
     const struct scene *scene = scene_at(file, options.width, options.height);
     c205_error error = { "" };
-    struct trace *trace;
-
     options.model = model;
     if (options.queue == 0)
         options.queue = TRACE_QUEUE;
-    trace = scene ? trace_new(scene, &options, &error) : NULL;
+    struct trace *trace = scene ? trace_new(scene, &options, &error) : NULL;
     if (trace && trace_run(trace, &error))
         return trace;
     fprintf(stderr, "%s: %s\n", file->path, error.message);
@@ -174,7 +170,6 @@ static struct trace *traced(struct file *file, struct trace_options options)
 static bool checksum(struct file *file, struct trace_options options, uint64_t *sum)
 {
     struct trace *trace = traced(file, options);
-
     if (trace)
         *sum = trace_checksum(trace);
     trace_free(trace);
@@ -188,7 +183,6 @@ static bool same(struct file *file, struct trace_options one,
                  struct trace_options other)
 {
     uint64_t sums[2];
-
     other.width = one.width;
     other.height = one.height;
     return checksum(file, one, &sums[0]) && checksum(file, other, &sums[1])
@@ -237,11 +231,9 @@ static void check_ways(struct file *file, size_t width, size_t height)
                                           .height = height };
     uint64_t expected, sum;
     bool good = checksum(file, scalar, &expected);
-
     verdict(good, file->path, "there is no scalar frame");
     for (size_t i = 0; good && i < sizeof ways / sizeof ways[0]; i++) {
         struct trace_options options = ways[i].options;
-
         if (!has_turn(file, ways[i].turn))
             continue;
         options.width = width;
@@ -256,7 +248,6 @@ static void check_stages(struct file *file, struct trace_options scalar,
                          const char *what)
 {
     struct trace_options vector = scalar, kernels = scalar;
-
     vector.mode = TRACE_VECTOR;
     kernels.mode = TRACE_KERNELS;
     verdict(same(file, scalar, vector) && same(file, scalar, kernels), file->path,
@@ -295,7 +286,6 @@ static void check_historical(struct file *file, size_t width, size_t height)
         .mode = TRACE_SCALAR, .historical = true, .width = width, .height = height
     };
     struct trace_options vector = scalar;
-
     vector.mode = TRACE_VECTOR;
     verdict(same(file, scalar, vector), file->path, "the forms of the way of 1984");
 }
@@ -308,7 +298,6 @@ static bool report(const char *who, const struct comparison *comparison,
 {
     struct picture_difference is = compare_pictures(comparison, expected, found, inner);
     bool good = within(comparison, &is);
-
     printf("%-6s %-6s mean %8.2e  greatest %8.2e at %zu, %zu  "
            "beyond %.2e: %zu of %zu  %s\n",
            who, comparison->name, is.mean, is.greatest, is.worst_x, is.worst_y,
@@ -322,7 +311,6 @@ static bool trace_frame(struct file *file, struct trace_options options,
 {
     struct trace *trace = traced(file, options);
     bool good = trace && frame_allocate(frame, options.width, options.height);
-
     if (good)
         trace_read(trace, 0, frame);
     trace_free(trace);
@@ -337,7 +325,6 @@ static bool same_as_plain(struct file *file, const struct frame *plain,
                                            .width = plain->width,
                                            .height = plain->height };
     bool good = trace_frame(file, options, frame);
-
     for (size_t i = 0, traced = good; traced && i < WITH_FRAME; i++)
         good &= report(historical ? "1984" : "rt205", &with_frame[i], plain, frame,
                        inner);
@@ -353,14 +340,12 @@ static bool same_as_povray(const struct file *file, const struct frame *plain,
                                               : &with_povray;
     struct picture_error error;
     struct frame povray;
-    bool good;
-
     if (!run_povray(file->path, plain->width, plain->height, NULL, &povray, &error)) {
         fprintf(stderr, "%s\n", error.message);
         return false;
     }
-    good = report("povray", comparison, plain, &povray, inner)
-           & report("both", comparison, &povray, frame, inner);
+    bool good = report("povray", comparison, plain, &povray, inner)
+                & report("both", comparison, &povray, frame, inner);
     frame_free(&povray);
     return good;
 }
@@ -374,7 +359,6 @@ static bool compare(struct file *file, const struct frame *plain, const bool *in
 {
     struct frame frame = { 0 }, historical = { 0 };
     bool good = same_as_plain(file, plain, inner, false, &frame);
-
     if (good && !(file->exceptions & NO_POVRAY))
         good = same_as_povray(file, plain, &frame, inner);
     if (has_historical(file))
@@ -393,7 +377,6 @@ static void check_others(struct file *file)
     bool *inner = NULL;
     bool good = scene && plain_trace(scene, width, height, &plain)
                 && (inner = inner_pixels(&plain)) != NULL;
-
     verdict(good && compare(file, &plain, inner), file->path,
             "not what the other tracers see");
     free(inner);
@@ -405,7 +388,6 @@ static void check_others(struct file *file)
 static unsigned turn_of(const char *path)
 {
     unsigned sum = 0;
-
     for (; *path; path++)
         sum = sum * 31 + (unsigned char)*path;
     return sum % TURNS;
@@ -420,7 +402,6 @@ static void check_file(const char *path, bool all)
                          .turn = all ? ALL_TURNS : turn_of(path),
                          .lens = contains(path, "aperture") };
     size_t width = length_of(large ? 36 : 50), height = length_of(large ? 27 : 38);
-
     file.patches = contains(path, "cylinder") || contains(path, "steiner");
     printf("%s\n", path);
     check_ways(&file, width, height);
@@ -435,7 +416,6 @@ int main(int count, char **words)
 {
     bool all = count > 1 && strcmp(words[1], "all") == 0;
     c205_model *usual;
-
     if (count < 3 || (!all && strcmp(words[1], "some") != 0)) {
         fprintf(stderr, "usage: check_scene all|some SCENE.pov ..\n");
         return 2;

@@ -48,7 +48,6 @@ static void begin_trial(struct trial *trial)
 {
     const struct random_program *program = trial->program;
     struct reference *reference = &trial->reference;
-
     reference_begin(reference);
     trial->machine = random_machine_load(program);
     random_images_take(trial->machine, program, &reference->memory);
@@ -65,7 +64,6 @@ static void differ(struct trial *trial, const char *format, ...)
 {
     struct difference *difference = trial->difference;
     va_list arguments;
-
     va_start(arguments, format);
     if (difference->count < DIFFERENCES)
         vsnprintf(difference->texts[difference->count], DIFFERENCE_TEXT, format,
@@ -86,7 +84,6 @@ static void compare_words(struct trial *trial, const char *what, uint64_t number
 static void compare_registers(struct trial *trial)
 {
     const struct reference_state *state = &trial->reference.now;
-
     for (unsigned i = 1; i < C205_REGISTERS; i++)
         compare_words(trial, "register", i, c205_register(trial->machine, i),
                       state->registers[i]);
@@ -117,7 +114,6 @@ static void compare_area(struct trial *trial, const struct random_area *area)
     uint64_t address = random_image(area->address - margin) ? area->address - margin
                                                             : area->address;
     uint64_t end = area->address + WORD * area->words + margin;
-
     while (address < end && random_image(address)) {
         size_t in_page = C205_PAGE_WORDS - address / WORD % C205_PAGE_WORDS;
         size_t count = at_most((size_t)(end - address) / WORD, in_page);
@@ -130,7 +126,6 @@ static void compare_area(struct trial *trial, const struct random_area *area)
 static void follow_changes(struct trial *trial)
 {
     const struct plain_memory *memory = &trial->reference.memory;
-
     for (size_t i = 0; i < memory->change_count; i++) {
         uint64_t address = memory->changes[i].address;
         *random_image(address) = plain_read(memory, address);
@@ -174,7 +169,6 @@ static void compare_account(struct trial *trial, size_t region,
                             const c205_account *account)
 {
     const struct counts *counts = trial->clock.counts + region;
-
     for (int i = 0; i < C205_CAUSES; i++)
         if (account->clocks[i] != trial->clock.charged[region][i])
             differ(trial,
@@ -240,7 +234,6 @@ static bool skip(struct trial *trial)
 {
     uint64_t pc = trial->reference.deed.pc;
     unsigned halves = random_insn_halves(trial->machine, pc);
-
     trial->reference.now.pc = plain_address(pc + HALF * halves);
     c205_set_pc(trial->machine, trial->reference.now.pc);
     reference_clock_enter(&trial->clock, trial->reference.now.pc);
@@ -270,7 +263,6 @@ static bool step_both(struct trial *trial)
     struct reference *reference = &trial->reference;
     c205_stop stop = { .trap = C205_TRAP_NONE };
     bool done, goes_on;
-
     reference->clock = trial->clock.now;
     done = reference_step(reference);
 
@@ -300,7 +292,6 @@ static c205_word word_at(const struct trial *trial, uint64_t address)
     c205_word first = plain_read(&trial->reference.memory, address / WORD * WORD);
     c205_word second = plain_read(&trial->reference.memory,
                                   address / WORD * WORD + WORD);
-
     return address % WORD == 0 ? first : first << HALF | second >> HALF;
 }
 
@@ -309,7 +300,6 @@ static void run_steps(struct trial *trial)
 {
     struct difference *difference = trial->difference;
     bool goes_on = true;
-
     while (goes_on && difference->step < STEPS && difference->count == 0) {
         difference->pc = trial->reference.now.pc;
         difference->word = word_at(trial, difference->pc);
@@ -326,7 +316,6 @@ static void compare_other_ways(struct trial *trial)
     uint64_t hash = machine_hash(trial->machine);
     const char *way = disagreeing_way(trial->program,
                                       trial->reference.ended ? &hash : NULL);
-
     if (way)
         differ(trial, "%s ends in another state", way);
 }
@@ -334,7 +323,6 @@ static void compare_other_ways(struct trial *trial)
 bool compare_run(const struct random_program *program, struct difference *difference)
 {
     struct trial trial = { .program = program, .difference = difference };
-
     *difference = (struct difference){ .count = 0 };
     begin_trial(&trial);
     run_steps(&trial);
@@ -350,7 +338,6 @@ bool compare_run(const struct random_program *program, struct difference *differ
 static void print_insn(uint64_t address, c205_word word)
 {
     char text[DISASSEMBLE_TEXT_SIZE];
-
     disassemble_one(word, address, text);
     printf("        %-40s ; %llX: %016llX\n", text, (unsigned long long)address,
            (unsigned long long)word);
@@ -359,7 +346,6 @@ static void print_insn(uint64_t address, c205_word word)
 static void print_registers(const struct random_program *program)
 {
     char text[C205_TEXT_SIZE];
-
     for (unsigned i = 1; i < C205_REGISTERS; i++)
         if (program->registers[i] != 0) {
             c205_to_hex(program->registers[i], text);

@@ -38,7 +38,6 @@ static bool hash_bytes(void *context, const void *bytes, size_t count)
 {
     const unsigned char *byte = bytes;
     uint64_t *hash = context;
-
     for (size_t i = 0; i < count; i++)
         *hash = hash_word(*hash, byte[i]);
     return true;
@@ -48,7 +47,6 @@ static void take(struct digest *digest, const c205 *machine, const char *name)
 {
     uint64_t hash = HASH_BEGIN;
     c205_error error;
-
     if (!c205_save(machine, hash_bytes, &hash, &error))
         fail(error.message);
     digest->hash = hash_word(digest->hash, hash);
@@ -66,7 +64,6 @@ static void run_text(struct digest *digest, const c205_model *model, const char 
     struct object *object = assemble_file(path, NULL, &errors);
     c205_error error = { "" };
     c205 *machine = c205_new(model, &error);
-
     diagnostics_put(&errors, &sink);
     if (!object || !machine || !c205_load(machine, &object->program, &error))
         fail(error.message);
@@ -81,7 +78,6 @@ static void run_texts(struct digest *digest, char **paths)
 {
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
-
     if (!model)
         fail(error.message);
     for (; *paths; paths++)
@@ -109,7 +105,6 @@ static void run_random(struct digest *digest, c205 *const *machines, uint64_t se
     c205 *machine = machines[program.model];
     c205_error error;
     char name[40];
-
     if (!random_load(machine, &program, &error))
         fail(error.message);
     run_on(machine);
@@ -145,7 +140,6 @@ int main(int argc, char **argv)
 {
     struct digest digest = { HASH_BEGIN, false, 0 };
     unsigned long randoms = 0;
-
     for (int c; (c = getopt(argc, argv, "vn:")) != -1;)
         switch (c) {
         case 'v': digest.verbose = true; break;

@@ -13,10 +13,8 @@
 static void write_text(const char *folder, const char *name, const char *text)
 {
     char path[4096];
-    FILE *file;
-
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    file = fopen(path, "w");
+    FILE *file = fopen(path, "w");
     if (!file || fputs(text, file) < 0 || fclose(file) != 0) {
         perror(path);
         exit(1);
@@ -27,7 +25,6 @@ int main(int argc, char **argv)
 {
     unsigned long long first = argc == 4 ? strtoull(argv[2], NULL, 10) : 0;
     unsigned long long count = argc == 4 ? strtoull(argv[3], NULL, 10) : 0;
-
     if (count == 0) {
         fprintf(stderr, "usage: draw_scenes FOLDER FIRST COUNT\n");
         return 2;
@@ -36,7 +33,6 @@ int main(int argc, char **argv)
     for (unsigned long long seed = first; seed < first + count; seed++) {
         char *text = language_scene_text(seed);
         char name[64];
-
         snprintf(name, sizeof name, "language_%llu.pov", seed);
         write_text(argv[1], name, text);
         free(text);

@@ -38,7 +38,6 @@ static void draw_by_machine(uint64_t seed)
     struct point_choice choice = { .seed = seed };
     c205_error error = { "" };
     struct point_maker *maker = point_maker_new(&kind, &error);
-
     if (!maker)
         fail(error.message);
     do {
@@ -56,7 +55,6 @@ static void draw_bare(uint64_t seed)
 {
     uint64_t step = stream_state_at(1), mask = (UINT64_C(1) << 47) - 1;
     uint64_t x = stream_state_at(seed);
-
     do {
         for (size_t k = 0; k < WORDS; k++) {
             x = x * step & mask;
@@ -68,7 +66,6 @@ static void draw_bare(uint64_t seed)
 int main(int argc, char **argv)
 {
     bool bare = argc == 3 && strcmp(argv[1], "--bare") == 0;
-
     if (argc != 2 && !bare)
         fail("usage: draw_words [--bare] SEED");
     (bare ? draw_bare : draw_by_machine)(strtoull(argv[argc - 1], NULL, 10));

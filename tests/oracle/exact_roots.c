@@ -25,7 +25,6 @@ void exact_value(mpfr_t value, mpfr_t *c, int degree, const mpfr_t x)
 void exact_size(mpfr_t size, mpfr_t *c, int degree, const mpfr_t x)
 {
     mpfr_t magnitude;
-
     mpfr_init2(magnitude, EXACT_BITS);
     mpfr_abs(size, c[degree], MPFR_RNDN);
     for (int i = degree - 1; i >= 0; i--) {
@@ -38,12 +37,10 @@ void exact_size(mpfr_t size, mpfr_t *c, int degree, const mpfr_t x)
 static bool is_zero_at(mpfr_t *c, int degree, const mpfr_t x, const mpfr_t value)
 {
     mpfr_t size;
-    bool zero;
-
     mpfr_init2(size, EXACT_BITS);
     exact_size(size, c, degree, x);
     mpfr_div_2si(size, size, EXACT_ZERO_BITS, MPFR_RNDN);
-    zero = mpfr_cmpabs(value, size) <= 0;
+    bool zero = mpfr_cmpabs(value, size) <= 0;
     mpfr_clear(size);
     return zero;
 }
@@ -54,7 +51,6 @@ static long bound_exponent(mpfr_t *c, int degree)
 {
     mpfr_exp_t largest = mpfr_get_exp(c[0]);
     mpfr_exp_t least = mpfr_get_exp(c[0]);
-
     if (mpfr_get_exp(c[degree]) < least)
         least = mpfr_get_exp(c[degree]);
     for (int i = 1; i <= degree; i++)
@@ -88,7 +84,6 @@ static void halve_wide(struct search *s)
 {
     for (;;) {
         int sign;
-
         mpfr_mul_2ui(s->step, s->a, 1, MPFR_RNDN);
         if (mpfr_lessequal_p(s->b, s->step))
             return;
@@ -122,7 +117,6 @@ static void close_in(struct search *s)
     mpfr_div_2ui(s->x, s->x, 1, MPFR_RNDN);
     for (int steps = 0;; steps++) {
         int sign = sign_at(s);
-
         if (sign == 0)
             return;
         narrow(s, sign);
@@ -165,12 +159,10 @@ static void search_between(struct search *s, const struct exact_roots *knots,
 {
     int left = mpfr_sgn(s->c[0]);
     mpfr_t knot;
-
     mpfr_init2(knot, EXACT_BITS);
     mpfr_set_ui_2exp(knot, 1, -bound, MPFR_RNDN);
     for (size_t i = 0; i <= knots->count; i++) {
         int right;
-
         mpfr_set(s->a, knot, MPFR_RNDN);
         if (i < knots->count)
             mpfr_set(knot, knots->x[i], MPFR_RNDN);
@@ -195,7 +187,6 @@ void exact_positive_roots(struct exact_roots *roots, mpfr_t *c, int degree)
 {
     struct exact_roots knots;
     struct search s;
-
     roots->count = 0;
     while (degree > 0 && mpfr_zero_p(c[degree]))
         degree--;

@@ -21,7 +21,6 @@ void islands_clear(struct islands *islands)
 static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree, int sign)
 {
     mpfr_t moved[EXACT_DEGREE + 1];
-
     for (int i = 0; i <= degree; i++) {
         mpfr_init2(moved[i], EXACT_BITS);
         mpfr_abs(moved[i], c[i], MPFR_RNDN);
@@ -38,15 +37,13 @@ static void find_shores(struct exact_roots *shores, mpfr_t *c, int degree, int s
 static bool is_land(mpfr_t *c, int degree, const mpfr_t a, const mpfr_t b)
 {
     mpfr_t x, value, size;
-    bool land;
-
     mpfr_inits2(EXACT_BITS, x, value, size, (mpfr_ptr)NULL);
     mpfr_add(x, a, b, MPFR_RNDN);
     mpfr_div_2ui(x, x, 1, MPFR_RNDN);
     exact_value(value, c, degree, x);
     exact_size(size, c, degree, x);
     mpfr_div_2ui(size, size, ISLAND_BITS, MPFR_RNDN);
-    land = mpfr_cmpabs(value, size) <= 0;
+    bool land = mpfr_cmpabs(value, size) <= 0;
     mpfr_clears(x, value, size, (mpfr_ptr)NULL);
     return land;
 }
@@ -55,7 +52,6 @@ static bool is_land(mpfr_t *c, int degree, const mpfr_t a, const mpfr_t b)
 static size_t merge(mpfr_ptr *shores, struct exact_roots *a, struct exact_roots *b)
 {
     size_t count = 0, i = 0, j = 0;
-
     while (i < a->count || j < b->count)
         if (j == b->count || (i < a->count && mpfr_lessequal_p(a->x[i], b->x[j])))
             shores[count++] = a->x[i++];
@@ -68,17 +64,14 @@ void islands_find(struct islands *islands, mpfr_t *c, int degree)
 {
     struct exact_roots above, below;
     mpfr_ptr shores[SHORES];
-    size_t count;
-
     exact_init(&above);
     exact_init(&below);
     find_shores(&above, c, degree, 1);
     find_shores(&below, c, degree, -1);
-    count = merge(shores, &above, &below);
+    size_t count = merge(shores, &above, &below);
     islands->count = 0;
     for (size_t i = 0; i + 1 < count; i++) {
         struct island *island = &islands->island[islands->count];
-
         if (!is_land(c, degree, shores[i], shores[i + 1]))
             continue;
         if (islands->count > 0 && mpfr_equal_p(island[-1].high, shores[i])) {

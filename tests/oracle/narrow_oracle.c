@@ -19,7 +19,6 @@ c205_word narrow_word(int64_t exponent, int64_t coefficient)
 {
     uint64_t low = (uint64_t)coefficient % (1u << (DIGITS + 1));
     uint64_t high = (uint64_t)exponent << (DIGITS + 1);
-
     return (high | low) << PADDING;
 }
 
@@ -68,7 +67,6 @@ static c205_word special_word(struct number a, uint64_t *flags)
 static c205_word unchanged(c205_word word, uint64_t *flags)
 {
     struct number a = take(word);
-
     *flags |= (a.zero ? FLAG_MACHINE_ZERO : 0) | (a.indefinite ? FLAG_INDEFINITE : 0);
     return word;
 }
@@ -113,7 +111,6 @@ static int64_t less_significant(struct number a, struct number b)
     int64_t m = significant_bits(a.coefficient);
     int64_t n = significant_bits(b.coefficient);
     int64_t least = m < n ? m : n;
-
     return least < 1 ? 1 : least;
 }
 
@@ -160,7 +157,6 @@ static c205_word add(c205_word word_a, c205_word word_b, int64_t sign, enum form
                      uint64_t *flags)
 {
     struct number a = take(word_a), b = take(word_b);
-
     if (a.indefinite || b.indefinite)
         return indefinite(flags);
     if (a.zero && b.zero)
@@ -191,7 +187,6 @@ SUM(subtract_normalised, -1, NORMALISED)
 static c205_word halved(c205_word word, uint64_t *flags)
 {
     struct number sum = take(word);
-
     return is_special(sum) ? word : make(sum.exponent - 1, sum.coefficient, flags);
 }
 
@@ -224,7 +219,6 @@ c205_word small_multiply_upper(c205_word word_a, c205_word word_b, uint64_t *fla
     c205_word special = 0;
     int64_t p = right(product(a, b, &special, flags), DIGITS);
     int64_t e = a.exponent + b.exponent + DIGITS;
-
     if (special)
         return special;
     return p > LARGEST ? make(e + 1, p / 2, flags) : make(e, p, flags);
@@ -235,7 +229,6 @@ c205_word small_multiply_lower(c205_word word_a, c205_word word_b, uint64_t *fla
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
     int64_t p = product(a, b, &special, flags) & LARGEST;
-
     return special ? special : make(a.exponent + b.exponent, p, flags);
 }
 
@@ -245,7 +238,6 @@ c205_word small_multiply_significant(c205_word word_a, c205_word word_b,
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
     int64_t p = product(a, b, &special, flags);
-
     return special ? special
                    : make_significant(a.exponent + b.exponent, p,
                                       less_significant(a, b), flags);
@@ -271,7 +263,6 @@ c205_word small_divide_upper(c205_word word_a, c205_word word_b, uint64_t *flags
     c205_word special = 0;
     int64_t q = quotient(a, b, &special, flags);
     int64_t e = a.exponent - b.exponent - DIGITS;
-
     for (; q < SMALLEST || q > LARGEST; e++)
         q = right(q, 1);
     return special ? special : make(e, q, flags);
@@ -282,7 +273,6 @@ c205_word small_divide_significant(c205_word word_a, c205_word word_b, uint64_t 
     struct number a = take(word_a), b = take(word_b);
     c205_word special = 0;
     int64_t q = quotient(a, b, &special, flags);
-
     return special ? special
                    : make_significant(a.exponent - b.exponent - DIGITS, q,
                                       less_significant(a, b), flags);
@@ -293,7 +283,6 @@ c205_word small_divide_significant(c205_word word_a, c205_word word_b, uint64_t 
 static int64_t floor_of_root(int64_t square)
 {
     int64_t root = 0;
-
     while ((root + 1) * (root + 1) <= square)
         root++;
     return root;
@@ -303,7 +292,6 @@ c205_word small_square_root(c205_word word, c205_word b, uint64_t *flags)
 {
     struct number a = take(word);
     int64_t places = 0;
-
     (void)b;
     if (a.indefinite)
         return indefinite(flags);
@@ -331,7 +319,6 @@ static bool is_whole(struct number a)
 c205_word small_floor(c205_word word, c205_word b, uint64_t *flags)
 {
     struct number a = take(word);
-
     (void)b;
     return is_whole(a) ? unchanged(word, flags)
                        : make(0, right(a.coefficient, -a.exponent), flags);
@@ -340,7 +327,6 @@ c205_word small_floor(c205_word word, c205_word b, uint64_t *flags)
 c205_word small_ceiling(c205_word word, c205_word b, uint64_t *flags)
 {
     struct number a = take(word);
-
     (void)b;
     return is_whole(a) ? unchanged(word, flags)
                        : make(0, -right(-a.coefficient, -a.exponent), flags);
@@ -356,7 +342,6 @@ c205_word small_negate(c205_word word, c205_word b, uint64_t *flags)
 {
     struct number a = take(word);
     int64_t half = 1 << (DIGITS - 1);
-
     (void)b;
     if (is_special(a))
         return special_word(a, flags);
@@ -387,7 +372,6 @@ c205_word small_adjust_significance(c205_word word, c205_word b, uint64_t *flags
     int64_t wanted = narrow_coefficient_of(b);
     int64_t most = DIGITS - significant_bits(a.coefficient);
     int64_t places = wanted < most ? wanted : most;
-
     if (is_special(a))
         return special_word(a, flags);
     if (wanted <= 0)
@@ -400,7 +384,6 @@ c205_word small_adjust_exponent(c205_word word, c205_word b, uint64_t *flags)
     struct number a = take(word);
     int64_t exponent = narrow_coefficient_of(b);
     int64_t places = a.exponent - exponent;
-
     if (is_special(a))
         return special_word(a, flags);
     if (places <= 0 || a.coefficient == 0)
@@ -424,7 +407,6 @@ c205_word small_shift(c205_word a, c205_word b, uint64_t *flags)
     int64_t count = narrow_coefficient_of(b);
     int64_t left = count < 0 ? 0 : count % NARROW_WIDTH;
     uint64_t circle = (a >> PADDING) * ((1u << NARROW_WIDTH) + 1);
-
     (void)flags;
     return (count < 0 ? (uint64_t)right(bits, -count) : circle >> (NARROW_WIDTH - left))
            << PADDING;

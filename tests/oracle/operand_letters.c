@@ -31,7 +31,6 @@ static bool has_short_fields(const c205_insn *row)
 uint8_t *field_of_role(c205_fields *fields, const c205_insn *row, enum role role)
 {
     bool is_short = has_short_fields(row);
-
     switch (role) {
     case ROLE_A: return is_short ? &fields->r : &fields->a;
     case ROLE_B: return is_short ? &fields->s : &fields->b;
@@ -46,7 +45,6 @@ char letter_of(const c205_insn *row, enum role role)
 {
     const char *letters = row->operands;
     const char *syntax = c205_format_syntax(row->format);
-
     for (const char *p = syntax; *p && *letters; p++) {
         int found = role_of_letter(*p);
         if (*p == '@' || *p == 'I')
@@ -64,7 +62,6 @@ char sized_letter(const c205_insn *row, unsigned g, enum role role)
 {
     char letter = letter_of(row, role);
     bool half = row->flags & C205_INSN_HALF && g & C205_G_HALF;
-
     if (letter == 'g')
         return g & C205_G_GIVEN ? 'b' : 'o';
     return half && letter && strchr("fwpvudcx", letter)
@@ -75,7 +72,6 @@ char sized_letter(const c205_insn *row, unsigned g, enum role role)
 bool is_scalar(const c205_insn *row, unsigned g, enum role role)
 {
     char letter = (char)tolower((unsigned char)letter_of(row, role));
-
     if (letter == 0 || strchr("fiwpkm", letter))
         return true;
     return (role == ROLE_A && g & C205_G_BROADCAST_A
@@ -87,6 +83,5 @@ bool is_scalar(const c205_insn *row, unsigned g, enum role role)
 bool is_half_register(const c205_insn *row, unsigned g, enum role role)
 {
     char letter = sized_letter(row, g, role);
-
     return isupper((unsigned char)letter) && is_scalar(row, g, role);
 }

@@ -5,7 +5,6 @@
 uint64_t random_bits(uint64_t *random)
 {
     uint64_t z = *random += UINT64_C(0x9E3779B97F4A7C15);
-
     z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
     z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
     return z ^ z >> 31;
@@ -14,7 +13,6 @@ uint64_t random_bits(uint64_t *random)
 int64_t random_between(uint64_t *random, int64_t low, int64_t high)
 {
     uint64_t span = (uint64_t)(high - low) + 1;
-
     return low + (int64_t)(random_bits(random) % span);
 }
 
@@ -38,7 +36,6 @@ static c205_word pack(const struct oracle_format *format, int64_t exponent,
                       int64_t coefficient)
 {
     long exponent_bits = format->width - format->digits - 1;
-
     return (c205_word)exponent << (64 - exponent_bits)
            | (c205_word)coefficient << (63 - format->digits) >> exponent_bits;
 }
@@ -98,7 +95,6 @@ static int64_t edge_exponent(const struct oracle_format *format, size_t i)
                                [NOUGHT] = 0,
                                [LARGEST] = format->exponent_max,
                                [LAST] = past - 1 };
-
     return places[edge_exponents[i].beside] + edge_exponents[i].digits * format->digits
            + edge_exponents[i].more;
 }
@@ -107,7 +103,6 @@ static int64_t edge_coefficient(const struct oracle_format *format, size_t i)
 {
     int64_t power = edge_coefficients[i].halves * format->digits / 2
                     + edge_coefficients[i].places;
-
     return edge_coefficients[i].times * two(power) + edge_coefficients[i].more;
 }
 
@@ -125,7 +120,6 @@ static int64_t coefficient(struct draw draw, int64_t digits)
 {
     uint64_t bits = random_bits(draw.random);
     uint64_t choice = random_bits(draw.random);
-
     if (choice % 8 == 0)
         bits &= random_bits(draw.random) & random_bits(draw.random);
     if (choice % 8 == 1)
@@ -156,7 +150,6 @@ static c205_word normalised(struct draw draw, int64_t exponent)
 static int64_t usual_exponent(struct draw draw)
 {
     int64_t digits = draw.format->digits;
-
     return between(draw, -2 * digits - 16, digits / 2 - 3);
 }
 
@@ -164,7 +157,6 @@ static int64_t usual_exponent(struct draw draw)
 static int64_t difference(struct draw draw)
 {
     int64_t past = 2 * draw.format->digits + 6;
-
     return between(draw, -past, past);
 }
 
@@ -179,7 +171,6 @@ c205_word random_word(const struct oracle_format *format, uint64_t *random)
 {
     uint64_t bits = random_bits(random);
     long unused = 64 - format->width;
-
     return bits % 4 == 0 ? edge(format, bits / 4 % EDGES)
                          : random_bits(random) >> unused << unused;
 }
@@ -197,7 +188,6 @@ static void fast_path(struct draw draw, c205_word *a, c205_word *b)
 static void aligned_normalised(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t exponent = usual_exponent(draw);
-
     *a = normalised(draw, exponent);
     *b = normalised(draw, exponent + difference(draw));
 }
@@ -205,7 +195,6 @@ static void aligned_normalised(struct draw draw, c205_word *a, c205_word *b)
 static void aligned_unnormalised(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t exponent = usual_exponent(draw);
-
     *a = any_digits(draw, exponent);
     *b = any_digits(draw, exponent + difference(draw));
 }
@@ -219,7 +208,6 @@ static void cancelling(struct draw draw, c205_word *a, c205_word *b)
     int64_t near = between(draw, -3, 3);
     int64_t sign = one_in(draw, 2) ? 1 : -1;
     int64_t doubled = between(draw, 0, 1);
-
     *a = pack(draw.format, exponent, c);
     *b = pack(draw.format, exponent + doubled, sign * (c / (1 + doubled)) + near);
 }
@@ -232,7 +220,6 @@ static void equal_values(struct draw draw, c205_word *a, c205_word *b)
     int64_t c = coefficient(draw, digits);
     int64_t exponent = usual_exponent(draw);
     int64_t near = between(draw, -4, 4) / 4;
-
     *a = pack(draw.format, exponent, c);
     *b = pack(draw.format, exponent - places, c * two(places) + near);
 }
@@ -250,7 +237,6 @@ static void extreme_exponents(struct draw draw, int64_t *a, int64_t *b)
     int64_t end = end_of_range(draw);
     int64_t past = 3 * format->digits + 9;
     int64_t sign = one_in(draw, 2) ? 1 : -1;
-
     *a = between(draw, format->exponent_min, format->exponent_max);
     *b = clamp(draw, sign * (end - *a + between(draw, -past, past)));
 }
@@ -258,7 +244,6 @@ static void extreme_exponents(struct draw draw, int64_t *a, int64_t *b)
 static void extreme(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t first, second;
-
     extreme_exponents(draw, &first, &second);
     *a = any_digits(draw, first);
     *b = any_digits(draw, second);
@@ -267,7 +252,6 @@ static void extreme(struct draw draw, c205_word *a, c205_word *b)
 static void extreme_normalised(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t first, second;
-
     extreme_exponents(draw, &first, &second);
     *a = normalised(draw, first);
     *b = normalised(draw, second);
@@ -278,7 +262,6 @@ static void extreme_sums(struct draw draw, c205_word *a, c205_word *b)
     int64_t end = end_of_range(draw);
     int64_t first = clamp(draw, end + difference(draw));
     int64_t second = clamp(draw, end + difference(draw));
-
     *a = any_digits(draw, first);
     *b = any_digits(draw, second);
 }
@@ -289,7 +272,6 @@ static void squares(struct draw draw, c205_word *a, c205_word *b)
     int64_t last = two(draw.format->digits / 2) * 1414 / 1000;
     int64_t root = between(draw, 1, last);
     int64_t near = between(draw, -1, 1);
-
     *a = pack(draw.format, usual_exponent(draw), root * root + near);
     *b = pack(draw.format, usual_exponent(draw), root);
 }
@@ -302,7 +284,6 @@ static void multiples(struct draw draw, c205_word *a, c205_word *b)
     int64_t divisor = coefficient(draw, digits);
     int64_t quotient = coefficient(draw, most - digits);
     int64_t near = between(draw, -1, 1);
-
     *a = pack(draw.format, usual_exponent(draw), divisor * quotient + near);
     *b = pack(draw.format, usual_exponent(draw), divisor);
 }
@@ -311,7 +292,6 @@ static void multiples(struct draw draw, c205_word *a, c205_word *b)
 static void counts(struct draw draw, c205_word *a, c205_word *b)
 {
     int64_t most = 3 * draw.format->width + 8;
-
     *a = random_word(draw.format, draw.random);
     *b = pack(draw.format, 0, between(draw, -most, most));
 }
@@ -344,7 +324,6 @@ static void other_exponents(struct draw draw, c205_word *a, c205_word *b)
     int64_t digit = between(draw, -9, 9);
     int64_t places = between(draw, 0, digits - 4);
     int64_t distance = between(draw, -digits - 3, digits + 3);
-
     *a = pack(draw.format, exponent, digit * two(places));
     *b = pack(draw.format, 0, exponent + distance);
 }
@@ -359,7 +338,6 @@ static void nearly_halves(struct draw draw, c205_word *a, c205_word *b)
     int64_t exponent = end - cut + between(draw, -3, 3);
     int64_t above = any_coefficient(draw) >> cut;
     int64_t near = between(draw, -2, 2);
-
     *a = pack(format, exponent, above * two(cut) + two(cut - 1) + near);
     *b = any_digits(draw, exponent);
 }
@@ -400,7 +378,6 @@ static void edge_pair(const struct oracle_format *format, size_t block, size_t i
 void operands_next(struct operands *operands, c205_word *a, c205_word *b, size_t n)
 {
     const struct draw draw = { operands->format, &operands->random };
-
     for (size_t i = 0; i < n; i++) {
         size_t at = operands->position++;
         size_t block = at / BLOCK;

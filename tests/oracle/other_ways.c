@@ -23,7 +23,6 @@ static bool hash_bytes(void *context, const void *bytes, size_t count)
 {
     const unsigned char *byte = bytes;
     uint64_t *hash = context;
-
     for (size_t i = 0; i < count; i++)
         *hash = hash_word(*hash, byte[i]);
     return true;
@@ -32,7 +31,6 @@ static bool hash_bytes(void *context, const void *bytes, size_t count)
 static void save(const c205 *machine, c205_writer *write, void *context)
 {
     c205_error error;
-
     if (!c205_save(machine, write, context, &error))
         random_machine_fail(error.message);
 }
@@ -40,7 +38,6 @@ static void save(const c205 *machine, c205_writer *write, void *context)
 uint64_t machine_hash(const c205 *machine)
 {
     uint64_t hash = HASH_BEGIN;
-
     save(machine, hash_bytes, &hash);
     return hash;
 }
@@ -55,7 +52,6 @@ struct bytes {
 static bool keep_bytes(void *context, const void *bytes, size_t count)
 {
     struct bytes *kept = context;
-
     if (kept->room - kept->count < count) {
         kept->room = 2 * kept->room + count;
         kept->bytes = plain_room(kept->bytes, kept->room, 1);
@@ -70,10 +66,9 @@ static c205 *copy_machine(const c205 *machine)
 {
     struct bytes kept = { NULL, 0, 0 };
     c205_error error;
-    c205 *copy;
-
     save(machine, keep_bytes, &kept);
-    copy = c205_restore(kept.bytes, kept.count, c205_machine_model(machine), &error);
+    c205 *copy = c205_restore(kept.bytes, kept.count, c205_machine_model(machine),
+                              &error);
     if (!copy)
         random_machine_fail(error.message);
     free(kept.bytes);
@@ -98,7 +93,6 @@ struct run {
 static void change_machine(struct run *run)
 {
     c205 *copy = copy_machine(run->machine);
-
     if (run->restored)
         c205_free(run->machine);
     run->machine = copy;
@@ -121,7 +115,6 @@ static uint64_t next_limit(struct run *run)
 {
     uint64_t end = c205_clock(run->machine)
                    + (uint64_t)random_between(&run->random, 1, LONGEST_SLICE);
-
     return run->way->sliced && end < run->limit ? end : run->limit;
 }
 
@@ -129,7 +122,6 @@ static uint64_t next_limit(struct run *run)
 static bool skip(struct run *run, const c205_stop *stop)
 {
     unsigned halves = random_insn_halves(run->machine, stop->pc);
-
     c205_set_pc(run->machine, stop->pc + HALF * halves);
     return halves != 0 && ++run->traps < TRAPS;
 }
@@ -138,7 +130,6 @@ static bool skip(struct run *run, const c205_stop *stop)
 static bool run_on(struct run *run)
 {
     c205_stop stop = c205_run(run->machine, next_limit(run));
-
     if (stop.trap == C205_TRAP_NONE)
         return false;
     if (stop.trap != C205_TRAP_CLOCK_LIMIT)
@@ -159,13 +150,11 @@ static uint64_t hash_at_end(const struct random_program *program, const struct w
                        .machine = random_machine_load(program),
                        .random = program->seed,
                        .limit = limit };
-    uint64_t hash;
-
     if (way->heard && !way->sliced)
         listen(&run);
     while (run_on(&run))
         continue;
-    hash = machine_hash(run.machine);
+    uint64_t hash = machine_hash(run.machine);
     if (run.restored)
         c205_free(run.machine);
     return hash;
@@ -180,7 +169,6 @@ static const char *disagreeing_share(const struct random_program *program,
     struct random_shared shared;
     uint64_t before, hash;
     struct run run = { .way = &way, .random = program->seed, .limit = limit };
-
     run.machine = random_machine_load_shared(program, &shared);
     before = random_shared_hash(run.machine, &shared);
     random_shared_free(&shared);
@@ -208,7 +196,6 @@ const char *disagreeing_way(const struct random_program *program,
     };
     uint64_t limit = stepped ? C205_NO_LIMIT : CLOCKS;
     uint64_t expected = hash_at_end(program, &whole, limit);
-
     if (stepped && *stepped != expected)
         return whole.name;
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++)

@@ -25,7 +25,6 @@ static bool differs(struct visit *visit, const struct frame *there, size_t neigh
                     size_t pixel)
 {
     double distance = 0;
-
     for (int i = 0; i < COLOURS; i++)
         distance += fabs(power(visit, there->channel[i][neighbour])
                          - power(visit, visit->first->channel[i][pixel]));
@@ -39,7 +38,6 @@ static double sum_of_samples(const struct visit *visit, int channel, size_t pixe
     size_t n = visit->samples, across = n * visit->width;
     size_t row = pixel / visit->width, column = pixel % visit->width;
     double sum = 0;
-
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++)
             sum += visit->sampled
@@ -50,7 +48,6 @@ static double sum_of_samples(const struct visit *visit, int channel, size_t pixe
 static void refine(struct visit *visit, size_t pixel)
 {
     double rays = (double)(visit->samples * visit->samples + 1);
-
     if (visit->refined[pixel])
         return;
     visit->refined[pixel] = true;
@@ -75,7 +72,6 @@ static void visit_pixel(struct visit *visit, size_t row, size_t column)
     size_t pixel = row * visit->width + column;
     bool left = held_against(visit, pixel, 1, (column - 1) % BLOCK != 0);
     bool above = held_against(visit, pixel, visit->width, (row - 1) % BLOCK != 0);
-
     if (left || above)
         refine(visit, pixel);
 }
@@ -84,7 +80,6 @@ static void visit_pixel(struct visit *visit, size_t row, size_t column)
 static void visit_all(struct visit *visit)
 {
     size_t width = visit->width, height = visit->first->height;
-
     for (size_t top = 1; top < height; top += BLOCK)
         for (size_t left = 1; left < width; left += BLOCK)
             for (size_t row = top; row < height && row < top + BLOCK; row++)
@@ -114,7 +109,6 @@ struct plain_refined plain_adaptive(const struct frame *first,
                            .threshold = threshold,
                            .power = gamma / 2.5,
                            .result = { 0, INFINITY } };
-
     visit.refined = calloc(first->width * first->height, sizeof(bool));
     if (!visit.refined || !frame_allocate(&visit.shown, first->width, first->height))
         abort();

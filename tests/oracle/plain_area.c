@@ -26,7 +26,6 @@ static void place_sphere(const struct primitive *primitive, size_t piece, double
     double r = primitive->shape.sphere.radius;
     const double on[3] = { sin(TURN / 2 * u) * cos(TURN * v), cos(TURN / 2 * u),
                            sin(TURN / 2 * u) * sin(TURN * v) };
-
     (void)piece;
     add_scaled(point, primitive->shape.sphere.center, r, on);
 }
@@ -35,7 +34,6 @@ static void place_on_torus(double major, double radial, double axial, double u,
                            double v, double point[3])
 {
     double from_axis = major + radial * cos(TURN * u);
-
     point[0] = from_axis * cos(TURN * v);
     point[1] = axial * sin(TURN * u);
     point[2] = from_axis * sin(TURN * v);
@@ -45,7 +43,6 @@ static void place_torus(const struct primitive *primitive, size_t piece, double 
                         double v, double point[3])
 {
     double minor = primitive->shape.torus.minor;
-
     (void)piece;
     place_on_torus(primitive->shape.torus.major, minor, minor, u, v, point);
 }
@@ -65,7 +62,6 @@ static void place_on_circle(const double center[3], const double axis[3], double
 {
     double across[3] = { 0, 0, 0 }, first[3], second[3];
     int least = 0;
-
     for (int i = 1; i < 3; i++)
         if (fabs(axis[i]) < fabs(axis[least]))
             least = i;
@@ -86,7 +82,6 @@ static void place_on_cone(const double base[3], double base_radius, const double
     double axis[3], center[3];
     double along = piece == 0 ? u : piece == 1 ? 0 : 1;
     double radius = (1 - along) * base_radius + along * cap_radius;
-
     add_scaled(axis, cap, -1, base);
     add_scaled(center, base, along, axis);
     place_on_circle(center, axis, piece == 0 ? radius : radius * u, v, point);
@@ -104,7 +99,6 @@ static void place_cylinder(const struct primitive *primitive, size_t piece, doub
                            double v, double point[3])
 {
     double radius = primitive->shape.cylinder.radius;
-
     place_on_cone(primitive->shape.cylinder.base, radius, primitive->shape.cylinder.cap,
                   radius, piece, u, v, point);
 }
@@ -113,7 +107,6 @@ static void place_disc(const struct primitive *primitive, size_t piece, double u
                        double v, double point[3])
 {
     double hole = primitive->shape.disc.hole;
-
     (void)piece;
     place_on_circle(primitive->shape.disc.center, primitive->shape.disc.normal,
                     hole + u * (primitive->shape.disc.radius - hole), v, point);
@@ -147,12 +140,10 @@ static void place_steiner_patch(const struct primitive *primitive, size_t piece,
     double s = u * (1 - v), t = u * v, rest = 1 - u, sum = 0;
     const double basis[STEINER_POINTS] = { s * s,     t * t,        rest * rest,
                                            2 * s * t, 2 * t * rest, 2 * rest * s };
-
     (void)piece;
     point[0] = point[1] = point[2] = 0;
     for (int k = 0; k < STEINER_POINTS; k++) {
         double share = basis[k] * primitive->shape.steiner_patch.weights[k];
-
         sum += share;
         add_scaled(point, point, share, primitive->shape.steiner_patch.points[k]);
     }
@@ -206,7 +197,6 @@ static void add_cell(const struct surface_grid *grid, size_t piece, size_t i, si
                      struct plain_area *sum)
 {
     double corner[4][3], diagonals[2][3], product[3], area;
-
     for (size_t k = 0; k < 4; k++)
         place_in_world(grid, piece, i + k % 2, j + k / 2, corner[k]);
     add_scaled(diagonals[0], corner[3], -1, corner[0]);
@@ -221,7 +211,6 @@ static void add_cell(const struct surface_grid *grid, size_t piece, size_t i, si
 static struct plain_area sum_cells(const struct surface_grid *grid)
 {
     struct plain_area sum = { 0, { 0, 0, 0 } };
-
     for (size_t piece = 0; piece < grid->pieces; piece++)
         for (size_t i = 0; i < grid->cells; i++)
             for (size_t j = 0; j < grid->cells; j++)
@@ -234,7 +223,6 @@ struct plain_area plain_area(const struct primitive *primitive)
 {
     struct surface_grid grid = grid_over(primitive);
     struct plain_area coarse = sum_cells(&grid), fine;
-
     grid.cells *= 2;
     fine = sum_cells(&grid);
     fine.area = (4 * fine.area - coarse.area) / 3;

@@ -104,14 +104,13 @@ static size_t cross_segment(const double from[2], const double to[2],
     double b = rise * rise * (o[0] * d[0] + o[2] * d[2]) - radius * out * d[1];
     double c = rise * rise * (o[0] * o[0] + o[2] * o[2]) - radius * radius;
     double root = sqrt(b * b - a * c);
-    size_t count;
     if (rise == 0)
         return cross_ring(from, to, ray, crossings);
     if (!(root >= 0))
         return 0;
     if (a == 0)
         return b == 0 ? 0 : cross_at(from, to, -c / (2 * b), ray, crossings);
-    count = cross_at(from, to, (-b - root) / a, ray, crossings);
+    size_t count = cross_at(from, to, (-b - root) / a, ray, crossings);
     return count + cross_at(from, to, (-b + root) / a, ray, &crossings[count]);
 }
 

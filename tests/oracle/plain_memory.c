@@ -16,7 +16,6 @@ struct plain_slot {
 void *plain_room(void *items, size_t count, size_t size)
 {
     void *room = realloc(items, count * size);
-
     if (!room) {
         fprintf(stderr, "no memory left\n");
         exit(2);
@@ -50,7 +49,6 @@ static struct plain_slot *find(const struct plain_memory *memory, uint64_t addre
 {
     uint64_t mixed = address * UINT64_C(0x9E3779B97F4A7C15);
     size_t i = (size_t)(mixed >> 32) & (memory->slot_count - 1);
-
     while (memory->slots[i].address != NO_ADDRESS
            && memory->slots[i].address != address)
         i = (i + 1) & (memory->slot_count - 1);
@@ -60,7 +58,6 @@ static struct plain_slot *find(const struct plain_memory *memory, uint64_t addre
 static void put(struct plain_memory *memory, uint64_t address, c205_word word)
 {
     struct plain_slot *slot = find(memory, address);
-
     memory->word_count += slot->address == NO_ADDRESS;
     *slot = (struct plain_slot){ address, word };
 }
@@ -69,7 +66,6 @@ static void grow(struct plain_memory *memory)
 {
     struct plain_slot *old = memory->slots;
     size_t count = memory->slot_count;
-
     free_slots(memory, 2 * count);
     for (size_t i = 0; i < count; i++)
         if (old[i].address != NO_ADDRESS)
@@ -139,7 +135,6 @@ void plain_map(struct plain_memory *memory, uint64_t address, size_t words,
                c205_access access)
 {
     uint64_t last = address + WORD_BITS * (uint64_t)(words - 1);
-
     for (uint64_t page = plain_page_number(address); page <= plain_page_number(last);
          page++)
         map_page(memory, page * C205_PAGE_WORDS * WORD_BITS, access);
@@ -153,7 +148,6 @@ bool plain_is_mapped(const struct plain_memory *memory, uint64_t address)
 bool plain_is_writable(const struct plain_memory *memory, uint64_t address)
 {
     const struct plain_page *page = page_of(memory, address);
-
     return page && page->access == C205_READ_WRITE;
 }
 

@@ -12,11 +12,9 @@ static const uint64_t mask = (UINT64_C(1) << 47) - 1;
 /* Unsigned products keep their low 64 bits, and so the low 47. */
 uint64_t stream_state_at(uint64_t p)
 {
-    uint64_t root;
-
     if (p == 0)
         return 1;
-    root = stream_state_at(p / 2);
+    uint64_t root = stream_state_at(p / 2);
     return root * root * (p % 2 ? UINT64_C(44485709377909) : 1) & mask;
 }
 
@@ -46,7 +44,6 @@ uint64_t lattice_word(unsigned m, uint64_t seed, uint64_t shift, uint64_t i,
                                                      498753, 110745, 446247 };
     uint64_t p = seed * seed_apart - 7 * (shift + 1) + coordinate + 1;
     uint64_t cells = UINT64_C(1) << (47 - m);
-
     return (i * z[coordinate] * cells + (stream_mixed(stream_state_at(p & mask)) | 1))
            & mask;
 }
@@ -72,7 +69,6 @@ static bool prepare(struct point_maker *maker, c205_error *error)
         { "NUMBERS", kind->numbers },
         { NULL, 0 },
     };
-
     maker->program = program_assemble(kind->form == POINTS_SCALAR
                                           ? "points/points_scalar.s"
                                           : "points/points_vector.s",
@@ -89,7 +85,6 @@ static bool prepare(struct point_maker *maker, c205_error *error)
 struct point_maker *point_maker_new(const struct point_kind *kind, c205_error *error)
 {
     struct point_maker *maker = calloc(1, sizeof *maker);
-
     if (!maker) {
         snprintf(error->message, sizeof error->message, "no memory");
         return NULL;
@@ -116,7 +111,6 @@ c205 *point_maker_load(struct point_maker *maker, const struct point_choice *cho
 {
     /* Integers have the exponent 0. */
     c205_word given[] = { choice->seed, choice->first, choice->m, choice->shift };
-
     if (!c205_load(maker->machine, &maker->program->program, error))
         return NULL;
     c205_write(maker->machine, maker->given, given, sizeof given / sizeof *given);
@@ -127,7 +121,6 @@ bool point_maker_run(struct point_maker *maker, const struct point_choice *choic
                      c205_word *words, c205_error *error)
 {
     c205 *machine = point_maker_load(maker, choice, error);
-
     return machine && program_run(machine, NULL, NULL, NULL, error)
            && c205_read(machine, maker->made, words,
                         maker->kind.points * maker->kind.coordinates);

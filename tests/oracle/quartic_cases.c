@@ -77,7 +77,6 @@ static void product_end(struct product *product)
 static void add_root(struct product *product, double x)
 {
     mpfr_t term;
-
     mpfr_init2(term, BITS);
     for (int i = ++product->degree; i > 0; i--) {
         mpfr_mul_d(term, product->c[i - 1], x, MPFR_RNDN);
@@ -91,7 +90,6 @@ static void add_pair(struct product *product, double x, double y)
 {
     mpfr_t first, term;
     struct product rest;
-
     mpfr_inits2(BITS, first, term, (mpfr_ptr)NULL);
     product_begin(&rest);
     for (int i = 0; i <= product->degree; i++)
@@ -114,7 +112,6 @@ static void cut(struct polynomial *polynomial, const struct product *product,
                 double factor, long exponent)
 {
     mpfr_t scale, wide, narrow;
-
     mpfr_inits2(BITS, scale, wide, (mpfr_ptr)NULL);
     mpfr_init2(narrow, 47);
     mpfr_set_si(scale, 10, MPFR_RNDN);
@@ -122,7 +119,6 @@ static void cut(struct polynomial *polynomial, const struct product *product,
     mpfr_mul_d(scale, scale, factor, MPFR_RNDN);
     for (int i = 0; i <= DEGREE; i++) {
         int from = i - (DEGREE - product->degree);
-
         if (from < 0) {
             polynomial->c[i] = C205_MACHINE_ZERO;
             continue;
@@ -141,7 +137,6 @@ typedef void make_product(struct product *product, uint64_t *state);
 static void make_separated(struct product *product, uint64_t *state)
 {
     int degree = (int)integer(state, 1, DEGREE);
-
     while (product->degree < degree)
         if (degree - product->degree >= 2 && unit(state) < 0.25)
             add_pair(product, 5 * signed_unit(state), 5 * unit(state));
@@ -154,7 +149,6 @@ static void make_clustered(struct product *product, uint64_t *state)
     double apart = power_of_ten(state, -9, -1);
     double x = 5 * signed_unit(state);
     int64_t cluster = integer(state, 2, DEGREE);
-
     for (int64_t i = 0; i < cluster; i++) {
         add_root(product, x);
         x += apart * (0.5 + unit(state)) * fabs(x);
@@ -168,11 +162,9 @@ static void make_multiple(struct product *product, uint64_t *state)
     double fineness = unit(state) < 0.5 ? 1 : unit(state) < 0.5 ? 8 : 0;
     int degree = (int)integer(state, 2, DEGREE);
     int64_t times = integer(state, 2, degree);
-
     while (product->degree < degree) {
         double x = fineness != 0 ? (double)integer(state, -40, 40) / fineness
                                  : 5 * signed_unit(state);
-
         for (; times > 0 && product->degree < degree; times--)
             add_root(product, x);
         times = integer(state, 1, 2);
@@ -182,7 +174,6 @@ static void make_multiple(struct product *product, uint64_t *state)
 static void make_spread(struct product *product, uint64_t *state)
 {
     int degree = (int)integer(state, 2, DEGREE);
-
     while (product->degree < degree)
         add_root(product, (unit(state) < 0.3 ? -1 : 1) * power_of_ten(state, -30, 30));
 }
@@ -190,7 +181,6 @@ static void make_spread(struct product *product, uint64_t *state)
 static void make_grazing(struct product *product, uint64_t *state)
 {
     double x = 5 * signed_unit(state);
-
     add_pair(product, x, fabs(x) * power_of_ten(state, -9, -1));
     if (unit(state) < 0.5) {
         add_root(product, 5 * signed_unit(state));
@@ -212,7 +202,6 @@ static make_product *const products[QUARTIC_KINDS] = {
 static void direction(double *v, uint64_t *state)
 {
     double length;
-
     do {
         length = 0;
         for (int i = 0; i < 3; i++) {
@@ -236,12 +225,10 @@ static void make_torus(struct polynomial *polynomial, uint64_t *state)
 {
     double major = 1, minor = 0.25;
     double p[3], d[3], k1, k2, length;
-
     direction(p, state);
     direction(d, state);
     for (int i = 0; i < 3; i++) {
         double inside = (major + minor) * d[i] * cbrt(unit(state));
-
         p[i] *= major + minor;
         d[i] = inside - p[i];
     }
@@ -281,7 +268,6 @@ void quartic_case(struct polynomial *polynomial, enum quartic_kind kind,
 {
     struct product product;
     double bound = unit(state) < 0.5 ? 0 : 6 * signed_unit(state);
-
     product_begin(&product);
     if (kind == QUARTIC_BOUND) {
         bound = (double)integer(state, -30, 30) / 4;

@@ -66,7 +66,6 @@ static void half_take(struct half *half, const struct polynomial *polynomial,
 static bool is_above(const struct half *half, const mpfr_t x)
 {
     int order = mpfr_cmp(x, half->bound);
-
     return half->side > 0 ? order > 0 : order < 0;
 }
 
@@ -85,7 +84,6 @@ static void take_shores(struct half *half, const struct island *island)
 static int count_found(struct half *half)
 {
     int count = 0;
-
     for (int i = 0; i < half->roots->count; i++) {
         oracle_value(&oracle_full, half->found, half->roots->root[i]);
         mpfr_mul_si(half->found, half->found, half->side, MPFR_RNDN);
@@ -133,7 +131,6 @@ struct facts {
 static struct facts find_facts(const struct half *half)
 {
     struct facts facts = { 0 };
-
     facts.bounded = is_between(half->bound, half->low, half->high);
     for (size_t i = 0; i < half->knots.count; i++)
         facts.knots += is_between(half->knots.x[i], half->low, half->high);
@@ -162,7 +159,6 @@ static int most_roots(struct half *half, const struct island *island,
 {
     int more = facts->knots - (facts->roots - 1 + facts->multiple);
     int pairs = more > 0 ? (more + 1) / 2 : 0;
-
     if (pairs == 0 && facts->bends > 0 && !is_narrower(half, island, CLUSTER_LEAST))
         pairs = 1;
     return facts->roots + pairs;
@@ -185,15 +181,10 @@ static const char *check_count(struct half *half, const struct island *island,
 static const char *check_island(struct half *half, const struct island *island,
                                 struct tally *tally)
 {
-    struct facts facts;
-    const char *why;
-    double error;
-    int found;
-
     take_shores(half, island);
-    facts = find_facts(half);
-    found = count_found(half);
-    why = check_count(half, island, &facts, found);
+    struct facts facts = find_facts(half);
+    int found = count_found(half);
+    const char *why = check_count(half, island, &facts, found);
     if (why)
         return why;
     tally->roots += (unsigned long)facts.above;
@@ -202,7 +193,7 @@ static const char *check_island(struct half *half, const struct island *island,
     tally->touched += facts.above < found;
     if (facts.above != 1 || found != 1 || !is_narrower(half, island, ERROR_MOST))
         return NULL;
-    error = error_of_only_root(half, facts.root);
+    double error = error_of_only_root(half, facts.root);
     tally->sharp++;
     if (error > tally->error)
         tally->error = error;
@@ -212,14 +203,12 @@ static const char *check_island(struct half *half, const struct island *island,
 static const char *check_half(struct half *half, struct tally *tally)
 {
     int on_side = 0, on_islands = 0;
-
     for (int i = 0; i < half->roots->count; i++) {
         oracle_value(&oracle_full, half->found, half->roots->root[i]);
         on_side += mpfr_sgn(half->found) == half->side;
     }
     for (size_t i = 0; i < half->islands.count; i++) {
         const char *why = check_island(half, &half->islands.island[i], tally);
-
         if (why)
             return why;
         on_islands += count_found(half);
@@ -236,7 +225,6 @@ static const char *check_order(const struct polynomial *polynomial,
     c205_word last = polynomial->bound;
     uint64_t flags = 0;
     int zeros = 0, wanted = 0;
-
     if (roots->count < 0)
         return "refused";
     for (int i = 0; i < roots->count; i++) {
@@ -256,7 +244,6 @@ const char *quartic_rule(struct half *half, const struct polynomial *polynomial,
                          const struct polynomial_roots *roots, struct tally *tally)
 {
     const char *why = check_order(polynomial, roots);
-
     tally->polynomials++;
     for (int side = -1; !why && side <= 1; side += 2) {
         half_take(half, polynomial, roots, side);

@@ -21,7 +21,6 @@ static c205_unit draw_unit(uint64_t *random)
 {
     int64_t left = random_between(random, 0, 99);
     int unit = 0;
-
     while (left >= unit_weights[unit])
         left -= unit_weights[unit++];
     return (c205_unit)unit;
@@ -42,7 +41,6 @@ static const c205_insn *draw_any(uint64_t *random)
 static const c205_insn *draw_where(uint64_t *random, insn_filter *fits)
 {
     const c205_insn *insn;
-
     do
         insn = draw_any(random);
     while (!fits(insn));
@@ -52,7 +50,6 @@ static const c205_insn *draw_where(uint64_t *random, insn_filter *fits)
 static const c205_insn *draw_of_unit(uint64_t *random, c205_unit unit)
 {
     const c205_insn *insn;
-
     do
         insn = draw_any(random);
     while (insn->unit != unit || !reference_knows(insn));
@@ -69,7 +66,6 @@ static bool is_prefix(const c205_insn *insn)
 static const c205_insn *draw_linked(uint64_t *random, const c205_insn *first)
 {
     c205_unit unit;
-
     do
         unit = draw_where(random, may_link)->unit;
     while ((unit == C205_UNIT_V_ADD && one_in(random, 2))
@@ -84,7 +80,6 @@ static const c205_insn *draw_insn(uint64_t *random, const c205_insn *const *rows
 {
     bool first = i > 0 && is_prefix(rows[i - 1]);
     bool second = i > 1 && is_prefix(rows[i - 2]);
-
     if ((first || second) && !one_in(random, 30))
         return draw_linked(random, first ? NULL : rows[i - 1]);
     if (one_in(random, 20))
@@ -110,7 +105,6 @@ static const c205_insn *draw_scalar(uint64_t *random, const c205_insn *const *ro
                                     size_t i)
 {
     const c205_insn *insn;
-
     if (i > 0 && one_in(random, 4))
         return rows[i - 1];
     do
@@ -152,7 +146,6 @@ static char integer_role(uint64_t *random, const c205_insn *insn, char field)
 static char vector_role(uint64_t *random, unsigned g, char role)
 {
     char of_other_size = role == 'v' ? 'w' : 'v';
-
     if (g & C205_G_OFFSET)
         return role == 'v' ? 'p' : 'o';
     return one_in(random, role == 'v' ? 20 : 6) ? of_other_size : role;
@@ -180,7 +173,6 @@ static char role_of(uint64_t *random, const c205_insn *insn, char field, unsigne
     char letter = reference_letter(insn, g, (char)toupper(field));
     bool number = is_broadcast(field, g);
     unsigned sources = g & ~C205_G_OFFSET;
-
     switch (letter) {
     case 'v':
     case 'u': return number ? 'n' : vector_role(random, sources, 'v');
@@ -236,7 +228,6 @@ static uint8_t *field_of(c205_fields *fields, char name)
 static unsigned draw_bits_of_g(uint64_t *random, const c205_insn *insn)
 {
     unsigned legal = reference_bits_of_g(insn);
-
     if (one_in(random, 80))
         return (unsigned)random_bits(random) & 0xFF;
     unsigned size = one_in(random, 2) ? C205_G_HALF : 0;
@@ -286,7 +277,6 @@ static int64_t draw_immediate(uint64_t *random, const struct random_program *pro
 static void draw_registers(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     const char *syntax = c205_format_syntax(insn->format);
-
     for (const char *p = syntax; *p; p++) {
         uint8_t *field = field_of(fields, *p);
         char role;
@@ -303,7 +293,6 @@ static void draw_registers(uint64_t *random, const c205_insn *insn, c205_fields 
 static void draw_result(uint64_t *random, const c205_insn *insn, c205_fields *fields)
 {
     char letter = reference_letter(insn, fields->g, 'C');
-
     if (letter && strchr("pP", letter) && !one_in(random, 15))
         fields->c &= (uint8_t)~1u;
     else if (insn->format == C205_FORMAT_EXTREME && one_in(random, 10))
@@ -350,7 +339,6 @@ static c205_fields draw_fields(uint64_t *random, const struct random_program *pr
 {
     const c205_insn *insn = rows[i];
     c205_fields fields = { .f = insn->opcode };
-
     fields.g = (uint8_t)size_of_pair(random, program, rows, i,
                                      draw_bits_of_g(random, insn));
     draw_registers(random, insn, &fields);
@@ -367,7 +355,6 @@ static void broadcast(uint64_t *random, c205_fields *fields, bool a)
 {
     uint8_t number = (uint8_t)draw_register(random,
                                             fields->g & C205_G_HALF ? 'h' : 'n');
-
     fields->g |= a ? C205_G_BROADCAST_A : C205_G_BROADCAST_B;
     *(a ? &fields->a : &fields->b) = number;
     *(a ? &fields->x : &fields->y) = 0;
@@ -395,7 +382,6 @@ static void link_fields(uint64_t *random, const c205_insn *const *rows,
                         c205_fields *first, c205_fields *second)
 {
     bool a = !has_b(rows[1]) || one_in(random, 2);
-
     if (!one_in(random, 20)) {
         first->z = 0;
         first->g &= (uint8_t) ~(C205_G_OFFSET | C205_G_ZEROS);
@@ -433,7 +419,6 @@ static void close_loop(struct random_program *program)
 {
     const c205_insn *insn = c205_insn_named("DBNZ", 4);
     c205_fields fields = { .f = insn->opcode, .r = LOOP_COUNT, .t = LOOP_BEGIN };
-
     put_insn(program, program->insn_count - 2, insn, &fields);
 }
 
@@ -447,7 +432,6 @@ static void rewrite_in_loop(uint64_t *random, struct random_program *program,
     };
     int64_t count = (int64_t)program->insn_count;
     size_t i = (size_t)random_between(random, count / 2 - 1, count - 3);
-
     rows[i] = insn;
     put_insn(program, i, insn, &fields);
 }
@@ -456,7 +440,6 @@ void draw_insns(uint64_t *random, struct random_program *program)
 {
     const c205_insn *rows[PROGRAM_INSNS];
     size_t count = program->insn_count;
-
     for (size_t i = 0; i + 1 < count; i++) {
         rows[i] = program->transfers && one_in(random, 2)
                       ? draw_where(random, is_transfer)

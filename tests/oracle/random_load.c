@@ -13,7 +13,6 @@ static void put_code(c205 *machine, const struct random_program *program)
 {
     uint64_t begin = program->code / WORD * WORD;
     c205_word code[CODE_WORDS] = { 0 };
-
     for (size_t i = 0; i < program->insn_count; i++) {
         uint64_t at = program_address(program, i) - begin;
         for (unsigned k = 0; k < program->insns[i].halves; k++) {
@@ -28,7 +27,6 @@ static void put_code(c205 *machine, const struct random_program *program)
 static void put_data(c205 *machine, const struct random_program *program)
 {
     c205_word words[AREA_MOST];
-
     for (size_t i = 0; i < random_area_count; i++) {
         program_data(program, random_areas + i, words);
         c205_write(machine, random_areas[i].address, words, random_areas[i].words);
@@ -45,7 +43,6 @@ static bool load_nothing(c205 *machine, const struct random_program *program,
 {
     const c205_region region = { "first", program->code, random_region_end(program) };
     const c205_program empty = { program->code, 0, NULL, 1, &region, false };
-
     return c205_load(machine, &empty, error);
 }
 
@@ -75,7 +72,6 @@ bool random_load(c205 *machine, const struct random_program *program, c205_error
 static bool share_page(const c205 *machine, size_t i, struct random_shared *shared)
 {
     static c205_word words[C205_PAGE_WORDS];
-
     shared->page[i] = NULL;
     if (random_pages[i].access != C205_READ_WRITE)
         return true;
@@ -97,7 +93,6 @@ static bool map_page(c205 *machine, size_t i, const struct random_shared *shared
 static void put_own_data(c205 *machine, const struct random_program *program)
 {
     c205_word words[AREA_MOST];
-
     for (size_t i = 0; i < random_area_count; i++)
         if (random_areas[i].access != C205_READ_WRITE) {
             program_data(program, random_areas + i, words);
@@ -134,7 +129,6 @@ bool random_shared_read(c205 *machine, const struct random_shared *shared, size_
 {
     const c205_program nothing = { 0, 0, NULL, 0, NULL, false };
     uint64_t address = random_pages[page].address;
-
     return c205_load(machine, &nothing, error)
            && c205_map_shared(machine, address, shared->page[page], error)
            && c205_read(machine, address, words, C205_PAGE_WORDS);

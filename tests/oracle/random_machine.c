@@ -24,7 +24,6 @@ void random_machine_fail(const char *what)
 static void make_machine(size_t i)
 {
     c205_error error;
-
     models[i] = c205_model_parse("random", random_models[i], &error);
     if (!models[i])
         random_machine_fail(error.message);
@@ -59,7 +58,6 @@ c205 *random_machine_load(const struct random_program *program)
 {
     c205 *machine = machines[program->model];
     c205_error error;
-
     if (!random_load(machine, program, &error))
         random_machine_fail(error.message);
     return machine;
@@ -70,7 +68,6 @@ c205 *random_machine_load_shared(const struct random_program *program,
 {
     c205 *machine = machines[program->model];
     c205_error error = { "no memory" };
-
     if (!random_load_shared(machine, program, shared, &error))
         random_machine_fail(error.message);
     return machine;
@@ -81,7 +78,6 @@ uint64_t random_shared_hash(c205 *machine, const struct random_shared *shared)
     static c205_word words[C205_PAGE_WORDS];
     uint64_t hash = HASH_BEGIN;
     c205_error error = { "no memory" };
-
     for (size_t i = 0; i < RANDOM_PAGES; i++) {
         if (!shared->page[i])
             continue;
@@ -133,12 +129,11 @@ void random_images_take(const c205 *machine, const struct random_program *progra
 
 unsigned random_insn_halves(const c205 *machine, uint64_t address)
 {
-    const c205_insn *insn;
     c205_word word;
-
     if (!c205_read(machine, address / WORD * WORD, &word, 1))
         return 0;
     word <<= address % WORD;
-    insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
+    const c205_insn *insn = c205_insn_coded((uint8_t)(word >> 56),
+                                            (uint8_t)(word >> 48));
     return !insn ? 1 : c205_format_halves(insn->format);
 }

@@ -73,7 +73,6 @@ bool one_in(uint64_t *random, int64_t n)
 static c205_word integer(const struct oracle_format *format, int64_t value)
 {
     long exponent_bits = format->width - format->digits - 1;
-
     return (c205_word)value << (WORD - format->digits - 1) >> exponent_bits;
 }
 
@@ -81,7 +80,6 @@ static c205_word number(uint64_t *random, const struct oracle_format *format)
 {
     struct operands operands = operands_begin(format, random_bits(random));
     c205_word a, b;
-
     if (one_in(random, 3))
         return integer(format, random_between(random, -20, 20));
     operands.position = (size_t)random_bits(random) % 100000;
@@ -96,7 +94,6 @@ static c205_word near_half(uint64_t *random)
     static const c205_word beyond[] = { 0, 0x7FFFFF, 0x800000, 0xFFFFFF };
     c205_word half = number(random, &oracle_half);
     int64_t exponent = ((int64_t)half >> 56) - 24;
-
     return (c205_word)exponent << 48 | (half >> HALF & LOW_24) << 24
            | beyond[random_between(random, 0, 3)];
 }
@@ -110,7 +107,6 @@ static c205_word word_number(uint64_t *random)
 static c205_word half_numbers(uint64_t *random)
 {
     c205_word left = number(random, &oracle_half);
-
     return left | number(random, &oracle_half) >> HALF;
 }
 
@@ -141,7 +137,6 @@ uint64_t draw_length(uint64_t *random)
 static c205_word far_index(uint64_t *random)
 {
     int64_t pages = one_in(random, 40) ? random_between(random, -2, 3) : 0;
-
     return (c205_word)(pages * C205_PAGE_WORDS + random_between(random, -40, 300));
 }
 
@@ -178,7 +173,6 @@ void program_data(const struct random_program *program, const struct random_area
                   c205_word *words)
 {
     uint64_t random = program->seed ^ area->address;
-
     for (size_t i = 0; i < area->words; i++)
         words[i] = program->plain_data ? plain_datum(area)
                    : i < DISTINCT      ? datum(&random, area)
@@ -222,7 +216,6 @@ unsigned draw_register(uint64_t *random, char role)
     const struct pool *pool = pool_of(role);
     bool pairs = strchr("poq", role);
     bool halves = strchr("hj", role);
-
     if (one_in(random, 40))
         return (unsigned)random_between(random, 0, C205_REGISTERS - 1);
     if (!pairs && one_in(random, 25))
@@ -258,7 +251,6 @@ static bool area_fits(uint64_t *random, const struct random_area *area, char rol
 static const struct random_area *draw_area(uint64_t *random, char role)
 {
     const struct random_area *area;
-
     do
         area = random_areas + random_between(random, 0, (int64_t)random_area_count - 1);
     while (!area_fits(random, area, role) && !one_in(random, 400));
@@ -272,7 +264,6 @@ c205_word draw_descriptor(uint64_t *random, char role)
     int64_t at = one_in(random, 3) ? random_between(random, 0, words - 1)
                                    : random_between(random, 0, words / 3);
     uint64_t address = area->address + WORD * (uint64_t)at;
-
     if (role == 'b')
         address += (uint64_t)random_between(random, 0, WORD - 1);
     else if (one_in(random, 100))
@@ -288,7 +279,6 @@ c205_word draw_code_address(uint64_t *random, const struct random_program *progr
 {
     size_t i = (size_t)random_between(random, 0, (int64_t)program->insn_count - 1);
     uint64_t address = program_address(program, i);
-
     return one_in(random, 30) ? address + 8 : address;
 }
 
@@ -296,7 +286,6 @@ c205_word draw_code_address(uint64_t *random, const struct random_program *progr
 static c205_word code_vector(uint64_t *random, const struct random_program *program)
 {
     uint64_t address = draw_code_address(random, program);
-
     return (c205_word)random_between(random, 1, 5) << 48 | address / WORD * WORD;
 }
 
@@ -304,7 +293,6 @@ static c205_word code_vector(uint64_t *random, const struct random_program *prog
 static c205_word table_elsewhere(uint64_t *random, const struct random_program *program)
 {
     uint64_t before = (uint64_t)random_between(random, 0, 90);
-
     switch (random_between(random, 0, 2)) {
     case 0: return code_vector(random, program);
     case 1: return draw_length(random) << 48 | IN_PAGE(6, before);
@@ -317,7 +305,6 @@ static c205_word table_elsewhere(uint64_t *random, const struct random_program *
 static c205_word half_integers(uint64_t *random)
 {
     c205_word left = (c205_word)draw_integer(random) & LOW_24;
-
     return left << HALF | ((c205_word)draw_integer(random) & LOW_24);
 }
 
@@ -325,7 +312,6 @@ static c205_word preset(uint64_t *random, const struct random_program *program,
                         char role, unsigned i)
 {
     c205_word length;
-
     switch (role) {
     case 'n': return word_number(random);
     case 'h': return half_numbers(random);
@@ -361,7 +347,6 @@ static c205_word near_another(uint64_t *random, const struct random_program *pro
 {
     unsigned other = role == 'w' && one_in(random, 2) ? draw_register(random, 'v')
                                                       : number - 1;
-
     return program->registers[other]
            + step_of(role) * (uint64_t)random_between(random, -3, 3);
 }
@@ -385,7 +370,6 @@ static void preset_registers(uint64_t *random, struct random_program *program)
 static void preset_loop(uint64_t *random, struct random_program *program)
 {
     int64_t half = (int64_t)program->insn_count / 2;
-
     program->registers[LOOP_COUNT] = (c205_word)random_between(random, 2,
                                                                one_in(random, 3) ? 90
                                                                                  : 25);
@@ -402,7 +386,6 @@ static void preset_rewrites(uint64_t *random, struct random_program *program)
     uint64_t before = WORD * (uint64_t)random_between(random, 0, 45);
     uint64_t page = code / PAGE_BITS * PAGE_BITS;
     c205_word length = (c205_word)random_between(random, 1, 6) << 48;
-
     program->registers[REWRITE_LIST] = length
                                        | IN_PAGE(3,
                                                  5000 + random_between(random, 0, 200));
@@ -417,7 +400,6 @@ static void preset_rewrites(uint64_t *random, struct random_program *program)
 uint64_t program_address(const struct random_program *program, size_t i)
 {
     uint64_t address = program->code;
-
     for (size_t k = 0; k < i && k < program->insn_count; k++)
         address += HALF * program->insns[k].halves;
     return address;
@@ -429,7 +411,6 @@ static uint64_t draw_beginning(uint64_t *random)
     uint64_t words = one_in(random, 3)
                          ? C205_PAGE_WORDS - (uint64_t)random_between(random, 1, 20)
                          : (uint64_t)random_between(random, 0, 200);
-
     return IN_PAGE(1, words) + HALF * (random_bits(random) & 1);
 }
 
@@ -439,7 +420,6 @@ struct random_program random_program(uint64_t seed)
 {
     uint64_t random = seed;
     struct random_program program = { .seed = seed };
-
     random = random_bits(&random); /* far from those of other seeds */
     program.model = (size_t)random_between(&random, 0, (int64_t)random_model_count - 1);
     program.code = draw_beginning(&random);

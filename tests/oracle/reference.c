@@ -11,7 +11,6 @@ void add_fault(struct reference *reference, c205_trap trap, uint64_t address,
                bool certain)
 {
     struct fault *fault = reference->faults + trap;
-
     address = plain_address(address);
     if (!fault->possible || address < fault->low)
         fault->low = address;
@@ -25,7 +24,6 @@ bool reference_has_fault(const struct reference *reference, c205_trap trap,
                          uint64_t address)
 {
     const struct fault *fault = reference->faults + trap;
-
     return fault->possible && address >= fault->low && address <= fault->high;
 }
 
@@ -44,7 +42,6 @@ static bool certain_fault(const struct reference *reference)
 static char by_g(const c205_insn *insn, unsigned g, char letter)
 {
     bool half = insn->flags & C205_INSN_HALF && g & C205_G_HALF;
-
     if (letter == 'g')
         return g & C205_G_GIVEN ? 'b' : 'o';
     return half && strchr("fwpvudcx", letter) ? (char)toupper(letter) : letter;
@@ -55,7 +52,6 @@ char reference_letter(const c205_insn *insn, unsigned g, char field)
 {
     const char *syntax = c205_format_syntax(insn->format);
     const char *letter = insn->operands;
-
     for (const char *p = syntax; *p && *letter; p++) {
         if ((!isalpha(*p) && *p != '@') || (p > syntax && p[-1] == '+'))
             continue;
@@ -112,7 +108,6 @@ c205_word read_operand(const struct reference *reference, char letter, unsigned 
     bool half = width_of_letter(letter) == HALF_BITS;
     unsigned whole = half ? whole_register(number) : number;
     c205_word word = read_bits(reference, whole);
-
     if (whole == 0)
         return is_number(letter) ? C205_MACHINE_ZERO : 0;
     return half ? word << shift_of_half(number) & LEFT_HALF : word;
@@ -123,7 +118,6 @@ void write_operand(struct reference *reference, char letter, unsigned number,
 {
     unsigned whole = whole_register(number);
     c205_word mask = LEFT_HALF >> shift_of_half(number);
-
     if (width_of_letter(letter) == HALF_BITS)
         write_register(reference, whole,
                        (read_bits(reference, whole) & ~mask)
@@ -166,7 +160,6 @@ static uint64_t bits_in_word(uint64_t address, unsigned width)
 c205_word read_memory(struct reference *reference, uint64_t address, unsigned width)
 {
     c205_word word = plain_read(&reference->memory, word_of(address));
-
     check_place(reference, address, width, true);
     word = (word & bits_in_word(address, width)) << address % BITS;
     return width == BIT ? word >> (BITS - BIT) : word;
@@ -177,7 +170,6 @@ void write_memory(struct reference *reference, uint64_t address, unsigned width,
 {
     c205_word old = plain_read(&reference->memory, word_of(address));
     uint64_t mask = bits_in_word(address, width);
-
     check_write(reference, address, width, true);
     if (width == BIT)
         word <<= BITS - BIT;
@@ -198,7 +190,6 @@ void leave_memory(struct reference *reference, uint64_t address, unsigned width)
 void add_extent(struct reference *reference, uint64_t address, uint64_t bits)
 {
     struct deed *deed = &reference->deed;
-
     if (bits > 0)
         deed->extents[deed->extent_count++] = (struct extent){ plain_address(address),
                                                                bits };
@@ -213,11 +204,10 @@ static bool fetch(struct reference *reference)
     struct deed *deed = &reference->deed;
     uint64_t *pc = &reference->now.pc;
     c205_word word = read_memory(reference, *pc, HALF_BITS);
-    const c205_insn *insn;
-
     if (certain_fault(reference))
         return false;
-    insn = c205_insn_coded((uint8_t)(word >> 56), (uint8_t)(word >> 48));
+    const c205_insn *insn = c205_insn_coded((uint8_t)(word >> 56),
+                                            (uint8_t)(word >> 48));
     if (!insn) {
         add_fault(reference, C205_TRAP_UNDEFINED_INSTRUCTION, *pc, true);
         return false;
@@ -242,7 +232,6 @@ static unsigned vector_bits(const c205_insn *insn)
     const char *syntax = c205_format_syntax(insn->format);
     bool signs = insn->flags & C205_INSN_SIGN;
     unsigned bits = insn->subop_mask;
-
     if (strchr(syntax, 'a'))
         bits |= C205_G_BROADCAST_A;
     if (strchr(syntax, 'b'))
@@ -286,7 +275,6 @@ static bool is_sum(const c205_insn *insn)
 static bool has_only(const c205_insn *insn, c205_word word, const c205_fields *fields)
 {
     unsigned g = fields->g;
-
     if ((g & ~reference_bits_of_g(insn)) != 0 || c205_encode(insn, fields) != word)
         return false;
     return !c205_unit_is_vector(insn->unit)
@@ -307,7 +295,6 @@ static bool lacks_control(const c205_insn *insn, const c205_fields *fields)
 static void check_code(struct reference *reference, size_t i)
 {
     const struct deed *deed = &reference->deed;
-
     if (!has_only(deed->insns[i], deed->words[i], deed->fields + i))
         add_fault(reference, C205_TRAP_UNDEFINED_INSTRUCTION, deed->pc, true);
     if (lacks_control(deed->insns[i], deed->fields + i))
@@ -341,7 +328,6 @@ static void do_one(struct reference *reference, const c205_insn *insn,
 static void do_pair(struct reference *reference)
 {
     const struct deed *deed = &reference->deed;
-
     if (!fetch(reference) || !fetch(reference)) {
         add_fault(reference, C205_TRAP_BAD_LINK, deed->pc, true);
         return;
@@ -354,7 +340,6 @@ static void do_pair(struct reference *reference)
 static void do_fetched(struct reference *reference)
 {
     const struct deed *deed = &reference->deed;
-
     check_code(reference, 0);
     if (certain_fault(reference))
         return;
@@ -377,7 +362,6 @@ static void look_at_timer(struct reference *reference)
 static void begin_step(struct reference *reference)
 {
     struct deed *deed = &reference->deed;
-
     memset(reference->faults, 0, sizeof reference->faults);
     look_at_timer(reference);
     reference->before = reference->now;

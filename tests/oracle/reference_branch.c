@@ -40,7 +40,6 @@ static enum relation compare_numbers(const struct oracle_format *format, c205_wo
                                      c205_word b)
 {
     uint64_t flags = 0;
-
     if (oracle_less(format, a, b, &flags))
         return LESS;
     if (oracle_equal(format, a, b, &flags))
@@ -77,7 +76,6 @@ static void branch_on_index(struct reference *reference, const c205_insn *insn,
     c205_word limit = read_bits(reference, fields->z);
     uint64_t target = long_target(reference, fields);
     enum relation found = compare_integers(as_integer(sum), as_integer(limit));
-
     write_register(reference, fields->c, sum);
     go_to(reference, target, branches_on(reference_which(insn)) & (unsigned)found);
 }
@@ -89,7 +87,6 @@ static void branch_on_numbers(struct reference *reference, const c205_insn *insn
     enum relation found = compare_numbers(format_of(width_of_letter(letter)),
                                           read_operand(reference, letter, a),
                                           read_operand(reference, letter, b));
-
     go_to(reference, target, branches_on(reference_which(insn)) & (unsigned)found);
 }
 
@@ -98,7 +95,6 @@ static void count_and_branch(struct reference *reference, const c205_fields *fie
 {
     c205_word r = read_bits(reference, fields->r);
     c205_word count = with_low(r, r + step);
-
     write_register(reference, fields->r, count);
     go_to(reference, target, (count & LOW_48) != 0);
 }
@@ -111,14 +107,12 @@ enum alteration { LEAVE, CHANGE, MAKE_ZERO, MAKE_ONE };
 static bool holds(int64_t i4, bool bit)
 {
     const bool answers[] = { false, true, bit, !bit };
-
     return answers[i4 >> 2];
 }
 
 static bool altered(int64_t i4, bool bit)
 {
     const bool answers[] = { bit, !bit, false, true };
-
     return answers[i4 & 3];
 }
 
@@ -129,7 +123,6 @@ static c205_word branch_on_bit(struct reference *reference, const c205_fields *f
 {
     uint64_t mask = UINT64_C(1) << (BITS - 1 - number % BITS);
     bool bit = word & mask;
-
     go_to(reference, read_bits(reference, fields->c), holds(fields->immediate, bit));
     return altered(fields->immediate, bit) ? word | mask : word & ~mask;
 }
@@ -139,7 +132,6 @@ static void branch_on_memory(struct reference *reference, const c205_fields *fie
     uint64_t address = plain_address(read_bits(reference, fields->a)
                                      + read_bits(reference, fields->b));
     bool bit = read_memory(reference, address, BIT);
-
     add_extent(reference, address, 1);
     go_to(reference, read_bits(reference, fields->c), holds(fields->immediate, bit));
     if ((fields->immediate & 3) != LEAVE)
@@ -150,7 +142,6 @@ static void branch_on_one_bit(struct reference *reference, const c205_insn *insn
                               const c205_fields *fields)
 {
     c205_word a = read_bits(reference, fields->a);
-
     if (reference_which(insn) == DO_BAB)
         branch_on_memory(reference, fields);
     else if (reference_which(insn) == DO_BADF)
@@ -179,7 +170,6 @@ static void look_at(struct reference *reference, c205_word descriptor, int64_t r
 static void ask_monitor(struct reference *reference, const c205_fields *fields)
 {
     c205_word r = read_bits(reference, fields->r);
-
     if (fields->immediate >= REQUESTS)
         add_fault(reference, C205_TRAP_BAD_REQUEST, 0, true);
     look_at(reference, r, fields->immediate);
@@ -192,7 +182,6 @@ void do_branch(struct reference *reference, const c205_insn *insn,
 {
     uint64_t t = read_bits(reference, fields->t);
     uint64_t called = t + HALF_BITS * read_bits(reference, fields->s);
-
     switch (reference_which(insn)) {
     case DO_IBNZ: count_and_branch(reference, fields, 1, called); break;
     case DO_DBNZ: count_and_branch(reference, fields, (uint64_t)-1, called); break;

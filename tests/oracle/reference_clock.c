@@ -14,7 +14,6 @@ static uint64_t millionths(const struct reference_clock *clock, const char *fami
                            const char *name)
 {
     char full[NAME];
-
     snprintf(full, sizeof full, "%s.%s", family, name);
     return (uint64_t)(c205_model_lookup(clock->model, full)->value * (double)MILLION
                       + 0.5);
@@ -94,7 +93,6 @@ static void name_operand(struct named *named, const c205_insn *insn,
                    : field == 'B' ? C205_G_BROADCAST_B
                                   : 0;
     char letter = reference_letter(insn, fields->g, field);
-
     name_register(named, reference_is_half_register(letter, fields->g & bit)
                              ? number / 2
                              : number);
@@ -127,7 +125,6 @@ static void name_field(struct named *named, const c205_insn *insn,
                        const c205_fields *fields, char field)
 {
     bool vector = c205_unit_is_vector(insn->unit);
-
     switch (field) {
     case 'R': name_operand(named, insn, fields, 'R', fields->r); break;
     case 'S': name_operand(named, insn, fields, 'S', fields->s); break;
@@ -169,7 +166,6 @@ static void wait_for_registers(struct reference_clock *clock, const c205_insn *i
 {
     const char *syntax = c205_format_syntax(insn->format);
     struct named named = { .count = 0 };
-
     for (const char *p = syntax; *p; p++)
         if (p == syntax || p[-1] != '+')
             name_field(&named, insn, fields, *p);
@@ -183,7 +179,6 @@ static void wait_for_registers(struct reference_clock *clock, const c205_insn *i
 static char written_field(const c205_insn *insn)
 {
     const char *letters = insn->operands;
-
     if (!strpbrk(letters, "wpmkcoWM"))
         return '\0';
     if (insn->format == C205_FORMAT_ALTER)
@@ -205,7 +200,6 @@ static unsigned written(const c205_insn *insn, const c205_fields *fields,
                       : field == 'R' ? fields->r
                                      : fields->t;
     char letter = reference_letter(insn, fields->g, field);
-
     number += behind;
     return reference_is_half_register(letter, false) ? number / 2 : number;
 }
@@ -244,7 +238,6 @@ static struct translation nothing_met(const struct reference_clock *clock)
 {
     uint64_t words = constant(clock, "page", "words");
     uint64_t pages = constant(clock, "memory", "real_words") / words;
-
     return (struct translation){
         .page_bits = words * WORD,
         .registers = constant(clock, "translation", "registers"),
@@ -256,7 +249,6 @@ static struct translation nothing_met(const struct reference_clock *clock)
 static size_t touch(struct reference_clock *clock, uint64_t page)
 {
     size_t depth = 0;
-
     while (depth < clock->page_count && clock->pages[depth] != page)
         depth++;
     bool known = depth < clock->page_count;
@@ -272,7 +264,6 @@ static void look_up(struct reference_clock *clock, uint64_t page,
                     struct translation *translation)
 {
     size_t depth = touch(clock, page);
-
     if (depth >= translation->registers || depth >= translation->real_pages)
         translation->misses++;
     if (depth >= translation->real_pages)
@@ -284,7 +275,6 @@ static struct translation translate(struct reference_clock *clock,
 {
     struct translation translation = nothing_met(clock);
     uint64_t page_bits = translation.page_bits;
-
     for (size_t i = 0; i < deed->extent_count; i++) {
         const struct extent *extent = deed->extents + i;
         uint64_t last = extent->address + extent->bits - 1;
@@ -329,10 +319,8 @@ static void issue(struct reference_clock *clock)
 /* Memory is the vector unit's until it is done. */
 static void reach_memory(struct reference_clock *clock, const struct deed *deed)
 {
-    struct translation translation;
-
     wait_for_vector(clock, clock->vector_done);
-    translation = translate(clock, deed);
+    struct translation translation = translate(clock, deed);
     pass(clock, C205_TRANSLATION_MISS, translation.misses);
     pass(clock, C205_PAGE_FAULT, translation.faults);
 }
@@ -341,14 +329,12 @@ static void step_swap(struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t words = deed->swapped * millionths(clock, "swap", "word") + MILLION - 1;
     uint64_t clocks = constant(clock, "latency", "swap") + words / MILLION;
-    uint64_t begin;
-
     wait_for_registers(clock, deed->insns[0], deed->fields);
     reach_memory(clock, deed);
     wait_for_loads(clock, 0);
     for (size_t i = 0; i < C205_REGISTERS; i++)
         wait_for(clock, clock->registers + i);
-    begin = clock->now;
+    uint64_t begin = clock->now;
     issue(clock);
     charge(clock, clock->region, C205_MEMORY_WAIT, begin + clocks);
 }
@@ -357,15 +343,13 @@ static void step_scalar(struct reference_clock *clock, const struct deed *deed)
 {
     const c205_insn *insn = deed->insns[0];
     bool load = insn->timing == C205_TIMING_load;
-    uint64_t ready;
-
     wait_for_registers(clock, insn, deed->fields);
     if (insn->unit == C205_UNIT_MEMORY || deed->extent_count > 0)
         reach_memory(clock, deed);
     if (load)
         wait_for_loads(clock, constant(clock, "memory", "loads_in_flight") - 1);
     wait_for_unit(clock, insn->unit);
-    ready = clock->now + of_class(clock, "latency", insn->timing);
+    uint64_t ready = clock->now + of_class(clock, "latency", insn->timing);
     clock->unit_free[insn->unit] = clock->now + of_class(clock, "busy", insn->timing);
     if (load)
         clock->loads[clock->load_count++] = ready;
@@ -380,7 +364,6 @@ static void step_scalar(struct reference_clock *clock, const struct deed *deed)
 static void run_on(struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t halves = 0, end;
-
     for (size_t i = 0; i < deed->insn_count; i++)
         halves += c205_format_halves(deed->insns[i]->format);
     end = (deed->pc + HALF * halves + WORD - 1) / WORD;
@@ -395,7 +378,6 @@ static void step_branch(struct reference_clock *clock, const struct deed *deed)
 {
     uint64_t word = deed->target / WORD;
     bool inside = word >= clock->stack_low && word < clock->stack_high;
-
     if (deed->insns[0]->timing == C205_TIMING_monitor)
         pass(clock, C205_BRANCH, constant(clock, "latency", "monitor") - 1);
     else if (!deed->taken)
@@ -417,7 +399,6 @@ static uint64_t conflicts(const struct reference_clock *clock, const struct deed
     uint64_t busy = constant(clock, "memory", "bank_busy");
     uint64_t free[1024] = { 0 };
     uint64_t time = 0;
-
     for (size_t k = 0; k < deed->indexed_count; k++) {
         uint64_t bank = deed->indexed[k] / WORD % banks;
         if (k > 0)
@@ -434,11 +415,9 @@ static uint64_t stream(const struct reference_clock *clock, c205_timing timing,
                        bool halves, uint64_t elements)
 {
     char name[NAME];
-    const c205_constant *rate;
     uint64_t pipes, millionth;
-
     snprintf(name, sizeof name, "stream.%s", c205_timing_name(timing));
-    rate = c205_model_lookup(clock->model, name);
+    const c205_constant *rate = c205_model_lookup(clock->model, name);
     pipes = strstr(rate->unit, "pipe") ? constant(clock, "machine", "pipes") : 1;
     if (strstr(rate->unit, "pipe"))
         pipes *= constant(clock, "vector", halves ? "half_rate" : "word_rate");
@@ -457,7 +436,6 @@ static void add_phase(struct reference_clock *clock, c205_cause cause, uint64_t 
 static void forget_phases(struct reference_clock *clock)
 {
     size_t kept = 0;
-
     for (size_t i = 0; i < clock->phase_count; i++)
         if (clock->phases[i].end > clock->now)
             clock->phases[kept++] = clock->phases[i];
@@ -470,7 +448,6 @@ static void wait_for_overlap(struct reference_clock *clock, uint64_t startup)
     uint64_t hidden = lesser(lesser(constant(clock, "vector", "overlap"),
                                     clock->vector_stream),
                              startup);
-
     if (clock->vector_done > hidden)
         wait_for_vector(clock, clock->vector_done - hidden);
 }
@@ -481,7 +458,6 @@ static uint64_t startup_of(const struct reference_clock *clock, const struct dee
 {
     uint64_t addition = of_class(clock, "startup", C205_TIMING_vadd);
     uint64_t clocks = of_class(clock, "startup", deed->insns[0]->timing);
-
     for (size_t i = 1; i < deed->insn_count; i++) {
         uint64_t own = of_class(clock, "startup", deed->insns[i]->timing);
         clocks += own > addition ? own - addition : 0;
@@ -496,7 +472,6 @@ static uint64_t stream_of(const struct reference_clock *clock, const struct deed
 {
     bool halves = deed->fields[deed->insn_count - 1].g & C205_G_HALF;
     uint64_t longest = 0;
-
     for (size_t i = 0; i < deed->insn_count; i++) {
         uint64_t clocks = stream(clock, deed->insns[i]->timing, halves, deed->elements);
         longest = clocks > longest ? clocks : longest;
@@ -508,16 +483,13 @@ static void step_vector(struct reference_clock *clock, const struct deed *deed)
 {
     size_t last = deed->insn_count - 1;
     uint64_t startup = startup_of(clock, deed);
-    struct translation translation;
-    uint64_t end;
-
     for (size_t i = 0; i <= last; i++)
         wait_for_registers(clock, deed->insns[i], deed->fields + i);
     wait_for_loads(clock, 0);
     wait_for_overlap(clock, startup);
-    translation = translate(clock, deed);
+    struct translation translation = translate(clock, deed);
     forget_phases(clock);
-    end = clock->now;
+    uint64_t end = clock->now;
     add_phase(clock, C205_VECTOR_STARTUP, &end, startup);
     add_phase(clock, C205_TRANSLATION_MISS, &end, translation.misses);
     add_phase(clock, C205_PAGE_FAULT, &end, translation.faults);
@@ -552,7 +524,6 @@ static unsigned flops(const c205_insn *insn)
                                     "SQRT", "AVG",  "DELTAV", "SUMV",  "PROD",
                                     "ADJM", "INTV", "ADDLV",  "ADDLH", "ADDLS" };
     static const char twos[][5] = { "DOTV", "POLY" };
-
     for (size_t i = 0; i < sizeof twos / sizeof twos[0]; i++)
         if (strncmp(insn->mnemonic, twos[i], strlen(twos[i])) == 0)
             return 2;
@@ -565,7 +536,6 @@ static unsigned flops(const c205_insn *insn)
 static uint64_t operations(const struct deed *deed)
 {
     uint64_t all = 0, times = 1;
-
     if (c205_unit_is_vector(deed->insns[0]->unit))
         times = deed->insns[0]->format == C205_FORMAT_SPARSE ? deed->results
                                                              : deed->elements;
@@ -578,7 +548,6 @@ static uint64_t operations(const struct deed *deed)
 static void count(struct reference_clock *clock, const struct deed *deed, size_t region)
 {
     struct counts *counts = clock->counts + region;
-
     counts->instructions++;
     counts->operations += operations(deed);
     if (c205_unit_is_vector(deed->insns[0]->unit)) {
@@ -594,7 +563,6 @@ void reference_clock_step(struct reference_clock *clock, const struct deed *deed
                           size_t region)
 {
     const c205_insn *insn = deed->insns[0];
-
     count(clock, deed, region);
     clock->region = region;
     forget_loads(clock);

@@ -21,7 +21,6 @@ static void use_operands(struct reference *reference, const struct vector *vecto
 static void reverse(struct reference *reference, const struct vector *vector)
 {
     uint64_t length = vector->c.length;
-
     use_operands(reference, vector, length, length);
     for (uint64_t i = 0; i < length; i++)
         write_element(reference, vector, i,
@@ -33,7 +32,6 @@ static void reverse(struct reference *reference, const struct vector *vector)
 static void note_index(struct reference *reference, uint64_t address)
 {
     struct deed *deed = &reference->deed;
-
     if (deed->indexed_count == deed->indexed_room) {
         deed->indexed_room = 2 * deed->indexed_room + BITS;
         deed->indexed = plain_room(deed->indexed, deed->indexed_room,
@@ -56,7 +54,6 @@ static uint64_t periodic(struct reference *reference, const struct vector *vecto
 {
     int64_t period = as_integer(read_bits(reference, vector->fields->a));
     uint64_t count = (uint64_t)(period * (int64_t)i);
-
     return plain_address(table->address + table->width * count);
 }
 
@@ -77,7 +74,6 @@ static void scatter_one(struct reference *reference, const struct vector *vector
                         uint64_t i, uint64_t to)
 {
     c205_word word = element(reference, &vector->sources.b, i);
-
     if (permitted(reference, vector, i)) {
         note_index(reference, to);
         write_memory(reference, to, vector->c.width, word);
@@ -100,7 +96,6 @@ static void gather(struct reference *reference, const struct vector *vector)
 {
     struct target table = gathered_table(reference, vector);
     uint64_t length = lesser(vector->c.length, vector->sources.a.length);
-
     use_operands(reference, vector, length, length);
     for (uint64_t i = 0; i < length; i++)
         gather_one(reference, vector, i, indexed(reference, vector, i, &table));
@@ -109,7 +104,6 @@ static void gather(struct reference *reference, const struct vector *vector)
 static void scatter(struct reference *reference, const struct vector *vector)
 {
     uint64_t length = vector->sources.a.length;
-
     use_operands(reference, vector, length, 0);
     for (uint64_t i = 0; i < length; i++)
         scatter_one(reference, vector, i, indexed(reference, vector, i, &vector->c));
@@ -120,7 +114,6 @@ static void gather_periodic(struct reference *reference, const struct vector *ve
 {
     struct target table = gathered_table(reference, vector);
     uint64_t length = vector->c.length;
-
     reference->deed.elements = length;
     use_control(reference, vector, length);
     use_target(reference, &vector->c, length);
@@ -132,7 +125,6 @@ static void gather_periodic(struct reference *reference, const struct vector *ve
 static void scatter_periodic(struct reference *reference, const struct vector *vector)
 {
     const struct source *b = &vector->sources.b;
-
     reference->deed.elements = b->length;
     use_source(reference, b, b->length);
     use_control(reference, vector, b->length);
@@ -157,7 +149,6 @@ static void merge(struct reference *reference, const struct vector *vector)
 {
     const struct pair *sources = &vector->sources;
     uint64_t from_a = 0, from_b = 0;
-
     use_operands(reference, vector, vector->c.length, vector->c.length);
     may_need(reference, &sources->a, vector->c.length);
     may_need(reference, &sources->b, vector->c.length);
@@ -180,7 +171,6 @@ static void may_store(struct reference *reference, const struct vector *vector,
 static void compress(struct reference *reference, const struct vector *vector)
 {
     uint64_t stored = 0;
-
     may_store(reference, vector, vector->z.length);
     for (uint64_t i = 0; i < vector->z.length; i++) {
         c205_word word = element(reference, &vector->sources.a, i);
@@ -195,7 +185,6 @@ static void compress(struct reference *reference, const struct vector *vector)
 static void sieve(struct reference *reference, const struct vector *vector)
 {
     uint64_t stored = 0, flags = 0, length;
-
     if (!scan_length(reference, vector, &length))
         return;
     may_store(reference, vector, length);

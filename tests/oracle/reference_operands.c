@@ -25,11 +25,9 @@ c205_word element(struct reference *reference, const struct source *source, uint
 {
     const struct oracle_format *format = format_of(source->width);
     uint64_t unused = 0;
-    c205_word word;
-
     if (source->kind != NUMBER && i >= source->length)
         return source->pad;
-    word = read_element(reference, source, i);
+    c205_word word = read_element(reference, source, i);
     if (source->magnitude)
         word = oracle_absolute(format, word, 0, &unused);
     if (source->negate)
@@ -42,7 +40,6 @@ c205_word join(struct reference *reference, const struct pair *pair, uint64_t i,
 {
     c205_word a = element(reference, &pair->a, i);
     c205_word b = pair->has_b ? element(reference, &pair->b, i) : 0;
-
     return pair->rule(pair->format, a, b, flags);
 }
 
@@ -51,7 +48,6 @@ c205_word join(struct reference *reference, const struct pair *pair, uint64_t i,
 bool permitted(struct reference *reference, const struct vector *vector, uint64_t i)
 {
     bool on_zeros = vector->fields->g & C205_G_ZEROS;
-
     if (vector->fields->z == 0)
         return true;
     return read_memory(reference, vector->z.address + i, BIT) != on_zeros;
@@ -85,7 +81,6 @@ bool scan_length(struct reference *reference, const struct vector *vector,
 {
     const struct pair *sources = &vector->sources;
     bool of_b = sources->a.kind == NUMBER;
-
     *length = of_b ? sources->b.length : sources->a.length;
     if (!of_b || (sources->has_b && sources->b.kind != NUMBER))
         return true;
@@ -97,7 +92,6 @@ void set_length(struct reference *reference, const struct vector *vector,
                 uint64_t length)
 {
     unsigned c = vector->fields->c;
-
     write_register(reference, c, with_length(read_bits(reference, c), length));
 }
 
@@ -110,7 +104,6 @@ static struct target behind_offset(struct reference *reference, c205_word descri
     int64_t skipped = as_integer(read_bits(reference, offset));
     uint64_t length = length_of(descriptor);
     uint64_t count = (uint64_t)skipped;
-
     if (skipped < 0)
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
     return (struct target){
@@ -143,7 +136,6 @@ struct source vector_source(struct reference *reference, const c205_insn *insn,
     unsigned width = width_of_letter(letter);
     struct target place = behind_offset(reference, read_bits(reference, number), offset,
                                         width);
-
     return (struct source){
         .kind = VECTOR,
         .width = width,
@@ -170,7 +162,6 @@ static void take_sources(struct reference *reference, struct vector *vector)
     char b = reference_letter(insn, fields->g, 'B');
     bool signs = insn->flags & C205_INSN_SIGN;
     struct pair *pair = &vector->sources;
-
     pair->rule = reference_rule(insn);
     pair->format = format_of(width_of_letter(a));
     pair->has_b = b && strchr("vubfVUF", b);
@@ -191,7 +182,6 @@ void take_targets(struct reference *reference, struct vector *vector)
     const c205_fields *fields = vector->fields;
     unsigned width = width_of_letter(reference_letter(insn, fields->g, 'C'));
     unsigned offset = reference_has_offset(insn, fields) ? fields->c + 1u : 0;
-
     vector->c = behind_offset(reference, read_bits(reference, fields->c), offset,
                               width);
     vector->z = behind_offset(reference, read_bits(reference, fields->z), offset, BIT);
@@ -216,7 +206,6 @@ bool take_operands(struct reference *reference, const c205_insn *insn,
 void use_source(struct reference *reference, const struct source *source, uint64_t n)
 {
     uint64_t used = n < source->length ? n : source->length;
-
     if (source->kind == VECTOR)
         add_extent(reference, source->address, source->width * used);
 }

@@ -6,7 +6,6 @@ static void select_first(struct reference *reference, const struct vector *vecto
                          uint64_t length)
 {
     uint64_t first = length, flags = 0;
-
     for (uint64_t i = length; i-- > 0;) {
         bool passes = join(reference, &vector->sources, i, &flags);
         if (permitted(reference, vector, i) && passes)
@@ -20,7 +19,6 @@ static void write_result(struct reference *reference, const struct vector *vecto
                          unsigned behind, c205_word word)
 {
     const c205_fields *fields = vector->fields;
-
     write_operand(reference, reference_letter(vector->insn, fields->g, 'C'),
                   fields->c + behind, word);
 }
@@ -35,7 +33,6 @@ static struct parts add_term(const struct oracle_format *format, struct parts su
                              const struct parts *term, bool both, uint64_t *flags)
 {
     c205_word below = oracle_add_lower(format, sum.upper, term->upper, flags);
-
     sum.lower = oracle_add_upper(format, sum.lower, below, flags);
     if (both)
         sum.lower = oracle_add_upper(format, sum.lower, term->lower, flags);
@@ -49,7 +46,6 @@ static struct parts term(struct reference *reference, const struct vector *vecto
 {
     const struct pair *sources = &vector->sources;
     c205_word a = element(reference, &sources->a, i), b;
-
     if (!sources->has_b)
         return (struct parts){ a, 0 };
     b = element(reference, &sources->b, i);
@@ -65,7 +61,6 @@ static void sum_up(struct reference *reference, const struct vector *vector,
 {
     const struct pair *sources = &vector->sources;
     struct parts sum = { C205_MACHINE_ZERO, C205_MACHINE_ZERO };
-
     for (uint64_t i = 0; i < length; i++) {
         uint64_t flags = 0;
         struct parts next = term(reference, vector, i, &flags);
@@ -86,7 +81,6 @@ static void multiply_up(struct reference *reference, const struct vector *vector
 {
     const struct oracle_format *format = vector->sources.format;
     c205_word total = format == &oracle_half ? HALF_ONE : C205_ONE;
-
     for (uint64_t i = 0; i < length; i++) {
         uint64_t flags = 0;
         c205_word next = element(reference, &vector->sources.a, i);
@@ -114,7 +108,6 @@ static bool surpasses(const struct oracle_format *format, c205_word word,
                       c205_word best, bool greatest)
 {
     uint64_t flags = 0;
-
     if (is_indefinite(best))
         return false;
     if (is_indefinite(word))
@@ -129,7 +122,6 @@ static void extreme(struct reference *reference, const struct vector *vector,
 {
     c205_word best = C205_INDEFINITE;
     uint64_t index = length;
-
     for (uint64_t i = 0; i < length; i++) {
         c205_word word = element(reference, &vector->sources.a, i);
         if (permitted(reference, vector, i)
@@ -150,7 +142,6 @@ void do_reduction(struct reference *reference, const struct vector *vector)
 {
     enum reference_insn which = reference_which(vector->insn);
     uint64_t length;
-
     if (!scan_length(reference, vector, &length))
         return;
     reference->deed.elements = length;

@@ -22,7 +22,6 @@ static void apply_rule(struct reference *reference, const c205_insn *insn,
     c205_word r = read_operand(reference, letters[0], fields->r);
     c205_word s = read_operand(reference, letters[1], fields->s);
     const struct oracle_format *format = format_of(width_of_letter(letters[0]));
-
     write_operand(reference, reference_letter(insn, 0, 'T'), fields->t,
                   reference_rule(insn)(format, r, s, &reference->now.flags));
 }
@@ -37,7 +36,6 @@ static void enter_half(struct reference *reference, const c205_fields *fields, b
 {
     c205_word old = read_operand(reference, 'I', fields->r);
     uint64_t immediate = (uint64_t)fields->immediate;
-
     write_operand(reference, 'W', fields->r,
                   add ? half_of(old, (old >> HALF_BITS) + immediate)
                       : half_of(0, immediate));
@@ -46,7 +44,6 @@ static void enter_half(struct reference *reference, const c205_fields *fields, b
 static void read_timer(struct reference *reference, unsigned result)
 {
     const struct reference_state *now = &reference->now;
-
     write_register(reference, result,
                    now->timer == 0 ? 0 : now->timer - reference->clock);
 }
@@ -60,7 +57,6 @@ static void set_timer(struct reference *reference, c205_word clocks)
 static void exchange_flags(struct reference *reference, const c205_fields *fields)
 {
     c205_word old = reference->now.flags;
-
     reference->now.flags = read_bits(reference, fields->r);
     write_register(reference, fields->t, old);
 }
@@ -76,7 +72,6 @@ static struct field describe_field(struct reference *reference, c205_word descri
     uint64_t length = length_of(descriptor);
     uint64_t first = descriptor & LOW_48;
     struct field none = { 0, 0 };
-
     if (first + length > BITS)
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
     if (length == 0 || first + length > BITS)
@@ -88,7 +83,6 @@ static struct field describe_field(struct reference *reference, c205_word descri
 static void extract(struct reference *reference, const c205_fields *fields)
 {
     struct field field = describe_field(reference, read_bits(reference, fields->s));
-
     write_register(reference, fields->t,
                    read_bits(reference, fields->r) >> field.shift & field.mask);
 }
@@ -98,7 +92,6 @@ static void insert(struct reference *reference, const c205_fields *fields)
     struct field field = describe_field(reference, read_bits(reference, fields->s));
     c205_word bits = read_bits(reference, fields->r) & field.mask;
     c205_word rest = read_bits(reference, fields->t) & ~(field.mask << field.shift);
-
     write_register(reference, fields->t, rest | bits << field.shift);
 }
 
@@ -123,7 +116,6 @@ static void swap(struct reference *reference, const c205_fields *fields)
     c205_word from = read_bits(reference, fields->r);
     c205_word to = read_bits(reference, fields->t);
     uint64_t saved = length_of(to), loaded = length_of(from);
-
     if (fields->s + saved > C205_REGISTERS || fields->s + loaded > C205_REGISTERS) {
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
         look_at_vectors(reference, from, to);
@@ -148,7 +140,6 @@ static void reach_memory(struct reference *reference, const c205_insn *insn,
     unsigned width = width_of_letter(letter);
     uint64_t address = plain_address(read_bits(reference, fields->r)
                                      + width * read_bits(reference, fields->s));
-
     add_extent(reference, address, width);
     if (store)
         write_memory(reference, address, width,
@@ -165,7 +156,6 @@ void do_scalar(struct reference *reference, const c205_insn *insn,
     c205_word r = read_bits(reference, fields->r);
     c205_word s = read_bits(reference, fields->s);
     unsigned first = fields->r, result = fields->t;
-
     switch (reference_which(insn)) {
     case DO_ES:
     case DO_EX: write_register(reference, first, immediate & LOW_48); break;

@@ -93,7 +93,6 @@ static void make_elements(struct reference *reference, const struct vector *vect
                           const struct order *z)
 {
     uint64_t next_a = 0, next_b = 0, made = 0;
-
     for (uint64_t i = 0; i < z->places; i++) {
         reference->deed.recurrent += z->present[i]
                                      && (recurs(a, i, next_a, vector, made)
@@ -110,7 +109,6 @@ static void make_elements(struct reference *reference, const struct vector *vect
 static void set_length_in(struct reference *reference, unsigned number, uint64_t length)
 {
     c205_word descriptor = read_bits(reference, number);
-
     write_register(reference, number, with_length(descriptor, length));
 }
 
@@ -128,7 +126,6 @@ static void do_packed(struct reference *reference, const struct vector *vector,
                       struct packed *a, struct packed *b)
 {
     struct order z = { .given = vector->fields->g & C205_G_GIVEN };
-
     z.places = z.given ? vector->z.length : greater(a->order.length, b->order.length);
     read_order(reference, a, z.places);
     read_order(reference, b, z.places);
@@ -152,7 +149,6 @@ void do_sparse(struct reference *reference, const c205_insn *insn,
     struct vector vector = { .insn = insn, .fields = fields };
     char letter = reference_letter(insn, fields->g, 'A');
     struct packed a, b;
-
     vector.sources.rule = reference_rule(insn);
     vector.sources.format = format_of(width_of_letter(letter));
     a.elements = vector_source(reference, insn, letter, fields->a, 0);

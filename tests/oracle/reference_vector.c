@@ -18,7 +18,6 @@ static void each_element(struct reference *reference, const struct vector *vecto
 static void each_neighbour(struct reference *reference, const struct vector *vector)
 {
     const struct source *a = &vector->sources.a;
-
     for (uint64_t i = 0; i < vector->c.length; i++) {
         uint64_t flags = 0;
         c205_word here = element(reference, a, i);
@@ -35,7 +34,6 @@ static c205_word polynomial(struct reference *reference, const struct pair *pair
 {
     const struct source *b = &pair->b;
     c205_word value = b->length > 0 ? element(reference, b, 0) : C205_MACHINE_ZERO;
-
     for (uint64_t j = 1; j < b->length; j++) {
         value = oracle_multiply_significant(pair->format, value, x, flags);
         value = oracle_add_normalised(pair->format, value, element(reference, b, j),
@@ -49,7 +47,6 @@ static c205_word search(struct reference *reference, const struct pair *pair,
                         c205_word x, uint64_t *compared)
 {
     uint64_t flags = 0;
-
     for (uint64_t j = 0; j < pair->b.length; j++) {
         ++*compared;
         if (pair->rule(pair->format, x, element(reference, &pair->b, j), &flags))
@@ -67,7 +64,6 @@ static bool scan_recurs(const struct vector *vector, uint64_t i)
 {
     const struct pair *pair = &vector->sources;
     bool found = lies_on_results(&pair->a, i, &vector->c, i);
-
     for (uint64_t j = 0; j < pair->b.length; j++)
         found |= lies_on_results(&pair->b, j, &vector->c, i);
     return found;
@@ -78,7 +74,6 @@ static void each_scan(struct reference *reference, const struct vector *vector)
 {
     const struct pair *pair = &vector->sources;
     uint64_t steps = 0;
-
     if (vector->c.length * pair->b.length > PATIENCE) {
         reference->lost = true;
         return;
@@ -101,7 +96,6 @@ static void interval(struct reference *reference, const struct vector *vector)
     c205_word step = element(reference, &vector->sources.b, 0);
     c205_word word = element(reference, &vector->sources.a, 0);
     uint64_t flags = 0;
-
     for (uint64_t i = 0; i < vector->c.length; i++) {
         write_element(reference, vector, i, word, flags);
         flags = 0;
@@ -126,7 +120,6 @@ static void count_bits(struct reference *reference, const c205_fields *fields,
     bool first = length_of(string) > 0 && read_memory(reference, string, BIT);
     uint64_t count = 0;
     bool equal = true;
-
     reference->deed.elements = length_of(string);
     add_extent(reference, string, length_of(string));
     for (uint64_t i = 0; i < length_of(string); i++) {
@@ -144,7 +137,6 @@ static void repeat_bits(struct reference *reference, const c205_fields *fields,
     int64_t r = as_integer(read_bits(reference, fields->r));
     int64_t s = as_integer(read_bits(reference, fields->s));
     c205_word string = read_bits(reference, fields->t);
-
     if (s < 1) {
         add_fault(reference, C205_TRAP_BAD_DESCRIPTOR, 0, true);
         return;
@@ -167,7 +159,6 @@ static bool takes_neighbours(const c205_insn *insn)
 static struct source next_of(const struct vector *vector)
 {
     struct source next = vector->sources.a;
-
     if (!takes_neighbours(vector->insn) || next.length == 0)
         return (struct source){ .kind = NUMBER };
     next.address = plain_address(next.address + next.width);
@@ -180,7 +171,6 @@ static void use_operands(struct reference *reference, const struct vector *vecto
 {
     uint64_t n = vector->c.length;
     struct source next = next_of(vector);
-
     reference->deed.elements = n;
     use_source(reference, &next, n);
     use_source(reference, &vector->sources.a, n);
@@ -196,7 +186,6 @@ bool lies_on_results(const struct source *source, uint64_t i, const struct targe
                      uint64_t stored)
 {
     uint64_t address = source->address + source->width * i;
-
     return source->kind == VECTOR && i < source->length
            && address + source->width > c->address
            && address < c->address + c->width * stored;
@@ -207,7 +196,6 @@ static uint64_t recurrences(const struct source *sources, size_t count,
                             const struct target *c)
 {
     uint64_t elements = 0;
-
     for (uint64_t i = 1; i < c->length; i++) {
         bool found = false;
         for (size_t k = 0; k < count; k++)
@@ -221,7 +209,6 @@ static uint64_t own_recurrences(const struct vector *vector)
 {
     const struct source sources[] = { vector->sources.a, vector->sources.b,
                                       next_of(vector) };
-
     return recurrences(sources, sizeof sources / sizeof sources[0], &vector->c);
 }
 
@@ -231,7 +218,6 @@ static uint64_t linked_recurrences(const struct vector *first,
 {
     const struct source sources[] = { first->sources.a, first->sources.b,
                                       second->sources.a, second->sources.b };
-
     return recurrences(sources, sizeof sources / sizeof sources[0], &second->c);
 }
 
@@ -273,7 +259,6 @@ void do_vector(struct reference *reference, const c205_insn *insn,
                const c205_fields *fields)
 {
     struct vector vector;
-
     if (insn->format == C205_FORMAT_BITS1)
         count_bits(reference, fields, reference_which(insn) == DO_CNTLB);
     else if (insn->format == C205_FORMAT_REPEAT)
@@ -318,7 +303,6 @@ static bool can_be_linked(const struct vector *first, struct vector *second)
     bool a = link_source(&second->sources.a, fields->a, fields->x, first);
     bool b = link_source(&second->sources.b, fields->b, fields->y, first);
     bool linked = second->sources.a.kind == STREAM || second->sources.b.kind == STREAM;
-
     return is_plain(first) && linked && a && b
            && first->c.width == second->sources.a.width
            && first->c.length == second->c.length
@@ -329,7 +313,6 @@ static bool can_be_linked(const struct vector *first, struct vector *second)
 static bool may_link(const struct deed *deed)
 {
     c205_unit first = deed->insns[1]->unit, second = deed->insns[2]->unit;
-
     return c205_unit_links(first) && c205_unit_links(second) && first != second;
 }
 
@@ -337,7 +320,6 @@ void do_linked(struct reference *reference)
 {
     const struct deed *deed = &reference->deed;
     struct vector first, second;
-
     if (!may_link(deed)) {
         add_fault(reference, C205_TRAP_BAD_LINK, deed->pc, true);
         return;

@@ -48,7 +48,6 @@ static struct row row_of(const c205_insn *insn)
     const char *syntax = c205_format_syntax(insn->format);
     struct row row = { .offsets = strpbrk(syntax, "ab+") != NULL,
                        .target = strchr(syntax, '@') != NULL };
-
     row.offsets |= insn->format == C205_FORMAT_SPARSE || row.target;
     for (int role = 0; role < ROLES; role++)
         row.letters[role] = letter_of(insn, (enum role)role);
@@ -58,7 +57,6 @@ static struct row row_of(const c205_insn *insn)
 struct register_owners *register_owners_new(const struct object *program)
 {
     struct register_owners *owners = calloc(1, sizeof *owners);
-
     if (!owners)
         return NULL;
     owners->program = program;
@@ -98,10 +96,8 @@ static struct names names_at(const struct object *program, uint64_t address)
 {
     struct names names = { program->mentions, 0 };
     size_t low = 0, high = program->mention_count;
-
     while (low < high) {
         size_t middle = low + (high - low) / 2;
-
         if (program->mentions[middle].address < address)
             low = middle + 1;
         else
@@ -118,7 +114,6 @@ static struct names names_at(const struct object *program, uint64_t address)
 static long name_of(const struct object *program, struct names names, unsigned number)
 {
     long found = ANYONE;
-
     for (size_t i = 0; i < names.count; i++)
         if (whole_number(&program->registers[names.first[i].name]) == number)
             found = (long)names.first[i].name;
@@ -135,7 +130,6 @@ static long owner_of(const struct object *program, long name)
 static long name_behind(const struct object *program, long name, size_t count)
 {
     const struct asm_register *first, *behind;
-
     if (name == ANYONE || (size_t)name + count >= program->register_count)
         return ANYONE;
     first = &program->registers[name];
@@ -161,7 +155,6 @@ static void find(struct register_owners *owners, uint64_t address, size_t name,
                  unsigned number)
 {
     long owner = owners->owner[number];
-
     if (owners->found_count < MOST_FOUND && !is_known(owners, address, name, owner))
         owners->found[owners->found_count++] = (struct found){
             address, name, owner, owners->written[number]
@@ -174,14 +167,12 @@ static void read_register(struct register_owners *owners, uint64_t address,
 {
     const struct object *program = owners->program;
     long owner = owners->owner[number], name;
-
     name = name_of(program, names, number);
     if (number == 0 || owner == ANYONE || name == ANYONE)
         return;
     owners->read++;
     for (size_t i = 0; i < names.count; i++) {
         const struct asm_register *mentioned = &program->registers[names.first[i].name];
-
         if (whole_number(mentioned) == number && (long)mentioned->owner == owner)
             return;
     }
@@ -207,7 +198,6 @@ static struct kept *kept_at(struct register_owners *owners, uint64_t address)
 static unsigned count_of(c205_word descriptor, unsigned first)
 {
     unsigned count = (unsigned)(descriptor >> 48);
-
     return count < C205_REGISTERS - first ? count : C205_REGISTERS - first;
 }
 
@@ -215,10 +205,8 @@ static void save(struct register_owners *owners, const c205 *machine, c205_word 
                  unsigned first)
 {
     uint64_t address = to & 0xFFFFFFFFFFFF;
-
     for (unsigned i = 0; i < count_of(to, first); i++, address += 64) {
         struct kept *kept = kept_at(owners, address);
-
         kept->address = address;
         kept->begin = to & 0xFFFFFFFFFFFF;
         kept->first = first;
@@ -232,10 +220,8 @@ static void load(struct register_owners *owners, const c205 *machine, uint64_t p
                  c205_word from, unsigned first, long name)
 {
     uint64_t address = from & 0xFFFFFFFFFFFF;
-
     for (unsigned i = 0; i < count_of(from, first); i++, address += 64) {
         const struct kept *kept = kept_at(owners, address);
-
         write_register(owners, pc, first + i, name_behind(owners->program, name, i));
         if (kept->address == address && kept->first == first
             && kept->begin == (from & 0xFFFFFFFFFFFF)
@@ -252,7 +238,6 @@ static void swap(struct register_owners *owners, const c205 *machine,
     const c205_fields *fields = &event->fields;
     c205_word from = fields->r ? c205_register(machine, fields->r) : 0;
     c205_word to = fields->t ? c205_register(machine, fields->t) : 0;
-
     read_register(owners, event->pc, names, fields->r);
     read_register(owners, event->pc, names, fields->t);
     if (fields->r && (fields->r >= fields->s || fields->t >= fields->s)) {
@@ -273,7 +258,6 @@ static void read_operands(struct register_owners *owners, const c205_event *even
     const struct row *row = &owners->rows[event->insn - c205_insns];
     c205_fields fields = event->fields;
     const uint8_t offsets[] = { fields.x, fields.y };
-
     for (int role = 0; role < ROLES; role++)
         if (row->letters[role] && !strchr("wWpk", row->letters[role]))
             read_register(owners, event->pc, names,
@@ -292,12 +276,10 @@ static void write_results(struct register_owners *owners, const c205_event *even
     const struct object *program = owners->program;
     const struct row *row = &owners->rows[event->insn - c205_insns];
     c205_fields fields = event->fields;
-
     for (int role = 0; role < ROLES; role++) {
         char letter = row->letters[role];
         unsigned number = *field_of_role(&fields, event->insn, (enum role)role);
         long name = name_of(program, names, number);
-
         if (!letter || number == 0 || !strchr("wWpkmM", letter))
             continue;
         write_register(owners, event->pc, number, name);
@@ -311,11 +293,9 @@ static void write_results(struct register_owners *owners, const c205_event *even
 void register_owners_listen(void *context, const c205 *machine, const c205_event *event)
 {
     struct register_owners *owners = context;
-    struct names names;
-
     if (event->kind != C205_EVENT_INSTRUCTION)
         return;
-    names = names_at(owners->program, event->pc);
+    struct names names = names_at(owners->program, event->pc);
     if (event->insn->format == C205_FORMAT_SWAP) {
         swap(owners, machine, event, names);
         return;
@@ -339,7 +319,6 @@ size_t register_owners_found(const struct register_owners *owners)
 static const struct asm_line *line_at(const struct object *program, uint64_t address)
 {
     static const struct asm_line nowhere = { .file = "?", .source = "" };
-
     for (size_t i = 0; i < program->line_count; i++)
         if (program->lines[i].address <= address
             && address < program->lines[i].address + 32 * program->lines[i].halves)
@@ -351,13 +330,11 @@ void register_owners_print(const struct register_owners *owners,
                            const struct sink *sink)
 {
     const struct object *program = owners->program;
-
     for (size_t i = 0; i < owners->found_count; i++) {
         const struct found *found = &owners->found[i];
         const struct asm_register *name = &program->registers[found->name];
         const struct asm_line *read = line_at(program, found->address);
         const struct asm_line *written = line_at(program, found->written);
-
         sink_print(sink,
                    "%s:%zu: r%u is read as '%s', but it is '%s' since"
                    " %s:%zu\n",

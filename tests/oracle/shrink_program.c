@@ -11,7 +11,6 @@ static bool keep_if_differing(struct random_program *program,
                               const struct random_program *trial)
 {
     struct difference difference;
-
     if (compare_run(trial, &difference))
         return false;
     *program = *trial;
@@ -21,7 +20,6 @@ static bool keep_if_differing(struct random_program *program,
 static bool without_insns(struct random_program *program)
 {
     bool smaller = false;
-
     for (size_t i = program->insn_count; i-- > 0;) {
         struct random_program trial = *program;
         trial.insn_count--;
@@ -38,7 +36,6 @@ static void simpler_words(c205_word word, c205_word simpler[SIMPLER])
 {
     uint64_t low = word & UINT64_C(0xFFFFFFFFFFFF);
     uint64_t length = word >> 48;
-
     simpler[0] = 0;
     simpler[1] = C205_ONE;
     simpler[2] = UINT64_C(1) << 48 | low;
@@ -51,7 +48,6 @@ static bool simpler_register(struct random_program *program, unsigned number)
 {
     c205_word *word = program->registers + number;
     c205_word simpler[SIMPLER];
-
     simpler_words(*word, simpler);
     for (size_t i = 0; i < SIMPLER && simpler[i] != *word; i++) {
         struct random_program trial = *program;
@@ -65,7 +61,6 @@ static bool simpler_register(struct random_program *program, unsigned number)
 static bool simpler_registers(struct random_program *program)
 {
     bool simpler = false;
-
     for (unsigned i = 1; i < C205_REGISTERS; i++)
         while (simpler_register(program, i))
             simpler = true;
@@ -75,7 +70,6 @@ static bool simpler_registers(struct random_program *program)
 static void simpler_surroundings(struct random_program *program)
 {
     struct random_program trial = *program;
-
     trial.plain_data = true;
     keep_if_differing(program, &trial);
     trial = *program;
