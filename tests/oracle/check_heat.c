@@ -20,7 +20,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { REASON = 300, REPEATS = 16, SIGMAS = 8 };
+enum { REPEATS = 16, SIGMAS = 8 };
 
 static c205_model *model;
 static size_t pair_count; /* factors that both ways found */
@@ -58,7 +58,7 @@ static char *closed_solid(uint64_t *state, const struct place *place)
         struct solid *solid = solid_at(state, place, DULL, (int)below(state, 3));
         char *text;
         FILE *file = test_text(&text);
-        solid_print(solid, 1, file);
+        solid_print(solid, file);
         fclose(file);
         solid_free(solid);
         if (is_closed(text))
@@ -67,9 +67,10 @@ static char *closed_solid(uint64_t *state, const struct place *place)
     }
 }
 
-static char *random_scene(uint64_t *state)
+static struct random_scene draw(uint64_t *state, size_t number)
 {
     char *text;
+    (void)number;
     FILE *file = test_text(&text);
     size_t count = 2 + below(state, 2);
     for (size_t i = 0; i < count; i++) {
@@ -82,7 +83,7 @@ static char *random_scene(uint64_t *state)
         free(solid);
     }
     fclose(file);
-    return text;
+    return (struct random_scene){ .text = text };
 }
 
 /* --- what must agree ---------------------------------------------------------- */
@@ -110,7 +111,7 @@ static bool same_factors(const struct heat *rays, const struct heat *lines, size
         pair_count++;
         if (differs(one->factor[to].value, error_of(one, to), other->factor[to].value,
                     error_of(other, to), 0)) {
-            snprintf(reason, REASON,
+            snprintf(reason, MANY_REASON,
                      "from %s to %s: %.6g +- %.2g by rays, %.6g +- %.2g by "
                      "lines",
                      one->name, heat_receiver(rays, to), one->factor[to].value,
@@ -128,8 +129,9 @@ static bool same_areas(const struct surface *one, const struct surface *other,
     if (!differs(one->area.value, one->area.error, other->area.value,
                  hypot(other->area.error, single), 1e-4 * largest))
         return true;
-    snprintf(reason, REASON, "%s: the area is %.6g +- %.2g or %.6g +- %.2g", one->name,
-             one->area.value, one->area.error, other->area.value, other->area.error);
+    snprintf(reason, MANY_REASON, "%s: the area is %.6g +- %.2g or %.6g +- %.2g",
+             one->name, one->area.value, one->area.error, other->area.value,
+             other->area.error);
     return false;
 }
 
@@ -146,7 +148,7 @@ static bool keeps_rules(const struct heat *heat, char *reason)
         if (surface->sent > 0
             && (fabs(sum - 1) > 1e-11
                 || (surface->smooth && fabs(smooth - 1) > 1e-10))) {
-            snprintf(reason, REASON, "the factors of %s are %.15g in all",
+            snprintf(reason, MANY_REASON, "the factors of %s are %.15g in all",
                      surface->name, fabs(sum - 1) > 1e-11 ? sum : smooth);
             return false;
         }
@@ -155,8 +157,8 @@ static bool keeps_rules(const struct heat *heat, char *reason)
             double there = surface->area.value * surface_factor(surface, j);
             double back = other->area.value * surface_factor(other, i);
             if (fabs(there - back) > 1e-10 * surface->area.value) {
-                snprintf(reason, REASON, "smoothed, %s and %s differ", surface->name,
-                         other->name);
+                snprintf(reason, MANY_REASON, "smoothed, %s and %s differ",
+                         surface->name, other->name);
                 return false;
             }
         }
@@ -184,7 +186,7 @@ static bool same_stages(const struct scene *scene, struct heat_request request,
     bool good = find(scene, &request, &other, &error) == there
                 && (!there || heat_is_same(&vector, &other));
     if (!good)
-        snprintf(reason, REASON, "%s finds others than vector, by %s",
+        snprintf(reason, MANY_REASON, "%s finds others than vector, by %s",
                  trace_mode_name(request.mode), request.by_lines ? "lines" : "rays");
     heat_free(&vector);
     heat_free(&other);
@@ -216,7 +218,7 @@ static bool emits_all(const struct scene *scene)
     return all;
 }
 
-static bool passes(const struct scene *scene, uint64_t *state, char *reason)
+static bool passes_as(const struct scene *scene, uint64_t *state, char *reason)
 {
     struct heat_request by_rays = usual(), by_lines = usual();
     struct heat rays, lines;
@@ -235,7 +237,7 @@ static bool passes(const struct scene *scene, uint64_t *state, char *reason)
         heat_free(&rays);
         good = find(scene, &by_rays, &rays, &error);
     }
-    snprintf(reason, REASON, "%.250s", error.message);
+    snprintf(reason, MANY_REASON, "%.250s", error.message);
     good = good && same_ways(&rays, &lines, reason) && keeps_rules(&rays, reason)
            && keeps_rules(&lines, reason) && same_stages(scene, by_rays, state, reason)
            && same_stages(scene, by_lines, state, reason);
@@ -245,24 +247,23 @@ static bool passes(const struct scene *scene, uint64_t *state, char *reason)
     return good;
 }
 
-static bool check_scene(size_t number, bool first)
+static bool passes(struct random_scene *random, char *reason)
 {
-    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
-    char *text = random_scene(&state), reason[REASON] = "";
-    struct scene *scene = scene_of(text);
-    bool good = passes(scene, &state, reason);
-    if (!good && first)
-        printf("scene %zu: %s\n", number, reason);
-    else if (!good)
-        show_failure("heat", number, "", reason, text);
+    struct scene *scene = scene_of(random->text);
+    bool good = passes_as(scene, &random->state, reason);
     scene_free(scene);
-    free(text);
     return good;
 }
 
 int main(int count, char **words)
 {
-    int code = check_many_on(&model, count, words, check_scene);
+    static const struct random_check check = { .kind = "heat",
+                                               .seed = UINT64_C(0xA0761D6478BD642F),
+                                               .draw = draw,
+                                               .passes = passes };
+    model = usual_model();
+    int code = check_random(count, words, &check);
+    c205_model_free(model);
     printf("%zu factors were found by both\n", pair_count);
     return code;
 }

@@ -389,36 +389,16 @@ static bool fails_alike(const struct judgement *judgement,
                || strcmp(judgement->message, other->message) == 0);
 }
 
-/* What fails is also that smaller text?  Then it takes its place. */
-static bool take_smaller(char **text, char *smaller, size_t number,
-                         const struct judgement *judgement)
-{
-    if (!smaller)
-        return false;
-    struct judgement other = judge_anew(smaller, number);
-    bool alike = fails_alike(judgement, &other);
-    free(alike ? *text : smaller);
-    if (alike)
-        *text = smaller;
-    return alike;
-}
+struct failure {
+    size_t number;
+    struct judgement judgement;
+};
 
-static char *shrink(char *text, size_t number, const struct judgement *judgement)
+static bool fails_as(const char *text, void *context)
 {
-    size_t trials = 0;
-    for (bool smaller = true; smaller && trials < TRIALS_MOST;) {
-        smaller = false;
-        for (size_t i = 1; i < text_lines(text) && trials < TRIALS_MOST;) {
-            bool less = take_smaller(&text, text_without(text, i, false), number,
-                                     judgement)
-                        || take_smaller(&text, text_without(text, i, true), number,
-                                        judgement);
-            smaller |= less;
-            i += !less;
-            trials++;
-        }
-    }
-    return text;
+    const struct failure *failure = context;
+    struct judgement other = judge_anew(text, failure->number);
+    return fails_alike(&failure->judgement, &other);
 }
 
 static void show(const char *text, size_t number)
@@ -467,7 +447,8 @@ static bool check_scene(size_t number, bool first)
         printf("scene %zu: %s\n", number, judgement.reason);
     if (judgement.fault && !first && failed++ < SMALLER_MOST) {
         fflush(stdout);
-        place->text = shrink(place->text, number, &judgement);
+        struct failure failure = { number, judgement };
+        place->text = text_shrunk(place->text, TRIALS_MOST, fails_as, &failure);
         show(place->text, number);
     }
     free(place->text);
@@ -491,7 +472,7 @@ int main(int count, char **words)
         give_up("povray is not installed");
     model = usual_model();
     keep_image();
-    int code = check_many_ahead(count, words, check_scene, begin_scene, AHEAD);
+    int code = check_many(count, words, check_scene, begin_scene, AHEAD);
     c205_model_free(model);
     return code;
 }

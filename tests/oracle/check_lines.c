@@ -11,13 +11,11 @@
  * smaller as long as it fails, line by line, printed, and written to lines_N.pov;
  * after --first nothing more is done, not even that.  Exit code 1: some failed.
  */
-#include "rt/scene/language/scene_read.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/grid_scene.h"
 #include "tests/oracle/line_rules.h"
 #include "tests/oracle/many_regions.h"
 #include "tests/oracle/many_scenes.h"
-#include "tests/oracle/text_shrink.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,47 +50,19 @@ static struct seen_crossings find_in(const struct scene *scene,
 
 /* --- scenes --------------------------------------------------------------- */
 
-struct sight {
-    char *text, *shuffled; /* the latter may be NULL */
-    bool gridded;
-    bool plain, certain; /* is to be compared with the plain tracer */
-    uint64_t state;
-};
-
-static struct sight grid_sight(uint64_t *state)
+static struct random_scene draw(uint64_t *state, size_t number)
 {
-    struct grid_scene *grid = grid_scene_random(state);
-    struct sight sight = { .gridded = true };
-    struct grid_scene *shuffled = grid_scene_shuffled(grid, state);
-    sight.text = grid_scene_text(grid);
-    sight.shuffled = grid_scene_text(shuffled);
-    sight.plain = grid_scene_is_aslant(grid);
-    sight.state = *state;
-    grid_scene_free(shuffled);
-    grid_scene_free(grid);
-    return sight;
-}
-
-static struct sight regions_sight(uint64_t *state)
-{
-    struct many_regions *regions = many_regions_random(state);
-    enum certainty certainty = many_regions_certainty(regions);
-    struct sight sight = { .text = many_regions_text(regions),
-                           .plain = certainty != NOTHING_CERTAIN,
-                           .certain = certainty == ALL_CERTAIN,
-                           .state = *state };
-    many_regions_free(regions);
-    return sight;
+    return number % 2 ? many_regions(state) : grid_scene(state);
 }
 
 /* What scenes are followed along: every other line of those on the grid is on it,
  * unless the plain tracer looks on. */
-static void draw_lines(const struct sight *sight, const struct scene *scene,
+static void draw_lines(const struct random_scene *sight, const struct scene *scene,
                        struct scene_line list[LINES])
 {
     uint64_t state = sight->state;
     draw_camera_lines(&state, scene, list, LINES);
-    if (sight->gridded && !sight->plain)
+    if (sight->number % 2 == 0 && sight->certainty == NOTHING_CERTAIN)
         draw_grid_lines(&state, list, LINES / 2);
 }
 
@@ -115,14 +85,14 @@ static bool same_in_ways(const struct scene *scene, uint64_t state, double behin
     return same;
 }
 
-static bool same_in_any_order(const struct sight *sight, double behind,
+static bool same_in_any_order(const struct random_scene *sight, double behind,
                               const struct scene_line *list,
                               const struct seen_crossings *expected, char *reason)
 {
     const struct lines_options way = { .mode = TRACE_VECTOR, .queue = 77 };
-    if (!sight->shuffled)
+    if (!sight->other)
         return true;
-    struct scene *scene = scene_of(sight->shuffled);
+    struct scene *scene = scene_of(sight->other);
     struct seen_crossings found = find_in(scene, way, behind, list);
     bool same = same_distances(expected, &found, reason);
     if (!same)
@@ -132,7 +102,7 @@ static bool same_in_any_order(const struct sight *sight, double behind,
     return same;
 }
 
-static bool passes(const struct sight *sight, char *reason)
+static bool passes(struct random_scene *sight, char *reason)
 {
     const struct lines_options serial = { .mode = TRACE_SCALAR, .queue = 1 };
     struct scene *scene = scene_of(sight->text);
@@ -143,66 +113,23 @@ static bool passes(const struct sight *sight, char *reason)
     bool good = same_in_ways(scene, sight->state, behind, list, &found, reason)
                 && keep_line_rules(scene, list, &found, behind, reason)
                 && same_in_any_order(sight, behind, list, &found, reason)
-                && (!sight->plain
-                    || same_as_plain_lines(scene, list, &found, behind, sight->certain,
-                                           reason));
+                && (sight->certainty == NOTHING_CERTAIN
+                    || same_as_plain_lines(scene, list, &found, behind,
+                                           sight->certainty == ALL_CERTAIN, reason));
     seen_crossings_free(&found);
     scene_free(scene);
     return good;
 }
 
-static bool is_scene(const char *text)
-{
-    const struct scene_options options = { .strict = false };
-    struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read_text("scene", text, &options, &reports);
-    bool good = scene;
-    diagnostics_free(&reports);
-    scene_free(scene);
-    return good;
-}
-
-/* Line by line of the text, with what these open, as long as it fails. */
-static void shrink(struct sight *sight)
-{
-    char reason[LINE_REASON];
-    free(sight->shuffled);
-    sight->shuffled = NULL;
-    for (size_t i = 0; i < text_lines(sight->text);) {
-        struct sight smaller = *sight;
-        smaller.text = text_without(sight->text, i, false);
-        bool less = smaller.text && is_scene(smaller.text) && !passes(&smaller, reason);
-        free(less ? sight->text : smaller.text);
-        sight->text = less ? smaller.text : sight->text;
-        i += !less;
-    }
-}
-
-static void show(struct sight *sight, size_t number, char *reason)
-{
-    if (!strstr(reason, "another order")) {
-        shrink(sight);
-        passes(sight, reason);
-    }
-    show_failure("lines", number, "", reason, sight->text);
-}
-
-static bool check_scene(size_t number, bool first)
-{
-    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
-    struct sight sight = number % 2 ? regions_sight(&state) : grid_sight(&state);
-    char reason[LINE_REASON];
-    bool good = passes(&sight, reason);
-    if (!good && first)
-        printf("scene %zu: %s\n", number, reason);
-    else if (!good)
-        show(&sight, number, reason);
-    free(sight.text);
-    free(sight.shuffled);
-    return good;
-}
-
 int main(int count, char **words)
 {
-    return check_many_on(&model, count, words, check_scene);
+    static const struct random_check check = { .kind = "lines",
+                                               .seed = UINT64_C(0xA0761D6478BD642F),
+                                               .draw = draw,
+                                               .passes = passes,
+                                               .shrinks = true };
+    model = usual_model();
+    int code = check_random(count, words, &check);
+    c205_model_free(model);
+    return code;
 }

@@ -21,7 +21,7 @@
 #include <stdlib.h>
 
 #define STUDENT 2.1314 /* with 15 degrees of freedom */
-enum { REASON = 200, SIGMAS = 7 };
+enum { SIGMAS = 7 };
 
 static struct columns_options usual(void)
 {
@@ -75,7 +75,7 @@ static char *text_of(const struct solid *solid, const struct motion *motion)
     char *text;
     FILE *file = test_text(&text);
     fprintf(file, "object {\n");
-    solid_print(solid, 1, file);
+    solid_print(solid, file);
     if (motion)
         fprintf(file,
                 "scale <%.17g, %.17g, %.17g>\nrotate <%.17g, %.17g, %.17g>\n"
@@ -101,7 +101,7 @@ static void compare(struct comparing *comparing, double a, double a_error, doubl
 {
     double most = SIGMAS * hypot(a_error, b_error) + 1e-4 * fabs(scale);
     if (comparing->good && !(fabs(a - b) <= most)) {
-        snprintf(comparing->reason, REASON,
+        snprintf(comparing->reason, MANY_REASON,
                  "%s: %.9g and %.9g, which may be %.2g apart", what, a, b, most);
         comparing->good = false;
     }
@@ -210,7 +210,7 @@ static bool same_forms(const char *text, uint64_t *state, char *reason)
     good = measure_scene(text, options, &other) == good
            && (!good || other.checksum == vector.checksum);
     if (!good)
-        snprintf(reason, REASON, "the forms differ");
+        snprintf(reason, MANY_REASON, "the forms differ");
     return good;
 }
 
@@ -223,17 +223,31 @@ static bool is_empty(const struct measured *measured, char *reason)
     bool empty = measured->part[0].value[FIGURE_VOLUME] == 0
                  && isnan(measured->part[0].value[FIGURE_CENTROID]);
     if (!empty)
-        snprintf(reason, REASON, "of two one is empty");
+        snprintf(reason, MANY_REASON, "of two one is empty");
     return empty;
 }
 
-static bool passes(const char *still, const char *moved, const struct motion *motion,
-                   uint64_t *state, char *reason)
+static struct motion
+    motion; /* of the scene beside its other one, which does not move */
+
+static struct random_scene draw(uint64_t *state, size_t number)
+{
+    const struct place place = { .at = { 0 }, .size = 1 };
+    struct solid *solid = solid_at(state, &place, DULL, (int)below(state, 3));
+    (void)number;
+    motion = random_motion(state);
+    struct random_scene scene = { .text = text_of(solid, &motion),
+                                  .other = text_of(solid, NULL) };
+    solid_free(solid);
+    return scene;
+}
+
+static bool passes(struct random_scene *scene, char *reason)
 {
     struct measured one, other;
-    bool there = measure_scene(still, usual(), &one);
-    if (measure_scene(moved, usual(), &other) != there) {
-        snprintf(reason, REASON, "one is refused: %.150s",
+    bool there = measure_scene(scene->other, usual(), &one);
+    if (measure_scene(scene->text, usual(), &other) != there) {
+        snprintf(reason, MANY_REASON, "one is refused: %.150s",
                  there ? other.error.message : one.error.message);
         return false;
     }
@@ -242,33 +256,18 @@ static bool passes(const char *still, const char *moved, const struct motion *mo
     if (one.part[0].value[FIGURE_VOLUME] == 0)
         return is_empty(&other, reason);
     measured_count++;
-    return same_moved(&one, &other, motion, reason)
-           && same_plain(moved, &other, state, reason)
-           && same_forms(moved, state, reason);
-}
-
-static bool check_solid(size_t number, bool first)
-{
-    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xA0761D6478BD642F);
-    const struct place place = { .at = { 0 }, .size = 1 };
-    struct solid *solid = solid_at(&state, &place, DULL, (int)below(&state, 3));
-    struct motion motion = random_motion(&state);
-    char *still = text_of(solid, NULL), *moved = text_of(solid, &motion);
-    char reason[REASON] = "";
-    bool good = passes(still, moved, &motion, &state, reason);
-    if (!good && first)
-        printf("scene %zu: %s\n", number, reason);
-    else if (!good)
-        show_failure("mass", number, "", reason, moved);
-    solid_free(solid);
-    free(still);
-    free(moved);
-    return good;
+    return same_moved(&one, &other, &motion, reason)
+           && same_plain(scene->text, &other, &scene->state, reason)
+           && same_forms(scene->text, &scene->state, reason);
 }
 
 int main(int count, char **words)
 {
-    int code = check_many(count, words, check_solid);
+    static const struct random_check check = { .kind = "mass",
+                                               .seed = UINT64_C(0xA0761D6478BD642F),
+                                               .draw = draw,
+                                               .passes = passes };
+    int code = check_random(count, words, &check);
     printf("%zu solids were measured\n", measured_count);
     return code;
 }

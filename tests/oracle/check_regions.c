@@ -8,9 +8,9 @@
  * is seen of a solid, bands, jobs.  All give one frame, bit for bit, and follow
  * the same rays.  The plain tracer sees the same within the tolerances of
  * check_scene, but for pixels where a rounding decides.  A scene that fails is
- * made smaller as long as it fails, and so is the way; it is printed, and
- * written to regions_N.pov.  After --first nothing more is done, not even that.
- * Exit code 1: some failed.
+ * made smaller as long as it fails in the same way, printed, and written to
+ * regions_N.pov.  After --first nothing more is done, not even that.  Exit code 1:
+ * some failed.
  */
 #include "rt/trace/trace.h"
 #include "tests/oracle/chance.h"
@@ -24,7 +24,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { REASON = 400, WAYS = 5 };
+enum { WAYS = 5 };
 
 /* Share of the pixels, and one more, where a rounding decides: on edges of faces,
  * shadows and checks.  Of so small a frame that is more than check_scene's. */
@@ -61,7 +61,7 @@ static struct trace_options random_way(uint64_t *state, size_t pixels)
 /* The options of rt205 render. */
 static void tell_way(const struct trace_options *way, char *words, size_t size)
 {
-    int used = snprintf(words, size, "--mode %s", trace_mode_name(way->mode));
+    int used = snprintf(words, size, " with --mode %s", trace_mode_name(way->mode));
 #define TELL(condition, ...) \
     if (condition) \
     used += snprintf(words + used, size - (size_t)used, " " __VA_ARGS__)
@@ -75,23 +75,6 @@ static void tell_way(const struct trace_options *way, char *words, size_t size)
 #undef TELL
 }
 
-/* The same way with something less, 0 on; false: there is no such way. */
-static bool without(const struct trace_options *way, size_t what,
-                    struct trace_options *less)
-{
-    *less = *way;
-    switch (what) {
-    case 0: less->jobs = 0; return true;
-    case 1: less->band = 0; return true;
-    case 2: less->visible = VISIBLE_DEFAULT; return true;
-    case 3: less->no_bounds = true; return true;
-    case 4: less->queue = TRACE_QUEUE; return true;
-    case 5: less->flat = true; return true;
-    case 6: less->order = ORDER_ROWS; return true;
-    default: return false;
-    }
-}
-
 /* A guess at its processor seconds, for the host. */
 static double seconds_of(const struct trace_options *way, double work)
 {
@@ -100,12 +83,12 @@ static double seconds_of(const struct trace_options *way, double work)
     return work * (2e-7 + 1e-5 / (double)way->queue);
 }
 
-static struct trace_options some_way(uint64_t *state, const struct many_regions *scene)
+static struct trace_options some_way(uint64_t *state, const struct random_scene *scene)
 {
-    size_t pixels = many_regions_width(scene) * many_regions_height(scene);
+    size_t pixels = scene->width * scene->height;
     for (int i = 0; i < 100; i++) {
         struct trace_options way = random_way(state, pixels);
-        if (seconds_of(&way, many_regions_work(scene)) < .04)
+        if (seconds_of(&way, scene->work) < .04)
             return way;
     }
     return (struct trace_options){ .mode = TRACE_VECTOR, .queue = 77 };
@@ -142,7 +125,7 @@ static bool same_words(const struct sight *sight, const struct trace *expected,
         const c205_word *b = trace_channel(found, (enum frame_channel)i);
         for (size_t k = 0; k < pixels; k++)
             if (a[k] != b[k]) {
-                snprintf(reason, REASON,
+                snprintf(reason, MANY_REASON,
                          "channel %d at %zu, %zu is %016llX, not %016llX", i,
                          k % sight->width, k / sight->width, (unsigned long long)b[k],
                          (unsigned long long)a[k]);
@@ -159,8 +142,9 @@ static bool same_rays(const struct trace *expected, const struct trace *found,
         uint64_t a = trace_rays(expected, (enum ray_kind)kind);
         uint64_t b = trace_rays(found, (enum ray_kind)kind);
         if (a != b) {
-            snprintf(reason, REASON, "%llu %s rays, not %llu", (unsigned long long)b,
-                     ray_kind_name((enum ray_kind)kind), (unsigned long long)a);
+            snprintf(reason, MANY_REASON, "%llu %s rays, not %llu",
+                     (unsigned long long)b, ray_kind_name((enum ray_kind)kind),
+                     (unsigned long long)a);
             return false;
         }
     }
@@ -197,7 +181,7 @@ static bool same_as_plain(const struct sight *sight, const struct trace *trace,
         struct picture_difference is = compare_pictures(&comparison, &expected, &found,
                                                         inner);
         good = (double)is.beyond <= 1 + comparison.share * (double)is.compared;
-        snprintf(reason, REASON,
+        snprintf(reason, MANY_REASON,
                  "the plain tracer has another %s at %zu of %zu pixels, by %g "
                  "at %zu, %zu",
                  comparison.name, is.beyond, is.compared, is.greatest, is.worst_x,
@@ -211,104 +195,56 @@ static bool same_as_plain(const struct sight *sight, const struct trace *trace,
 
 /* --- scenes --------------------------------------------------------------- */
 
-/* Ways that are to give one frame; none: it is the plain tracer's frame. */
-struct ways {
+/* Ways that are to give one frame, and whether that is the plain tracer's; after a
+ * failure only what has failed. */
+static struct ways {
     size_t count;
     struct trace_options way[WAYS];
-    bool plain; /* compare with the plain tracer, too */
-};
+    bool plain;
+} ways;
 
-/* False: the reason, and failing is what does not give that frame. */
-static bool passes(const struct many_regions *regions, const struct ways *ways,
-                   struct ways *failing, char *reason)
+static bool passes(struct random_scene *regions, char *reason)
 {
-    char *text = many_regions_text(regions);
-    struct scene *scene = scene_of(text);
-    const struct sight sight = { scene, many_regions_width(regions),
-                                 many_regions_height(regions) };
+    struct scene *scene = scene_of(regions->text);
+    const struct sight sight = { scene, regions->width, regions->height };
     struct trace *expected = trace_in(&sight, &plainest);
     bool good = true;
-    *failing = (struct ways){ .count = 0 };
-    for (size_t i = 0; good && i < ways->count; i++)
-        if (!same_in(&sight, expected, &ways->way[i], reason)) {
-            *failing = (struct ways){ .count = 1, .way = { ways->way[i] } };
+    for (size_t i = 0; good && i < ways.count; i++)
+        if (!same_in(&sight, expected, &ways.way[i], reason)) {
+            size_t used = strlen(reason);
+            tell_way(&ways.way[i], reason + used, MANY_REASON - used);
+            ways = (struct ways){ .count = 1, .way = { ways.way[i] } };
             good = false;
         }
-    if (good && ways->plain && many_regions_certainty(regions)
-        && !same_as_plain(&sight, expected, many_regions_certainty(regions), reason)) {
-        failing->plain = true;
+    if (good && ways.plain && regions->certainty
+        && !same_as_plain(&sight, expected, regions->certainty, reason)) {
+        ways.count = 0;
         good = false;
     }
     trace_free(expected);
     scene_free(scene);
-    free(text);
     return good;
 }
 
-/* What can be left out of the scene while it fails; false: nothing. */
-static bool shrink_once(struct many_regions **regions, const struct ways *ways)
+static struct random_scene draw(uint64_t *state, size_t number)
 {
-    struct many_regions *smaller;
-    struct ways failing;
-    char reason[REASON];
-    bool less = false;
-    for (size_t i = 0; (smaller = many_regions_without(*regions, i));) {
-        bool good = passes(smaller, ways, &failing, reason);
-        many_regions_free(good ? smaller : *regions);
-        *regions = good ? *regions : smaller;
-        less = less || !good;
-        i += good;
-    }
-    return less;
-}
-
-static void shrink_way(const struct many_regions *regions, struct ways *ways)
-{
-    struct ways less = *ways, failing;
-    char reason[REASON];
-    for (size_t i = 0; ways->count && without(&ways->way[0], i, &less.way[0]); i++)
-        if (!passes(regions, &less, &failing, reason))
-            *ways = less;
-}
-
-static void show(const struct many_regions *regions, const struct ways *ways,
-                 size_t number)
-{
-    char *text = many_regions_text(regions);
-    char reason[REASON] = "", way[200] = "", how[260];
-    struct ways failing;
-    passes(regions, ways, &failing, reason);
-    if (ways->count)
-        tell_way(&ways->way[0], way, sizeof way);
-    snprintf(how, sizeof how, " -W %zu -H %zu %s", many_regions_width(regions),
-             many_regions_height(regions), way);
-    show_failure("regions", number, how, reason, text);
-    free(text);
-}
-
-static bool check_scene(size_t number, bool first)
-{
-    uint64_t state = RANDOM_SEED ^ (number + 1) * UINT64_C(0xD1B54A32D192ED03);
-    struct many_regions *regions = many_regions_random(&state);
-    struct ways ways = { .count = WAYS, .way = { serial }, .plain = true };
-    struct ways failing;
-    char reason[REASON];
+    struct random_scene scene = many_regions(state);
+    (void)number;
+    ways = (struct ways){ .count = WAYS, .way = { serial }, .plain = true };
     for (size_t i = 1; i < WAYS; i++)
-        ways.way[i] = some_way(&state, regions);
-    bool good = passes(regions, &ways, &failing, reason);
-    if (!good && first) {
-        printf("scene %zu: %s\n", number, reason);
-    } else if (!good) {
-        while (shrink_once(&regions, &failing))
-            continue;
-        shrink_way(regions, &failing);
-        show(regions, &failing, number);
-    }
-    many_regions_free(regions);
-    return good;
+        ways.way[i] = some_way(state, &scene);
+    return scene;
 }
 
 int main(int count, char **words)
 {
-    return check_many_on(&model, count, words, check_scene);
+    static const struct random_check check = { .kind = "regions",
+                                               .seed = UINT64_C(0xD1B54A32D192ED03),
+                                               .draw = draw,
+                                               .passes = passes,
+                                               .shrinks = true };
+    model = usual_model();
+    int code = check_random(count, words, &check);
+    c205_model_free(model);
+    return code;
 }

@@ -28,8 +28,7 @@ enum {
     HEIGHT = STANDING_HEIGHT,
     PIXELS = WIDTH * HEIGHT,
     AHEAD = 4,
-    PATH = 80,
-    REASON = 200
+    PATH = 80
 };
 
 /* The ground seen through a body moves by about the same distance. */
@@ -40,11 +39,13 @@ enum {
 static const struct comparison with_povray = { "colour", CHANNEL_RED, 3,  1,
                                                false,    1e-3,        .01 };
 
+#define SEED UINT64_C(0x9E3779B97F4A7C15)
+
 static c205_model *model;
 
 static uint64_t seed_of(size_t number)
 {
-    return RANDOM_SEED ^ (number + 1) * UINT64_C(0x9E3779B97F4A7C15);
+    return RANDOM_SEED ^ (number + 1) * SEED;
 }
 
 /* --- forms ---------------------------------------------------------------- */
@@ -92,7 +93,7 @@ static bool same_in_all_forms(const struct scene *scene, const struct trace *exp
         struct trace *found = trace_in(scene, i);
         good = same_frame(expected, found);
         trace_free(found);
-        snprintf(reason, REASON, "form %zu gives another frame than form 0", i);
+        snprintf(reason, MANY_REASON, "form %zu gives another frame than form 0", i);
     }
     return good;
 }
@@ -104,7 +105,7 @@ static bool same_pictures(const struct comparison *comparison, const char *who,
                           const bool *inner, char *reason)
 {
     struct picture_difference is = compare_pictures(comparison, expected, ours, inner);
-    snprintf(reason, REASON,
+    snprintf(reason, MANY_REASON,
              "%s has another %s at %zu of %zu pixels, by %g at %zu, %zu", who,
              comparison->name, is.beyond, is.compared, is.greatest, is.worst_x,
              is.worst_y);
@@ -173,7 +174,7 @@ static bool same_as_others(const struct scene *scene, const struct trace *trace,
                            size_t number, char *reason)
 {
     struct frame plain, ours;
-    char also[REASON];
+    char also[MANY_REASON];
     if (!plain_trace(scene, WIDTH, HEIGHT, &plain)
         || !frame_allocate(&ours, WIDTH, HEIGHT))
         give_up("no memory left");
@@ -191,31 +192,35 @@ static bool same_as_others(const struct scene *scene, const struct trace *trace,
     return good && by_povray;
 }
 
-static bool check_scene(size_t number, bool first)
+static struct random_scene draw(uint64_t *state, size_t number)
 {
-    char *text = standing_scene_text(seed_of(number), 0);
-    struct scene *scene = scene_of(text);
+    (void)number;
+    return (struct random_scene){ .text = standing_scene_text(*state, 0),
+                                  .width = WIDTH,
+                                  .height = HEIGHT };
+}
+
+static bool passes(struct random_scene *standing, char *reason)
+{
+    struct scene *scene = scene_of(standing->text);
     struct trace *expected = trace_in(scene, 0);
-    char reason[REASON], path[PATH];
-    bool good = same_as_others(scene, expected, number, reason)
+    bool good = same_as_others(scene, expected, standing->number, reason)
                 && same_in_all_forms(scene, expected, reason);
-    if (!good) {
-        snprintf(path, PATH, "standing_%zu.pov", number);
-        printf("FAIL %s -W %d -H %d: %s\n%s", path, WIDTH, HEIGHT, reason,
-               first ? "" : text);
-        if (!first)
-            keep_scene(path, text);
-    }
     trace_free(expected);
     scene_free(scene);
-    free(text);
     return good;
 }
 
 int main(int count, char **words)
 {
+    static const struct random_check check = { .kind = "standing",
+                                               .seed = SEED,
+                                               .draw = draw,
+                                               .passes = passes,
+                                               .begin = begin,
+                                               .ahead = AHEAD };
     model = usual_model();
-    int code = check_many_ahead(count, words, check_scene, begin, AHEAD);
+    int code = check_random(count, words, &check);
     c205_model_free(model);
     return code;
 }

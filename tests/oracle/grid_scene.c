@@ -18,7 +18,7 @@ enum {
     WORDS = SOLID_WORDS
 };
 
-struct grid_scene {
+struct grid {
     char view[WORDS];
     bool aslant;
     double scale; /* of everything but the lamps */
@@ -293,7 +293,7 @@ static struct solid *random_mesh(uint64_t *state)
 
 /* --- scenes --------------------------------------------------------------- */
 
-static void random_view(uint64_t *state, struct grid_scene *scene)
+static void random_view(uint64_t *state, struct grid *scene)
 {
     double s = scene->scale = below(state, 8) ? 1 : 1e-4;
     double x = s * on_grid(state), y = s * on_grid(state);
@@ -341,7 +341,7 @@ static void random_lamp(uint64_t *state, char *lamp)
 
 /* One in three scenes is of clear solids on a ground.  What else is drawn does not
  * depend on it. */
-static void put_on_ground(uint64_t state, struct grid_scene *scene)
+static void put_on_ground(uint64_t state, struct grid *scene)
 {
     state = stream_beside(state, 7, 1);
     if (below(&state, 3))
@@ -360,9 +360,8 @@ static void put_on_ground(uint64_t state, struct grid_scene *scene)
     scene->solids[scene->solid_count++] = ground;
 }
 
-struct grid_scene *grid_scene_random(uint64_t *state)
+static void draw_scene(uint64_t *state, struct grid *scene)
 {
-    struct grid_scene *scene = test_room(sizeof *scene);
     for (int i = 0; i < 8; i++)
         xorshift(state);
     random_view(state, scene);
@@ -375,28 +374,6 @@ struct grid_scene *grid_scene_random(uint64_t *state)
                                ? random_mesh(state)
                                : random_solid(state, 1 + below(state, DEPTH));
     put_on_ground(*state, scene);
-    return scene;
-}
-
-void grid_scene_free(struct grid_scene *scene)
-{
-    for (size_t i = 0; i < scene->solid_count; i++)
-        solid_free(scene->solids[i]);
-    free(scene);
-}
-
-static struct grid_scene *copy_scene(const struct grid_scene *scene)
-{
-    struct grid_scene *copy = test_room(sizeof *copy);
-    *copy = *scene;
-    for (size_t i = 0; i < scene->solid_count; i++)
-        copy->solids[i] = solid_copy(scene->solids[i]);
-    return copy;
-}
-
-bool grid_scene_is_aslant(const struct grid_scene *scene)
-{
-    return scene->aslant;
 }
 
 /* --- text ----------------------------------------------------------------- */
@@ -405,12 +382,12 @@ static void print_solid(const struct solid *solid, double scale, FILE *text)
 {
     if (scale != 1)
         fprintf(text, "object {\n");
-    solid_print(solid, 0, text);
+    solid_print(solid, text);
     if (scale != 1)
-        fprintf(text, "scale %g }\n", scale);
+        fprintf(text, "scale %g\n}\n", scale);
 }
 
-char *grid_scene_text(const struct grid_scene *scene)
+static char *text_of(const struct grid *scene)
 {
     char *words;
     FILE *text = test_text(&words);
@@ -446,38 +423,18 @@ static void shuffle_parts(struct solid *solid, uint64_t *state)
     shuffle(solid->parts + kept, solid->count - kept, state);
 }
 
-struct grid_scene *grid_scene_shuffled(const struct grid_scene *scene, uint64_t *state)
+struct random_scene grid_scene(uint64_t *state)
 {
-    struct grid_scene *copy = copy_scene(scene);
-    for (size_t i = 0; i < copy->solid_count; i++)
-        shuffle_parts(copy->solids[i], state);
-    shuffle(copy->solids, copy->solid_count, state);
-    return copy;
-}
-
-/* --- with something left out ---------------------------------------------- */
-
-static bool leave_out_of(struct grid_scene *scene, size_t *way)
-{
-    for (size_t i = 0; scene->solid_count > 1 && i < scene->solid_count; i++)
-        if (solid_is_next(way)) {
-            solid_take_out(scene->solids, &scene->solid_count, i);
-            return true;
-        }
-    for (size_t i = 0; i < scene->solid_count; i++)
-        if (solid_leave_out(&scene->solids[i], way))
-            return true;
-    if (scene->lamp_count == 0 || !solid_is_next(way))
-        return false;
-    scene->lamp_count--;
-    return true;
-}
-
-struct grid_scene *grid_scene_without(const struct grid_scene *scene, size_t way)
-{
-    struct grid_scene *copy = copy_scene(scene);
-    if (leave_out_of(copy, &way))
-        return copy;
-    grid_scene_free(copy);
-    return NULL;
+    struct grid scene = { .aslant = false };
+    struct random_scene made = { .width = GRID_WIDTH, .height = GRID_HEIGHT };
+    draw_scene(state, &scene);
+    made.text = text_of(&scene);
+    for (size_t i = 0; i < scene.solid_count; i++)
+        shuffle_parts(scene.solids[i], state);
+    shuffle(scene.solids, scene.solid_count, state);
+    made.other = text_of(&scene);
+    made.certainty = scene.aslant ? DEPTH_CERTAIN : NOTHING_CERTAIN;
+    for (size_t i = 0; i < scene.solid_count; i++)
+        solid_free(scene.solids[i]);
+    return made;
 }

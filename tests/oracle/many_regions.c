@@ -10,7 +10,7 @@
 
 enum { LAMPS_MOST = 3, GROUPS_MOST = 3, JOINED_MOST = 24, WORDS = SOLID_WORDS };
 
-struct many_regions {
+struct regions {
     size_t width, height;
     char settings[WORDS], view[WORDS];
     size_t lamp_count, solid_count;
@@ -23,7 +23,7 @@ struct many_regions {
 
 struct drawing {
     uint64_t *state;
-    struct many_regions *scene;
+    struct regions *scene;
     struct place places[MANY_REGIONS_MOST]; /* of the scene's solids */
     bool whole;                             /* on whole numbers */
     bool endless;                           /* some things are */
@@ -142,7 +142,7 @@ static struct solid *copy_of_one(struct drawing *drawing, size_t count)
 static void add_solid(struct drawing *drawing, const struct group *group, size_t i)
 {
     uint64_t *state = drawing->state;
-    struct many_regions *scene = drawing->scene;
+    struct regions *scene = drawing->scene;
     size_t count = scene->solid_count++;
     struct place *place = &drawing->places[count];
     struct solid *solid;
@@ -182,7 +182,7 @@ static void add_groups(struct drawing *drawing, size_t count)
 static void add_ground(struct drawing *drawing)
 {
     uint64_t state = stream_beside(*drawing->state, 7, 1);
-    struct many_regions *scene = drawing->scene;
+    struct regions *scene = drawing->scene;
     if (!drawing->whole || below(&state, 3) || scene->solid_count == MANY_REGIONS_MOST)
         return;
     struct solid *ground = solid_new(SHAPE, 0);
@@ -195,7 +195,7 @@ static void add_ground(struct drawing *drawing)
 /* Some of the scene's things become one, or all of them. */
 static void join_some(struct drawing *drawing)
 {
-    struct many_regions *scene = drawing->scene;
+    struct regions *scene = drawing->scene;
     bool all = one_in(drawing->state, 3) || scene->solid_count < JOINED_MOST;
     size_t most = all ? scene->solid_count : JOINED_MOST;
     size_t count = 1 + below(drawing->state, most);
@@ -321,7 +321,7 @@ static void random_settings(const struct drawing *drawing)
 {
     static const char *const bailouts[] = { "", "", "adc_bailout 0 ",
                                             "adc_bailout .2 " };
-    struct many_regions *scene = drawing->scene;
+    struct regions *scene = drawing->scene;
     char fog[WORDS] = "";
     random_fog(*drawing->state, fog);
     scene->levels = 1 + (int)below(drawing->state, 5);
@@ -341,7 +341,7 @@ static size_t leaves(const struct solid *solid)
     return sum;
 }
 
-double many_regions_work(const struct many_regions *scene)
+static double work_of(const struct regions *scene)
 {
     double rays = (double)(1 + scene->lamp_count), all = 4;
     if (scene->mood != DULL)
@@ -353,11 +353,10 @@ double many_regions_work(const struct many_regions *scene)
 
 static void random_size(const struct drawing *drawing)
 {
-    struct many_regions *scene = drawing->scene;
+    struct regions *scene = drawing->scene;
     scene->width = 1 + below(drawing->state, 40);
     scene->height = 1 + below(drawing->state, 30);
-    while (many_regions_work(scene) > 150000
-           && (scene->width > 4 || scene->height > 4)) {
+    while (work_of(scene) > 150000 && (scene->width > 4 || scene->height > 4)) {
         scene->width = 1 + scene->width * 3 / 4;
         scene->height = 1 + scene->height * 3 / 4;
     }
@@ -370,9 +369,8 @@ static size_t random_count(uint64_t *state)
     return (size_t)of_any_size(state, 2, MANY_REGIONS_MOST + .5);
 }
 
-struct many_regions *many_regions_random(uint64_t *state)
+static void draw_scene(uint64_t *state, struct regions *scene)
 {
-    struct many_regions *scene = test_room(sizeof *scene);
     struct drawing *drawing = test_room(sizeof *drawing);
     for (int i = 0; i < 8; i++)
         xorshift(state);
@@ -393,32 +391,9 @@ struct many_regions *many_regions_random(uint64_t *state)
         join_some(drawing);
     add_ground(drawing);
     free(drawing);
-    return scene;
 }
 
-void many_regions_free(struct many_regions *scene)
-{
-    for (size_t i = 0; i < scene->solid_count; i++)
-        solid_free(scene->solids[i]);
-    free(scene);
-}
-
-size_t many_regions_width(const struct many_regions *scene)
-{
-    return scene->width;
-}
-
-size_t many_regions_height(const struct many_regions *scene)
-{
-    return scene->height;
-}
-
-enum certainty many_regions_certainty(const struct many_regions *scene)
-{
-    return scene->certainty;
-}
-
-char *many_regions_text(const struct many_regions *scene)
+static char *text_of(const struct regions *scene)
 {
     char *words;
     FILE *text = test_text(&words);
@@ -429,54 +404,22 @@ char *many_regions_text(const struct many_regions *scene)
         fprintf(text, "%s\n", scene->lamps[i]);
     fprintf(text, "#default { pigment { rgb .8 } }\n");
     for (size_t i = 0; i < scene->solid_count; i++)
-        solid_print(scene->solids[i], 0, text);
+        solid_print(scene->solids[i], text);
     fclose(text);
     return words;
 }
 
-/* --- with something left out ---------------------------------------------- */
-
-static struct many_regions *copy_scene(const struct many_regions *scene)
+struct random_scene many_regions(uint64_t *state)
 {
-    struct many_regions *copy = test_room(sizeof *copy);
-    *copy = *scene;
+    struct regions *scene = test_room(sizeof *scene);
+    draw_scene(state, scene);
+    struct random_scene made = { .text = text_of(scene),
+                                 .width = scene->width,
+                                 .height = scene->height,
+                                 .certainty = scene->certainty,
+                                 .work = work_of(scene) };
     for (size_t i = 0; i < scene->solid_count; i++)
-        copy->solids[i] = solid_copy(scene->solids[i]);
-    return copy;
-}
-
-/* Halves, quarters .. of them, down to one. */
-static bool leave_out_things(struct many_regions *scene, size_t *way)
-{
-    for (size_t size = (scene->solid_count + 1) / 2; size > 0; size /= 2)
-        for (size_t i = 0; i + size <= scene->solid_count; i += size)
-            if (solid_is_next(way)) {
-                for (size_t k = 0; k < size; k++)
-                    solid_take_out(scene->solids, &scene->solid_count, i);
-                return true;
-            }
-    return false;
-}
-
-static bool leave_out_of(struct many_regions *scene, size_t *way)
-{
-    if (leave_out_things(scene, way))
-        return true;
-    if (scene->lamp_count > 0 && solid_is_next(way)) {
-        scene->lamp_count--;
-        return true;
-    }
-    for (size_t i = 0; i < scene->solid_count; i++)
-        if (solid_leave_out(&scene->solids[i], way))
-            return true;
-    return false;
-}
-
-struct many_regions *many_regions_without(const struct many_regions *scene, size_t way)
-{
-    struct many_regions *copy = copy_scene(scene);
-    if (leave_out_of(copy, &way))
-        return copy;
-    many_regions_free(copy);
-    return NULL;
+        solid_free(scene->solids[i]);
+    free(scene);
+    return made;
 }

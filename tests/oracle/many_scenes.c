@@ -2,6 +2,8 @@
 #include "tests/oracle/many_scenes.h"
 
 #include "rt/scene/language/scene_read.h"
+#include "tests/oracle/text_shrink.h"
+#include "tests/random.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -45,18 +47,8 @@ void keep_scene(const char *path, const char *text)
     }
 }
 
-void show_failure(const char *kind, size_t number, const char *how, const char *reason,
-                  const char *text)
-{
-    char path[40];
-    snprintf(path, sizeof path, "%s_%zu.pov", kind, number);
-    printf("FAIL %s%s: %s\n%s", path, how, reason, text);
-    fflush(stdout);
-    keep_scene(path, text);
-}
-
-int check_many_ahead(int count, char **words, bool (*check)(size_t number, bool first),
-                     void (*begin)(size_t number), size_t ahead)
+int check_many(int count, char **words, bool (*check)(size_t number, bool first),
+               void (*begin)(size_t number), size_t ahead)
 {
     bool first = count > 1 && strcmp(words[count - 1], "--first") == 0;
     count -= first;
@@ -77,16 +69,67 @@ int check_many_ahead(int count, char **words, bool (*check)(size_t number, bool 
     return failed > 0;
 }
 
-int check_many(int count, char **words, bool (*check)(size_t number, bool first))
+/* --- random scenes -------------------------------------------------------- */
+
+static const struct random_check *the_check;
+
+static bool is_scene(const char *text)
 {
-    return check_many_ahead(count, words, check, NULL, 0);
+    const struct scene_options options = { .strict = false };
+    struct diagnostics reports = { 0 };
+    struct scene *scene = scene_read_text("scene", text, &options, &reports);
+    bool good = scene;
+    diagnostics_free(&reports);
+    scene_free(scene);
+    return good;
 }
 
-int check_many_on(c205_model **model, int count, char **words,
-                  bool (*check)(size_t number, bool first))
+static bool fails(const char *text, void *context)
 {
-    *model = usual_model();
-    int code = check_many(count, words, check);
-    c205_model_free(*model);
-    return code;
+    struct random_scene smaller = *(const struct random_scene *)context;
+    char reason[MANY_REASON] = "";
+    smaller.text = (char *)text;
+    smaller.other = NULL;
+    return is_scene(text) && !the_check->passes(&smaller, reason);
+}
+
+static void report(struct random_scene *scene, char *reason)
+{
+    char path[40], size[60] = "";
+    if (the_check->shrinks && fails(scene->text, scene)) {
+        scene->text = text_shrunk(scene->text, SIZE_MAX, fails, scene);
+        free(scene->other);
+        scene->other = NULL;
+        the_check->passes(scene, reason);
+    }
+    scene->text = text_indented(scene->text);
+    snprintf(path, sizeof path, "%s_%zu.pov", the_check->kind, scene->number);
+    if (scene->width)
+        snprintf(size, sizeof size, " -W %zu -H %zu", scene->width, scene->height);
+    printf("FAIL %s%s: %s\n%s", path, size, reason, scene->text);
+    fflush(stdout);
+    keep_scene(path, scene->text);
+}
+
+static bool check_scene(size_t number, bool first)
+{
+    uint64_t state = RANDOM_SEED ^ (number + 1) * the_check->seed;
+    struct random_scene scene = the_check->draw(&state, number);
+    char reason[MANY_REASON] = "";
+    scene.number = number;
+    scene.state = state;
+    bool good = the_check->passes(&scene, reason);
+    if (!good && first)
+        printf("scene %zu: %s\n", number, reason);
+    else if (!good)
+        report(&scene, reason);
+    free(scene.text);
+    free(scene.other);
+    return good;
+}
+
+int check_random(int count, char **words, const struct random_check *check)
+{
+    the_check = check;
+    return check_many(count, words, check_scene, check->begin, check->ahead);
 }

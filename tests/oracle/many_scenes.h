@@ -6,6 +6,10 @@
 #include "rt/scene/scene.h"
 #include "vm/c205.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
 /* Say why, and end the program with 2. */
 void give_up(const char *message);
 /* The model that they are traced on, which the caller frees. */
@@ -16,20 +20,43 @@ struct scene *scene_of(const char *text);
  * printed. */
 void keep_scene(const char *path, const char *text);
 
-/* A scene that failed, its text and the reason; the text is kept in KIND_NUMBER.pov.
- * How: the options it was traced with. */
-void show_failure(const char *kind, size_t number, const char *how, const char *reason,
-                  const char *text);
-
 /* CHECK [SCENES [OF SHARE]] [--first]: check the scenes 0 .. SCENES - 1 (300),
  * or every OF-th of them from SHARE on; first: until one fails, of which no
- * more is wanted.  Prints the counts; returns the program's exit code. */
-int check_many(int count, char **words, bool (*check)(size_t number, bool first));
-/* .. on the usual model. */
-int check_many_on(c205_model **model, int count, char **words,
-                  bool (*check)(size_t number, bool first));
-/* begin is called for each scene, up to so many before it is checked. */
-int check_many_ahead(int count, char **words, bool (*check)(size_t number, bool first),
-                     void (*begin)(size_t number), size_t ahead);
+ * more is wanted.  begin, or NULL, is called for each scene, up to so many before it is
+ * checked.  Prints the counts; returns the program's exit code. */
+int check_many(int count, char **words, bool (*check)(size_t number, bool first),
+               void (*begin)(size_t number), size_t ahead);
+
+/* What must be the same to any tracer: where faces of several things may coincide
+ * a rounding decides which is seen, and where the eye may be in one, if it is. */
+enum certainty { NOTHING_CERTAIN, DEPTH_CERTAIN, ALL_CERTAIN };
+
+/* A scene by chance.  Other: of the same things, in another order or another place; or
+ * NULL. */
+struct random_scene {
+    size_t number;
+    char *text, *other;
+    size_t width, height; /* of its frame, in pixels; 0: any */
+    enum certainty certainty;
+    double work;    /* rays that meet primitives in that frame, roughly */
+    uint64_t state; /* after it was drawn */
+};
+
+/* A check of scenes by chance: of number N from the state RANDOM_SEED ^ (N + 1) x seed. */
+struct random_check {
+    const char *kind;
+    uint64_t seed;
+    struct random_scene (*draw)(uint64_t *state, size_t number);
+    /* False: the reason, in MANY_REASON characters. */
+    bool (*passes)(struct random_scene *scene, char *reason);
+    bool shrinks; /* a scene without its other one may be checked, too */
+    void (*begin)(size_t number);
+    size_t ahead;
+};
+enum { MANY_REASON = 600 };
+
+/* Calls check_many.  A scene that fails is made smaller as long as it fails, printed, and
+ * written to KIND_NUMBER.pov; after --first nothing more is done, not even that. */
+int check_random(int count, char **words, const struct random_check *check);
 
 #endif

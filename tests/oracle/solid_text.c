@@ -65,88 +65,30 @@ struct solid *solid_copy(const struct solid *solid)
     return copy;
 }
 
-void solid_print(const struct solid *solid, int depth, FILE *text)
+static void print_line(const char *words, FILE *text)
+{
+    if (words[0])
+        fprintf(text, "%s\n", words);
+}
+
+void solid_print(const struct solid *solid, FILE *text)
 {
     static const char *const words[] = {
-        [UNION] = "union",
-        [MERGE] = "merge",
-        [INTERSECTION] = "intersection",
-        [DIFFERENCE] = "difference",
+        [UNION] = "union {",
+        [MERGE] = "merge {",
+        [INTERSECTION] = "intersection {",
+        [DIFFERENCE] = "difference {",
     };
-    fprintf(text, "%*s", 4 * depth, "");
-    if (solid->joining == SHAPE)
-        fprintf(text, "%s", solid->shape);
-    else
-        fprintf(text, "%s {\n", words[solid->joining]);
+    print_line(solid->joining == SHAPE ? solid->shape : words[solid->joining], text);
     for (size_t i = 0; i < solid->count; i++)
-        solid_print(solid->parts[i], depth + 1, text);
-    if (solid->count > 0)
-        fprintf(text, "%*s", 4 * depth, "");
+        solid_print(solid->parts[i], text);
     if (solid->clip) {
-        fprintf(text, "clipped_by {\n");
-        solid_print(solid->clip, depth + 1, text);
-        fprintf(text, "%*s} ", 4 * depth, "");
+        print_line("clipped_by {", text);
+        solid_print(solid->clip, text);
+        print_line("}", text);
     }
-    fprintf(text, "%s%s%s}\n", solid->look, solid->inverse ? "inverse " : "",
-            solid->motion);
-}
-
-/* --- with something left out ---------------------------------------------- */
-
-bool solid_is_next(size_t *way)
-{
-    return (*way)-- == 0;
-}
-
-void solid_take_out(struct solid **solids, size_t *count, size_t i)
-{
-    solid_free(solids[i]);
-    for (*count -= 1; i < *count; i++)
-        solids[i] = solids[i + 1];
-}
-
-static bool leave_out_words(char *words, size_t *way)
-{
-    if (words[0] == '\0' || !solid_is_next(way))
-        return false;
-    words[0] = '\0';
-    return true;
-}
-
-static bool leave_out_whole(struct solid **place, size_t *way)
-{
-    struct solid *solid = *place;
-    for (size_t i = 0; i < solid->count; i++)
-        if (solid_is_next(way)) {
-            *place = solid_copy(solid->parts[i]);
-            solid_free(solid);
-            return true;
-        }
-    return false;
-}
-
-bool solid_leave_out(struct solid **place, size_t *way)
-{
-    if (leave_out_whole(place, way))
-        return true;
-    struct solid *solid = *place;
-    for (size_t i = 0; solid->count > 2 && i < solid->count; i++)
-        if (solid_is_next(way)) {
-            solid_take_out(solid->parts, &solid->count, i);
-            return true;
-        }
-    for (size_t i = 0; i < solid->count; i++)
-        if (solid_leave_out(&solid->parts[i], way))
-            return true;
-    if (leave_out_words(solid->look, way) || leave_out_words(solid->motion, way))
-        return true;
-    if (solid->inverse && solid_is_next(way)) {
-        solid->inverse = false;
-        return true;
-    }
-    if (!solid->clip || !solid_is_next(way))
-        return false;
-    solid_free(solid->clip);
-    solid->clip = NULL;
-    return true;
+    print_line(solid->look, text);
+    print_line(solid->inverse ? "inverse" : "", text);
+    print_line(solid->motion, text);
+    print_line("}", text);
 }

@@ -1,4 +1,4 @@
-/* solid_text.h - solids in the scene language, and smaller ones. */
+/* solid_text.h - solids in the scene language. */
 #ifndef SOLID_TEXT_H
 #define SOLID_TEXT_H
 
@@ -33,14 +33,7 @@ struct solid *solid_new(enum solid_joining joining, size_t count);
 struct solid *solid_copy(const struct solid *solid);
 void solid_free(struct solid *solid);
 
-void solid_print(const struct solid *solid, int depth, FILE *text);
-
-void solid_take_out(struct solid **solids, size_t *count, size_t i);
-
-/* Ways to leave something out are counted as the solid is walked through: at
- * 0 it is this one. */
-bool solid_is_next(size_t *way);
-/* False: the solid has no such way, and the way is less by those it has. */
-bool solid_leave_out(struct solid **place, size_t *way);
+/* Line by line: what may be left out is a line or a block. */
+void solid_print(const struct solid *solid, FILE *text);
 
 #endif

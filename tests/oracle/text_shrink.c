@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-size_t text_lines(const char *text)
+static size_t count_lines(const char *text)
 {
     size_t count = 0;
     for (; *text; text++)
@@ -57,7 +57,10 @@ static const char *last_line(const char *line)
     return line;
 }
 
-char *text_without(const char *text, size_t number, bool kept)
+/* The text without its line of that number, from 0 on, and if that opens a block,
+ * without all up to the line that closes it; or, kept, without these two lines
+ * alone.  NULL: there is no such line, or it opens none where one is asked for. */
+static char *text_without(const char *text, size_t number, bool kept)
 {
     const char *first = text;
     for (; number > 0 && *first; number--)
@@ -71,6 +74,27 @@ char *text_without(const char *text, size_t number, bool kept)
         strncat(less, next_line(first), (size_t)(last - next_line(first)));
     strcat(less, next_line(last));
     return less;
+}
+
+char *text_shrunk(char *text, size_t most,
+                  bool (*fails)(const char *text, void *context), void *context)
+{
+    size_t trials = 0;
+    for (bool smaller = true; smaller && trials < most;) {
+        smaller = false;
+        for (size_t i = 1; i < count_lines(text) && trials < most; trials++) {
+            bool less = false;
+            for (int kept = 0; kept < 2 && !less; kept++) {
+                char *part = text_without(text, i, kept);
+                less = part && fails(part, context);
+                free(less ? text : part);
+                text = less ? part : text;
+            }
+            smaller |= less;
+            i += !less;
+        }
+    }
+    return text;
 }
 
 char *text_indented(char *text)

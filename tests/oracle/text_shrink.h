@@ -5,12 +5,11 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The text without its line of that number, from 0 on, and if that opens a block,
- * without all up to the line that closes it; or, kept, without these two lines
- * alone.  NULL: there is no such line, or it opens none where one is asked for.
- * The caller frees it. */
-char *text_without(const char *text, size_t line, bool kept);
-size_t text_lines(const char *text);
+/* Leaves out lines and blocks, or the two lines that open and close a block, as long as
+ * what is left fails, in so many trials at most.  The text is freed; the caller frees the
+ * smaller one. */
+char *text_shrunk(char *text, size_t most,
+                  bool (*fails)(const char *text, void *context), void *context);
 
 /* The text with the lines of blocks indented; it is freed. */
 char *text_indented(char *text);
