@@ -235,8 +235,7 @@ static c205_word add(const struct oracle_format *format, c205_word a, c205_word 
 }
 
 #define SUM(name, subtract, form) \
-    c205_word oracle_##name(const struct oracle_format *format, c205_word a, \
-                            c205_word b, uint64_t *flags) \
+    ORACLE_RULE(name) \
     { \
         return add(format, a, b, subtract, form, flags); \
     }
@@ -257,14 +256,12 @@ static c205_word halve(const struct oracle_format *format, c205_word sum,
     return make(format, left.coefficient, left.exponent - 1, flags);
 }
 
-c205_word oracle_average(const struct oracle_format *format, c205_word a, c205_word b,
-                         uint64_t *flags)
+ORACLE_RULE(average)
 {
     return halve(format, oracle_add_normalised(format, a, b, flags), flags);
 }
 
-c205_word oracle_average_difference(const struct oracle_format *format, c205_word a,
-                                    c205_word b, uint64_t *flags)
+ORACLE_RULE(average_difference)
 {
     return halve(format, oracle_subtract_normalised(format, a, b, flags), flags);
 }
@@ -285,8 +282,7 @@ static bool multiply(const struct oracle_format *format, c205_word a, c205_word 
     return !either(INDEFINITE) && !either(MACHINE_ZERO);
 }
 
-c205_word oracle_multiply_upper(const struct oracle_format *format, c205_word a,
-                                c205_word b, uint64_t *flags)
+ORACLE_RULE(multiply_upper)
 {
     c205_word special;
     if (!multiply(format, a, b, &special, flags))
@@ -296,8 +292,7 @@ c205_word oracle_multiply_upper(const struct oracle_format *format, c205_word a,
     return make(format, wide, shorten(format, wide, exponent), flags);
 }
 
-c205_word oracle_multiply_lower(const struct oracle_format *format, c205_word a,
-                                c205_word b, uint64_t *flags)
+ORACLE_RULE(multiply_lower)
 {
     c205_word special;
     if (!multiply(format, a, b, &special, flags))
@@ -306,8 +301,7 @@ c205_word oracle_multiply_lower(const struct oracle_format *format, c205_word a,
     return make(format, wide, left.exponent + right.exponent, flags);
 }
 
-c205_word oracle_multiply_significant(const struct oracle_format *format, c205_word a,
-                                      c205_word b, uint64_t *flags)
+ORACLE_RULE(multiply_significant)
 {
     c205_word special;
     if (!multiply(format, a, b, &special, flags))
@@ -342,8 +336,7 @@ static bool divide(const struct oracle_format *format, c205_word a, c205_word b,
     return true;
 }
 
-c205_word oracle_divide_upper(const struct oracle_format *format, c205_word a,
-                              c205_word b, uint64_t *flags)
+ORACLE_RULE(divide_upper)
 {
     c205_word special;
     if (!divide(format, a, b, &special, flags))
@@ -354,8 +347,7 @@ c205_word oracle_divide_upper(const struct oracle_format *format, c205_word a,
     return make(format, wide, exponent, flags);
 }
 
-c205_word oracle_divide_significant(const struct oracle_format *format, c205_word a,
-                                    c205_word b, uint64_t *flags)
+ORACLE_RULE(divide_significant)
 {
     c205_word special;
     if (!divide(format, a, b, &special, flags))
@@ -368,10 +360,8 @@ c205_word oracle_divide_significant(const struct oracle_format *format, c205_wor
 
 /* ---- Square root -------------------------------------------------------- */
 
-c205_word oracle_square_root(const struct oracle_format *format, c205_word a,
-                             c205_word b, uint64_t *flags)
+ORACLE_RULE(square_root)
 {
-    (void)b;
     take(&left, format, a);
     if (left.kind == INDEFINITE)
         return indefinite(0, flags);
@@ -407,33 +397,20 @@ static c205_word integer_part(const struct oracle_format *format, c205_word a,
     return make(format, wide, 0, flags);
 }
 
-c205_word oracle_truncate(const struct oracle_format *format, c205_word a, c205_word b,
-                          uint64_t *flags)
-{
-    (void)b;
-    return integer_part(format, a, mpz_tdiv_q_2exp, flags);
-}
+#define INTEGER_PART(name, cut) \
+    ORACLE_RULE(name) \
+    { \
+        return integer_part(format, a, cut, flags); \
+    }
 
-c205_word oracle_floor(const struct oracle_format *format, c205_word a, c205_word b,
-                       uint64_t *flags)
-{
-    (void)b;
-    return integer_part(format, a, mpz_fdiv_q_2exp, flags);
-}
-
-c205_word oracle_ceiling(const struct oracle_format *format, c205_word a, c205_word b,
-                         uint64_t *flags)
-{
-    (void)b;
-    return integer_part(format, a, mpz_cdiv_q_2exp, flags);
-}
+INTEGER_PART(truncate, mpz_tdiv_q_2exp)
+INTEGER_PART(floor, mpz_fdiv_q_2exp)
+INTEGER_PART(ceiling, mpz_cdiv_q_2exp)
 
 /* Of a special word too: the range rule makes the plain special of it, but
  * no exponent overflow where there was no number. */
-c205_word oracle_negate(const struct oracle_format *format, c205_word a, c205_word b,
-                        uint64_t *flags)
+ORACLE_RULE(negate)
 {
-    (void)b;
     take(&left, format, a);
     if (left.kind != NUMBER)
         return plain(left.kind, flags);
@@ -449,8 +426,7 @@ c205_word oracle_negate(const struct oracle_format *format, c205_word a, c205_wo
     return make(format, wide, left.exponent, flags);
 }
 
-c205_word oracle_absolute(const struct oracle_format *format, c205_word a, c205_word b,
-                          uint64_t *flags)
+ORACLE_RULE(absolute)
 {
     take(&left, format, a);
     if (mpz_sgn(left.coefficient) >= 0)
@@ -458,10 +434,8 @@ c205_word oracle_absolute(const struct oracle_format *format, c205_word a, c205_
     return oracle_negate(format, a, b, flags);
 }
 
-c205_word oracle_exponent(const struct oracle_format *format, c205_word a, c205_word b,
-                          uint64_t *flags)
+ORACLE_RULE(exponent)
 {
-    (void)b;
     take(&left, format, a);
     mpz_set_si(wide, left.exponent);
     return make(format, wide, 0, flags);
@@ -488,8 +462,7 @@ static void shift_right(long places)
     scale_down(left.coefficient, places > 100 ? 100 : places);
 }
 
-c205_word oracle_adjust_significance(const struct oracle_format *format, c205_word a,
-                                     c205_word b, uint64_t *flags)
+ORACLE_RULE(adjust_significance)
 {
     take_both(format, a, b);
     long places = mpz_get_si(right.coefficient);
@@ -502,8 +475,7 @@ c205_word oracle_adjust_significance(const struct oracle_format *format, c205_wo
     return make(format, left.coefficient, left.exponent - places, flags);
 }
 
-c205_word oracle_adjust_exponent(const struct oracle_format *format, c205_word a,
-                                 c205_word b, uint64_t *flags)
+ORACLE_RULE(adjust_exponent)
 {
     take_both(format, a, b);
     long exponent = mpz_get_si(right.coefficient);
@@ -533,25 +505,19 @@ static c205_word contract(c205_word a, unsigned long addend, uint64_t *flags)
     return make(&oracle_half, wide, exponent, flags);
 }
 
-c205_word oracle_contract(const struct oracle_format *format, c205_word a, c205_word b,
-                          uint64_t *flags)
+ORACLE_RULE(contract)
 {
-    (void)format, (void)b;
     return contract(a, 0, flags);
 }
 
-c205_word oracle_contract_rounded(const struct oracle_format *format, c205_word a,
-                                  c205_word b, uint64_t *flags)
+ORACLE_RULE(contract_rounded)
 {
-    (void)format, (void)b;
     return contract(a, 1ul << 23, flags);
 }
 
-c205_word oracle_extend(const struct oracle_format *format, c205_word a, c205_word b,
-                        uint64_t *flags)
+ORACLE_RULE(extend)
 {
     long places = oracle_full.digits - oracle_half.digits;
-    (void)format, (void)b;
     take(&left, &oracle_half, a);
     if (left.kind != NUMBER)
         return plain(left.kind, flags);
@@ -574,10 +540,8 @@ void oracle_value(const struct oracle_format *format, mpfr_t value, c205_word wo
 
 /* MPFR's predicates hold for no NaN, as the machine's for no indefinite. */
 #define COMPARISON(name, holds) \
-    c205_word oracle_##name(const struct oracle_format *format, c205_word a, \
-                            c205_word b, uint64_t *flags) \
+    ORACLE_RULE(name) \
     { \
-        (void)flags; \
         oracle_value(format, left_value, a); \
         oracle_value(format, right_value, b); \
         return (holds(left_value, right_value)) != 0; \

@@ -35,6 +35,13 @@ void oracle_end(void);
 typedef c205_word oracle_rule(const struct oracle_format *format, c205_word a,
                               c205_word b, uint64_t *flags);
 
+/* The head of a rule's definition. */
+#define ORACLE_UNUSED __attribute__((unused))
+#define ORACLE_RULE(name) \
+    c205_word oracle_##name(const struct oracle_format *format ORACLE_UNUSED, \
+                            c205_word a, c205_word b ORACLE_UNUSED, \
+                            uint64_t *flags ORACLE_UNUSED)
+
 /* Of each operation that stands by itself in vm/arith.def.  Between the sizes
  * (contract, contract_rounded: to half words; extend: to full ones) the format
  * is fixed and the argument not looked at. */

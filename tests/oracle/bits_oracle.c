@@ -31,26 +31,20 @@ static c205_word as_number(const struct oracle_format *format, c205_word word)
     return word >> (64 - format->width);
 }
 
-c205_word oracle_pack(const struct oracle_format *format, c205_word a, c205_word b,
-                      uint64_t *flags)
+ORACLE_RULE(pack)
 {
     c205_word exponent = as_number(format, a) << (format->digits + 1);
-    (void)flags;
     return join(format, justified(format, exponent), b);
 }
 
-c205_word oracle_add_index(const struct oracle_format *format, c205_word a, c205_word b,
-                           uint64_t *flags)
+ORACLE_RULE(add_index)
 {
-    (void)flags;
     return join(format, a,
                 justified(format, as_number(format, a) + as_number(format, b)));
 }
 
-c205_word oracle_subtract_index(const struct oracle_format *format, c205_word a,
-                                c205_word b, uint64_t *flags)
+ORACLE_RULE(subtract_index)
 {
-    (void)flags;
     return join(format, a,
                 justified(format, as_number(format, a) - as_number(format, b)));
 }
@@ -65,13 +59,11 @@ static long as_integer(const struct oracle_format *format, c205_word word)
     return integer;
 }
 
-c205_word oracle_shift(const struct oracle_format *format, c205_word a, c205_word b,
-                       uint64_t *flags)
+ORACLE_RULE(shift)
 {
     long width = format->width;
     long count = as_integer(format, b);
     c205_word shifted = 0;
-    (void)flags;
     for (long i = 0; i < width; i++) {
         long from = count >= 0      ? (i + count % width) % width
                     : i + count < 0 ? 0
@@ -92,12 +84,9 @@ static c205_word bitwise(const struct oracle_format *format, c205_word a, c205_w
 }
 
 #define LOGICAL(name, of00, of01, of10, of11) \
-    c205_word oracle_##name(const struct oracle_format *format, c205_word a, \
-                            c205_word b, uint64_t *flags) \
+    ORACLE_RULE(name) \
     { \
         static const unsigned truth[2][2] = { { of00, of01 }, { of10, of11 } }; \
-\
-        (void)flags; \
         return bitwise(format, a, b, truth); \
     }
 
