@@ -19,22 +19,18 @@
         words   carry, X'0000 7FFF FFFF FFFF', X'0000 7FFF FFFF FFFF'
         halves  carry, X'007F FFFF', X'007F FFFF'
 ; a tiny negative operand counts: results are cut by floor
-        words   under, 1.0, X'FFA2 8000 0000 0000'
-        halves  under, 1.0, X'D280 0000'
+        sized_pair under, 1.0, X'FFA2 8000 0000 0000', 1.0, X'D280 0000'
 ; shifted out of the register altogether
-        words   far, 1.0, X'F000 8000 0000 0000'
-        halves  far, 1.0, X'9080 0000'
+        sized_pair far, 1.0, X'F000 8000 0000 0000', 1.0, X'9080 0000'
 ; inexact
         pair    tenth, 0.1, 0.2
 ; its exponent counts in the alignment
-        words   zero_coefficient, 1.0, X'0010 0000 0000 0000'
-        halves  zero_coefficient, 1.0, X'1000 0000'
+        sized_pair zero_coefficient, 1.0, X'0010 0000 0000 0000', 1.0, X'1000 0000'
 ; machine zero leaves the other operand
         pair    zero_left, 0.0, 7
         pair    zero_right, -1.5, 0.0
         pair    zero_both, 0.0, 0.0
-        words   indefinite, 1.0, X'7000 0000 0000 0000'
-        halves  indefinite, 1.0, X'7000 0000'
+        sized_pair indefinite, 1.0, X'7000 0000 0000 0000', 1.0, X'7000 0000'
 ; at the ends of the exponent range
         words   overflow, X'6FFF 7FFF FFFF FFFF', X'6FFF 8000 0000 0000'
         halves  overflow, X'6F7F FFFF', X'6F80 0000'
@@ -144,21 +140,13 @@
         half_differences overflow, X'7000 0000', X'7000 0000', X'5940 0000'
         half_differences huge, 0.0, X'6F00 0000', X'5800 0000'
         half_differences underflow, 0.0, X'9000 0001', 0.0
-        with_zero ADDN, -2.5, -2.5
-        with_zero_half ADDNH, -2.5, -2.5
-        both_flags ADDN, X'0000 0000 0032 0000'
-        with_zero ADDU, -2.5, -2.5
-        with_zero_half ADDUH, -2.5, -2.5
-        both_flags ADDU, X'0000 0000 0032 0000'
+        zeros_and_flags ADDN, -2.5, -2.5, -2.5, -2.5, X'0000 0000 0032 0000'
+        zeros_and_flags ADDU, -2.5, -2.5, -2.5, -2.5, X'0000 0000 0032 0000'
         with_zero ADDL, zero.92, zero.92
         with_zero_half ADDLH, X'D400 0000', X'D400 0000'
         both_flags ADDL, X'0000 0000 0012 0000'
-        with_zero SUBN, 2.5, -2.5
-        with_zero_half SUBNH, 2.5, -2.5
-        both_flags SUBN, X'0000 0000 0032 0000'
-        with_zero SUBU, 2.5, -2.5
-        with_zero_half SUBUH, 2.5, -2.5
-        both_flags SUBU, X'0000 0000 0032 0000'
+        zeros_and_flags SUBN, 2.5, -2.5, 2.5, -2.5, X'0000 0000 0032 0000'
+        zeros_and_flags SUBU, 2.5, -2.5, 2.5, -2.5, X'0000 0000 0032 0000'
         with_zero SUBL, zero.92, zero.92
         with_zero_half SUBLH, X'D400 0000', X'D400 0000'
         both_flags SUBL, X'0000 0000 0012 0000'

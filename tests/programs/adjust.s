@@ -9,10 +9,8 @@
         .include "binary.inc"
 
 ; specials become the plain words
-        words   zero, X'8123 0000 0000 0005', 3
-        halves  zero, X'8000 0005', 3
-        words   indefinite, X'7123 0000 0000 0005', -3
-        halves  indefinite, X'7000 0005', -3
+        sized_pair zero, X'8123 0000 0000 0005', 3, X'8000 0005', 3
+        sized_pair indefinite, X'7123 0000 0000 0005', -3, X'7000 0005', -3
 ; ADJE: T := R with the exponent S, its coefficient shifted to suit;
 ; indefinite if it does not fit
         both_two ADJE, left_3, 5, -3, X'FFFD 0000 0000 0028', X'FD00 0028'
@@ -21,15 +19,12 @@
         both_two ADJE, fraction, 2.75, 0, 2, 2
         both_two ADJE, negative, -2.75, 0, -3, -3
         both_two ADJE, all_lost, -5, 100, X'0064 FFFF FFFF FFFF', X'64FF FFFF'
-        two     ADJE, same, 1.0, -46, 1.0
-        two_half ADJEH, same, 1.0, -22, 1.0
+        sized_two ADJE, same, 1.0, -46, 1.0, 1.0, -22, 1.0
 ; what just fits, and what does not
-        two     ADJE, fits, 1, -46, 1.0
-        two_half ADJEH, fits, 1, -22, 1.0
+        sized_two ADJE, fits, 1, -46, 1.0, 1, -22, 1.0
         two     ADJE, minus_one, -1, -47, X'FFD1 8000 0000 0000'
         two_half ADJEH, minus_one, -1, -23, X'E980 0000'
-        two     ADJE, too_long, 1, -47, indefinite
-        two_half ADJEH, too_long, 1, -23, X'7000 0000'
+        sized_two ADJE, too_long, 1, -47, indefinite, 1, -23, X'7000 0000'
         both_two ADJE, far_too_long, 1, -40000, indefinite, X'7000 0000'
         two     ADJE, zero_coefficient, X'0010000000000000', -100, X'FF9C000000000000'
         two_half ADJEH, zero_coefficient, X'1000 0000', -100, X'9C00 0000'
@@ -37,8 +32,7 @@
         two     ADJE, low_bits, 5, X'1234 FFFF FFFF FFFD', X'FFFD 0000 0000 0028'
         two_half ADJEH, low_bits, 5, X'ECFF FFFD', X'FD00 0028'
 ; the exponent leaves its range
-        two     ADJE, overflow, 5, 28672, indefinite
-        two_half ADJEH, overflow, 5, 112, X'7000 0000'
+        sized_two ADJE, overflow, 5, 28672, indefinite, 5, 112, X'7000 0000'
         two     ADJE, underflow, X'9000 0000 0000 0001', -28673, 0.0
         two_half ADJEH, underflow, X'9000 0001', -113, 0.0
         two     ADJE, zero_underflow, X'0010 0000 0000 0000', -40000, 0.0
@@ -71,8 +65,7 @@
         two     ADJS, low_bits, 5, X'1234 0000 0000 0003', X'FFFD 0000 0000 0028'
         two_half ADJSH, low_bits, 5, X'EC00 0003', X'FD00 0028'
 ; the exponent leaves its range
-        two     ADJS, underflow, X'9000 0000 0000 0005', 1, 0.0
-        two_half ADJSH, underflow, X'9000 0005', 1, 0.0
+        sized_two ADJS, underflow, X'9000 0000 0000 0005', 1, 0.0, X'9000 0005', 1, 0.0
         two     ADJS, overflow, X'6FFF 0000 0000 0005', -1, indefinite
         two_half ADJSH, overflow, X'6F00 0005', -1, X'7000 0000'
         two     ADJS, furthest, 5, X'0000 8000 0000 0000', indefinite
@@ -92,8 +85,7 @@
         half_is ADJSH, by_register_zero, 5
         both_flags ADJS, X'0000 0000 0032 0000'
 ; PACK: T := low 16 bits of R as exponent, coefficient of S
-        two     PACK, plain, -46, X'0000 4000 0000 0000', 1.0
-        two_half PACKH, plain, -22, X'0040 0000', 1.0
+        sized_two PACK, plain, -46, X'0000 4000 0000 0000', 1.0, -22, X'0040 0000', 1.0
         both_two PACK, other_exponent, 3, 1.0, X'0003 4000 0000 0000', X'0340 0000'
         two     PACK, low_bits, X'1234000000018000', X'5678000000000007', X'8000000000000007'
         two_half PACKH, low_bits, X'1234 5680', X'5600 0007', X'8000 0007'

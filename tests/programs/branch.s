@@ -12,13 +12,11 @@
         pair    equal, 2.0, 2.0
         pair    greater, -1.0, -2.0
         pair    unnormalised, 2, 2.0
-        words   zeros, 0.0, X'0010 0000 0000 0000'
-        halves  zeros, 0.0, X'1000 0000'
+        sized_pair zeros, 0.0, X'0010 0000 0000 0000', 0.0, X'1000 0000'
         pair    negative, 0.0, -1
         words   neither, X'7000000000000000', X'7000000000000000'
         halves  neither, X'7000 0000', X'7000 0000'
-        words   one_indefinite, 1.0, X'7000 0000 0000 0000'
-        halves  one_indefinite, 1.0, X'7000 0000'
+        sized_pair one_indefinite, 1.0, X'7000 0000 0000 0000', 1.0, X'7000 0000'
         pair    register_zero, 0, 0
 ; BEQ BNE BGE BLT, BHEQ BHNE BHGE BHLT of half words: if R .. S go to T;
 ; CFPEQ CFPNE CFPGE CFPLT CFPGT CFPLE: if A .. Z go to target.

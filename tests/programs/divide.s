@@ -19,23 +19,17 @@
         pair    minus_third, -1.0, 3.0
 ; as significant as the less significant operand
         pair    less_significant, 0.1, 5
-        words   small, 1, X'0000 7FFF FFFF FFFF'
-        halves  small, 1, X'007F FFFF'
+        sized_pair small, 1, X'0000 7FFF FFFF FFFF', 1, X'007F FFFF'
         pair    zero_dividend, 0.0, 7
-        words   no_coefficient, X'0010 0000 0000 0000', 2.0
-        halves  no_coefficient, X'1000 0000', 2.0
+        sized_pair no_coefficient, X'0010 0000 0000 0000', 2.0, X'1000 0000', 2.0
 ; divide fault
         pair    by_zero, 1.0, 0.0
-        words   by_zero_coefficient, 1.0, X'0010 0000 0000 0000'
-        halves  by_zero_coefficient, 1.0, X'1000 0000'
+        sized_pair by_zero_coefficient, 1.0, X'0010 0000 0000 0000', 1.0, X'1000 0000'
         pair    zero_by_zero, 0.0, 0.0
-        words   indefinite, X'7000 0000 0000 0000', 1.0
-        halves  indefinite, X'7000 0000', 1.0
+        sized_pair indefinite, X'7000 0000 0000 0000', 1.0, X'7000 0000', 1.0
 ; at the ends of the exponent range
-        words   overflow, X'6FFF 7FFF FFFF FFFF', 0.125
-        halves  overflow, X'6F7F FFFF', 0.125
-        words   underflow, X'9000 4000 0000 0000', 4.0
-        halves  underflow, X'9040 0000', 4.0
+        sized_pair overflow, X'6FFF 7FFF FFFF FFFF', 0.125, X'6F7F FFFF', 0.125
+        sized_pair underflow, X'9000 4000 0000 0000', 4.0, X'9040 0000', 4.0
         .macro  quotients name, s, u
         gives   DIVS, \name, \s
         gives   DIVU, \name, \u
@@ -80,12 +74,8 @@
         half_quotients indefinite, X'7000 0000', X'7000 0000'
         half_quotients overflow, X'7000 0000', X'7000 0000'
         half_quotients underflow, 0.0, 0.0
-        with_zero DIVS, 0.0, indefinite
-        with_zero_half DIVSH, 0.0, X'7000 0000'
-        both_flags DIVS, X'0000 0000 0072 0000'
-        with_zero DIVU, 0.0, indefinite
-        with_zero_half DIVUH, 0.0, X'7000 0000'
-        both_flags DIVU, X'0000 0000 0072 0000'
+        zeros_and_flags DIVS, 0.0, indefinite, 0.0, X'7000 0000', X'0000 0000 0072 0000'
+        zeros_and_flags DIVU, 0.0, indefinite, 0.0, X'7000 0000', X'0000 0000 0072 0000'
 
 ; ---- Vectors ----
         .data

@@ -24,17 +24,13 @@
         pair    less_significant, 5, 0.1
 ; -1 has no significant bit
         pair    minus_one, -1, -1
-        words   zero_coefficient, 1.0, X'0010 0000 0000 0000'
-        halves  zero_coefficient, 1.0, X'1000 0000'
+        sized_pair zero_coefficient, 1.0, X'0010 0000 0000 0000', 1.0, X'1000 0000'
         pair    zero_left, 0.0, 7
         pair    zero_right, -1.5, 0.0
-        words   indefinite, X'7000 0000 0000 0000', 0.0
-        halves  indefinite, X'7000 0000', 0.0
+        sized_pair indefinite, X'7000 0000 0000 0000', 0.0, X'7000 0000', 0.0
 ; at the ends of the exponent range
-        words   overflow, X'6FFF 7FFF FFFF FFFF', 8.0
-        halves  overflow, X'6F7F FFFF', 8.0
-        words   underflow, X'9000 4000 0000 0000', 0.25
-        halves  underflow, X'9040 0000', 0.25
+        sized_pair overflow, X'6FFF 7FFF FFFF FFFF', 8.0, X'6F7F FFFF', 8.0
+        sized_pair underflow, X'9000 4000 0000 0000', 0.25, X'9040 0000', 0.25
         .macro  products name, s, u, l
         gives   MPYS, \name, \s
         gives   MPYU, \name, \u
@@ -80,15 +76,9 @@
         half_products indefinite, X'7000 0000', X'7000 0000', X'7000 0000'
         half_products overflow, X'7000 0000', X'7000 0000', X'5C40 0000'
         half_products underflow, 0.0, 0.0, 0.0
-        with_zero MPYS, 0.0, 0.0
-        with_zero_half MPYSH, 0.0, 0.0
-        both_flags MPYS, X'0000 0000 0032 0000'
-        with_zero MPYU, 0.0, 0.0
-        with_zero_half MPYUH, 0.0, 0.0
-        both_flags MPYU, X'0000 0000 0032 0000'
-        with_zero MPYL, 0.0, 0.0
-        with_zero_half MPYLH, 0.0, 0.0
-        both_flags MPYL, X'0000 0000 0012 0000'
+        zeros_and_flags MPYS, 0.0, 0.0, 0.0, 0.0, X'0000 0000 0032 0000'
+        zeros_and_flags MPYU, 0.0, 0.0, 0.0, 0.0, X'0000 0000 0032 0000'
+        zeros_and_flags MPYL, 0.0, 0.0, 0.0, 0.0, X'0000 0000 0012 0000'
 
 ; ---- Vectors ----
         .data

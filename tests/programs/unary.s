@@ -15,19 +15,15 @@
         pair    whole, -3.0
         pair    small, 0.5
         pair    small_negative, -0.5
-        words   tiny_negative, X'F000 8000 0000 0000'
-        halves  tiny_negative, X'9080 0000'
+        sized_pair tiny_negative, X'F000 8000 0000 0000', 0, X'9080 0000', 0
 ; an exponent of 0 or more: unchanged
         pair    integer, -7
-        words   large, X'0005 4000 0000 0000'
-        halves  large, X'0540 0000'
+        sized_pair large, X'0005 4000 0000 0000', 0, X'0540 0000', 0
 ; 2.5
-        words   unnormalised, X'FFFF 0000 0000 0005'
-        halves  unnormalised, X'FF00 0005'
+        sized_pair unnormalised, X'FFFF 0000 0000 0005', 0, X'FF00 0005', 0
 ; specials stay
         pair    zero, 0.0
-        words   indefinite, X'7000 0000 0000 0000'
-        halves  indefinite, X'7000 0000'
+        sized_pair indefinite, X'7000 0000 0000 0000', 0, X'7000 0000', 0
 ; FLR: T := greatest integer not above R, exponent 0
         makes_both FLR, plain, 2, 2
         makes_both FLR, negative, -3, -3
@@ -62,8 +58,7 @@
         makes_both CLG, whole, -3, -3
         makes_both CLG, small, 1, 1
         makes_both CLG, small_negative, 0, 0
-        one     CLG, tiny, X'F000 4000 0000 0000', 1
-        one_half CLGH, tiny, X'9040 0000', 1
+        sized_one CLG, tiny, X'F000 4000 0000 0000', 1, X'9040 0000', 1
         one     CLG, least, X'FFFF 8000 0000 0000', X'0000 C000 0000 0000'
         one_half CLGH, least, X'FF80 0000', X'00C0 0000'
         makes_both CLG, integer, -7, -7
@@ -104,8 +99,7 @@
         one     SQRT, small, X'9000 4000 0000 0000', X'C7E9 4000 0000 0000'
         one_half SQRTH, small, X'9040 0000', X'BD40 0000'
         makes_both SQRT, zero, 0.0, 0.0
-        one     SQRT, zero_coefficient, X'0010 0000 0000 0000', 0.0
-        one_half SQRTH, zero_coefficient, X'1000 0000', 0.0
+        sized_one SQRT, zero_coefficient, X'0010 0000 0000 0000', 0.0, X'1000 0000', 0.0
 ; imaginary root
         both_one SQRT, imaginary, -1.0, indefinite, X'7000 0000'
         makes_both SQRT, indefinite, indefinite, X'7000 0000'
@@ -113,10 +107,8 @@
         both_flags SQRT, X'0000 0000 0016 0000'
 ; EXP: T := exponent of R, as an integer
         both_one EXP, plain, 1.0, -46, -22
-        one     EXP, large, X'6FFF 7FFF FFFF FFFF', 28671
-        one_half EXPH, large, X'6F7F FFFF', 111
-        one     EXP, small, X'9000 4000 0000 0000', -28672
-        one_half EXPH, small, X'9040 0000', -112
+        sized_one EXP, large, X'6FFF 7FFF FFFF FFFF', 28671, X'6F7F FFFF', 111
+        sized_one EXP, small, X'9000 4000 0000 0000', -28672, X'9040 0000', -112
         both_one EXP, integer, 5, 0, 0
         makes_both EXP, zero, -32768, -128
         makes_both EXP, indefinite, 28672, 112
