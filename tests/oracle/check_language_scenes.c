@@ -127,48 +127,24 @@ static struct trace_options random_form(size_t i, uint64_t *state)
     return form;
 }
 
-static struct trace *trace_form(const struct scene *scene,
-                                const struct trace_options *form)
-{
-    c205_error error;
-    struct trace *trace = trace_new(scene, form, &error);
-    if (!trace || !trace_run(trace, &error))
-        give_up(error.message);
-    return trace;
-}
-
-static bool same_frame(const struct trace *expected, const struct trace *found,
-                       const struct trace_options *form, struct judgement *judgement)
-{
-    for (int i = 0; i < FRAME_CHANNELS; i++) {
-        const c205_word *a = trace_channel(expected, (enum frame_channel)i);
-        const c205_word *b = trace_channel(found, (enum frame_channel)i);
-        size_t k = 0;
-        while (k < PIXELS && a[k] == b[k])
-            k++;
-        if (k == PIXELS)
-            continue;
-        blame(judgement, OTHER_FRAME, "");
-        snprintf(judgement->reason, REASON,
-                 "--mode %s --queue %zu --order %s --jobs %zu (bands of %zu "
-                 "pixels): another frame than --mode scalar, channel %d at "
-                 "%zu, %zu",
-                 trace_mode_name(form->mode), form->queue, order_name(form->order),
-                 form->jobs, form->band, i, k % WIDTH, k / WIDTH);
-        return false;
-    }
-    return true;
-}
-
 static bool same_in_all_forms(const struct scene *scene, const struct trace *expected,
                               uint64_t state, struct judgement *judgement)
 {
     bool good = true;
     for (size_t i = 1; good && i < FORMS; i++) {
         struct trace_options form = random_form(i, &state);
-        struct trace *trace = trace_form(scene, &form);
-        good = same_frame(expected, trace, &form, judgement);
+        struct trace *trace = traced_in(scene, form);
+        char other[MANY_REASON];
+        good = same_frames(expected, trace, WIDTH, HEIGHT, other);
         trace_free(trace);
+        if (good)
+            continue;
+        blame(judgement, OTHER_FRAME, "");
+        snprintf(judgement->reason, REASON,
+                 "--mode %s --queue %zu --order %s --jobs %zu (bands of %zu pixels): "
+                 "%.200s",
+                 trace_mode_name(form.mode), form.queue, order_name(form.order),
+                 form.jobs, form.band, other);
     }
     return good;
 }
@@ -340,7 +316,7 @@ static void judge_scene(const char *text, const struct scene *scene, size_t numb
                         struct sitting *sitting, struct judgement *judgement)
 {
     struct trace_options serial = random_form(0, NULL);
-    struct trace *expected = trace_form(scene, &serial);
+    struct trace *expected = traced_in(scene, serial);
     struct picture_error error;
     struct frame theirs;
     bool good = same_in_all_forms(scene, expected, seed_of(number), judgement);

@@ -102,37 +102,12 @@ struct sight {
     size_t width, height;
 };
 
-static struct trace *trace_in(const struct sight *sight,
-                              const struct trace_options *way)
+static struct trace *trace_in(const struct sight *sight, struct trace_options way)
 {
-    struct trace_options options = *way;
-    c205_error error;
-    options.width = sight->width;
-    options.height = sight->height;
-    options.model = model;
-    struct trace *trace = trace_new(sight->scene, &options, &error);
-    if (!trace || !trace_run(trace, &error))
-        give_up(error.message);
-    return trace;
-}
-
-static bool same_words(const struct sight *sight, const struct trace *expected,
-                       const struct trace *found, char *reason)
-{
-    size_t pixels = sight->width * sight->height;
-    for (int i = 0; i < FRAME_CHANNELS; i++) {
-        const c205_word *a = trace_channel(expected, (enum frame_channel)i);
-        const c205_word *b = trace_channel(found, (enum frame_channel)i);
-        for (size_t k = 0; k < pixels; k++)
-            if (a[k] != b[k]) {
-                snprintf(reason, MANY_REASON,
-                         "channel %d at %zu, %zu is %016llX, not %016llX", i,
-                         k % sight->width, k / sight->width, (unsigned long long)b[k],
-                         (unsigned long long)a[k]);
-                return false;
-            }
-    }
-    return true;
+    way.width = sight->width;
+    way.height = sight->height;
+    way.model = model;
+    return traced_in(sight->scene, way);
 }
 
 static bool same_rays(const struct trace *expected, const struct trace *found,
@@ -154,8 +129,8 @@ static bool same_rays(const struct trace *expected, const struct trace *found,
 static bool same_in(const struct sight *sight, const struct trace *expected,
                     const struct trace_options *way, char *reason)
 {
-    struct trace *found = trace_in(sight, way);
-    bool good = same_words(sight, expected, found, reason)
+    struct trace *found = trace_in(sight, *way);
+    bool good = same_frames(expected, found, sight->width, sight->height, reason)
                 && same_rays(expected, found, reason);
     trace_free(found);
     return good;
@@ -207,7 +182,7 @@ static bool passes(struct random_scene *regions, char *reason)
 {
     struct scene *scene = scene_of(regions->text);
     const struct sight sight = { scene, regions->width, regions->height };
-    struct trace *expected = trace_in(&sight, &plainest);
+    struct trace *expected = trace_in(&sight, plainest);
     bool good = true;
     for (size_t i = 0; good && i < ways.count; i++)
         if (!same_in(&sight, expected, &ways.way[i], reason)) {

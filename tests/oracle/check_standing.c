@@ -65,24 +65,10 @@ enum { FORMS = sizeof forms / sizeof *forms };
 static struct trace *trace_in(const struct scene *scene, size_t i)
 {
     struct trace_options form = forms[i];
-    c205_error error;
     form.width = WIDTH;
     form.height = HEIGHT;
     form.model = model;
-    struct trace *trace = trace_new(scene, &form, &error);
-    if (!trace || !trace_run(trace, &error))
-        give_up(error.message);
-    return trace;
-}
-
-static bool same_frame(const struct trace *a, const struct trace *b)
-{
-    for (int i = 0; i < FRAME_CHANNELS; i++)
-        if (memcmp(trace_channel(a, (enum frame_channel)i),
-                   trace_channel(b, (enum frame_channel)i), PIXELS * sizeof(c205_word))
-            != 0)
-            return false;
-    return true;
+    return traced_in(scene, form);
 }
 
 static bool same_in_all_forms(const struct scene *scene, const struct trace *expected,
@@ -91,9 +77,10 @@ static bool same_in_all_forms(const struct scene *scene, const struct trace *exp
     bool good = true;
     for (size_t i = 1; good && i < FORMS; i++) {
         struct trace *found = trace_in(scene, i);
-        good = same_frame(expected, found);
+        good = same_frames(expected, found, WIDTH, HEIGHT, reason);
         trace_free(found);
-        snprintf(reason, MANY_REASON, "form %zu gives another frame than form 0", i);
+        if (!good)
+            sprintf(reason + strlen(reason), " in form %zu", i);
     }
     return good;
 }

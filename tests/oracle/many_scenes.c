@@ -38,6 +38,32 @@ struct scene *scene_of(const char *text)
     return scene;
 }
 
+struct trace *traced_in(const struct scene *scene, struct trace_options options)
+{
+    c205_error error;
+    struct trace *trace = trace_new(scene, &options, &error);
+    if (!trace || !trace_run(trace, &error))
+        give_up(error.message);
+    return trace;
+}
+
+bool same_frames(const struct trace *expected, const struct trace *found, size_t width,
+                 size_t height, char *reason)
+{
+    for (int i = 0; i < FRAME_CHANNELS; i++) {
+        const c205_word *a = trace_channel(expected, (enum frame_channel)i);
+        const c205_word *b = trace_channel(found, (enum frame_channel)i);
+        for (size_t k = 0; k < width * height; k++)
+            if (a[k] != b[k]) {
+                snprintf(reason, MANY_REASON,
+                         "channel %d at %zu, %zu is %016llX, not %016llX", i, k % width,
+                         k / width, (unsigned long long)b[k], (unsigned long long)a[k]);
+                return false;
+            }
+    }
+    return true;
+}
+
 void keep_scene(const char *path, const char *text)
 {
     FILE *file = fopen(path, "w");

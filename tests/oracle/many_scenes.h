@@ -4,6 +4,7 @@
 #define MANY_SCENES_H
 
 #include "rt/scene/scene.h"
+#include "rt/trace/trace.h"
 #include "vm/c205.h"
 
 #include <stdbool.h>
@@ -16,6 +17,11 @@ void give_up(const char *message);
 c205_model *usual_model(void);
 /* Gives up, with the text and what is wrong with it, where it is no scene. */
 struct scene *scene_of(const char *text);
+/* A trace that has run; gives up if it fails. */
+struct trace *traced_in(const struct scene *scene, struct trace_options options);
+/* Bit for bit; false: the reason, in MANY_REASON characters. */
+bool same_frames(const struct trace *expected, const struct trace *found, size_t width,
+                 size_t height, char *reason);
 /* To a file in the folder of the run; without one nothing is lost that is not
  * printed. */
 void keep_scene(const char *path, const char *text);
