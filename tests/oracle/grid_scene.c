@@ -1,10 +1,8 @@
 /* grid_scene.c - see grid_scene.h. */
 #include "tests/oracle/grid_scene.h"
 
-#include "tests/oracle/beam_text.h"
-#include "tests/oracle/bump_text.h"
+#include "tests/oracle/scene_words.h"
 #include "tests/oracle/chance.h"
-#include "tests/oracle/mesh_text.h"
 #include "tests/oracle/solid_text.h"
 
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* language_shapes.c - shapes by chance: each opens its block and leaves it open, for
  * modifiers. */
 #include "tests/oracle/language_parts.h"
-#include "tests/oracle/mesh_text.h"
+#include "tests/oracle/scene_words.h"
 
 #include <stdlib.h>
 #include <string.h>

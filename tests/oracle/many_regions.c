@@ -1,8 +1,7 @@
 /* many_regions.c - see many_regions.h. */
 #include "tests/oracle/many_regions.h"
 
-#include "tests/oracle/beam_text.h"
-#include "tests/oracle/bump_text.h"
+#include "tests/oracle/scene_words.h"
 #include "tests/oracle/chance.h"
 #include "tests/oracle/placed_solid.h"
 

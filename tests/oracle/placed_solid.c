@@ -1,7 +1,7 @@
 /* placed_solid.c - see placed_solid.h. */
 #include "tests/oracle/placed_solid.h"
 
-#include "tests/oracle/mesh_text.h"
+#include "tests/oracle/scene_words.h"
 
 #include "tests/oracle/chance.h"
 

@@ -1,6 +1,5 @@
-#include "tests/oracle/plain_bump.h"
+#include "tests/oracle/plain_light.h"
 
-#include "tests/oracle/plain_pattern.h"
 #include "tests/oracle/plain_shapes.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-#include "tests/oracle/plain_image.h"
+#include "tests/oracle/plain_light.h"
 
 #include <math.h>
 

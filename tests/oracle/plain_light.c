@@ -1,9 +1,6 @@
 /* plain_light.c - see plain_light.h. */
 #include "tests/oracle/plain_light.h"
 
-#include "tests/oracle/plain_bump.h"
-#include "tests/oracle/plain_image.h"
-#include "tests/oracle/plain_pattern.h"
 
 /* POV-Ray 3.7's: lights more oblique than this, and patterns nearer than this
  * to the next cell, count as at the limit; shadows need blockers this far from

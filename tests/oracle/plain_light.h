@@ -24,6 +24,19 @@ struct plain_surface {
     double passing[3]; /* what it lets through, per channel */
 };
 
+/* Where among the stops of the pigment's map a point of the pattern's space is. */
+double plain_pattern(const struct pigment *pigment, const double point[3]);
+
+/* A normal of length one at a point, as the bumps change it; the scene's unit of
+ * length. */
+void plain_bumps(const struct bumps *bumps, double unit, const double point[3],
+                 double normal[3]);
+
+/* Whether a point of the pigment's space is outside of an image. */
+bool plain_image_misses(const struct image_map *map, const double point[3]);
+/* .. and the image's colour of any other. */
+void plain_image(const struct image_map *map, const double point[3], double color[3]);
+
 /* The colour of a pigment with a map or an image at a point, of a sky in a
  * direction. */
 void plain_map_color(const struct pigment *pigment, const double point[3],

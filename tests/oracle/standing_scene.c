@@ -2,7 +2,7 @@
 #include "tests/oracle/standing_scene.h"
 
 #include "tests/oracle/chance.h"
-#include "tests/oracle/mesh_text.h"
+#include "tests/oracle/scene_words.h"
 #include "tests/oracle/solid_text.h"
 
 enum { WORDS = SOLID_WORDS, BODIES_MOST = 5 };
