@@ -4,11 +4,13 @@
 
         .include "half_vector.inc"
 
-        .macro  compares op
+        .macro  compares op, plain, broadcast
         into_bits \op\().plain
         \op,H   [va], [vb], [to]
         into_bits \op\().broadcast
         \op,H   x, [vb], [to] ? [vz]
+; expect-bits: [\op\().plain] = \plain 111
+; expect-bits: [\op\().broadcast] = \broadcast 111
         .endm
 
         .macro  searches op
@@ -24,18 +26,10 @@ a:      .halfword 1.0, -2.0, 3.0, 2, X'7000 0000'
         some_scalars 1.0, -3.0
         .code
         operands
-        compares CMPEQV
-; expect-bits: [CMPEQV.plain] = 10010 111
-; expect-bits: [CMPEQV.broadcast] = 11001 111
-        compares CMPNEV
-; expect-bits: [CMPNEV.plain] = 01101 111
-; expect-bits: [CMPNEV.broadcast] = 01111 111
-        compares CMPGEV
-; expect-bits: [CMPGEV.plain] = 11010 111
-; expect-bits: [CMPGEV.broadcast] = 11001 111
-        compares CMPLTV
-; expect-bits: [CMPLTV.plain] = 00100 111
-; expect-bits: [CMPLTV.broadcast] = 01111 111
+        compares CMPEQV, 10010, 11001
+        compares CMPNEV, 01101, 01111
+        compares CMPGEV, 11010, 11001
+        compares CMPLTV, 00100, 01111
 ; An index is an integer of 64 bits in a whole register.
         SELEQV,H [va], [vb], r60
         SELEQV,H [va], [vb], r61 ?! [vz]

@@ -5,14 +5,6 @@
 
         .include "half_vector.inc"
 
-        .macro  all_uses op
-        both_uses \op
-        into    \op\().offset           ; of source, result, control vector
-        \op,H   [va, once], y, [to, by] ?! [vz]
-        into    \op\().short            ; normalised ones follow
-        \op,H   -|[short_a]|, [vb], [to]
-        .endm
-
         five    a, 1.0, -2.0, 3.0, 4.5, -0.5
         five    b, 10.0, 0.5, -3.0, 4.5, 2.0
         some_scalars 8.0, -0.5
