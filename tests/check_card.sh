@@ -66,24 +66,19 @@ for paper in card:595:842 card-letter:612:792; do
     pdf=$folder/${paper%%:*}.pdf
     size=${paper#*:}
     pdfinfo "$pdf" >"$said"
-    grep -q '^Pages: *2$' "$said"
-    verdict $? "$pdf: not two pages"
+    expect "$pdf: not two pages" grep -q '^Pages: *2$' "$said"
     grep -q "^Page size: *${size%:*}.* x ${size#*:}" "$said"
     verdict $? "$pdf: another size of paper"
     pdffonts "$pdf" | sed 1,2d >"$said"
-    ! grep -qv ' yes \(yes\|no \) \(yes\|no \) ' "$said"
-    verdict $? "$pdf: a font is missing"
+    expect "$pdf: a font is missing" ! grep -qv ' yes \(yes\|no \) \(yes\|no \) ' "$said"
     astray "$pdf" >"$said"
-    [ ! -s "$said" ]
-    verdict $? "$pdf: what stands wrong"
+    expect "$pdf: what stands wrong" [ ! -s "$said" ]
     plain_text "$pdf" >"$work/text"
     missing_rows "$work/text" "$work/rows" >"$said"
-    [ ! -s "$said" ]
-    verdict $? "$pdf: rows that are missing, or are others"
+    expect "$pdf: rows that are missing, or are others" [ ! -s "$said" ]
     pdftotext "$pdf" - | tr -c '[:alnum:].-' '\n' | sort -u >"$work/there"
     sort -u "$work/words" | comm -23 - "$work/there" >"$said"
-    [ ! -s "$said" ]
-    verdict $? "$pdf: words that are missing"
+    expect "$pdf: words that are missing" [ ! -s "$said" ]
 done
 [ "$(wc -l <"$work/rows")" -gt 150 ] && [ "$(wc -l <"$work/words")" -gt 50 ]
 verdict $? "rows, directives and verbs were not read"

@@ -79,11 +79,9 @@ for program in c205 rt205; do
     ends 0 "$build/$program" --help
     cp out summary
     ends 0 "$build/$program" -h
-    cmp -s out summary
-    verdict $? "$program -h is not --help"
+    expect "$program -h is not --help" cmp -s out summary
     ends 0 "$build/$program" help
-    cmp -s out summary
-    verdict $? "$program help is not --help"
+    expect "$program help is not --help" cmp -s out summary
     ends 2 "$build/$program"
     ends 2 "$build/$program" nonsense
     tells err 'no such command: nonsense'
@@ -118,8 +116,7 @@ refuses() { # ARGUMENT ..: as usage, with the choices and the way to the help
     # shellcheck disable=SC2086
     ends 2 "$build/$program" $word "$@"
     tells err "$program $word${word:+ }--help tells how it is used"
-    [ ! -s out ]
-    verdict $? "wrong usage prints on stdout: $*"
+    expect "wrong usage prints on stdout: $*" [ ! -s out ]
 }
 wrong_values() { # a value that each option refuses, and none
     while read -r what its_command name letter kind choices; do
@@ -157,16 +154,13 @@ for program in c205 rt205 fit205; do
         # shellcheck disable=SC2086
         ends 0 "$build/$program" $word --help
         cp out help.txt
-        [ ! -s err ]
-        verdict $? "$program $word --help prints on stderr"
+        expect "$program $word --help prints on stderr" [ ! -s err ]
         # shellcheck disable=SC2086
         ends 0 "$build/$program" $word -h
-        cmp -s out help.txt
-        verdict $? "$program $word -h is not --help"
+        expect "$program $word -h is not --help" cmp -s out help.txt
         if [ -n "$word" ]; then
             ends 0 "$build/$program" help "$word"
-            cmp -s out help.txt
-            verdict $? "$program help $word is not --help"
+            expect "$program help $word is not --help" cmp -s out help.txt
             ends 2 "$build/$program" "${word}x"
             tells err "($word?)"
         fi
@@ -403,8 +397,7 @@ rows quartic
 for mode in scalar kernels vector; do
     ends 0 "$build/rt205" heat bay.pov --rays 200 --repeats 3 --mode $mode
     sed "/^Where/,\$d" out >$mode.factors
-    cmp -s scalar.factors $mode.factors
-    verdict $? "scalar form and $mode find other factors"
+    expect "scalar form and $mode find other factors" cmp -s scalar.factors $mode.factors
 done
 tells out "^1 *environment  0\.[34]"
 ends 0 "$build/rt205" heat bay.pov --rays 64 --points random --seed 7 --json heat.json
@@ -430,8 +423,7 @@ for wish in --stages --smooth --exchange "--tolerance .1" "-o hits.png"; do
     tells err "hits tells what rays strike, and no more"
 done
 ends 1 "$build/rt205" heat bay.pov --rays 16 --tolerance 1e-9 --limit 40 --show factor --from 1 -o never.png
-[ ! -e never.png ]
-verdict $? "factors that are not good enough are drawn"
+expect "factors that are not good enough are drawn" [ ! -e never.png ]
 ends 2 "$build/rt205" heat bay.pov --tolerance 2
 ends 2 "$build/rt205" heat bay.pov --by line
 ends 2 "$build/rt205" heat
@@ -508,17 +500,14 @@ ends 0 "$build/rt205" render "$scene" -o a.png -W 40 -H 30 --json b.json \
 narrow "rt205 render --accounts"
 head -5 out | cmp -s - short
 verdict $? "the accounts do not follow the result"
-cmp -s a.json b.json
-verdict $? "the accounts are not in the JSON in any case"
+expect "the accounts are not in the JSON in any case" cmp -s a.json b.json
 tells out '^page fault '
 tells out '^mean vector length '
 rows pictures
 ends 0 env RT205_LIBDIR=missing "$build/rt205" render "$scene" --no-picture \
     -W 40 -H 30
-cmp -s pictured out
-verdict $? "rt205 render --no-picture tells something else"
-cmp -s a.png b.png
-verdict $? "the same frame twice gives two pictures"
+expect "rt205 render --no-picture tells something else" cmp -s pictured out
+expect "the same frame twice gives two pictures" cmp -s a.png b.png
 # A pixel under the debugger.
 printf 'seek\nlane nearest\nassert step > 0\ntbreak shade\ncontinue\nlane\nquit\n' >pixel.lines
 for mode in vector kernels; do
@@ -551,8 +540,7 @@ tells queue.svg "vector, the queue of pixel 20,15 of 40 x 30, clocks "
 rows frame_timeline
 for ending in jpg exr tif; do
     ends 0 "$build/rt205" render "$scene" -o a.$ending -W 40 -H 30
-    [ -s a.$ending ]
-    verdict $? "no a.$ending"
+    expect "no a.$ending" [ -s a.$ending ]
 done
 dated() { # DATE: whether a.exr has it
     grep -a -q -e "$1" a.exr
@@ -565,8 +553,7 @@ tells a.exr "$version"
 cp a.exr b.exr
 sleep 1
 ends 0 "$build/rt205" render "$scene" -o a.exr -W 40 -H 30
-cmp -s a.exr b.exr
-verdict $? "the same frame a second later is another file"
+expect "the same frame a second later is another file" cmp -s a.exr b.exr
 ends 0 env SOURCE_DATE_EPOCH=86400 "$build/rt205" render "$scene" -o a.exr \
     -W 40 -H 30
 dated '1970:01:02 00:00:00'
@@ -582,8 +569,7 @@ for row in sphere cylinder Steiner torus; do
 done
 tells out "root_solver"
 tells out "paper: %"
-[ "$(grep -c "pass by pass" out)" -eq 0 ]
-verdict $? "the passes are printed though not asked for"
+expect "the passes are printed though not asked for" [ "$(grep -c "pass by pass" out)" -eq 0 ]
 tells out "^Table 1"
 for row in sphere cylinder Steiner; do
     for figures in ours paper "error %"; do
@@ -597,8 +583,7 @@ tells out "Projected, .* on the model cyber720; more by --provenance$"
 tells out "Projected, .* on the model cdc6600; more by --provenance$"
 tells out "frame are equal"
 for key in table1 projections rays times projected shares steps passes causes; do
-    grep -q "\"$key\": \[" speedup.json
-    verdict $? "speedup.json has no $key"
+    expect "speedup.json has no $key" grep -q "\"$key\": \[" speedup.json
 done
 rows speedup_views
 for wrong in "--distance 0" "--distance inf" "--angle 180" "--angle x"; do
@@ -614,15 +599,13 @@ sweep() {
 }
 rows queue_sweep
 for key in points memory difference text causes; do
-    grep -q "\"$key\": \[" queue.json
-    verdict $? "queue.json has no $key"
+    expect "queue.json has no $key" grep -q "\"$key\": \[" queue.json
 done
 rows sweep_views
 if command -v gnuplot >/dev/null; then
     ends 0 sweep length sphere --points 1,2,4,8,64 -o "the plot.svg"
     for ending in svg dat gp; do
-        [ -s "the plot.$ending" ]
-        verdict $? "a sweep leaves no .$ending"
+        expect "a sweep leaves no .$ending" [ -s "the plot.$ending" ]
     done
 fi
 # Without gnuplot only the picture is missing.
@@ -631,11 +614,9 @@ ends 1 env PATH=missing "$build/rt205" sweep length sphere --points 1,2,4 \
 tells err "gnuplot is not found"
 tells out "n-half"
 for file in plain.json plain.dat plain.gp; do
-    [ -s $file ]
-    verdict $? "no $file, where only gnuplot is missing"
+    expect "no $file, where only gnuplot is missing" [ -s $file ]
 done
-[ ! -e plain.svg ]
-verdict $? "there is a picture though nothing drew it"
+expect "there is a picture though nothing drew it" [ ! -e plain.svg ]
 grep -q '"width"' plain.json
 [ $? -eq 1 ]
 verdict $? "a sweep of lengths tells the width of no frame"
@@ -684,14 +665,11 @@ formats() { # COMMAND ..: its results as text, CSV, Markdown and JSON
     ends 0 "$@" --json beside.json
     cp out text
     ends 0 "$@" --format json
-    cmp -s out beside.json
-    verdict $? "--format json is not what --json writes: $*"
+    expect "--format json is not what --json writes: $*" cmp -s out beside.json
     ends 0 "$@" --json -
-    cmp -s out beside.json
-    verdict $? "--json - is not what --json writes: $*"
+    expect "--json - is not what --json writes: $*" cmp -s out beside.json
     ends 0 "$@" --format text
-    cmp -s out text
-    verdict $? "--format text is not the usual format: $*"
+    expect "--format text is not the usual format: $*" cmp -s out text
 }
 formats "$build/c205" run good.s
 formats "$build/c205" run --check expects.s
@@ -745,8 +723,7 @@ several() { # COMMAND ..: prints with --jobs 3 what it prints with 1
     ends 0 "$build/rt205" "$@" --jobs 1
     cp out alone
     ends 0 "$build/rt205" "$@" --jobs 3
-    cmp -s out alone
-    verdict $? "three jobs print something else: rt205 $*"
+    expect "three jobs print something else: rt205 $*" cmp -s out alone
 }
 several speedup -W 16 -H 10 --format json
 several speedup -W 16 -H 10 --formulations
@@ -862,8 +839,7 @@ narrow "rt205 profile"
 ends 0 "$build/rt205" profile "$scene" -W 60 -H 45 --format csv
 tells out '^the frame,,[0-9]*,'
 tells out '^part,kernel,scalar_clocks,'
-! grep -q '^# Millions' out
-verdict $? "CSV has rounded clocks"
+expect "CSV has rounded clocks" ! grep -q '^# Millions' out
 ends 2 "$build/rt205" profile "$scene" -o picture.png
 ends 2 "$build/rt205" quartic "$scene" --mode kernels
 

@@ -23,15 +23,12 @@ headings() {
 
 check_parts() { # FOLDER
     for file in lesson.md start.s solution.s; do
-        [ -f "$1/$file" ]
-        verdict $? "$1 has no $file"
+        expect "$1 has no $file" [ -f "$1/$file" ]
     done
     find "$1" -mindepth 1 ! -name '*.s' ! -name '*.inc' ! -name '*.svg' \
         ! -name lesson.md ! -path "$1/answers" >"$said"
-    [ ! -s "$said" ]
-    verdict $? "$1 has what belongs to no lesson"
-    grep -q '^; goals:' "$1"/test-*.s
-    verdict $? "$1: no test has goals"
+    expect "$1 has what belongs to no lesson" [ ! -s "$said" ]
+    expect "$1: no test has goals" grep -q '^; goals:' "$1"/test-*.s
     sed -n 's/^; goals: //p' "$1"/test-*.s | tr -d , >"$work/goals"
     tr -d , <"$1/lesson.md" | grep '^Goals' | grep -q -F -f "$work/goals"
     verdict $? "$1/lesson.md: other goals than those of its tests"

@@ -132,8 +132,7 @@ done
 rules=$PWD/tests/page_faults.awk
 
 awk -f "$rules" "$@" >"$said"
-[ ! -s "$said" ]
-verdict $? "faults of pages"
+expect "faults of pages" [ ! -s "$said" ]
 
 # The files that pages link to, with pages of its own.
 mkdir "$work/copy"
@@ -150,8 +149,7 @@ planted() { # PAGE LINE FAULT: the line at the end of the first section
         { print }' "$1" >"$work/page"
     cp --remove-destination "$work/page" "$1"
     awk -f "$rules" "$1" >"$said"
-    grep -qF "$3" "$said"
-    verdict $? "not found in $1: $3"
+    expect "not found in $1: $3" grep -qF "$3" "$said"
     cp --remove-destination "$OLDPWD/$1" "$1"
 }
 

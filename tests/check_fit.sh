@@ -83,8 +83,7 @@ for arguments in "--hold-out nothing" "--write $here/other.model" \
     ! "$build/fit205" --brief -W 16 -H 10 $arguments \
         > "$here/out" 2> "$here/errors"
     verdict $? "fit205 $arguments did not fail"
-    grep -q '^fit205: ' "$here/errors"
-    verdict $? "$arguments: no message"
+    expect "$arguments: no message" grep -q '^fit205: ' "$here/errors"
 done
 
 # What is wrong with the arguments is told, and before the fit is made.
@@ -107,8 +106,7 @@ for arguments in "--json $here/missing/file" "--write $here/cyber720" \
     # shellcheck disable=SC2086
     ! timeout 30 "$build/fit205" $arguments > "$here/out" 2> "$here/errors"
     verdict $? "fit205 $arguments did not fail"
-    grep -q '^fit205: ' "$here/errors"
-    verdict $? "$arguments: told too late"
+    expect "$arguments: told too late" grep -q '^fit205: ' "$here/errors"
 done
 ! "$build/fit205" --brief -W 16 -H 10 > /dev/full 2> "$here/errors"
 verdict $? "a report that cannot be written is no error"

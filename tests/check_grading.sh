@@ -23,18 +23,15 @@ check 0
 check 0 "$lesson"
 tells out '^# Twice a vector$'
 tells out '^large  *25000  *40000  *300000  *n = 10000  *x  *above, y  *ten'
-! grep -q -e "First hint" -e "<" out
-verdict $? "hints are printed, or tags"
+expect "hints are printed, or tags" ! grep -q -e "First hint" -e "<" out
 check 0 "$lesson" --hints
 tells out "^First hint$"
 check 0 "$lesson" --format json
 tells out '"start": "; y := 2 x'
 check 0 "$lesson" --start
-cmp -s out "$lesson/start.s"
-verdict $? "the program to complete is another one"
+expect "the program to complete is another one" cmp -s out "$lesson/start.s"
 check 0 "$lesson" --start -o begun.s
-cmp -s begun.s "$lesson/start.s"
-verdict $? "the program to complete is written otherwise"
+expect "the program to complete is written otherwise" cmp -s begun.s "$lesson/start.s"
 check 1 "$lesson" --start -o missing/begun.s
 check 2 --start
 check 2 --hints
@@ -61,8 +58,7 @@ tells err '^c205 check: test-one.s:2:9: '
 printf '; test: one\n; expect-model: nosuch\nwant_y: .word 1\n' >broken/test-one.s
 check 1 broken --folder .
 tells err "^c205 check: test-one.s: there is no machine model 'nosuch'"
-[ "$(wc -l <err)" -eq 1 ]
-verdict $? "a wrong test is told more than once"
+expect "a wrong test is told more than once" [ "$(wc -l <err)" -eq 1 ]
 
 # An answer
 check 0 "$lesson" "$lesson/solution.s"
@@ -74,8 +70,7 @@ tells out '^small: not right (five elements)$'
 tells out '^    above is 0 and should be 1\.  It holds what it held'
 tells verdict.json '"passed": false'
 check 1 "$lesson" begun.s --format json
-cmp -s out verdict.json
-verdict $? "the verdict in a file is another one"
+expect "the verdict in a file is another one" cmp -s out verdict.json
 check 1 "$lesson" begun.s --format csv
 tells out '^small,no,,[0-9]*,"above is 0 and'
 check 1 "$lesson" begun.s --format md
@@ -129,18 +124,14 @@ done <<'END'
 10-no-label no - ^    The answer has no label above, where results are looked for\.$
 END
 LC_ALL=C sort unsorted >wanted
-[ "$(wc -l <wanted)" -eq 30 ]
-verdict $? "not thirty have handed in"
+expect "not thirty have handed in" [ "$(wc -l <wanted)" -eq 30 ]
 for folder in class one-lesson; do
     check 0 --folder $folder "$lesson" --format csv --json $folder.json
-    [ ! -s err ]
-    verdict $? "something is told of the folder $folder"
-    [ "$(head -n 1 out)" = student,lesson,passed,medal,clocks,report ]
-    verdict $? "other columns"
+    expect "something is told of the folder $folder" [ ! -s err ]
+    expect "other columns" [ "$(head -n 1 out)" = student,lesson,passed,medal,clocks,report ]
     sed 1d out | cut -d, -f1-4 | LC_ALL=C sort | cmp -s - wanted
     verdict $? "a class gets other marks: $folder"
-    [ "$(wc -l <out)" -eq 31 ]
-    verdict $? "not a line each"
+    expect "not a line each" [ "$(wc -l <out)" -eq 31 ]
     [ "$(grep -c '"student": "[abc]' $folder.json)" -eq 30 ]
     verdict $? "not all are in the JSON: $folder"
 done

@@ -22,12 +22,9 @@ head -n 20 "$work/diff"
 "$c205" isa --names | tr '[:upper:]' '[:lower:]' | sort >"$work/rows"
 for example in "$examples"/*.s; do
     name=$(basename "$example" .s)
-    grep -qx "$name" "$work/rows"
-    verdict $? "$example: no such instruction"
-    grep -qiw "^[^;]*$name" "$example"
-    verdict $? "$example: no $name in it"
-    grep -q '^; expect' "$example"
-    verdict $? "$example: expects nothing"
+    expect "$example: no such instruction" grep -qx "$name" "$work/rows"
+    expect "$example: no $name in it" grep -qiw "^[^;]*$name" "$example"
+    expect "$example: expects nothing" grep -q '^; expect' "$example"
 done
 "$c205" run --check "$examples"/*.s
 verdict $? "an example does not do what it expects"

@@ -23,8 +23,7 @@ trap 'exit 130' INT TERM
 for file in "$ours"/*.inc; do
     sed -n 's/^#include "\(.*\)"$/\1/p' "$file" >"$work/included"
     while read -r name; do
-        [ -f "$ours/$name" ]
-        verdict $? "$file: $name is not there"
+        expect "$file: $name is not there" [ -f "$ours/$name" ]
     done <"$work/included"
 done
 

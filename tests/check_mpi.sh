@@ -91,8 +91,7 @@ uses() { # SCENE OPTION ..: what it tells, and how it ends
     said=
     uses "$scene" --jobs 1 >"$work/one"
     uses "$scene" --ranks 3 >"$work/three"
-    cmp -s "$work/one" "$work/three"
-    verdict $? "$scene: three ranks tell other figures than one"
+    expect "$scene: three ranks tell other figures than one" cmp -s "$work/one" "$work/three"
 done
 
 # ---- Killed --------------------------------------------------------------------

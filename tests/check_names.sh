@@ -10,12 +10,10 @@ cd "$here/.." || exit 1
 tags=$(find vm base asm web/engine rt -name '*.[ch]' -exec grep -HoE \
     '\b(struct|union|enum) [a-z_0-9]+ \{' {} + | sort -u | cut -d: -f2 |
     sort | uniq -d)
-[ -z "$tags" ]
-verdict $? "defined in two files: $tags"
+expect "defined in two files: $tags" [ -z "$tags" ]
 names=$(for library in libc205 libbase libc205asm libengine librt205; do
     nm -g --defined-only "$build/$library.a" 2>/dev/null |
         awk 'NF == 3 { print $3 }' | sort -u
 done | sort | uniq -d)
-[ -z "$names" ]
-verdict $? "in two libraries: $names"
+expect "in two libraries: $names" [ -z "$names" ]
 counted

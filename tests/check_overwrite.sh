@@ -82,8 +82,7 @@ refuses() { # FILE ENDING OPTION COMMAND ..
     ! "$@" "$output" "$name" >said 2>&1 </dev/null &&
         grep -Eq 'would write over the input|output of this command' said
     verdict $? "$* $output $name does not refuse to write over $file"
-    [ "$(sums)" = "$before" ]
-    verdict $? "$* $output $name changes its inputs"
+    expect "$* $output $name changes its inputs" [ "$(sums)" = "$before" ]
 }
 over() { # OPTION ENDING INPUTS COMMAND ..
     output=$1 ending=$2 inputs=$3
@@ -150,8 +149,7 @@ for ending in dat gp; do
         ! $sweep $machine.$ending -o input/$input.svg >said 2>&1 &&
             grep -q 'output of this command' said
         verdict $? "a plot does not refuse to write over $input.$ending"
-        [ "$(sums)" = "$before" ]
-        verdict $? "a plot changes $input.$ending"
+        expect "a plot changes $input.$ending" [ "$(sums)" = "$before" ]
     done
 done
 
@@ -187,6 +185,5 @@ for program in c205 rt205 fit205; do
 done | sort -u >listed
 sort -u covered | comm -23 listed - >missing
 said=$work/missing
-[ ! -s missing ]
-verdict $? 'outputs without a test'
+expect 'outputs without a test' [ ! -s missing ]
 counted

@@ -19,8 +19,7 @@ singular() { # COMMAND ..: what it prints, and the files that it writes
     "$@" >files/printed 2>&1 </dev/null
     sed -E "s/$allowed//g" files/* |
         grep -aoE '(^|[^0-9.,:/x-])1 [a-z]+s\b.*' >plurals
-    [ ! -s plurals ]
-    verdict $? "$*"
+    expect "$*" [ ! -s plurals ]
     rm -r files
 }
 

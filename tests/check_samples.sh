@@ -84,8 +84,7 @@ read -r all count plain compared equal <"$work/sums"
 echo "$all scenes, $count read, $plain of them without a report;" \
     "of $compared compared $equal with no more than .1 % of the pixels beyond .02"
 [ -n "${SAMPLES:-}" ] && exit
-[ "$count" -ge "$least_read" ]
-verdict $? "fewer than $least_read scenes are read"
+expect "fewer than $least_read scenes are read" [ "$count" -ge "$least_read" ]
 [ "$plain" -ge "$least_plain" ]
 verdict $? "fewer than $least_plain scenes are read without a report"
 [ "$equal" -ge "$least_equal" ]

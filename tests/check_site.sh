@@ -42,16 +42,14 @@ faults() { # SITE
 
 faults "$BUILD/site" >"$work/faults"
 said=$work/faults
-[ ! -s "$work/faults" ]
-verdict $? "the site"
+expect "the site" [ ! -s "$work/faults" ]
 
 # planted FILE SED WHAT_IS_SAID
 planted() {
     cp "$work/copy/$1" "$work/kept"
     sed -i "$2" "$work/copy/$1"
     faults "$work/copy" >"$work/faults"
-    grep -qF "$3" "$work/faults"
-    verdict $? "not found when it was planted in $1: $3"
+    expect "not found when it was planted in $1: $3" grep -qF "$3" "$work/faults"
     cp "$work/kept" "$work/copy/$1"
 }
 

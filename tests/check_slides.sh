@@ -31,17 +31,14 @@ faults() { # HTML
 }
 
 faults "$folder/$name.html" >"$said"
-[ ! -s "$said" ]
-verdict $? "$name.html"
+expect "$name.html" [ ! -s "$said" ]
 for pdf in "$name" "$name-notes"; do
     pdfinfo "$folder/$pdf.pdf" >"$said"
-    grep -q "^Pages: *$slides\$" "$said"
-    verdict $? "$pdf.pdf: not $slides pages"
+    expect "$pdf.pdf: not $slides pages" grep -q "^Pages: *$slides\$" "$said"
     pdftotext "$folder/$pdf.pdf" - | tr '\n' ' ' >"$said"
     grep '^##* ' "$page" | sed 's/^#* //; s/\*//g' >"$work/titles"
     while read -r title; do
-        grep -qF "$title" "$said"
-        verdict $? "$pdf.pdf: no $title"
+        expect "$pdf.pdf: no $title" grep -qF "$title" "$said"
     done <"$work/titles"
 done
 grep -qF "$(sed -n 's/^> //p' "$page" | sed 1q | cut -c 1-40)" "$said"
@@ -53,8 +50,7 @@ planted() {
     (cd "$work" && sh docs/slides/deck.sh docs/slides/planted.md) \
         >"$work/docs/slides/planted.html"
     faults "$work/docs/slides/planted.html" >"$work/said"
-    grep -q "$2" "$work/said"
-    verdict $? "not found when it was planted: $2"
+    expect "not found when it was planted: $2" grep -q "$2" "$work/said"
 }
 
 mkdir -p "$work/docs"

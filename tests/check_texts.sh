@@ -166,8 +166,7 @@ for order in little big; do
             # shellcheck disable=SC2086
             ends 1 "$build/"$call
             tells err 'UTF-16'
-            [ "$(wc -l <err)" -eq 1 ]
-            verdict $? "more than one line says that it is UTF-16"
+            expect "more than one line says that it is UTF-16" [ "$(wc -l <err)" -eq 1 ]
         done
         printf '        .include "program.s"\n        .code\n EXIT\n' >outer.s
         ends 1 "$build/c205" run outer.s

@@ -17,8 +17,7 @@ ends() { # CODE COMMAND ..: its exit code; what it prints goes to out and err
 }
 
 tells() { # FILE TEXT: the last command's out or err holds the text
-    grep -q -e "$2" "$work/$1"
-    verdict $? "$1 does not say '$2'"
+    expect "$1 does not say '$2'" grep -q -e "$2" "$work/$1"
 }
 
 # ---- Tables: the rows are explained where they are, in commands.txt ----

@@ -25,6 +25,18 @@ verdict() { # STATUS TEXT ..: of what failed, unless the status is 0
     fail "$@"
 }
 
+expect() { # TEXT COMMAND ..: the command succeeds; after "!" it fails
+    expected=$1
+    shift
+    if [ "$1" = ! ]; then
+        shift
+        ! "$@"
+    else
+        "$@"
+    fi
+    verdict $? "$expected"
+}
+
 counted() {
     echo "$passed passed, $failed failed"
     [ "$failed" -eq 0 ]
