@@ -12,24 +12,29 @@ struct stand {
     double x, y, z, size, height;
 };
 
+/* A shape of these words, of its half width s and height h. */
+#define SHAPE(name, ...) \
+    static void name##_words(uint64_t *state, const struct stand *at, char *words) \
+    { \
+        double s = at->size, h = at->height; \
+        (void)state, (void)h; \
+        solid_words(words, __VA_ARGS__); \
+    }
+
+SHAPE(whole_box, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -s, -s, s, h, s)
+SHAPE(cylinder, "cylinder { 0, %.9g*y, %.9g ", h, s)
+SHAPE(sphere, "sphere { %.9g*y, %.9g ", h, s)
+SHAPE(torus, "torus { %.9g, %.9g ", .7 * s, .3 * s)
+SHAPE(lathe, "lathe { linear_spline 4, <0, 0>, <%.9g, 0>, <%.9g, %.9g>, <0, %.9g> ", s,
+      .8 * s, h, h)
+SHAPE(disc, "disc { %.9g*y, y, %.9g ", (double)below(state, 2) * h, s)
+SHAPE(tube, "cylinder { %.9g*y, %.9g*y, %.9g open ", between(state, 0, .5) * h, h, s)
+
 static void box_words(uint64_t *state, const struct stand *at, char *words)
 {
     double wide = at->size * between(state, .6, 1);
     solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -at->size, -wide,
                 at->size, at->height, wide);
-}
-
-static void whole_box_words(uint64_t *state, const struct stand *at, char *words)
-{
-    (void)state;
-    solid_words(words, "box { <%.9g, 0, %.9g>, <%.9g, %.9g, %.9g> ", -at->size,
-                -at->size, at->size, at->height, at->size);
-}
-
-static void cylinder_words(uint64_t *state, const struct stand *at, char *words)
-{
-    (void)state;
-    solid_words(words, "cylinder { 0, %.9g*y, %.9g ", at->height, at->size);
 }
 
 static void cone_words(uint64_t *state, const struct stand *at, char *words)
@@ -75,33 +80,6 @@ static void bored_words(uint64_t *state, const struct stand *at, char *words)
                 -s, -s, s, h, s, h + 1, r);
 }
 
-static void sphere_words(uint64_t *state, const struct stand *at, char *words)
-{
-    (void)state;
-    solid_words(words, "sphere { %.9g*y, %.9g ", at->height, at->size);
-}
-
-static void torus_words(uint64_t *state, const struct stand *at, char *words)
-{
-    (void)state;
-    solid_words(words, "torus { %.9g, %.9g ", .7 * at->size, .3 * at->size);
-}
-
-static void lathe_words(uint64_t *state, const struct stand *at, char *words)
-{
-    (void)state;
-    solid_words(words,
-                "lathe { linear_spline 4, <0, 0>, <%.9g, 0>, <%.9g, %.9g>, "
-                "<0, %.9g> ",
-                at->size, .8 * at->size, at->height, at->height);
-}
-
-static void disc_words(uint64_t *state, const struct stand *at, char *words)
-{
-    solid_words(words, "disc { %.9g*y, y, %.9g ", (double)below(state, 2) * at->height,
-                at->size);
-}
-
 static void triangle_words(uint64_t *state, const struct stand *at, char *words)
 {
     double y = (double)below(state, 2) * at->height;
@@ -109,12 +87,6 @@ static void triangle_words(uint64_t *state, const struct stand *at, char *words)
                 "triangle { <%.9g, %.9g, %.9g>, <%.9g, %.9g, %.9g>, "
                 "<%.9g, %.9g, 0> ",
                 -at->size, y, -at->size, at->size, y, -at->size, at->size, y);
-}
-
-static void tube_words(uint64_t *state, const struct stand *at, char *words)
-{
-    solid_words(words, "cylinder { %.9g*y, %.9g*y, %.9g open ",
-                between(state, 0, .5) * at->height, at->height, at->size);
 }
 
 /* --- scenes --------------------------------------------------------------- */
