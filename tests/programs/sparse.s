@@ -9,12 +9,8 @@
         .include "sparse.inc"
 
 ; ADDNS: C := normalised(A + B), where one is present
-        where_one ADDNS
-; expect: [ADDNS.plain] = 11.0, -2.0, -3.0, 9.0, -0.25, 9.0
-; expect: [ADDNS.given] = 11.0, -2.0, 0.0, 0.0, 9.0, 9.0
-; expect: [ADDNS.given_few] = 9.0, 3.0, 9.0
-; expect: [ADDNS.short_order] = 11.0, -2.0, -3.0, 4.5, 9.0
-; expect: [ADDNS.short_packed] = 11.0, -2.0, -3.0, 4.5, -0.25, 9.0
+        where_one ADDNS, 11.0, -2.0, -3.0, 9.0, -0.25
+        fewer ADDNS, 11.0, -2.0, -3.0, 4.5, 4.5, -0.25, 9.0, 3.0
 ; The result lies one word after A: elements are read that have been stored.
 ; Its order vector takes the place of X.
         .data
@@ -45,44 +41,24 @@ packed: .word   1.0, 2.0, 3.0, 4.0, 5.0, 6.0
 ; expect: [third] = 3.0, 9.0
         flags_are ADDNS, X'0000 0000 0010 0000'
 ; ADDUS: C := upper(A + B), where one is present
-        where_one ADDUS
-; expect: [ADDUS.plain] = 11.0, -2.0, -3.0, 9.0, -0.25, 9.0
-; expect: [ADDUS.given] = 11.0, -2.0, 0.0, 0.0, 9.0, 9.0
-; expect: [ADDUS.given_few] = 9.0, 3.0, 9.0
-; expect: [ADDUS.short_order] = 11.0, -2.0, -3.0, 4.5, 9.0
-; expect: [ADDUS.short_packed] = 11.0, -2.0, -3.0, 4.5, -0.25, 9.0
+        where_one ADDUS, 11.0, -2.0, -3.0, 9.0, -0.25
+        fewer ADDUS, 11.0, -2.0, -3.0, 4.5, 4.5, -0.25, 9.0, 3.0
         flags_are ADDUS, X'0000 0000 0010 0000'
 ; ADDLS: C := lower(A + B), where one is present
-        where_one ADDLS
-; expect: [ADDLS.plain] = zero.90, zero.93, zero.92, zero.90, zero.96, 9.0
-; expect: [ADDLS.given] = zero.90, zero.93, 0.0, 0.0, 9.0, 9.0
-; expect: [ADDLS.given_few] = zero.90, zero.92, 9.0
-; expect: [ADDLS.short_order] = zero.90, zero.93, zero.92, zero.91, 9.0
-; expect: [ADDLS.short_packed] = zero.90, zero.93, zero.92, zero.91, zero.96, 9.0
+        where_one ADDLS, zero.90, zero.93, zero.92, zero.90, zero.96
+        fewer ADDLS, zero.90, zero.93, zero.92, zero.91, zero.91, zero.96, zero.90, zero.92
         flags_are ADDLS, X'0000 0000 0010 0000'
 ; SUBNS: C := normalised(A - B), where one is present
-        where_one SUBNS
-; expect: [SUBNS.plain] = -9.0, -2.0, 3.0, 0.0, 0.25, 9.0
-; expect: [SUBNS.given] = -9.0, -2.0, 0.0, 0.0, 9.0, 9.0
-; expect: [SUBNS.given_few] = -11.0, -3.0, 9.0
-; expect: [SUBNS.short_order] = -9.0, -2.0, 3.0, 4.5, 9.0
-; expect: [SUBNS.short_packed] = -9.0, -2.0, 3.0, -4.5, 0.25, 9.0
+        where_one SUBNS, -9.0, -2.0, 3.0, 0.0, 0.25
+        fewer SUBNS, -9.0, -2.0, 3.0, 4.5, -4.5, 0.25, -11.0, -3.0
         flags_are SUBNS, X'0000 0000 0010 0000'
 ; SUBUS: C := upper(A - B), where one is present
-        where_one SUBUS
-; expect: [SUBUS.plain] = -9.0, -2.0, 3.0, zero.44, 0.25, 9.0
-; expect: [SUBUS.given] = -9.0, -2.0, 0.0, 0.0, 9.0, 9.0
-; expect: [SUBUS.given_few] = -11.0, -3.0, 9.0
-; expect: [SUBUS.short_order] = -9.0, -2.0, 3.0, 4.5, 9.0
-; expect: [SUBUS.short_packed] = -9.0, -2.0, 3.0, -4.5, 0.25, 9.0
+        where_one SUBUS, -9.0, -2.0, 3.0, zero.44, 0.25
+        fewer SUBUS, -9.0, -2.0, 3.0, 4.5, -4.5, 0.25, -11.0, -3.0
         flags_are SUBUS, X'0000 0000 0010 0000'
 ; SUBLS: C := lower(A - B), where one is present
-        where_one SUBLS
-; expect: [SUBLS.plain] = zero.90, zero.93, zero.92, zero.91, zero.95, 9.0
-; expect: [SUBLS.given] = zero.90, zero.93, 0.0, 0.0, 9.0, 9.0
-; expect: [SUBLS.given_few] = zero.90, zero.92, 9.0
-; expect: [SUBLS.short_order] = zero.90, zero.93, zero.92, zero.91, 9.0
-; expect: [SUBLS.short_packed] = zero.90, zero.93, zero.92, zero.91, zero.95, 9.0
+        where_one SUBLS, zero.90, zero.93, zero.92, zero.91, zero.95
+        fewer SUBLS, zero.90, zero.93, zero.92, zero.91, zero.91, zero.95, zero.90, zero.92
         flags_are SUBLS, X'0000 0000 0010 0000'
 ; MPYSS: C := significant(A x B), where both are present
         where_both MPYSS
