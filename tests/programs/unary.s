@@ -125,11 +125,8 @@ root_scalars:
         .code
 ; TRUV: C := A cut to integers towards zero, exponent 0
         elements TRUV, 2, -2, 16, 0, 100, 0
-        uses    TRUV, 8
-        elementwise TRUV, 0.0
-        overlap TRUV
+        all_uses TRUV, 8, 0.0
 ; expect: [TRUV.chain] = 2.25, 2, 2, 2, 2, 2, 2
-        signs   TRUV
 ; expect: [TRUV.negated] = -2, 2, -16, 0, -100, 0
 ; expect: [TRUV.magnitudes] = 2, 2, 16, 0, 100, 0
 ; expect: [TRUV.negative] = -2, -2, -16, 0, -100, 0
@@ -139,11 +136,8 @@ root_scalars:
         flags_are TRUV, X'0000 0000 0012 0000'
 ; FLRV: C := greatest integers not above A, exponent 0
         elements FLRV, 2, -3, 16, -1, 100, 0
-        uses    FLRV, 8
-        elementwise FLRV, 0.0
-        overlap FLRV
+        all_uses FLRV, 8, 0.0
 ; expect: [FLRV.chain] = 2.25, 2, 2, 2, 2, 2, 2
-        signs   FLRV
 ; expect: [FLRV.negated] = -3, 2, -16, 0, -100, -1
 ; expect: [FLRV.magnitudes] = 2, 2, 16, 0, 100, 0
 ; expect: [FLRV.negative] = -3, -3, -16, -1, -100, -1
@@ -153,11 +147,8 @@ root_scalars:
         flags_are FLRV, X'0000 0000 0012 0000'
 ; CLGV: C := least integers not below A, exponent 0
         elements CLGV, 3, -2, 16, 0, 100, 1
-        uses    CLGV, 8
-        elementwise CLGV, 0.0
-        overlap CLGV
+        all_uses CLGV, 8, 0.0
 ; expect: [CLGV.chain] = 2.25, 3, 3, 3, 3, 3, 3
-        signs   CLGV
 ; expect: [CLGV.negated] = -2, 3, -16, 1, -100, 0
 ; expect: [CLGV.magnitudes] = 3, 3, 16, 1, 100, 1
 ; expect: [CLGV.negative] = -2, -2, -16, 0, -100, 0
@@ -167,11 +158,8 @@ root_scalars:
         flags_are CLGV, X'0000 0000 0012 0000'
 ; ABSV: C := |A|
         elements ABSV, 2.25, 2.25, 16.0, 0.5, 100.0, 0.75
-        uses    ABSV, 8.0
-        elementwise ABSV, 0.0
-        overlap ABSV
+        all_uses ABSV, 8.0, 0.0
 ; expect: [ABSV.chain] = 2.25, 2.25, 2.25, 2.25, 2.25, 2.25, 2.25
-        signs   ABSV
 ; expect: [ABSV.negated] = 2.25, 2.25, 16.0, 0.5, 100.0, 0.75
 ; expect: [ABSV.magnitudes] = 2.25, 2.25, 16.0, 0.5, 100.0, 0.75
 ; expect: [ABSV.negative] = 2.25, 2.25, 16.0, 0.5, 100.0, 0.75
@@ -181,11 +169,8 @@ root_scalars:
         flags_are ABSV, X'0000 0000 0032 0000'
 ; EXPV: C := exponent of A, as an integer
         elements EXPV, -45, -45, -42, -48, -40, -47
-        uses    EXPV, -43
-        elementwise EXPV, -32768
-        overlap EXPV
+        all_uses EXPV, -43, -32768
 ; expect: [EXPV.chain] = 2.25, -45, 0, 0, 0, 0, 0
-        signs   EXPV
 ; expect: [EXPV.negated] = -45, -45, -43, -47, -40, -47
 ; expect: [EXPV.magnitudes] = -45, -45, -42, -47, -40, -47
 ; expect: [EXPV.negative] = -45, -45, -43, -48, -40, -47
@@ -195,13 +180,10 @@ root_scalars:
         flags_are EXPV, X'0000 0000 0000 0000'
 ; SQRTV: C := square root of A
         elements SQRTV, 2.0, X'FFD25A827999FCEF', 0.25, indefinite, 10.0, 2.5
-        uses    SQRTV, X'FFD3 5A82 7999 FCEF', root_
-        elementwise SQRTV, 0.0
-        overlap SQRTV
+        all_uses SQRTV, X'FFD3 5A82 7999 FCEF', 0.0, root_
 ; expect: [SQRTV.chain] = 2.25, 1.5, X'FFD2 4E62 3850 2484', X'FFD2 46D3 E067 0BFD'
 ; expect: [SQRTV.chain + 4*64] = X'FFD2 4353 CBCA 7944', X'FFD2 41A4 8079 9D94'
 ; expect: [SQRTV.chain + 6*64] = X'FFD2 40D0 EB3E 9314'
-        signs   SQRTV
 ; expect: [SQRTV.negated] = indefinite, indefinite, indefinite, 1.0, indefinite
 ; expect: [SQRTV.negated + 5*64] = indefinite
 ; expect: [SQRTV.magnitudes] = 2.0, X'FFD2 5A82 7999 FCEF', 0.25, 1.0, 10.0, 2.5
@@ -214,11 +196,8 @@ root_scalars:
         flags_are SQRTV, X'0000 0000 0016 0000'
 ; VTOV: C := A
         elements VTOV, 2.25, -2.25, 16.0, -0.5, 100.0, 0.75
-        uses    VTOV, 8.0
-        elementwise VTOV, 0.0
-        overlap VTOV
+        all_uses VTOV, 8.0, 0.0
 ; expect: [VTOV.chain] = 2.25, 2.25, 2.25, 2.25, 2.25, 2.25, 2.25
-        signs   VTOV
 ; expect: [VTOV.negated] = -2.25, 2.25, -16.0, 0.5, -100.0, -0.75
 ; expect: [VTOV.magnitudes] = 2.25, 2.25, 16.0, 0.5, 100.0, 0.75
 ; expect: [VTOV.negative] = -2.25, -2.25, -16.0, -0.5, -100.0, -0.75
