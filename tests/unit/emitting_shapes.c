@@ -134,15 +134,14 @@ void move_shape(struct primitive *primitive, const struct placement *placement)
 static void draw_placement(struct primitive *primitive)
 {
     double scale[3], angles[3], by[3];
-    struct placement placement, step;
 
     for (int i = 0; i < 3; i++) {
         scale[i] = some(.5, 2) * (between(0, 4) == 0 ? -1 : 1);
         angles[i] = some(-180, 180);
         by[i] = some(-2, 2);
     }
-    placement = placement_rotation(angles);
-    step = placement_scaling(scale);
+    struct placement placement = placement_rotation(angles);
+    struct placement step = placement_scaling(scale);
     placement = placement_then(&placement, &step);
     step = placement_rotation(by);
     placement = placement_then(&placement, &step);

@@ -72,10 +72,9 @@ static struct object *assemble(const char *kernel, const struct asm_define *defi
     char asked[ASKED_ROOM];
     bool told = write_asked(kernel, defines, asked);
     struct kept *kept = told ? find(asked) : NULL;
-    struct object *object;
 
     if (!kept) {
-        object = __real_program_assemble(kernel, defines, error);
+        struct object *object = __real_program_assemble(kernel, defines, error);
         kept = object && told ? make_room() : NULL;
         if (!kept)
             return object;
@@ -91,10 +90,8 @@ struct object *__wrap_program_assemble(const char *kernel,
                                        const struct asm_define *defines,
                                        c205_error *error)
 {
-    struct object *object;
-
     pthread_mutex_lock(&one_at_a_time);
-    object = assemble(kernel, defines, error);
+    struct object *object = assemble(kernel, defines, error);
     pthread_mutex_unlock(&one_at_a_time);
     return object;
 }
@@ -111,10 +108,8 @@ static bool give_back(const struct object *object)
 
 void __wrap_object_free(struct object *object)
 {
-    bool kept;
-
     pthread_mutex_lock(&one_at_a_time);
-    kept = give_back(object);
+    bool kept = give_back(object);
     pthread_mutex_unlock(&one_at_a_time);
     if (!kept)
         __real_object_free(object);

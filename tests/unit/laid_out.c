@@ -61,11 +61,10 @@ static struct object *stage_program(void)
                                 "        .include \"light/interior.s\"\n"
                                 "        .entry first\nfirst:  EXIT\n"
                                 "        .data\n");
-    struct object *program;
 
     for (size_t i = 0; i < places.count; i++)
         end += sprintf(end, "%s: .word 0\n", places.names[i]);
-    program = assemble_text("stage", text, &how, &errors);
+    struct object *program = assemble_text("stage", text, &how, &errors);
     if (!program)
         fail_msg("%s", errors.items[0].message);
     diagnostics_free(&errors);

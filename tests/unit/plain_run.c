@@ -15,13 +15,13 @@ struct moment moment_of(const c205 *machine, uint64_t watched)
 struct plain run_plainly(struct object *object, uint64_t *random_state)
 {
     struct plain plain = { .object = object };
-    const c205_segment *last;
     c205_error error;
     c205 *machine = c205_new(prior_model, &error);
     c205_stop stop;
 
     assert_non_null(object);
-    last = &object->program.segments[object->program.segment_count - 1];
+    const c205_segment *last = &object->program
+                                    .segments[object->program.segment_count - 1];
     plain.watched = last->address + 64 * (xorshift(random_state) % last->length);
     plain.moments = malloc((PLAIN_STEPS_MOST + 1) * sizeof *plain.moments);
     assert_true(c205_load(machine, &object->program, &error));

@@ -70,10 +70,10 @@ static void direct(struct making *making, const char *format, ...)
 /* A number of a directive. */
 static double direct_number(struct making *making, size_t depth)
 {
-    double before = making->value, value;
+    double before = making->value;
 
     making->silent += !making->written;
-    value = number(making, depth);
+    double value = number(making, depth);
     making->silent -= !making->written;
     making->value = before;
     return value;
@@ -106,12 +106,12 @@ static void carry_out(struct making *making, enum place place, uint64_t seed,
 static bool carry_out_broken(struct making *making, enum place place, uint64_t seed,
                              size_t depth)
 {
-    bool breakable = making->breakable, broken;
+    bool breakable = making->breakable;
 
     making->breakable = true;
     carry_out(making, place, seed, depth);
     making->breakable = breakable;
-    broken = making->broken;
+    bool broken = making->broken;
     making->broken = false;
     return broken;
 }
@@ -140,12 +140,11 @@ static void inside(struct making *making, enum place place, size_t depth)
 static bool condition(struct making *making, size_t depth)
 {
     size_t sign = below(making, 3);
-    double a, b;
 
     direct(making, "(");
-    a = direct_number(making, depth);
+    double a = direct_number(making, depth);
     direct(making, "%c", "=<>"[sign]);
-    b = direct_number(making, depth);
+    double b = direct_number(making, depth);
     direct(making, ")");
     return sign == 0 ? a == b : sign == 1 ? a < b : a > b;
 }
@@ -178,11 +177,11 @@ static void put_for(struct making *making, enum place place, size_t depth)
 
 static void put_while(struct making *making, enum place place, size_t depth)
 {
-    size_t turns = turns_of(making, place), variable;
+    size_t turns = turns_of(making, place);
     size_t first = below(making, 2); /* it counts before the body */
     uint64_t seed = new_seed(making);
 
-    variable = new_variable(making, 0);
+    size_t variable = new_variable(making, 0);
     direct(making, "#local V%zu = 0; #while (V%zu < %zu)\n", variable, variable, turns);
     for (size_t i = 0; i < (making->written ? 1 : turns); i++) {
         making->values[variable] = (double)(i + first);
@@ -204,12 +203,9 @@ static void put_if(struct making *making, enum place place, size_t depth)
     bool chosen = false, broken = false;
 
     for (size_t i = 0; i <= more; i++) {
-        uint64_t seed;
-        bool holds;
-
         direct(making, i == 0 ? "#if " : " #elseif ");
-        holds = condition(making, depth / 2);
-        seed = new_seed(making);
+        bool holds = condition(making, depth / 2);
+        uint64_t seed = new_seed(making);
         if (making->written || (!chosen && holds))
             carry_out_branch(making, place, seed, depth, &broken);
         chosen = chosen || holds;
@@ -242,10 +238,9 @@ static void put_switch(struct making *making, enum place place, size_t depth)
 {
     size_t cases = below(making, 4);
     bool one = place == NUMBER, chosen = false, done = false;
-    double value;
 
     direct(making, "#switch (");
-    value = direct_number(making, depth / 2);
+    double value = direct_number(making, depth / 2);
     direct(making, ")");
     for (size_t i = 0; i < cases; i++) {
         bool fits = put_case(making, value), ends = one || below(making, 2);
@@ -278,11 +273,9 @@ static void put_macro(struct making *making, enum place place, size_t depth)
         carry_out_broken(making, place, seed, depth);
     direct(making, " #end\n");
     for (size_t i = 0; i < calls; i++) {
-        double value;
-
         making->variables--; /* not of the argument */
         direct(making, " M%zu(", name);
-        value = direct_number(making, depth / 2);
+        double value = direct_number(making, depth / 2);
         direct(making, ") ");
         new_variable(making, value);
         if (!making->written)
@@ -294,10 +287,8 @@ static void put_macro(struct making *making, enum place place, size_t depth)
 /* In sight up to the end of the list. */
 static void put_local(struct making *making, size_t depth)
 {
-    double value;
-
     direct(making, "#local V%zu = ", making->variables);
-    value = direct_number(making, depth);
+    double value = direct_number(making, depth);
     direct(making, ";\n");
     new_variable(making, value);
 }
@@ -348,10 +339,10 @@ static double plain_number(struct making *making)
 
 static double sum(struct making *making, size_t depth)
 {
-    double before = making->value, first;
+    double before = making->value;
 
     put(making, "(");
-    first = plain_number(making);
+    double first = plain_number(making);
     making->value = first;
     inside(making, TERMS, depth);
     put(making, ") ");
@@ -460,14 +451,14 @@ static void put_array(struct making *making, size_t depth)
     double values[2 * MOST];
     size_t count = 1 + below(making, MOST), turns = 1 + below(making, 2);
     size_t variable = new_variable(making, 0);
-    uint64_t seed = new_seed(making), state;
+    uint64_t seed = new_seed(making);
 
     direct(making, "#local A%zu = array[%zu] { #for (V%zu, 1, %zu) ", variable,
            turns * count, variable, turns);
     making->silent += !making->written;
     for (size_t i = 0; i < (making->written ? 1 : turns); i++) {
         making->values[variable] = (double)(i + 1);
-        state = making->state;
+        uint64_t state = making->state;
         making->state = seed;
         put_elements(making, count, depth, values + i * count);
         making->state = state;
@@ -547,11 +538,11 @@ static void put_share(struct making *making, size_t depth)
 /* The value becomes that of the sum up to here. */
 static void put_term(struct making *making, size_t depth)
 {
-    double before = making->value, value;
+    double before = making->value;
     bool added = below(making, 2);
 
     put(making, added ? "+ " : "- ");
-    value = number(making, depth);
+    double value = number(making, depth);
     making->value = added ? before + value : before - value;
 }
 

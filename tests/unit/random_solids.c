@@ -278,12 +278,11 @@ static void add_clip(char *text, size_t size)
 static bool add_blob(char *text, size_t size)
 {
     uint64_t kept = traced.random;
-    bool there;
 
     traced.random = kept * 7 + 3;
     for (int i = 0; i < 8; i++)
         below(2);
-    there = below(16) == 0;
+    bool there = below(16) == 0;
     if (there)
         add_text(text, size,
                  "blob { threshold %.4f sphere { <%.4f, 0, 0>, %.4f, 1 }"
@@ -417,15 +416,14 @@ static void write_solids_with(char *text, size_t size, shape_words *add_shape)
 void check_solids_with(void (*add_shape)(char *text, size_t size))
 {
     static char text[1 << 16];
-    struct words *words, *others;
 
     text[0] = '\0';
     write_solids_with(text, sizeof text, add_shape);
-    words = plain_frame(text);
+    struct words *words = plain_frame(text);
     check_paper_stage(text, words);
     traced.visible = VISIBLE_EVERY;
     traced.no_bounds = true;
-    others = same_frame(text);
+    struct words *others = same_frame(text);
     traced.visible = VISIBLE_DEFAULT;
     traced.no_bounds = false;
     if (memcmp(words, others, sizeof *words) != 0)

@@ -44,12 +44,11 @@ struct scene *read_versioned(const char *name, const char *text,
                              struct diagnostics *reports)
 {
     char *versioned = malloc(strlen(VERSION) + strlen(text) + 1);
-    struct scene *scene;
 
     assert_non_null(versioned);
     strcpy(versioned, VERSION);
     strcat(versioned, text);
-    scene = scene_read_text(name, versioned, how, reports);
+    struct scene *scene = scene_read_text(name, versioned, how, reports);
     free(versioned);
     for (size_t i = 0; i < reports->count; i++)
         if (reports->items[i].line == 1)

@@ -88,17 +88,16 @@ expect(struct scene *scene, const struct trace_options *options, struct frame *p
     struct camera camera = scene->camera;
     double gamma = scene->assumed_gamma;
     size_t width = options->width + 1, height = options->height + 1;
-    struct frame first, sampled;
-    struct plain_refined refined;
 
     look_beyond(&scene->camera, (double)options->width, (double)options->height);
     scene->assumed_gamma = 1;
-    first = traced_frame(scene, width, height);
-    sampled = traced_frame(scene, options->samples * width, options->samples * height);
+    struct frame first = traced_frame(scene, width, height);
+    struct frame sampled = traced_frame(scene, options->samples * width,
+                                        options->samples * height);
     scene->camera = camera;
     scene->assumed_gamma = gamma;
-    refined = plain_adaptive(&first, &sampled, options->samples, options->threshold,
-                             gamma, picture);
+    struct plain_refined refined = plain_adaptive(&first, &sampled, options->samples,
+                                                  options->threshold, gamma, picture);
     frame_free(&first);
     frame_free(&sampled);
     return refined;
@@ -152,14 +151,12 @@ static void check_plain(struct scene *scene, const struct trace *trace,
                         const struct trace_options *options, const char *text)
 {
     struct frame expected, found;
-    struct plain_refined refined;
-    size_t others;
 
     assert_true(frame_allocate(&expected, options->width, options->height));
     assert_true(frame_allocate(&found, options->width, options->height));
-    refined = expect(scene, options, &expected);
+    struct plain_refined refined = expect(scene, options, &expected);
     trace_read(trace, 0, &found);
-    others = count_others(&expected, &found, scene->assumed_gamma);
+    size_t others = count_others(&expected, &found, scene->assumed_gamma);
     if (refined.margin > 1e-9 && others > 0)
         fail_msg("%zu of %zu x %zu pixels are others, threshold %g, samples "
                  "%zu, in\n%s",
@@ -177,14 +174,13 @@ static void check_form(const struct scene *scene, const struct trace_options *li
                        const struct trace *expected, const char *text)
 {
     struct trace_options options = *like;
-    struct trace *trace;
 
     options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
     options.order = among(0, 1) ? ORDER_ROWS : ORDER_TILES;
     options.queue = among(0, 2) ? among(100, 2000) : among(1, 60);
     options.band = among(0, 1) ? 0 : among(1, 4000);
     options.jobs = among(1, 3);
-    trace = run_trace(scene, &options);
+    struct trace *trace = run_trace(scene, &options);
     if (trace_checksum(trace) != trace_checksum(expected))
         fail_msg("%s by %s, queue %zu, band %zu, threshold %g, samples %zu: "
                  "another frame of %zu x %zu of\n%s",
@@ -316,13 +312,11 @@ TEST(ends)
 TEST(middles)
 {
     char text[3000] = "";
-    struct trace *all, *refined;
-    struct scene *scene;
 
     add_scene(text, sizeof text);
-    scene = read_text(text);
-    all = trace_with(scene, 3, 0);
-    refined = trace_with(scene, 3, .1);
+    struct scene *scene = read_text(text);
+    struct trace *all = trace_with(scene, 3, 0);
+    struct trace *refined = trace_with(scene, 3, .1);
     for (int i = CHANNEL_BLUE + 1; i < FRAME_CHANNELS; i++)
         assert_memory_equal(trace_channel(all, (enum frame_channel)i),
                             trace_channel(refined, (enum frame_channel)i),
@@ -416,13 +410,13 @@ TEST(kept)
     struct farm farm = { .paths = paths, .path_count = 1 };
     struct scene *scene = read_text(shades);
     struct patience patience = { 0, SIZE_MAX };
-    struct trace *whole = begin_kept(scene, .02, &patience, NULL), *trace;
+    struct trace *whole = begin_kept(scene, .02, &patience, NULL);
     c205_error error = { "" };
 
     close(mkstemp(path));
     assert_true(trace_run(whole, &error));
     patience = (struct patience){ 0, patience.asked * 3 / 4 };
-    trace = begin_kept(scene, .02, &patience, &farm);
+    struct trace *trace = begin_kept(scene, .02, &patience, &farm);
     assert_false(trace_run(trace, &error));
     assert_true(trace_bands_done(trace) > 0);
     assert_int_equal(trace_rows_done(trace), TRACE_BLOCK * trace_bands_done(trace));

@@ -152,13 +152,11 @@ TEST(inside)
         const struct ray ray = { { between(-1, 1), between(-1, 1), -9 },
                                  { between(-.1, .1), between(-.1, .1), 1 } };
         struct crossing crossings[MOST_CROSSINGS];
-        struct scene *scene;
-        size_t count;
 
         add_any_blob(text, sizeof text);
         add_text(text, sizeof text, "}");
-        scene = read_text(text);
-        count = plain_crossings(scene->primitives, &ray, crossings);
+        struct scene *scene = read_text(text);
+        size_t count = plain_crossings(scene->primitives, &ray, crossings);
         assert_int_equal(count % 2, 0);
         for (size_t i = 0; i < count; i++) {
             double point[3], out[3];

@@ -11,10 +11,9 @@ static struct bound first_bound(const char *text)
 {
     struct scene *scene = read_scene(text);
     struct bound *bounds = calloc(scene->node_count, sizeof *bounds);
-    struct bound first;
 
     assert_true(bound_nodes(scene, bounds));
-    first = bounds[0];
+    struct bound first = bounds[0];
     free(bounds);
     scene_free(scene);
     return first;
@@ -151,13 +150,12 @@ static size_t count_crossings(const struct primitive *primitive,
 {
     struct crossing crossings[MOST_CROSSINGS];
     struct ray ray;
-    size_t count;
 
     for (int i = 0; i < 3; i++) {
         ray.origin[i] = between(-3, 3);
         ray.direction[i] = between(-3, 3) - ray.origin[i];
     }
-    count = plain_crossings(primitive, &ray, crossings);
+    size_t count = plain_crossings(primitive, &ray, crossings);
     for (size_t i = 0; i < count; i++) {
         double point[3];
 

@@ -147,10 +147,10 @@ TEST(trees)
                                      "rotate 40*y } sphere { -z, .8 } }"
                                      "cylinder { -2*y, 2*y, .4 translate 1.2*x"
                                      " pigment { rgbf <1, .5, .5, .6> } }";
-    struct words *today = plain_frame(text), *then;
+    struct words *today = plain_frame(text);
 
     traced.historical = true;
-    then = plain_frame(text);
+    struct words *then = plain_frame(text);
     assert_memory_equal(today, then, sizeof *today);
     traced.historical = false;
     free(today);

@@ -63,12 +63,11 @@ static double to_double(mpfr_t value)
 static double as_double(of_one *exact, double x)
 {
     mpfr_t value, at;
-    double rounded;
 
     mpfr_inits2(EXACT, value, at, (mpfr_ptr)0);
     mpfr_set_d(at, x, MPFR_RNDN);
     exact(value, at, MPFR_RNDN);
-    rounded = to_double(value);
+    double rounded = to_double(value);
     mpfr_clears(value, at, (mpfr_ptr)0);
     return rounded;
 }
@@ -76,13 +75,12 @@ static double as_double(of_one *exact, double x)
 static double as_double2(of_two *exact, double x, double y)
 {
     mpfr_t value, a, b;
-    double rounded;
 
     mpfr_inits2(EXACT, value, a, b, (mpfr_ptr)0);
     mpfr_set_d(a, x, MPFR_RNDN);
     mpfr_set_d(b, y, MPFR_RNDN);
     exact(value, a, b, MPFR_RNDN);
-    rounded = to_double(value);
+    double rounded = to_double(value);
     mpfr_clears(value, a, b, (mpfr_ptr)0);
     return rounded;
 }

@@ -33,10 +33,9 @@ static struct emission *begin(const struct primitive *primitive,
                               struct emission_options options)
 {
     c205_error error = { "" };
-    struct emission *emission;
 
     options.model = prior_model;
-    emission = emission_new(primitive, &options, &error);
+    struct emission *emission = emission_new(primitive, &options, &error);
     if (!emission)
         fail_msg("%s", error.message);
     return emission;
@@ -103,14 +102,13 @@ static bool meets(const struct primitive *primitive, const double spot[3],
 {
     struct crossing found[MOST_CROSSINGS];
     struct ray ray;
-    size_t count;
 
     copy(ray.direction, face);
     scale_by(ray.direction, -1);
     add_scaled(ray.origin, spot, 1e-3, face);
     transform_point(&primitive->to_local, ray.origin);
     transform_direction(&primitive->to_local, ray.direction);
-    count = plain_crossings(primitive, &ray, found);
+    size_t count = plain_crossings(primitive, &ray, found);
     for (size_t i = 0; i < count; i++) {
         double normal[3];
 
@@ -555,12 +553,11 @@ static double print_clocks(const struct primitive *primitive, enum trace_mode mo
     struct accounts accounts = { .model = model };
     c205_error error = { "" };
     struct emission *emission = emission_new(primitive, &options, &error);
-    double all;
 
     assert_non_null(emission);
     run(emission, EMISSION_MOST, &(struct emission_choice){ .seed = 1 }, emitted[0],
         &accounts);
-    all = clocks_a_point(&accounts, NULL);
+    double all = clocks_a_point(&accounts, NULL);
     print_message("%-13s  %-6s  %5zu  %5.1f  %5.1f  %9.1f  %5.1f\n",
                   primitive_kind_name(primitive->kind), trace_mode_name(mode),
                   mode == TRACE_SCALAR ? 1 : queue, clocks_a_point(&accounts, "emit"),

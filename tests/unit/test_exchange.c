@@ -213,11 +213,11 @@ static void check_enclosure(const struct enclosure *enclosure)
     solve(enclosure, &exchange);
     for (size_t i = 0; i < n; i++) {
         const double *factors = enclosure->factors + i * (n + 1);
-        long double meets = factors[n] * outside, flow;
+        long double meets = factors[n] * outside;
 
         for (size_t j = 0; j < n; j++)
             meets += factors[j] * radiosity[j];
-        flow = enclosure->area[i] * (radiosity[i] - meets);
+        long double flow = enclosure->area[i] * (radiosity[i] - meets);
         out += enclosure->area[i] * factors[n] * (outside - radiosity[i]);
         all += enclosure->area[i];
         assert_near(exchange.radiosity[i], (double)radiosity[i], scale);

@@ -18,12 +18,10 @@ struct sight {
 static void check_other_ways(const struct scene *scene, const char *text,
                              const struct words *expected)
 {
-    struct words *stepping, *every;
-
     traced.visible = VISIBLE_STEPPING;
-    stepping = trace_words(scene, TRACE_VECTOR, WIDTH);
+    struct words *stepping = trace_words(scene, TRACE_VECTOR, WIDTH);
     traced.visible = VISIBLE_EVERY;
-    every = trace_words(scene, TRACE_VECTOR, WIDTH);
+    struct words *every = trace_words(scene, TRACE_VECTOR, WIDTH);
     traced.visible = VISIBLE_DEFAULT;
     if (memcmp(stepping, expected, sizeof *stepping) != 0
         || memcmp(every, expected, sizeof *every) != 0)
@@ -46,11 +44,11 @@ static struct words *frame_of_all(const char *text)
 static void check_sight(const struct sight *sight)
 {
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
-    struct words *bounded, *words;
+    struct words *words;
     char text[1024];
 
     snprintf(text, sizeof text, VIEW "%s", sight->text);
-    bounded = frame_of_all(text);
+    struct words *bounded = frame_of_all(text);
     traced.no_bounds = true;
     words = frame_of_all(text);
     traced.no_bounds = false;

@@ -20,11 +20,10 @@ static const struct factors_options usual = {
 static struct factors *begin(const struct scene *scene, struct factors_options options)
 {
     c205_error error = { "" };
-    struct factors *factors;
 
     options.seed = seed;
     options.model = prior_model;
-    factors = factors_new(scene, &options, &error);
+    struct factors *factors = factors_new(scene, &options, &error);
     if (!factors)
         fail_msg("%s", error.message);
     return factors;
@@ -114,9 +113,6 @@ TEST(meshes)
     few.points = 64;
     for (unsigned turned = 0; turned < 16; turned++) {
         char text[600] = "mesh {";
-        struct scene *scene;
-        struct factors *factors;
-        struct factor_row row;
 
         for (size_t i = 0; i < 4; i++) {
             size_t turn = turned >> i & 1;
@@ -126,9 +122,9 @@ TEST(meshes)
                      corners[(i + 2 + turn) % 4], corners[(i + 3 - turn) % 4]);
         }
         strcat(text, " inside_vector <.2, .9, .1> }");
-        scene = read_scene(text);
-        factors = begin(scene, few);
-        row = find(factors, 0);
+        struct scene *scene = read_scene(text);
+        struct factors *factors = begin(scene, few);
+        struct factor_row row = find(factors, 0);
         assert_estimate(text, row.area, 8 * sqrt(3));
         assert_int_equal(row.sent, row.tried);
         assert_int_equal(row.count[1], row.sent); /* it sees nothing of itself */
@@ -208,10 +204,9 @@ static void check_crowd(uint64_t *random)
     char *text = draw_crowd(boxes, random);
     struct factors_options options = usual;
     struct scene *scene = read_scene(text);
-    struct factors *factors;
 
     options.points = 512;
-    factors = begin(scene, options);
+    struct factors *factors = begin(scene, options);
     count_faces(boxes, faces);
     for (size_t i = 0; i < BOXES; i++) {
         struct factor_row row = find(factors, i);
@@ -299,7 +294,7 @@ enum { SEEDS = 64 };
 static void check_bias(const struct scene *scene, bool lattice)
 {
     struct factors_options options = usual;
-    double sum = 0, squares = 0, mean, error;
+    double sum = 0, squares = 0;
 
     options.points = 64;
     options.repeats = 2;
@@ -315,8 +310,8 @@ static void check_bias(const struct scene *scene, bool lattice)
         factor_row_free(&row);
         factors_free(factors);
     }
-    mean = sum / SEEDS;
-    error = sqrt((squares / SEEDS - mean * mean) / (SEEDS - 1));
+    double mean = sum / SEEDS;
+    double error = sqrt((squares / SEEDS - mean * mean) / (SEEDS - 1));
     if (!(fabs(mean - 0.1809950221376) <= 4 * error))
         fail_msg("the mean of %d seeds is %.7g +- %.2g", SEEDS, mean, error);
 }
@@ -359,12 +354,9 @@ static void check_forms(const char *text)
     options.repeats = 2;
     options.mode = TRACE_SCALAR;
     for (int lattice = 0; lattice < 2; lattice++) {
-        struct factors *factors;
-        struct factor_row scalar;
-
         options.lattice = lattice;
-        factors = begin(scene, options);
-        scalar = find(factors, 1);
+        struct factors *factors = begin(scene, options);
+        struct factor_row scalar = find(factors, 1);
         factors_free(factors);
         for (size_t i = 0; i < COUNT(queues); i++) {
             struct factors_options vector = options;
@@ -424,8 +416,6 @@ TEST(pieces)
 {
     struct scene *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");
     struct packet_programs programs = { .scene = scene, .options = usual };
-    struct factors *factors;
-    struct factor_row row;
     c205_error error = { "" };
     uint64_t counts[3] = { 0, 0, 0 };
 
@@ -433,8 +423,8 @@ TEST(pieces)
     programs.options.repeats = 2;
     programs.options.seed = seed;
     programs.options.model = prior_model;
-    factors = begin(scene, programs.options);
-    row = find(factors, 1);
+    struct factors *factors = begin(scene, programs.options);
+    struct factor_row row = find(factors, 1);
     assert_true(packet_programs_begin(&programs, &error));
     for (size_t k = 0; k < 2; k++)
         count_halves(&programs, (struct packet_choice){ 1, k, 0 }, counts);

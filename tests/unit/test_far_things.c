@@ -200,10 +200,9 @@ TEST(random_scenes)
 
     for (size_t i = 0; i < share_of(SCENES); i++) {
         struct diagnostics reports = { 0 };
-        struct scene *scene;
 
         make_scene();
-        scene = scene_read_text("test", text, &how, &reports);
+        struct scene *scene = scene_read_text("test", text, &how, &reports);
         if (scene)
             check_scene(scene);
         scenes += scene != NULL;

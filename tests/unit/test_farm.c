@@ -204,10 +204,8 @@ FIXTURE(set_up)
     bool good = true;
 
     for (size_t i = 0; i < SHARES; i++) {
-        int file;
-
         strcpy(path[i], "/tmp/test_farm.XXXXXX");
-        file = mkstemp(path[i]);
+        int file = mkstemp(path[i]);
         good = good && file >= 0 && close(file) == 0 && remove(path[i]) == 0;
     }
     return !good;

@@ -76,17 +76,15 @@ TEST(fewer_rays)
         struct speedup_measure all;
         c205_error error = { "" };
         char program[64];
-        struct fit_run *run;
-        double scaled;
 
         if (subject->paper.speedup == 0)
             continue;
         snprintf(program, sizeof program, "%s scalar", subject->name);
-        run = run_new(program, &how, &error);
+        struct fit_run *run = run_new(program, &how, &error);
         if (!run || !speedup_measure(subject, &view, &options, &all, &error))
             fail_msg("%s", error.message);
         assert_int_equal(run->rays, 640);
-        scaled = clocks_of_rows(run) * 25000 / 640;
+        double scaled = clocks_of_rows(run) * 25000 / 640;
         if (fabs(scaled / (double)all.total - 1) > .01)
             fail_msg("%s: %g clocks, scaled %g", program, (double)all.total, scaled);
         run_free(run);

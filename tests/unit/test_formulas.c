@@ -69,12 +69,10 @@ TEST(by_chance)
         char *formula = formula_by_chance(&random);
         size_t room = sizeof frame + 2 * strlen(formula);
         char *text = malloc(room);
-        const double *center;
-        struct scene *scene;
         assert_non_null(text);
         snprintf(text, room, frame, formula, formula);
-        scene = read_scene(text);
-        center = scene->primitives->shape.sphere.center;
+        struct scene *scene = read_scene(text);
+        const double *center = scene->primitives->shape.sphere.center;
         if (memcmp(&center[0], &center[1], sizeof *center))
             fail_msg("%.17g and %.17g of:\n%s", center[0], center[1], text);
         scene_free(scene);

@@ -164,12 +164,11 @@ static void check_region(const struct frame_pixel *pixel,
     struct clock_stretch stretch = *queue;
     c205_error error;
     c205_stop stop;
-    c205 *machine;
 
     if (!pixel_region_clocks(pixel, region, &stretch, &error))
         return;
     assert_true(stretch.to <= queue->to && stretch.from < stretch.to);
-    machine = machine_at(pixel, queue->from);
+    c205 *machine = machine_at(pixel, queue->from);
     while (c205_clock(machine) < stretch.to) {
         bool there = strcmp(object_region(program, c205_pc(machine)), region) == 0;
 
@@ -346,7 +345,6 @@ static void check_rays(struct following *following)
     c205_error error;
     c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
     c205_stop stop;
-    size_t rays;
 
     do {
         uint64_t pc = c205_pc(machine);
@@ -359,7 +357,7 @@ static void check_rays(struct following *following)
             continue;
         region = now;
         following->ray_count = 0;
-        rays = pixel_elements(pixel, machine, follow, following);
+        size_t rays = pixel_elements(pixel, machine, follow, following);
         assert_true(rays <= 1 || following->ray[0].list > 0);
         if (rays == 1 && pc == shade && following->ray[0].list == 0
             && trace_how(pixel->trace)->mode != TRACE_SCALAR)
@@ -464,13 +462,12 @@ static void check_session(enum trace_mode mode)
                                     .machine = pixel_machine,
                                     .verbs = pixel_verbs,
                                     .context = &pixel };
-    struct debugger *debugger;
     c205_error error;
     char again[200];
 
     assert_true(frame_pixel_find(&pixel, trace, some(0, options.width - 1),
                                  some(0, options.height - 1), &error));
-    debugger = debugger_new(&setup, &error);
+    struct debugger *debugger = debugger_new(&setup, &error);
     assert_non_null(debugger);
     obey(debugger, &said, "lane");
     assert_non_null(strstr(said.text, "is in no queue at hand"));

@@ -128,13 +128,11 @@ static char *check_frame(const struct scene *scene, struct trace_options options
     struct line_profile *profile = NULL;
     struct observer observer = frame_profile_observer(&profile);
     const struct observer *const observers[] = { &observer, NULL };
-    struct trace *trace;
-    char *text;
 
     options.observers = observers;
-    trace = run_trace(scene, &options);
+    struct trace *trace = run_trace(scene, &options);
     check_sums(profile, trace_accounts(trace), what);
-    text = table_text_of(profile, (struct profile_view){ PROFILE_HOTTEST, true });
+    char *text = table_text_of(profile, (struct profile_view){ PROFILE_HOTTEST, true });
     line_profile_free(profile);
     trace_free(trace);
     return text;
@@ -194,13 +192,12 @@ TEST(jobs)
         const char *path = paths[i / TRACE_MODES];
         struct scene *scene = read_file(path);
         struct trace_options options = some_options((enum trace_mode)(i % TRACE_MODES));
-        char *alone, *several;
 
         options.band = 3 * options.width;
         options.jobs = 1;
-        alone = check_frame(scene, options, path);
+        char *alone = check_frame(scene, options, path);
         options.jobs = (size_t)xorshift_between(&random_state, 2, 4);
-        several = check_frame(scene, options, path);
+        char *several = check_frame(scene, options, path);
         assert_string_equal(alone, several);
         free(alone);
         free(several);

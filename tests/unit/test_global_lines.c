@@ -126,11 +126,10 @@ TEST(forms)
         " cylinder { -2*x, -2*x + y, .5 open }"
         " difference { box { <-4,-2,1>, <4,-1,2> } sphere { -1.5*z, 3 } }";
     struct global_lines_options options = usual;
-    struct global_lines one, other;
 
     options.repeats = 2;
     options.lines_log = 8;
-    one = find(text, options);
+    struct global_lines one = find(text, options);
     assert_exact(&one);
     assert_true(are_steps(one.clocks, &one.accounts));
     for (int i = 0; i < 4; i++) {
@@ -139,7 +138,7 @@ TEST(forms)
         options.mode = i == 0 ? TRACE_SCALAR : i == 3 ? TRACE_KERNELS : TRACE_VECTOR;
         options.queue = i == 1 ? 37 : 2000;
         options.jobs = i == 2 ? 2 : 1;
-        other = find(text, options);
+        struct global_lines other = find(text, options);
         assert_memory_equal(one.ends, other.ends, 2 * width * width * sizeof *one.ends);
         global_lines_free(&other);
     }

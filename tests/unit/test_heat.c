@@ -32,11 +32,10 @@ static size_t drawn_of(const char *text, const struct heat_request *request,
 {
     struct scene *scene = read_scene(text);
     struct heat heat;
-    size_t drawn;
 
     find(scene, request, &heat);
     assert_int_equal(heat_is_precise(&heat), precise);
-    drawn = heat.drawn;
+    size_t drawn = heat.drawn;
     heat_free(&heat);
     scene_free(scene);
     return drawn;
@@ -91,14 +90,13 @@ TEST(same)
     struct scene *scene = read_scene(balls);
     struct heat_request request = usual();
     struct heat one, other;
-    struct surface *last;
 
     request.smooth = request.exchange = true;
     request.temperatures = warm;
     request.temperature_count = 1;
     find(scene, &request, &one);
     find(scene, &request, &other);
-    last = &other.surfaces.list[1];
+    struct surface *last = &other.surfaces.list[1];
     assert_true(heat_is_same(&one, &other));
     check_number(&one, &other, &last->area.value);
     check_number(&one, &other, &last->factor[0].value);

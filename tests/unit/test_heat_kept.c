@@ -185,7 +185,7 @@ TEST(stopped)
 TEST(shares)
 {
     for (int lines = 0; lines < 2; lines++) {
-        struct run alone = find_alone(lines), together;
+        struct run alone = find_alone(lines);
         struct farm all = { .paths = paths, .path_count = SHARES };
 
         for (size_t i = 0; i < SHARES; i++) {
@@ -197,7 +197,7 @@ TEST(shares)
             assert_true(do_run(&share));
             assert_int_equal(share.told, (size_t)UNITS / SHARES);
         }
-        together = begin(lines, &all);
+        struct run together = begin(lines, &all);
         assert_true(do_run(&together));
         assert_int_equal(all.kept, UNITS);
         assert_same(&together, &alone);
@@ -231,10 +231,8 @@ FIXTURE(set_up)
     bool good = true;
 
     for (size_t i = 0; i < SHARES; i++) {
-        int file;
-
         strcpy(path[i], "/tmp/test_heat_kept.XXXXXX");
-        file = mkstemp(path[i]);
+        int file = mkstemp(path[i]);
         good = good && file >= 0 && close(file) == 0 && remove(path[i]) == 0;
     }
     return !good || set_up_model(test_state);

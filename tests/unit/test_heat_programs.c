@@ -57,14 +57,13 @@ static void receive(const struct object *program, const struct receiving *given,
     size_t receivers = given->receivers;
     struct single_run run;
     c205_error error = { "" };
-    uint64_t sums;
 
     single_run_begin(&run, program, prior_model, &error);
     single_run_word(&run, "received_rays", given->rays);
     single_run_word(&run, "received_receivers", receivers);
     single_run_room(&run, "received_weights", given->weights, given->rays);
     single_run_room(&run, "received_list", given->list, given->rays);
-    sums = single_run_room(&run, "received_sums", NULL, 2 * receivers + 1);
+    uint64_t sums = single_run_room(&run, "received_sums", NULL, 2 * receivers + 1);
     layout_word(&run.layout, "received_counts", sums + 64 * (receivers + 1));
     single_run_room(&run, "received_room", NULL, given->rays);
     single_run_room(&run, "received_places", NULL, receivers);
@@ -141,13 +140,12 @@ static void stay(const struct object *program, const struct staying *given,
     size_t count = PLANES * given->points;
     struct single_run run;
     c205_error error = { "" };
-    uint64_t made;
 
     single_run_begin(&run, program, prior_model, &error);
     single_run_word(&run, "faces_points", given->points);
     single_run_word(&run, "faces_planes", PLANES);
     single_run_room(&run, "faces_from", given->planes, count);
-    made = single_run_room(&run, "faces_made", NULL, count + 1);
+    uint64_t made = single_run_room(&run, "faces_made", NULL, count + 1);
     single_run_word(&run, "faces_crossings", given->crossings);
     single_run_room(&run, "faces_list", given->list, LIST_PLANES * given->crossings);
     single_run_word(&run, "faces_primitive", OWN);
@@ -226,12 +224,11 @@ TEST(staying)
 
     for (int i = 0; i < 60; i++) {
         struct staying given = { .points = some_length(5000) };
-        size_t words;
 
         given.crossings = below(5) == 0   ? 0
                           : below(4) == 0 ? 4097 + below(5000)
                                           : some_length(5000);
-        words = PLANES * given.points;
+        size_t words = PLANES * given.points;
         given.planes = calloc(words, sizeof *given.planes);
         given.list = calloc(LIST_PLANES * given.crossings + 1, sizeof *given.list);
         for (size_t k = 0; k < words; k++)
@@ -279,13 +276,12 @@ static void count_gaps(const struct object *program, const struct gap_ends *give
     size_t cells = given->surfaces * given->surfaces;
     struct single_run run;
     c205_error error = { "" };
-    uint64_t address;
 
     single_run_begin(&run, program, prior_model, &error);
     single_run_word(&run, "gaps_count", given->gaps);
     single_run_word(&run, "gaps_surfaces", given->surfaces);
     single_run_room(&run, "gaps_ends", given->planes, 3 * (given->gaps + 1));
-    address = single_run_room(&run, "gaps_counts", NULL, cells);
+    uint64_t address = single_run_room(&run, "gaps_counts", NULL, cells);
     single_run_room(&run, "gaps_room", NULL, 3 * given->gaps);
     single_run_number(&run, "gaps_least", 0, .25);
     end(&run, address, counts, cells);

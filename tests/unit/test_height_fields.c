@@ -83,13 +83,12 @@ TEST(surface)
         struct grid grid = random_grid();
         double water = i % 3 ? between(-.2, .8) : 0;
         char words[50];
-        struct scene *scene;
 
         keep_grid(&grid);
         snprintf(words, sizeof words, "water_level %.9f", water);
         if (water > surface(&grid, .5, .5))
             continue; /* perhaps nothing is left */
-        scene = field_expect(i % 2 ? "pgm" : "", water == 0 ? "" : words);
+        struct scene *scene = field_expect(i % 2 ? "pgm" : "", water == 0 ? "" : words);
         check_surface(&grid, triangles_of(scene), water);
         scene_free(scene);
     }
@@ -110,11 +109,10 @@ static void normal_at(const struct grid *grid, int x, int z, double normal[3])
 
     for (int corner = 0; corner < 4; corner++) {
         int to_x = x + (corner & 1 ? 1 : -1), to_z = z + (corner & 2 ? 1 : -1);
-        double along, up;
         if (to_x < 0 || to_x >= grid->columns || to_z < 0 || to_z >= grid->rows)
             continue;
-        along = (to_x - x) * slope(grid, x, z, to_x, z);
-        up = (to_z - z) * slope(grid, x, z, x, to_z);
+        double along = (to_x - x) * slope(grid, x, z, to_x, z);
+        double up = (to_z - z) * slope(grid, x, z, x, to_z);
         length = sqrt(along * along + up * up + 1);
         sum[0] -= along / length;
         sum[1] += 1 / length;
@@ -159,14 +157,12 @@ TEST(normals)
     for (size_t i = 0; i < field_count; i++) {
         struct grid grid = random_grid();
         double wide = between(.5, 2), high = between(1, 4000);
-        const struct triangles *triangles;
-        struct scene *scene;
         char words[80];
 
         keep_grid(&grid);
         snprintf(words, sizeof words, "smooth scale <%.17g, %.17g, 1>", wide, high);
-        scene = field_expect("", words);
-        triangles = triangles_of(scene);
+        struct scene *scene = field_expect("", words);
+        const struct triangles *triangles = triangles_of(scene);
         assert_int_equal(triangles->count, 2 * (grid.columns - 1) * (grid.rows - 1));
         for (size_t k = 0; k < 3 * triangles->count; k++) {
             const struct triangle *triangle = &triangles->list[k / 3];
@@ -188,11 +184,10 @@ TEST(known_normals)
         { { 1 / 3., 0, 0 }, { .326787748, .685828354, -.650268588 } },
         { { 1 / 3., 0, .5 }, { -.823625467, .558197278, -.100284039 } },
     };
-    struct scene *scene;
     size_t found = 0;
 
     field_keep(field, strlen(field));
-    scene = field_expect("pgm", "smooth");
+    struct scene *scene = field_expect("pgm", "smooth");
     for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++) {
         const struct triangle *triangle = &triangles_of(scene)->list[k / 3];
         for (int i = 0; i < 3; i++) {

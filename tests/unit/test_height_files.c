@@ -104,10 +104,8 @@ static const struct known_file known_files[] = {
 
 static void check_file(const struct known_file *file)
 {
-    struct scene *scene;
-
     field_keep(file->bytes, file->count);
-    scene = field_expect(file->word, "");
+    struct scene *scene = field_expect(file->word, "");
     for (int i = 0; i < 6; i++) {
         double x = i % 3 / 2., z = i < 3;
         double height = -1, x_in = x + (x < .5 ? 1 : -1) * 1e-9;
@@ -149,9 +147,8 @@ TEST(broken)
         for (size_t k = 0; k < 8 && strcmp(known_files[i].word, "png"); k++) {
             const struct known_file *file = &known_files[i];
             struct diagnostics reports = { 0 };
-            struct scene *scene;
             field_keep(file->bytes, file->count * k / 8);
-            scene = field_read(file->word, "", &with_images, &reports);
+            struct scene *scene = field_read(file->word, "", &with_images, &reports);
             assert_true(scene || reports.errors == 1);
             scene_free(scene);
             diagnostics_free(&reports);
@@ -189,10 +186,9 @@ TEST(large_file)
 {
     enum { SIDE = 1500 };
     char *bytes = calloc(1, SIDE * SIDE + 100);
-    int head;
 
     assert_non_null(bytes);
-    head = sprintf(bytes, "P5 %d %d 255\n", SIDE, SIDE);
+    int head = sprintf(bytes, "P5 %d %d 255\n", SIDE, SIDE);
     field_keep(bytes, (size_t)head + SIDE * SIDE);
     field_expect_fault("pgm", "", 20, "more than 4000000 triangles");
     free(bytes);
@@ -206,9 +202,8 @@ TEST(no_adapter)
     for (size_t i = 0; i < COUNT(known_files); i++) {
         const struct known_file *file = &known_files[i];
         bool own = *file->word == 'p' && file->word[1] != 'n';
-        struct scene *scene;
         field_keep(file->bytes, file->count);
-        scene = field_read(file->word, "", &reading_options, &reports);
+        struct scene *scene = field_read(file->word, "", &reading_options, &reports);
         assert_int_equal(!scene, !own);
         assert_int_equal(reports.errors, !own);
         if (!own)

@@ -144,7 +144,6 @@ static size_t check_node(const struct hierarchy *hierarchy, const struct bound *
 static size_t check(const struct bound *bounds, size_t count)
 {
     struct hierarchy hierarchy;
-    size_t nodes;
 
     assert_true(hierarchy_build(bounds, count, &hierarchy));
     check_order(&hierarchy, count);
@@ -153,7 +152,7 @@ static size_t check(const struct bound *bounds, size_t count)
         assert_int_equal(check_node(&hierarchy, bounds, 0, hierarchy.loose, 1), count);
         assert_int_equal(hierarchy.nodes[0].next, hierarchy.node_count);
     }
-    nodes = hierarchy.node_count;
+    size_t nodes = hierarchy.node_count;
     hierarchy_free(&hierarchy);
     return nodes;
 }

@@ -70,24 +70,24 @@ static double dot(const double a[3], const double b[3])
 static int strikes(const double o[3], const double d[3], const double words[WORDS])
 {
     const double *axis = words + 3;
-    double w[3], a, b, across, half, middle, from, to, low, high;
+    double w[3];
 
     for (int i = 0; i < 3; i++)
         w[i] = o[i] - words[i];
-    a = dot(d, axis);
-    b = dot(w, axis);
-    across = 1 - a * a;
-    middle = -(dot(w, d) - a * b) / across;
-    half = middle * middle - (dot(w, w) - b * b - words[7]) / across;
+    double a = dot(d, axis);
+    double b = dot(w, axis);
+    double across = 1 - a * a;
+    double middle = -(dot(w, d) - a * b) / across;
+    double half = middle * middle - (dot(w, w) - b * b - words[7]) / across;
     if (fabs(half) < 1e-8)
         return -1;
     if (half < 0)
         return 0;
     half = sqrt(half);
-    low = -b / a;
-    high = (words[6] - b) / a;
-    from = fmax(fmax(middle - half, fmin(low, high)), 0);
-    to = fmin(middle + half, fmax(low, high));
+    double low = -b / a;
+    double high = (words[6] - b) / a;
+    double from = fmax(fmax(middle - half, fmin(low, high)), 0);
+    double to = fmin(middle + half, fmax(low, high));
     if (fabs(to - from) < 1e-8)
         return -1;
     return from < to;
@@ -119,7 +119,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     struct single_run run;
     c205_error error = { "" };
     struct object *program = program_assemble(form, defines, &error);
-    uint64_t at, made, clocks = 0;
+    uint64_t clocks = 0;
 
     assert_non_null(program);
     for (size_t i = 0; i < n; i++)
@@ -130,11 +130,11 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     put_numbers(words, bundle->words[0], WORDS * bundle->cylinders);
     single_run_begin(&run, program, prior_model, &error);
     single_run_word(&run, "hits_rays", n);
-    at = single_run_room(&run, "hits_from", planes, 6 * n);
+    uint64_t at = single_run_room(&run, "hits_from", planes, 6 * n);
     layout_word(&run.layout, "hits_towards", at + UINT64_C(192) * n);
     single_run_word(&run, "hits_cylinders", bundle->cylinders);
     single_run_room(&run, "hits_list", words, WORDS * bundle->cylinders);
-    made = single_run_room(&run, "hits_made", NULL, n);
+    uint64_t made = single_run_room(&run, "hits_made", NULL, n);
     if (!single_run_end(&run, made, told, n, &clocks))
         fail_msg("%s", error.message);
     object_free(program);

@@ -289,7 +289,6 @@ TEST(words)
 TEST(tables)
 {
     char text[600];
-    struct scene *scene;
 
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     snprintf(text, sizeof text,
@@ -299,7 +298,7 @@ TEST(tables)
              "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }\n"
              "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
              path, path, path, path);
-    scene = read_scene(text);
+    struct scene *scene = read_scene(text);
     assert_int_equal(scene->image_count, 2);
     for (size_t i = 0; i < 4; i++)
         assert_int_equal(scene->primitives[i].pigment.image.table->number, i / 2);
@@ -335,10 +334,9 @@ TEST(kinds_left_out)
 
     for (size_t i = 0; i < COUNT(words); i++) {
         char text[200];
-        struct scene *scene;
         snprintf(text, sizeof text,
                  "sphere { 0, 1 pigment { image_map { %s } scale 2 } }", words[i]);
-        scene = read_with(text, 1);
+        struct scene *scene = read_with(text, 1);
         assert_int_equal(scene->primitives->pigment.kind, PIGMENT_COLOR);
         assert_vector(scene->primitives->pigment.color[0], 0, 0, 0);
         scene_free(scene);
@@ -349,12 +347,11 @@ TEST(kinds_left_out)
 TEST(sky)
 {
     char text[200];
-    struct scene *scene;
 
     keep(FILE_OF("P6\n8 1\n255\n" COLORS));
     snprintf(text, sizeof text,
              "sky_sphere { pigment { image_map { \"%s\" map_type 1 once } } }", path);
-    scene = read_scene(text);
+    struct scene *scene = read_scene(text);
     assert_int_equal(scene->sky.kind, PIGMENT_IMAGE);
     assert_true(scene->sky.image.once);
     scene_free(scene);

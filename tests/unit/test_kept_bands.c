@@ -98,14 +98,13 @@ static size_t check_stopped(const struct scene *scene, const struct trace *whole
 {
     struct patience waiting = { patience };
     struct trace_options options = how(mode);
-    struct trace *trace;
     c205_error error = { "" };
     size_t same = 0, done;
 
     options.jobs = jobs;
     options.progress = wait_on;
     options.context = &waiting;
-    trace = begin(scene, &options);
+    struct trace *trace = begin(scene, &options);
     if (!trace_run(trace, &error))
         assert_non_null(strstr(error.message, "stopped after"));
     assert_int_equal(waiting.left == 0, trace_rows_done(trace) < TALL);
@@ -185,11 +184,10 @@ static void check_planted(const struct scene *scene, const struct trace *whole,
     const char *const paths[] = { path };
     struct farm farm = { .paths = paths, .path_count = 1 };
     struct trace_options options = how(TRACE_VECTOR);
-    struct trace *trace;
     c205_error error = { "" };
 
     options.farm = &farm;
-    trace = begin(scene, &options);
+    struct trace *trace = begin(scene, &options);
     plant(trace, &farm, unit, rows);
     assert_true(trace_run(trace, &error));
     assert_int_equal(trace_rows_done(trace), TALL);
@@ -227,10 +225,9 @@ static bool are_kept_for(const char *one, const char *other, enum trace_mode mod
         struct trace_options options = how(mode);
         struct scene *scene = read_text(texts[i]);
         c205_error error = { "" };
-        struct trace *trace;
 
         options.farm = &farm;
-        trace = begin(scene, &options);
+        struct trace *trace = begin(scene, &options);
         if (i == 0)
             plant(trace, &farm, 1, ROWS);
         else

@@ -40,10 +40,9 @@ static void check_assembled(const char *kernel, const struct asm_define *defines
     const struct asm_options how = { .defines = defines, .texts = texts };
     struct diagnostics found = { 0 };
     char text[100];
-    struct object *program;
 
     snprintf(text, sizeof text, "        .include \"%s\"\n", kernel);
-    program = assemble_text("test", text, &how, &found);
+    struct object *program = assemble_text("test", text, &how, &found);
     diagnostics_print(&found, stderr);
     assert_int_equal(found.count, 0);
     assert_non_null(program);
@@ -117,13 +116,12 @@ TEST(fit_programs)
     while ((entry = readdir(programs)) != NULL) {
         size_t length = strlen(entry->d_name);
         struct diagnostics found = { 0 };
-        struct object *program;
         char path[400];
 
         if (length < 2 || strcmp(entry->d_name + length - 2, ".s") != 0)
             continue;
         snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        program = assemble_file(path, &how, &found);
+        struct object *program = assemble_file(path, &how, &found);
         diagnostics_print(&found, stderr);
         assert_int_equal(found.count, 0);
         assert_non_null(program);
@@ -141,13 +139,12 @@ static void run_watched(const struct object *program, c205 *machine, const char 
     struct register_owners *owners = register_owners_new(program);
     struct sink sink = stream_sink(stderr);
     c205_error error = { "" };
-    bool good;
 
     assert_non_null(owners);
     assert_int_equal(c205_loaded_program(machine),
                      c205_program_hash(&program->program));
     assert_true(c205_listen(machine, register_owners_listen, owners));
-    good = program_run(machine, NULL, NULL, NULL, &error);
+    bool good = program_run(machine, NULL, NULL, NULL, &error);
     register_owners_print(owners, &sink);
     if (!good || register_owners_found(owners) > 0)
         fail_msg("%s: %s", what, error.message);
@@ -184,12 +181,10 @@ static void follow_lines(const struct scene *scene, size_t queue, const char *wh
     draw_camera_lines(&traced.random, scene, list, LINES);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         c205_error error = { "" };
-        struct lines *lines;
-        c205 *machine;
 
         options.mode = (enum trace_mode)mode;
-        lines = lines_new(scene, &options, &error);
-        machine = lines ? lines_machine(lines, list, LINES, &error) : NULL;
+        struct lines *lines = lines_new(scene, &options, &error);
+        c205 *machine = lines ? lines_machine(lines, list, LINES, &error) : NULL;
         if (!machine)
             fail_msg("%s: %s", what, error.message);
         run_watched(lines_program(lines), machine, what);
@@ -272,13 +267,12 @@ TEST(scenes)
     assert_non_null(folder);
     while ((entry = readdir(folder)) != NULL) {
         struct diagnostics reports = { 0 };
-        struct scene *scene;
         char path[300];
 
         snprintf(path, sizeof path, "scenes/%s", entry->d_name);
         if (!strstr(path, ".pov"))
             continue;
-        scene = scene_read(path, &options, &reports);
+        struct scene *scene = scene_read(path, &options, &reports);
         assert_non_null(scene);
         trace_modes(scene, COLUMNS - 1, path);
         scene_free(scene);
@@ -343,13 +337,12 @@ static void see_restored(struct area *area, const c205 *machine)
 static void listen_to_saves(void *context, const c205 *machine, const c205_event *event)
 {
     const c205_fields *fields = &event->fields;
-    struct area *area;
 
     (void)context;
     if (event->kind != C205_EVENT_INSTRUCTION)
         return;
     if (event->insn->format == C205_FORMAT_SWAP && fields->r != 0) {
-        area = area_at(address_of(saves.before[fields->r]));
+        struct area *area = area_at(address_of(saves.before[fields->r]));
         if (fields->t != 0)
             see_saved(saves.before[fields->t], fields->s);
         else if (area && area->first == fields->s)
@@ -380,13 +373,11 @@ TEST(nothing_is_saved_in_vain)
 
     for (int historical = 0; historical < 2; historical++) {
         c205_error error = { "" };
-        struct trace *trace;
-        c205 *machine;
 
         memset(&saves, 0, sizeof saves);
         options.historical = historical;
-        trace = trace_new(scene, &options, &error);
-        machine = trace ? trace_machine(trace, 0, &error) : NULL;
+        struct trace *trace = trace_new(scene, &options, &error);
+        c205 *machine = trace ? trace_machine(trace, 0, &error) : NULL;
         if (!machine || !c205_listen(machine, listen_to_saves, NULL)
             || !program_run(machine, NULL, NULL, NULL, &error))
             fail_msg("%s", error.message);
@@ -430,14 +421,12 @@ TEST(random_solids)
 
     solids.clear = solids.patches = traced.reported = true;
     for (size_t i = 0; i < scene_count; i++) {
-        struct scene *scene;
-
         solids.gridded = below(2);
         traced.historical = below(3) == 0;
         traced.no_bounds = below(4) == 0;
         traced.visible = (enum visible)below(VISIBLE_WAYS);
         write_scene(text, sizeof text);
-        scene = read_text(text);
+        struct scene *scene = read_text(text);
         trace_modes(scene, queues[below(3)], text);
         scene_free(scene);
     }

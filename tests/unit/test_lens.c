@@ -39,14 +39,14 @@ static void check_orders(const char *text)
                                      .height = HEIGHT,
                                      .samples = among(1, 5),
                                      .model = prior_model };
-    struct trace *scalar = run_trace(scene, &options), *other;
+    struct trace *scalar = run_trace(scene, &options);
 
     options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
     options.order = among(0, 1) ? ORDER_ROWS : ORDER_TILES;
     options.queue = among(1, 300);
     options.band = among(1, 900);
     options.jobs = among(1, 2);
-    other = run_trace(scene, &options);
+    struct trace *other = run_trace(scene, &options);
     assert_int_equal(trace_samples(scalar), trace_samples(other));
     if (trace_checksum(scalar) != trace_checksum(other))
         fail_msg("%s by %s, queue %zu, band %zu, samples %zu: another frame "
@@ -62,10 +62,9 @@ TEST(random)
 {
     for (size_t i = 0; i < share_of(10); i++) {
         char text[2000] = LIGHTS THINGS;
-        struct words *words;
 
         add_camera(text, sizeof text);
-        words = plain_frame(text);
+        struct words *words = plain_frame(text);
         check_paper_stage(text, words);
         check_orders(text);
         free(words);
@@ -83,8 +82,6 @@ static struct frame seen(const char *camera, double distance, size_t samples)
                                      .samples = samples,
                                      .model = prior_model };
     char text[1000] = "";
-    struct scene *scene;
-    struct trace *trace;
     struct frame frame;
 
     add_text(text, sizeof text,
@@ -93,8 +90,8 @@ static struct frame seen(const char *camera, double distance, size_t samples)
              "  [0 rgb 1] [.3 rgb <0, .3, 1>] [1 rgb 1] } scale .4 }\n"
              "  finish { ambient 1 diffuse 0 } }\ncamera { %s }\n",
              -distance, camera);
-    scene = read_text(text);
-    trace = run_trace(scene, &options);
+    struct scene *scene = read_text(text);
+    struct trace *trace = run_trace(scene, &options);
     assert_true(frame_allocate(&frame, WIDTH, HEIGHT));
     trace_read(trace, 0, &frame);
     trace_free(trace);

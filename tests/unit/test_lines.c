@@ -35,7 +35,6 @@ static void check_queues(const struct scene *scene, const char *text,
     static const size_t queues[] = { 1, 7, LINES - 1, 2000, 2000, 300 };
 
     for (size_t i = 0; i < COUNT(queues); i++) {
-        struct seen_crossings vector;
         char reason[LINE_REASON];
 
         options.mode = i % 2 ? TRACE_KERNELS : TRACE_VECTOR;
@@ -43,7 +42,7 @@ static void check_queues(const struct scene *scene, const char *text,
         options.packet = i == 1 ? LINES / 3 : 0;
         options.flat = i == 2;
         options.no_bounds = i == 3;
-        vector = find_lines(scene, &options, list, LINES);
+        struct seen_crossings vector = find_lines(scene, &options, list, LINES);
         check(same_crossings(scalar, &vector, reason), reason, text);
         seen_crossings_free(&vector);
     }
@@ -58,17 +57,15 @@ static void check_solids(double z, double behind)
         .normals = true, .bodies = true, .behind = behind, .model = prior_model
     };
     struct scene_line list[LINES];
-    struct seen_crossings found;
-    struct scene *scene;
     char camera[80], reason[LINE_REASON];
 
     snprintf(camera, sizeof camera,
              "location <%.3f, %.3f, %.3f> look_at <0, .1, .2> angle 40", between(-3, 3),
              between(-3, 3), z);
     write_scene(text, sizeof text, camera);
-    scene = read_text(text);
+    struct scene *scene = read_text(text);
     draw_camera_lines(&traced.random, scene, list, LINES);
-    found = find_lines(scene, &options, list, LINES);
+    struct seen_crossings found = find_lines(scene, &options, list, LINES);
     check_queues(scene, text, options, list, &found);
     check(keep_line_rules(scene, list, &found, behind, reason), reason, text);
     check(same_as_plain_lines(scene, list, &found, behind, true, reason), reason, text);
@@ -155,20 +152,17 @@ TEST(nearest)
     traced.pixels = SIDE * SIDE;
     put_pixels(list);
     for (size_t i = 0; i < scene_count; i++) {
-        struct seen_crossings scalar, serial, found;
-        struct scene *scene;
-        struct words *words;
         char reason[LINE_REASON];
 
         write_scene(text, sizeof text, EXACT);
-        scene = read_text(text);
-        words = trace_words(scene, TRACE_VECTOR, 2000);
+        struct scene *scene = read_text(text);
+        struct words *words = trace_words(scene, TRACE_VECTOR, 2000);
         options.mode = TRACE_SCALAR;
-        scalar = find_lines(scene, &options, list, SIDE * SIDE);
+        struct seen_crossings scalar = find_lines(scene, &options, list, SIDE * SIDE);
         options.mode = TRACE_KERNELS;
-        serial = find_lines(scene, &options, list, SIDE * SIDE);
+        struct seen_crossings serial = find_lines(scene, &options, list, SIDE * SIDE);
         options.mode = TRACE_VECTOR;
-        found = find_lines(scene, &options, list, SIDE * SIDE);
+        struct seen_crossings found = find_lines(scene, &options, list, SIDE * SIDE);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             check_nearest(scene, words, k, &found, text);
         check(same_crossings(&scalar, &found, reason), reason, text);
@@ -218,11 +212,10 @@ static void check_form(const char *text, enum trace_mode mode, double behind,
                                            .model = prior_model };
     struct scene_line list[COPIES];
     struct scene *scene = read_text(text);
-    struct seen_crossings found;
 
     for (size_t i = 0; i < COPIES; i++)
         list[i] = (struct scene_line){ { 0, .125, -4 }, { 0, 0, 2 } };
-    found = find_lines(scene, &options, list, COPIES);
+    struct seen_crossings found = find_lines(scene, &options, list, COPIES);
     for (size_t i = 0; i < COPIES; i++) {
         if (found.first[i + 1] != (i + 1) * count)
             fail_msg("%zu crossings, not %zu, in\n%s", found.first[i + 1] - i * count,

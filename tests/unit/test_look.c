@@ -59,11 +59,11 @@ static void look(void *context, const struct trace *trace,
                  const struct band_tracer *tracer, bool done)
 {
     struct shown *shown = context;
-    size_t width = trace_how(trace)->width, there;
+    size_t width = trace_how(trace)->width;
     struct band band;
 
     assert_true(band_look(tracer, &band));
-    there = pixels_there(&band, width);
+    size_t there = pixels_there(&band, width);
     if (trace_how(trace)->jobs == 1 && band.first_row == shown->last_row)
         assert_true(band.accounts.clocks >= shown->clocks);
     shown->clocks = done ? 0 : band.accounts.clocks;
@@ -103,10 +103,9 @@ static void check_looks(const struct scene *scene, enum trace_mode mode)
                                      .progress = go_on,
                                      .look = look,
                                      .context = &shown };
-    struct trace *trace;
 
     assert_true(frame_allocate(&shown.frame, options.width, options.height));
-    trace = run_trace(scene, &options);
+    struct trace *trace = run_trace(scene, &options);
     assert_int_equal(shown.done, trace_bands(trace));
     if (options.jobs == 1)
         assert_int_equal(shown.all, trace_accounts(trace)->clocks);
@@ -121,8 +120,6 @@ TEST(bands)
     char text[4000];
 
     for (int i = 0; i < 12; i++) {
-        struct scene *scene;
-
         *text = '\0';
         add_text(text, sizeof text, SCENE, gammas[i % 2]);
         for (size_t k = among(1, 6); k > 0; k--) {
@@ -131,7 +128,7 @@ TEST(bands)
             add_text(text, sizeof text, ", %.3f pigment { rgb <1, .5, .2> } }",
                      between(.2, 1));
         }
-        scene = read_text(text);
+        struct scene *scene = read_text(text);
         check_looks(scene, (enum trace_mode)(i % TRACE_MODES));
         scene_free(scene);
     }
@@ -152,13 +149,12 @@ TEST(under_way)
                                      .look = look,
                                      .context = &shown };
     char text[9000] = "";
-    struct scene *scene;
 
     add_text(text, sizeof text, SCENE, "1");
     for (int k = 0; k < 100; k++)
         add_text(text, sizeof text, "sphere { <%d, %d, 0>, .3 pigment { rgb 1 } }",
                  k % 10 - 5, k / 10 - 5);
-    scene = read_text(text);
+    struct scene *scene = read_text(text);
     assert_true(frame_allocate(&shown.frame, WIDTH, HEIGHT));
     trace_free(run_trace(scene, &options));
     assert_int_equal(shown.done, 1);

@@ -130,12 +130,11 @@ TEST(same_bits)
 {
     for (int points = 0; points < POINTS_KINDS; points++) {
         struct columns_options options = usual();
-        uint64_t expected;
 
         options.points = (enum columns_points)points;
         options.rays_log = points == POINTS_GRID ? 7 : 6;
         options.repeats = 4;
-        expected = checksum_of(crowd, options);
+        uint64_t expected = checksum_of(crowd, options);
         options.jobs = 3;
         options.queue = 7;
         assert_true(checksum_of(crowd, options) == expected);
@@ -153,11 +152,10 @@ TEST(same_packets)
 {
     struct columns_options options = usual();
     struct measured ball;
-    uint64_t expected;
 
     options.rays_log = 13;
     options.repeats = 2;
-    expected = checksum_of(crowd, options);
+    uint64_t expected = checksum_of(crowd, options);
     options.queue = 4096;
     options.jobs = 1;
     assert_true(checksum_of(crowd, options) == expected);
@@ -189,13 +187,12 @@ static struct tried try_seeds(enum columns_points points, size_t seeds)
     for (size_t seed = 1; seed <= seeds; seed++) {
         struct columns_options options = usual();
         struct measured measured;
-        double off;
 
         options.points = points;
         options.rays_log = 6;
         options.seed = seed;
         measure_well(tilted, options, &measured);
-        off = measured.part[0].value[FIGURE_VOLUME] - volume;
+        double off = measured.part[0].value[FIGURE_VOLUME] - volume;
         tried.sum += off;
         tried.square += off * off;
         tried.covered += fabs(off) <= measured.part[0].error[FIGURE_VOLUME];
@@ -264,15 +261,14 @@ TEST(parallel_axes)
 {
     struct measured bored;
     const double *value = bored.part[0].value;
-    double x, y, z, volume;
 
     measure_well("difference { box { <-1,-.5,-.25>, <1,.5,.25> }\n"
                  "cylinder { <.4,0,-1>, <.4,0,1>, .3 } translate <3,2,1> }",
                  usual(), &bored);
-    volume = value[FIGURE_VOLUME];
-    x = value[FIGURE_CENTROID];
-    y = value[FIGURE_CENTROID + 1];
-    z = value[FIGURE_CENTROID + 2];
+    double volume = value[FIGURE_VOLUME];
+    double x = value[FIGURE_CENTROID];
+    double y = value[FIGURE_CENTROID + 1];
+    double z = value[FIGURE_CENTROID + 2];
     assert_true(x < 2.95);
     assert_true(
         fabs(value[FIGURE_INERTIA] - value[FIGURE_CENTRAL] - volume * (y * y + z * z))

@@ -126,10 +126,9 @@ static double check_eye(const struct primitive *mesh, const double *table,
 
     for (size_t i = 0; i < count; i++) {
         double place = first + row * (double)i, point[3];
-        struct look look;
 
         random_point(table + (size_t)place, point);
-        look = look_at(eye, point);
+        struct look look = look_at(eye, point);
         assert_true(look.z > 0);
         if (!comes_to(table, eye, &look, place, row, &asked))
             fail_msg("from %.17g, %.17g, %.17g a ray to %.17g, %.17g, %.17g "
@@ -176,8 +175,7 @@ static void check_net(size_t *seeing, size_t *within)
 {
     struct eyes eyes = { .count = 3 };
     struct primitive mesh;
-    double *table, scale = pow(10, between(-3, 3)), by[3];
-    size_t count;
+    double scale = pow(10, between(-3, 3)), by[3];
     double row = 13;
 
     for (int k = 0; k < 3; k++)
@@ -192,8 +190,8 @@ static void check_net(size_t *seeing, size_t *within)
         by[k] *= scale;
     net_move(&net, scale, by);
     take_primitive(&mesh);
-    count = shape_table_count(&mesh, &eyes);
-    table = shape_table(&mesh, &eyes, count);
+    size_t count = shape_table_count(&mesh, &eyes);
+    double *table = shape_table(&mesh, &eyes, count);
     assert_non_null(table);
     if (net.smooth)
         row = 21;
@@ -228,13 +226,12 @@ TEST(few_are_asked)
 {
     struct eyes eyes = { 1, { { 1, 2, -9 } } };
     struct primitive mesh;
-    double *table;
 
     net_take(&net, OCTAHEDRON);
     for (int i = 0; i < 3; i++)
         net_divide(&net);
     take_primitive(&mesh);
-    table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
+    double *table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
     assert_non_null(table);
     assert_int_equal((int)table[TABLE_EYE_COUNT], 1);
     assert_in_range((int)check_eye(&mesh, table, table + (size_t)table[TABLE_EYES], 13),
@@ -322,12 +319,12 @@ static void write_scene(const char *camera)
 /* How many pixels show something. */
 static size_t check_frame(void)
 {
-    struct words *words = same_frame(text), *boxes;
+    struct words *words = same_frame(text);
     size_t seen = hits(words);
 
     check_paper_stage(text, words);
     traced.variant = "MESH_BOXES";
-    boxes = same_frame(text);
+    struct words *boxes = same_frame(text);
     traced.variant = NULL;
     if (memcmp(words, boxes, sizeof *words) != 0)
         fail_msg("by boxes there is another frame of\n%s", text);
@@ -407,7 +404,6 @@ TEST(places)
     };
 
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct scene *scene;
         struct eyes eyes;
 
         sprintf(text,
@@ -415,7 +411,7 @@ TEST(places)
                 "camera { %s location -3*z look_at 0 }\n"
                 "light_source { 9*y, 1 %s }\nsphere { 0, 1 }\n",
                 cases[i].camera, cases[i].light);
-        scene = read_text(text);
+        struct scene *scene = read_text(text);
         eyes_find(scene, &eyes);
         assert_int_equal(eyes.count, cases[i].count);
         scene_free(scene);
@@ -428,11 +424,11 @@ TEST(places)
  * the same. */
 static void check_stages(void)
 {
-    struct words *words = same_frame(text), *others;
+    struct words *words = same_frame(text);
 
     check_paper_stage(text, words);
     traced.no_bounds = true;
-    others = same_frame(text);
+    struct words *others = same_frame(text);
     traced.no_bounds = false;
     if (memcmp(words, others, sizeof *words) != 0)
         fail_msg("without bounds there is another frame of\n%s", text);
@@ -548,8 +544,6 @@ TEST(clocks)
     net_stretch(&net, .9, 1.1, 0, &traced.random);
     for (int mode = 0; mode < 2; mode++) {
         for (int i = 0; i < 2; i++) {
-            struct scene *scene;
-
             sprintf(text,
                     "#version 3.7; global_settings { assumed_gamma 1 }\n"
                     "camera { location <0, 1, -3> look_at 0 angle 44 }\n"
@@ -557,7 +551,7 @@ TEST(clocks)
                     lights[i]);
             net_mesh_text(&net, text, sizeof text);
             add_text(text, sizeof text, "pigment { rgb 1 } }\n");
-            scene = read_text(text);
+            struct scene *scene = read_text(text);
             windows[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR, NULL);
             boxes[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR,
                                  "MESH_BOXES");
@@ -574,7 +568,6 @@ TEST(where_they_do_not_pay)
     struct eyes eyes = { 1, { { -6, 8, -6 } } };
     struct triangle blades[100] = { { .smooth = false } };
     struct primitive mesh = { .kind = PRIMITIVE_MESH };
-    double *table;
 
     take_primitive(&mesh);
     free(mesh.shape.mesh.triangles.list);
@@ -587,7 +580,7 @@ TEST(where_they_do_not_pay)
     }
     mesh.shape.mesh.triangles.list = blades;
     mesh.shape.mesh.triangles.count = 100;
-    table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
+    double *table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
     assert_non_null(table);
     assert_int_equal((int)table[TABLE_EYE_COUNT], 0);
     free(table);

@@ -176,10 +176,9 @@ static void write_pixels(double depths[PIXELS])
 TEST(every_triangle)
 {
     double depths[PIXELS];
-    struct words *words;
 
     write_pixels(depths);
-    words = same_frame(text);
+    struct words *words = same_frame(text);
     assert_int_equal(hits(words), PIXELS);
     for (size_t k = 0; k < PIXELS; k++)
         assert_near(c205_to_double(words->channel[CHANNEL_DEPTH][k]), depths[k],
@@ -240,15 +239,13 @@ TEST(shadow_limit)
 TEST(long_queues)
 {
     static const size_t queues[] = { 40000, TRACE_QUEUE_MOST - 4, TRACE_QUEUE_MOST };
-    struct scene *scene;
-    uint64_t scalar;
 
     strcpy(text, HEAD "camera { location <0, 1, -2> look_at 0 }\n");
     net_random_body(&net, 1, &traced.random);
     net_mesh_text(&net, text, sizeof text);
     add_text(text, sizeof text, "}\n");
-    scene = read_text(text);
-    scalar = checksum_of(scene, TRACE_SCALAR, 1);
+    struct scene *scene = read_text(text);
+    uint64_t scalar = checksum_of(scene, TRACE_SCALAR, 1);
     for (size_t i = 0; i < COUNT(queues); i++)
         assert_true(checksum_of(scene, TRACE_VECTOR, queues[i]) == scalar);
     scene_free(scene);
@@ -280,13 +277,11 @@ static void check_depths(const struct words *a, const struct words *b)
 TEST(other_words)
 {
     for (size_t i = 0; i < scene_count; i++) {
-        struct words *words, *others;
-
         net_random_body(&net, 2, &traced.random);
         if (i % 2)
             net_smooth(&net, .2, &traced.random);
-        words = frame_of("mesh");
-        others = frame_of("mesh2");
+        struct words *words = frame_of("mesh");
+        struct words *others = frame_of("mesh2");
         assert_memory_equal(words, others, sizeof *words);
         free(others);
         net_shuffle(&net, &traced.random);
@@ -309,12 +304,10 @@ TEST(triangles_alone)
     static const char *const triangles[] = { FLAT, LEANING };
 
     for (size_t i = 0; i < 2; i++) {
-        struct words *words, *others;
-
         snprintf(text, sizeof text, "%s%s", AHEAD, triangles[i]);
-        words = plain_frame(text);
+        struct words *words = plain_frame(text);
         snprintf(text, sizeof text, "%smesh { %s }", AHEAD, triangles[i]);
-        others = same_frame(text);
+        struct words *others = same_frame(text);
         assert_memory_equal(words, others, sizeof *words);
         free(words);
         free(others);
@@ -368,14 +361,12 @@ static void add_doubles(void)
 /* The whole mesh once more is seen in place of the first. */
 TEST(doubles)
 {
-    struct words *words, *others;
-
     net_take(&net, ICOSAHEDRON);
     net_divide(&net);
     net_smooth(&net, 0, &traced.random);
-    words = frame_of("mesh");
+    struct words *words = frame_of("mesh");
     add_doubles();
-    others = frame_of("mesh");
+    struct words *others = frame_of("mesh");
     assert_memory_equal(words, others, sizeof *words);
     free(others);
     net_mesh_text(&net, text, sizeof text);

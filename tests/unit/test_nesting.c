@@ -49,8 +49,7 @@ static void add_leaf(struct forest *forest)
 static void add_tree(struct forest *forest, int depth)
 {
     enum tree_operation operation = (enum tree_operation)below(4);
-    size_t node, children = operation == TREE_NOT ? 1 : 1 + below(14);
-    bool difference;
+    size_t children = operation == TREE_NOT ? 1 : 1 + below(14);
 
     if (depth == 0 || operation == TREE_LEAF || forest->scene.node_count > NODES / 2) {
         add_leaf(forest);
@@ -58,8 +57,8 @@ static void add_tree(struct forest *forest, int depth)
     }
     if (operation != TREE_NOT && below(20) == 0)
         children *= 20;
-    node = add_node(forest, operation);
-    difference = operation == TREE_AND && below(2) == 0;
+    size_t node = add_node(forest, operation);
+    bool difference = operation == TREE_AND && below(2) == 0;
     for (size_t i = 0; i < children; i++) {
         size_t away = difference && i > 0 ? add_node(forest, TREE_NOT) : 0;
 

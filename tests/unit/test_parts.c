@@ -177,10 +177,9 @@ static bool read_file(const char *text, struct given_values *densities,
                       struct diagnostics *reports)
 {
     static const char path[] = "densities_test.txt";
-    bool good;
 
     write_bytes(path, text, strlen(text));
-    good = given_read(densities, path, reports);
+    bool good = given_read(densities, path, reports);
     remove(path);
     return good;
 }

@@ -118,12 +118,12 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
 {
     const struct object *program = trace_program(trace);
     struct leaf_plan *plans = calloc(scene->primitive_count, sizeof *plans);
-    uint64_t at = program_round_up(program_end(program)), end;
+    uint64_t at = program_round_up(program_end(program));
 
     assert_non_null(plans);
     at += UINT64_C(64) * plan_leaves(scene, plans)
           * (uint64_t)object_symbol(program, "CROSSING_SIZE")->value;
-    end = program_round_up(at);
+    uint64_t end = program_round_up(at);
     free(plans);
     assert_true(at < end);
     for (c205_word word; at < end; at += 64) {

@@ -111,12 +111,12 @@ FIXTURE(tear_down)
 
 static char *text_of(const char *name)
 {
-    char path[256], *text;
+    char path[256];
     size_t length;
     c205_error error = { "" };
 
     path_of(name, path);
-    text = file_read(path, FILE_LARGEST, &length, &error);
+    char *text = file_read(path, FILE_LARGEST, &length, &error);
     if (!text)
         fail_msg("%s: %s", path, error.message);
     return text;
@@ -151,10 +151,8 @@ static void expect_error(const struct plot *plot, const char *name, const char *
 
 TEST_WITH(data_is_told, set_up, tear_down)
 {
-    char *text;
-
     draw(&lines);
-    text = text_of("a b'c.dat");
+    char *text = text_of("a b'c.dat");
     assert_string_equal(text, "# Clocks per ray\n"
                               "# model cyber205-2pipe\n"
                               "# a_b & <c>, it's \"so\" \\\n"
@@ -186,20 +184,20 @@ static void expect_picture(const char *text)
 /* As a user does: gnuplot NAME.gp in its folder. */
 TEST_WITH(script_draws_again, set_up, tear_down)
 {
-    char command[256], *first, *second;
+    char command[256];
     const enum plot_form forms[] = { PLOT_LINES, PLOT_AREAS };
 
     for (size_t i = 0; i < 2; i++) {
         struct plot plot = lines;
         plot.form = forms[i];
         draw(&plot);
-        first = text_of("a b'c.svg");
+        char *first = text_of("a b'c.svg");
         expect_picture(first);
         remove_file("a b'c.svg");
         snprintf(command, sizeof command, "cd %s/it*test* && gnuplot \"a b'c.gp\"",
                  folder.above);
         assert_int_equal(system(command), 0);
-        second = text_of("a b'c.svg");
+        char *second = text_of("a b'c.svg");
         assert_string_equal(first, second);
         free(first);
         free(second);
@@ -292,10 +290,9 @@ static void expect_kept(void)
 static void write_file(const char *name, const char *text)
 {
     char path[256];
-    FILE *file;
 
     path_of(name, path);
-    file = fopen(path, "w");
+    FILE *file = fopen(path, "w");
     assert_non_null(file);
     fputs(text, file);
     fclose(file);
@@ -350,12 +347,11 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
                                       { 1.1, "near" },
                                       { 1, "at one" } };
     struct plot plot = lines;
-    char *script;
 
     plot.marks = many;
     plot.mark_count = 3;
     draw(&plot);
-    script = text_of("a b'c.gp");
+    char *script = text_of("a b'c.gp");
     assert_true(height_of(script, "'far") == height_of(script, "'near"));
     assert_true(height_of(script, "'at one") > height_of(script, "'near"));
     free(script);
@@ -399,10 +395,9 @@ TEST(axes_are_labelled)
 TEST_WITH(curves_are_cut, set_up, tear_down)
 {
     struct plot plot = lines;
-    char *script;
 
     draw(&plot);
-    script = text_of("a b'c.gp");
+    char *script = text_of("a b'c.gp");
     assert_non_null(strstr(script, "set yrange [0:35]"));
     assert_null(strstr(script, "cut off"));
     free(script);

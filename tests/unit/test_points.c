@@ -184,14 +184,13 @@ TEST_CALL(lattice_numbers, compare_numbers(true))
 static void compare_cut(bool lattice)
 {
     struct point_kind kind = some_kind(lattice);
-    struct point_choice choice;
     size_t points, pieces[2];
     const c205_word *whole = words[POINTS_SCALAR];
     c205_word *piece = words[POINTS_VECTOR];
 
     kind.form = POINTS_VECTOR;
     kind.points = points = between(2, 5000);
-    choice = some_choice(lattice, points);
+    struct point_choice choice = some_choice(lattice, points);
     make(&kind, &choice, words[POINTS_SCALAR]);
     pieces[0] = between(1, points - 1);
     pieces[1] = points - pieces[0];

@@ -56,21 +56,20 @@ TEST(stages)
 /* As JSON; the caller frees it. */
 static char *table_text_of(enum profile_table kind)
 {
-    char path[] = "/tmp/test_profile.XXXXXX", *text;
+    char path[] = "/tmp/test_profile.XXXXXX";
     int file = mkstemp(path);
     struct table *table = profile_table(kind, &profile);
     c205_error error = { "" };
-    struct json *json;
     size_t length;
 
     assert_true(file >= 0 && close(file) == 0);
     assert_non_null(table);
-    json = json_open(path, &error);
+    struct json *json = json_open(path, &error);
     assert_non_null(json);
     table_json(table, json, "rows");
     assert_true(json_close(json, &error));
     table_free(table);
-    text = file_read(path, FILE_LARGEST, &length, &error);
+    char *text = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(text);
     remove(path);
     return text;

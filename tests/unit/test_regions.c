@@ -143,11 +143,11 @@ TEST(crossings)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct stage stage;
-        uint64_t room = 64 * 2 * rows[i].crossings, first;
+        uint64_t room = 64 * 2 * rows[i].crossings;
         c205_word word;
 
         raise_curtain(&stage, rows[i].text, BOUNDING_FLAT);
-        first = primitive(&stage, 0, "P_FIRST_STATE");
+        uint64_t first = primitive(&stage, 0, "P_FIRST_STATE");
         assert_int_equal(behind_first(&stage, rows[i].last, "P_FIRST_EVENT",
                                       "CROSSING_SIZE"),
                          rows[i].first_event);
@@ -161,15 +161,14 @@ TEST(room)
 {
     enum { LEAVES = 5 };
     struct stage stage;
-    uint64_t values, leaves, branches;
 
     raise_curtain(&stage,
                   "sphere { 0, 1 } merge { sphere { 0, 1 } sphere { x, 1 }"
                   " box { 0, 1 } box { 0, 1 } sphere { y, 1 } }",
                   BOUNDING_HIERARCHY);
-    values = primitive(&stage, 0, "P_VALUE");
-    leaves = scene_word(&stage, "scene_leaves");
-    branches = scene_word(&stage, "scene_branches");
+    uint64_t values = primitive(&stage, 0, "P_VALUE");
+    uint64_t leaves = scene_word(&stage, "scene_leaves");
+    uint64_t branches = scene_word(&stage, "scene_branches");
     assert_int_equal(leaves - values,
                      64 * symbol(&stage, "VALUE_SIZE") * (2 * LEAVES - 1));
     assert_int_equal(branches - leaves, 64 * symbol(&stage, "LEAF_SIZE") * LEAVES);
@@ -251,11 +250,10 @@ TEST(nodes)
         "  difference { sphere { 0, 9 } plane { y, 0 } inverse }\n"
         "  sphere { x, 2.5 } }";
     struct stage stage;
-    uint64_t nodes, size;
 
     raise_curtain(&stage, text, BOUNDING_FLAT);
-    nodes = region(&stage, 0, "R_NODES");
-    size = 64 * symbol(&stage, "N_SIZE");
+    uint64_t nodes = region(&stage, 0, "R_NODES");
+    uint64_t size = 64 * symbol(&stage, "N_SIZE");
     assert_int_equal(region(&stage, 0, "R_NODES_END"), nodes + 8 * size);
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t first = (size_t)rows[i].first;
@@ -300,13 +298,13 @@ TEST(no_bounds)
 TEST(bounds)
 {
     struct stage stage;
-    uint64_t bound;
 
     raise_curtain(&stage,
                   "difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
                   " inverse }",
                   BOUNDING_FLAT);
-    bound = scene_word(&stage, "scene_regions") + 64 * symbol(&stage, "R_BOUND");
+    uint64_t bound = scene_word(&stage, "scene_regions")
+                     + 64 * symbol(&stage, "R_BOUND");
     for (int i = 0; i < 3; i++)
         assert_number(stage_word(&stage, bound + 64 * (uint64_t)i), i + 1);
     double radius = c205_to_double(stage_word(&stage, bound + 64 * 3));

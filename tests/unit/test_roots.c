@@ -112,12 +112,10 @@ TEST(known)
 
     read_known(polynomials);
     for (int way = 0; way < 2 * 2 * FALSI_RULES; way++) {
-        struct polynomial_roots *roots;
-
         options.mode = way % 2 ? TRACE_VECTOR : TRACE_SCALAR;
         options.first = way / 2 % 2;
         options.falsi = (enum falsi)(way / 4);
-        roots = solve(polynomials, KNOWN, &options);
+        struct polynomial_roots *roots = solve(polynomials, KNOWN, &options);
         for (size_t i = 0; i < KNOWN; i++)
             check_known(&known[i], &roots[i], options.first);
         free(roots);
@@ -188,10 +186,8 @@ TEST(refused)
     polynomials[1].c[3] = number("1e8000");
     polynomials[1].c[4] = number("-1e-8000");
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
-        struct polynomial_roots *roots;
-
         options.mode = (enum trace_mode)mode;
-        roots = solve(polynomials, 2, &options);
+        struct polynomial_roots *roots = solve(polynomials, 2, &options);
         assert_int_equal(roots[0].count, ROOTS_REFUSED);
         assert_int_equal(roots[1].count, ROOTS_REFUSED);
         free(roots);
@@ -206,10 +202,9 @@ static struct iterations watched(enum trace_mode mode, size_t queue)
     struct polynomial polynomials[KNOWN];
     struct iterations iterations;
     c205_error error = { "" };
-    struct root_search *search;
 
     read_known(polynomials);
-    search = roots_new(polynomials, KNOWN, &options, &error);
+    struct root_search *search = roots_new(polynomials, KNOWN, &options, &error);
     if (!search || !roots_watch(search, &iterations) || !roots_run(search, &error))
         fail_msg("%s", error.message);
     roots_free(search);

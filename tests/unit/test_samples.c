@@ -66,16 +66,16 @@ static uint64_t check_means(const struct scene *scene, size_t width, size_t heig
                                      .samples = n,
                                      .band = among(1, n * n * width * height),
                                      .model = prior_model };
-    struct trace *pixels = run_trace(scene, &options), *samples;
-    struct frame of_pixels = read_all(pixels, width, height), of_samples;
+    struct trace *pixels = run_trace(scene, &options);
+    struct frame of_pixels = read_all(pixels, width, height);
     uint64_t checksum = trace_checksum(pixels);
 
     assert_int_equal(trace_rays(pixels, RAY_PRIMARY), n * n * width * height);
     options.samples = 0;
     options.width *= n;
     options.height *= n;
-    samples = run_trace(scene, &options);
-    of_samples = read_all(samples, n * width, n * height);
+    struct trace *samples = run_trace(scene, &options);
+    struct frame of_samples = read_all(samples, n * width, n * height);
     for (size_t row = 0; row < height; row++)
         for (size_t column = 0; column < width; column++)
             check_pixel(&of_pixels, &of_samples, n, row, column);
@@ -138,10 +138,10 @@ TEST(one)
                                      .height = HEIGHT,
                                      .queue = 50,
                                      .model = prior_model };
-    struct trace *none = run_trace(scene, &options), *one;
+    struct trace *none = run_trace(scene, &options);
 
     options.samples = 1;
-    one = run_trace(scene, &options);
+    struct trace *one = run_trace(scene, &options);
     assert_int_equal(trace_checksum(one), trace_checksum(none));
     assert_int_equal(trace_accounts(one)->clocks, trace_accounts(none)->clocks);
     trace_free(none);

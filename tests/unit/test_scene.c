@@ -536,11 +536,10 @@ TEST(trace_levels)
 
     for (size_t i = 0; i < COUNT(levels); i++) {
         char text[80];
-        struct scene *scene;
 
         snprintf(text, sizeof text, "global_settings { max_trace_level %d }",
                  levels[i]);
-        scene = read_scene(text);
+        struct scene *scene = read_scene(text);
         assert_int_equal(scene->max_trace_level, levels[i]);
         scene_free(scene);
     }

@@ -80,10 +80,9 @@ TEST(looks)
 
     for (int i = 0; i < 2; i++) {
         char blob[400];
-        struct scene *scene;
 
         snprintf(blob, sizeof blob, text, own[i]);
-        scene = read_with(blob, 1);
+        struct scene *scene = read_with(blob, 1);
         parts_of(scene, 2);
         if (i == 0)
             assert_vector(scene->primitives->pigment.color[0], .25, .5, .75);

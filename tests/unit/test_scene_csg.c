@@ -539,12 +539,11 @@ TEST(deep_text)
 TEST(large_solids)
 {
     char text[2000] = "#declare U = union { " A " " A " }";
-    char *end;
 
     for (int i = 1; i < 14; i++)
         strcat(text, "#declare U = union { object { U } object { U } }\n");
     scene_free(read_scene(text));
-    end = text + strlen(text);
+    char *end = text + strlen(text);
     strcpy(end, "object { U inverse }");
     check_error(text, "more than 10000 primitives in one solid");
     strcpy(end, "merge { object { U } " A " }");

@@ -27,13 +27,12 @@ static char *file_text(const char *path)
 static void check_list(const char *name)
 {
     struct diagnostics reports = { 0 };
-    struct scene *scene;
-    char path[100], *expected;
+    char path[100];
 
     snprintf(path, sizeof path, "tests/language/%s.pov", name);
-    scene = scene_read(path, &reading_options, &reports);
+    struct scene *scene = scene_read(path, &reading_options, &reports);
     snprintf(path, sizeof path, "tests/language/%s.txt", name);
-    expected = file_text(path);
+    char *expected = file_text(path);
     if (!scene || reports.count != 1) {
         diagnostics_print(&reports, stderr);
         fail_msg("%s.pov has something else to say", name);

@@ -188,12 +188,11 @@ TEST(told_by_chance)
     for (int i = 0; i < SCENES; i++) {
         char *text = NULL;
         size_t length;
-        unsigned expected, told;
         drawing.text = open_memstream(&text, &length);
         assert_non_null(drawing.text);
-        expected = draw(&drawing);
+        unsigned expected = draw(&drawing);
         fclose(drawing.text);
-        told = told_of(text);
+        unsigned told = told_of(text);
         if (told != expected)
             fail_msg("told %X, expected %X, of:\n%s", told, expected, text);
         free(text);
@@ -227,9 +226,9 @@ TEST(maps_and_layers)
     for (size_t i = 0; i < COUNT(texts); i++) {
         struct diagnostics reports = { 0 };
         char text[400];
-        struct scene *scene;
         snprintf(text, sizeof text, "#declare C = rgb <1, 2, 3>; %s", texts[i]);
-        scene = read_versioned("test.pov", text, &reading_options, &reports);
+        struct scene *scene = read_versioned("test.pov", text, &reading_options,
+                                             &reports);
         if (!scene)
             diagnostics_print(&reports, stderr);
         assert_non_null(scene);

@@ -84,11 +84,9 @@ TEST(nests)
     size_t read = 0;
 
     for (size_t i = 0; i < CASES; i++) {
-        struct text_buffer written, carried_out;
-
         xorshift(&seed);
-        written = random_nest(seed, true);
-        carried_out = random_nest(seed, false);
+        struct text_buffer written = random_nest(seed, true);
+        struct text_buffer carried_out = random_nest(seed, false);
         compare(&written, &carried_out, &read);
         text_buffer_free(&written);
         text_buffer_free(&carried_out);

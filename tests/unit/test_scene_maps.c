@@ -85,13 +85,12 @@ TEST(patterns)
         { "gradient x frequency 2", "0:0,0,0 1:1,1,1 " },
         { "gradient x phase .5", "0:0,0,0 1:1,1,1 " },
     };
-    struct pattern pattern;
 
     for (size_t i = 0; i < COUNT(rows); i++)
         check_pigment(rows[i].words, PIGMENT_PATTERN, rows[i].map);
     check_pigment("gradient x frequency 1 ramp_wave", PIGMENT_GRADIENT,
                   "0:0,0,0 1:1,1,1 ");
-    pattern = pattern_of("onion");
+    struct pattern pattern = pattern_of("onion");
     assert_int_equal(pattern.function, PATTERN_ONION);
     assert_int_equal(pattern.wave, WAVE_RAMP);
     assert_close(pattern.frequency, 1, 0);
@@ -148,10 +147,8 @@ TEST(lists)
  * list. */
 TEST(waves_stay)
 {
-    struct pattern pattern;
-    struct scene *scene;
-
-    pattern = pattern_of("leopard poly_wave 2 frequency 3 phase .5 boxed");
+    struct pattern pattern = pattern_of(
+        "leopard poly_wave 2 frequency 3 phase .5 boxed");
     assert_int_equal(pattern.function, PATTERN_BOXED);
     assert_int_equal(pattern.wave, WAVE_POLY);
     assert_close(pattern.exponent, 2, 0);
@@ -172,7 +169,7 @@ TEST(waves_stay)
     check_pigment("checker gradient x phase .5", PIGMENT_GRADIENT, "0:0,0,1 1:0,1,0 ");
     check_pigment("hexagon rgb x rgb y rgb z gradient x", PIGMENT_GRADIENT,
                   "0:1,0,0 1:0,1,0 2:0,0,1 ");
-    scene = read_scene(
+    struct scene *scene = read_scene(
         "#declare H = pigment { hexagon rgb x rgb y rgb z frequency .5 }\n"
         "sphere { 0, 1 pigment { H gradient x } }\n"
         "sphere { 0, 1 pigment { checker rgb x rgbt <0, 0, 1, .5>\n"

@@ -555,16 +555,15 @@ TEST(three_ways)
     for (int i = 0; i < MESHES; i++) {
         struct random_mesh mesh = random_mesh(&random);
         struct diagnostics reports = { 0 };
-        struct scene *scene;
-        bool seen;
         char *to = text;
         add_triangles(&to, &mesh, "mesh");
         add_mesh2(&to, &mesh);
         add_triangles(&to, &mesh, "union");
-        scene = scene_read_text("test.pov", text, &reading_options, &reports);
+        struct scene *scene = scene_read_text("test.pov", text, &reading_options,
+                                              &reports);
         if (!scene)
             fail_msg("%s: %s", reports.items->message, text);
-        seen = !strstr(reports.items->message, "no triangle of the mesh");
+        bool seen = !strstr(reports.items->message, "no triangle of the mesh");
         if (seen)
             assert_same(scene);
         compared += seen;

@@ -163,8 +163,6 @@ static void check_entries(const char *words, size_t count, const double *at)
 
 TEST(normal_maps)
 {
-    struct scene *scene;
-
     check_entries("gradient x normal_map { [.3 onion] [.2 radial] [2 planar] }", 3,
                   (double[]){ .3, .3, 2 });
     check_entries("gradient x slope_map { [0 <0, 1>] }"
@@ -177,7 +175,8 @@ TEST(normal_maps)
     check_entries("onion normal_map { [0 onion] } brick", 0, NULL);
     check_entries("hexagon normal { onion }, normal { radial } normal { boxed }", 3,
                   (double[]){ 0, 1, 2 });
-    scene = scene_with("average normal_map { [onion 2 scale 2] [bumps 3] }", 1);
+    struct scene
+        *scene = scene_with("average normal_map { [onion 2 scale 2] [bumps 3] }", 1);
     assert_true(list_of(scene)->average);
     assert_close(list_of(scene)->entries[0].bump.amount, 2, 0);
     assert_close(list_of(scene)->entries[0].bump.pattern.to_local.rows[1][1], .5, 0);

@@ -260,10 +260,9 @@ TEST(print)
 static void write_file(const char *folder, const char *name, const char *text)
 {
     char path[200];
-    FILE *file;
 
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    file = fopen(path, "w");
+    FILE *file = fopen(path, "w");
     assert_non_null(file);
     fputs(text, file);
     fclose(file);
@@ -426,12 +425,11 @@ TEST(many_files)
         write_file(folder, path, "1");
     }
     for (int more = 0; more < 2; more++) {
-        struct scene *scene;
         snprintf(text, sizeof text,
                  "#for (J, 1, 3) #for (I, 1, %d) #fopen F concat(\"%s/\","
                  " str(I, 0, 0)) read #fclose F #end #end",
                  FILES - 1 + more, folder);
-        scene = read_versioned("x.pov", text, &reading_options, &reports);
+        struct scene *scene = read_versioned("x.pov", text, &reading_options, &reports);
         assert_non_null(scene);
         scene_free(scene);
     }

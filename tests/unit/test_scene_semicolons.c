@@ -90,13 +90,12 @@ static void leave_out(char *text, char *semicolon)
 {
     struct scene_options options = strict_options;
     struct diagnostics reports = { 0 };
-    struct scene *scene;
     size_t line, column;
 
     options.read_raster = with_images.read_raster;
     find_place(text, semicolon, &line, &column);
     *semicolon = ' ';
-    scene = scene_read_text("test.pov", text, &options, &reports);
+    struct scene *scene = scene_read_text("test.pov", text, &options, &reports);
     if (strchr("}\"", semicolon[-1]) || !strncmp(semicolon - 3, "3.7", 3)
             ? !scene
             : reports.count != 1 || reports.items[0].line != line

@@ -68,16 +68,14 @@ static const char *const cameras[] = {
 static struct words *frame_of(size_t shape, size_t light, int decade, double *unit)
 {
     static char text[1 << 14];
-    struct scene *scene;
-    struct words *words;
 
     snprintf(text, sizeof text,
              "#version 3.7; global_settings { assumed_gamma 1 }\n"
              "#declare S = pow(10, %d);\n%s\n%s\n%s\n"
              "plane { y, -1.4*S pigment { checker rgb 1, rgb .5 scale S } }\n",
              decade, cameras[shape % 2], lights[light], shapes[shape]);
-    scene = read_text(text);
-    words = same_frame_of(scene, text);
+    struct scene *scene = read_text(text);
+    struct words *words = same_frame_of(scene, text);
     *unit = ldexp(1, scene->unit_log);
     scene_free(scene);
     return words;
@@ -156,14 +154,13 @@ static struct mass_figures figures_of(int decade)
                                           .model = prior_model };
     struct scene *scene = bodies_of(decade);
     struct diagnostics reports = { 0 };
-    struct mass_figures figures;
     c205_error error = { "" };
     struct mass mass;
 
     if (!mass_begin(scene, &request, &mass, &reports, &error)
         || !mass_find(&mass, &error))
         fail_msg("%s", error.message);
-    figures = mass.rows[mass.row_count - 1].figures;
+    struct mass_figures figures = mass.rows[mass.row_count - 1].figures;
     mass_free(&mass);
     scene_free(scene);
     return figures;

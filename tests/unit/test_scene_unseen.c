@@ -133,17 +133,16 @@ static void check(size_t shape, size_t place, const struct words *expected)
 {
     char text[2000];
     struct diagnostics reports = { 0 };
-    struct scene *scene;
-    struct words *words;
 
     scene_text(text, sizeof text, shape, place);
-    scene = scene_read_text("unseen.pov", text, &reading_options, &reports);
+    struct scene *scene = scene_read_text("unseen.pov", text, &reading_options,
+                                          &reports);
     if (!scene)
         fail_msg("is not read: %s\n%s", reports.items[0].message, text);
     if (count_reports(&reports) != 1)
         fail_msg("%zu reports that the shape is left out:\n%s", count_reports(&reports),
                  text);
-    words = same_frame_of(scene, text);
+    struct words *words = same_frame_of(scene, text);
     if (memcmp(words, expected, sizeof *words) != 0)
         fail_msg("the frame is not that of the scene without:\n%s", text);
     free(words);
@@ -192,13 +191,11 @@ TEST(without_height)
         size_t seen[2];
 
         for (int k = 0; k < 2; k++) {
-            struct words *words;
-
             snprintf(text, sizeof text,
                      HEAD "camera { location <1, 2, -4> look_at 0 }\n"
                           "%s rotate <10, 20, 0> pigment { rgb 1 } }\n",
                      k ? rows[i].other : rows[i].flat);
-            words = same_frame(text);
+            struct words *words = same_frame(text);
             seen[k] = hits(words);
             free(words);
         }

@@ -30,10 +30,10 @@ static void fill(struct singular *singular, size_t rows, size_t columns)
 TEST(singular_values)
 {
     for (size_t rows = 1; rows <= SINGULAR_MOST; rows++) {
-        struct singular before, after;
+        struct singular before;
 
         fill(&before, rows, 7);
-        after = before;
+        struct singular after = before;
         singular_decompose(&after);
         assert_int_equal(singular_nullity(&after, 1e-12), rows < 7 ? 7 - rows : 0);
         for (size_t j = 0; j < 7; j++)
@@ -82,11 +82,10 @@ struct words {
 static struct words words_of(const struct primitive *primitive)
 {
     struct words words;
-    double *table;
 
     shape_words(primitive, &words.shape);
     words.table_count = shape_table_count(primitive, NULL);
-    table = shape_table(primitive, NULL, words.table_count);
+    double *table = shape_table(primitive, NULL, words.table_count);
     assert_true(table && words.table_count <= STEINER_TABLE_MOST);
     memcpy(words.table, table, words.table_count * sizeof *table);
     free(table);
@@ -117,10 +116,9 @@ TEST(centers_of_quadrics)
 
     for (size_t k = 0; k < 3; k++) {
         struct primitive primitive;
-        struct words words;
 
         set_quadric(&primitive, terms[k]);
-        words = words_of(&primitive);
+        struct words words = words_of(&primitive);
         assert_int_equal(words.shape.count, 13);
         for (size_t i = 0; i < 13; i++)
             assert_close(words.shape.words[i], expected[k][i], 1e-13);
@@ -131,7 +129,7 @@ TEST(centers_of_quadrics)
 TEST(quadrics_keep_their_values)
 {
     for (int try = 0; try < 100; try++) {
-        double terms[10], x[3], y[3], value, again;
+        double terms[10], x[3], y[3];
         struct primitive primitive;
         struct words words;
         const double *w = words.shape.words;
@@ -144,15 +142,16 @@ TEST(quadrics_keep_their_values)
             x[i] = between(-2, 2);
             y[i] = x[i] - w[i];
         }
-        value = terms[0] * x[0] * x[0] + terms[1] * x[1] * x[1] + terms[2] * x[2] * x[2]
-                + terms[3] * x[0] * x[1] + terms[4] * x[0] * x[2]
-                + terms[5] * x[1] * x[2] + terms[6] * x[0] + terms[7] * x[1]
-                + terms[8] * x[2] + terms[9];
-        again = w[3] * y[0] * y[0] + w[4] * y[1] * y[1] + w[5] * y[2] * y[2]
-                + 2
-                      * (w[6] * y[0] * y[1] + w[7] * y[0] * y[2] + w[8] * y[1] * y[2]
-                         + w[9] * y[0] + w[10] * y[1] + w[11] * y[2])
-                + w[12];
+        double value = terms[0] * x[0] * x[0] + terms[1] * x[1] * x[1]
+                       + terms[2] * x[2] * x[2] + terms[3] * x[0] * x[1]
+                       + terms[4] * x[0] * x[2] + terms[5] * x[1] * x[2]
+                       + terms[6] * x[0] + terms[7] * x[1] + terms[8] * x[2] + terms[9];
+        double again = w[3] * y[0] * y[0] + w[4] * y[1] * y[1] + w[5] * y[2] * y[2]
+                       + 2
+                             * (w[6] * y[0] * y[1] + w[7] * y[0] * y[2]
+                                + w[8] * y[1] * y[2] + w[9] * y[0] + w[10] * y[1]
+                                + w[11] * y[2])
+                       + w[12];
         assert_close(again, value,
                      1e-9 * (1 + w[0] * w[0] + w[1] * w[1] + w[2] * w[2]));
     }
@@ -260,10 +259,9 @@ static const char *historical_kernel(const struct primitive *primitive)
 TEST(kernels_of_patches)
 {
     struct primitive patch;
-    struct words words;
 
     set_patch(&patch);
-    words = words_of(&patch);
+    struct words words = words_of(&patch);
     assert_string_equal(words.shape.kernel, "rational_steiner");
     assert_string_equal(words.shape.solid, "rational_steiner_crossings");
     assert_string_equal(historical_kernel(&patch), "rational_steiner_implicit");
@@ -407,16 +405,14 @@ TEST(other_planes)
 
     for (size_t i = 0; i < COUNT(straight); i++) {
         struct primitive patch;
-        struct words words;
-        const double *last, *other;
 
         set_patch(&patch);
         for (int j = 0; j < STEINER_POINTS; j++)
             patch.shape.steiner_patch.weights[j] = 1;
         memcpy(patch.shape.steiner_patch.points, straight[i], sizeof straight[i]);
-        words = words_of(&patch);
-        last = words.table + 15;
-        other = words.table + 24;
+        struct words words = words_of(&patch);
+        const double *last = words.table + 15;
+        const double *other = words.table + 24;
         assert_close(other[0] * other[0] + other[1] * other[1] + other[2] * other[2],
                      words.shape.words[3], 1e-12);
         assert_close(last[0] * other[0] + last[1] * other[1] + last[2] * other[2], 0,
@@ -431,13 +427,12 @@ TEST(weights_of_one_patch)
     static const int ends[STEINER_POINTS][2] = { { 0, 0 }, { 1, 1 }, { 2, 2 },
                                                  { 0, 1 }, { 1, 2 }, { 2, 0 } };
     struct primitive patch;
-    struct words words, other;
 
     set_patch(&patch);
-    words = words_of(&patch);
+    struct words words = words_of(&patch);
     for (int i = 0; i < STEINER_POINTS; i++)
         patch.shape.steiner_patch.weights[i] *= by[ends[i][0]] * by[ends[i][1]];
-    other = words_of(&patch);
+    struct words other = words_of(&patch);
     for (size_t i = 0; i < STEINER_TABLE; i++)
         assert_close(other.table[i], words.table[i], 1e-12);
 }

@@ -63,14 +63,13 @@ static void check_program(const char *kernel, bool historical)
     };
     struct asm_define *next = &defines[3];
     c205_error error = { "" };
-    struct object *program;
 
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++)
         if (shapes[i]->symbol)
             *next++ = (struct asm_define){ shapes[i]->symbol, 1 };
     if (historical)
         *next = (struct asm_define){ "HISTORICAL", 1 };
-    program = program_assemble(kernel, defines, &error);
+    struct object *program = program_assemble(kernel, defines, &error);
     if (!program)
         fail_msg("%s", error.message);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {

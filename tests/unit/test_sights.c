@@ -19,14 +19,11 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
 
     for (size_t i = 0; i < count; i++) {
         char text[2048];
-        struct words *words;
-        int64_t id;
-        double depth;
 
         snprintf(text, sizeof text, "%s%s", view, sights[i].text);
-        words = same_frame(text);
-        id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
-        depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
+        struct words *words = same_frame(text);
+        int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
+        double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
         free(words);
         if (id == sights[i].id && fabs(depth - sights[i].depth) <= 1e-10)
             continue;

@@ -90,11 +90,10 @@ static struct object *assemble(const char *text, const char *routine)
     struct sink sink = stream_sink(stderr);
     char program[4096];
     const char *at = strstr(text, "ROUTINE");
-    struct object *object;
 
     snprintf(program, sizeof program, "%.*s%s%s", (int)(at - text), text, routine,
              at + strlen("ROUTINE"));
-    object = assemble_text("test.s", program, &how, &errors);
+    struct object *object = assemble_text("test.s", program, &how, &errors);
     diagnostics_put(&errors, &sink);
     assert_non_null(object);
     diagnostics_free(&errors);

@@ -211,10 +211,8 @@ TEST(detail)
 /* A table of the detail, by its heading. */
 static void read_detail(const char *heading, struct csv_table *table)
 {
-    const char *at;
-
     print_detail(TABLE_CSV);
-    at = strstr(text, heading);
+    const char *at = strstr(text, heading);
     assert_non_null(at);
     csv_table(strchr(at, '\n') + 1, table);
 }
@@ -326,10 +324,9 @@ TEST(our_lines)
     assert_int_equal(table->rows, lines);
     for (size_t i = 0; i < speedup_subject_count; i++) {
         size_t row = line_of(table, speedup_subjects[i].name, "ours");
-        double vector;
 
         assert_true(row > 0);
-        vector = figure(table, row, 1);
+        double vector = figure(table, row, 1);
         assert_near(figure(table, row, 3), figure(table, row, 0) / vector);
         assert_near(figure(table, row, 4), figure(table, row, 2) / vector);
     }
@@ -369,8 +366,6 @@ TEST(formulations)
                                                             sizeof *measures);
     const struct csv_table *table1 = read_table1();
     static struct csv_table csv;
-    struct table *table;
-    FILE *stream;
 
     assert_non_null(measures);
     for (size_t i = 0; i < speedup_formulation_count; i++) {
@@ -383,9 +378,9 @@ TEST(formulations)
             for (int mode = 0; mode < TRACE_FORMS; mode++)
                 assert_true(measures[i][mode].total != measures[k][mode].total);
     }
-    table = formulations_table(model,
-                               (const struct speedup_measure(*)[TRACE_FORMS])measures);
-    stream = fmemopen(text, sizeof text, "w");
+    struct table *table = formulations_table(model, (const struct speedup_measure(
+                                                            *)[TRACE_FORMS])measures);
+    FILE *stream = fmemopen(text, sizeof text, "w");
     assert_true(table && stream);
     assert_true(table_write(table, TABLE_CSV, stream));
     assert_int_equal(fclose(stream), 0);
@@ -428,10 +423,8 @@ TEST(csv)
 
 TEST(markdown)
 {
-    const char *rule;
-
     print_table1(TABLE_MARKDOWN);
-    rule = strstr(text, "\n|:-");
+    const char *rule = strstr(text, "\n|:-");
     assert_int_equal(strncmp(text, "\n## Table 1", 11), 0);
     assert_non_null(rule);
     assert_non_null(strstr(rule, "-:|"));

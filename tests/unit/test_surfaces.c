@@ -137,12 +137,10 @@ TEST(stops)
 static void check_interiors(const char *text, size_t bodies, double base, double full)
 {
     struct stage stage;
-    uint64_t first;
-    c205_word table;
 
     raise_curtain(&stage, text, BOUNDING_FLAT);
-    first = symbol(&stage, "scene_interiors");
-    table = stage_word(&stage, first);
+    uint64_t first = symbol(&stage, "scene_interiors");
+    c205_word table = stage_word(&stage, first);
     assert_number(stage_word(&stage, table), 1);
     for (size_t i = 1; i <= bodies; i++)
         assert_number(stage_word(&stage, table + 64 * i), 1 + (double)i / 64);

@@ -85,7 +85,6 @@ TEST(usual_lengths)
 TEST(queue)
 {
     struct sweep sweep = sweep_of("cylinder", 16, 16);
-    struct sweep_point point;
 
     sweep.lengths = few;
     sweep.length_count = 5;
@@ -99,7 +98,7 @@ TEST(queue)
 
         assert_true(sweep_cost(sweep_best(&sweep), SWEEP_QUEUED)
                     <= sweep_cost(measure, SWEEP_QUEUED));
-        point = measure->point;
+        struct sweep_point point = measure->point;
         assert_int_equal(point.trace.queue, few[i]);
         for (int form = 0; form < SWEEP_FORMS; form++) {
             point.trace.mode = form == SWEEP_SCALAR ? TRACE_SCALAR : TRACE_VECTOR;
@@ -117,7 +116,6 @@ static struct scene *read_balls(void)
 {
     static const struct scene_options how = { .strict = true };
     struct diagnostics reports = { 0 };
-    struct scene *scene;
     char text[2048];
     int length = snprintf(text, sizeof text,
                           "#version 3.7;\n"
@@ -130,7 +128,7 @@ static struct scene *read_balls(void)
                            "sphere { <%d*.6-2, %d-1, -2>, .7 }\n", i % 7, i / 7 * 2);
     snprintf(text + length, sizeof text - (size_t)length,
              "pigment { color rgb 1 } }\n");
-    scene = scene_read_text("balls", text, &how, &reports);
+    struct scene *scene = scene_read_text("balls", text, &how, &reports);
     assert_non_null(scene);
     diagnostics_free(&reports);
     return scene;
@@ -146,10 +144,8 @@ TEST(small_memory)
     static const size_t lengths[] = { 8, 64, 256, 2500, 4096 };
     struct scene *scene = read_balls();
     struct sweep sweep = sweep_of("sphere", 64, 64);
-    const struct sweep_measure *best, *longest;
     c205_error error;
     c205_model *small = c205_model_change(model, settings, 3, &error);
-    uint64_t more;
 
     assert_non_null(small);
     sweep.subject = NULL;
@@ -160,10 +156,11 @@ TEST(small_memory)
     sweep.length_count = 5;
     run(&sweep_queue, &sweep);
     check_all_sums(&sweep);
-    best = sweep_best(&sweep);
-    longest = &sweep.measures[sweep.count - 1];
+    const struct sweep_measure *best = sweep_best(&sweep);
+    const struct sweep_measure *longest = &sweep.measures[sweep.count - 1];
     assert_true(best > sweep.measures && best < longest);
-    more = longest->forms[SWEEP_QUEUED].total - best->forms[SWEEP_QUEUED].total;
+    uint64_t more = longest->forms[SWEEP_QUEUED].total
+                    - best->forms[SWEEP_QUEUED].total;
     assert_true(group(longest, SWEEP_FAULT) - group(best, SWEEP_FAULT) > more / 3);
     assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
     sweep_free(&sweep);
@@ -177,21 +174,19 @@ TEST(memory)
     struct scene *scene = read_balls();
     struct sweep sweep = sweep_of("sphere", 64, 64);
     struct sweep_memory memory;
-    struct sweep_point point;
     c205_error error = { "" };
     uint64_t words;
-    double expected;
 
     sweep.subject = NULL;
     sweep.scene = scene;
     assert_true(sweep_memory(&sweep, &memory, &error));
     assert_int_equal(memory.crossings, 2 * 15);
     assert_true(memory.a_ray > 2 * 15);
-    point = sweep.base;
+    struct sweep_point point = sweep.base;
     point.trace.width = point.trace.height = 96;
     point.trace.queue = 96 * 96;
     assert_true(sweep_touched(&sweep, &point, 512, &words, &error));
-    expected = memory.fixed + 96 * 96 * memory.a_ray;
+    double expected = memory.fixed + 96 * 96 * memory.a_ray;
     assert_true(fabs((double)words / expected - 1) < .05);
     assert_true(fabs(memory.fixed + memory.fills * memory.a_ray - memory.real) < 1);
     sweep_free(&sweep);
@@ -202,7 +197,6 @@ TEST(queue_report)
 {
     struct sweep sweep = sweep_of("sphere", 64, 64);
     struct sweep_report report = { .part_count = 0 };
-    const struct table *difference;
     c205_error error = { "" };
     double sum = 0;
 
@@ -210,7 +204,7 @@ TEST(queue_report)
     assert_int_equal(sweep.count, 14);
     assert_true(sweep_queue.report(&sweep, &report, &error));
     assert_int_equal(table_rows(report.parts[0].table), sweep.count);
-    difference = report.parts[2].table;
+    const struct table *difference = report.parts[2].table;
     assert_int_equal(table_rows(difference), SWEEP_GROUPS + 1);
     for (size_t i = 0; i <= SWEEP_GROUPS; i++) {
         double best = table_value(difference, i, 1);
@@ -236,13 +230,12 @@ TEST(queue_report)
 TEST(pipes)
 {
     struct sweep sweep = sweep_of("sphere", 64, 64);
-    const struct sweep_measure *m;
 
     sweep.base.trace.queue = 1024;
     run(&sweep_pipes, &sweep);
     assert_int_equal(sweep.count, 6);
     check_all_sums(&sweep);
-    m = sweep.measures;
+    const struct sweep_measure *m = sweep.measures;
     for (size_t i = 0; i < 6; i++) {
         assert_true(m[i].forms[SWEEP_SCALAR].total == m[0].forms[SWEEP_SCALAR].total);
         assert_true(group(&m[i], SWEEP_STARTUP) == group(&m[0], SWEEP_STARTUP));
@@ -338,13 +331,12 @@ TEST(length)
 
     for (size_t i = 0; i < share_of(4); i++) {
         struct sweep sweep = sweep_of(names[i], 1, 1);
-        struct sweep_lengths_found found;
 
         sweep.lengths = lengths;
         sweep.length_count = 8;
         run(&sweep_length, &sweep);
         check_all_sums(&sweep);
-        found = sweep_find_lengths(&sweep);
+        struct sweep_lengths_found found = sweep_find_lengths(&sweep);
         check_crossover(&sweep, &found);
         assert_true(found.half_is_exact);
         assert_true(sweep_speedup(sweep_with_queue(&sweep, found.half))
@@ -365,7 +357,6 @@ TEST(no_crossover)
 {
     static const size_t shortest[] = { 1 }, longer[] = { 64, 128 };
     struct sweep sweep = sweep_of("sphere", 1, 1);
-    struct sweep_lengths_found found;
 
     sweep.lengths = shortest;
     sweep.length_count = 1;
@@ -376,7 +367,7 @@ TEST(no_crossover)
     sweep.lengths = longer;
     sweep.length_count = 2;
     run(&sweep_length, &sweep);
-    found = sweep_find_lengths(&sweep);
+    struct sweep_lengths_found found = sweep_find_lengths(&sweep);
     assert_int_equal(found.crossover, 64);
     assert_int_equal(found.checked, 0);
     assert_int_equal(found.half, 64);

@@ -59,7 +59,7 @@ static void check_point(const struct primitive *prism, const double *corner,
                         const double *row, double w, bool tangled)
 {
     double point[2], normal[2], share = 0, outside[3] = { 0 };
-    double inside[3] = { 0 }, length;
+    double inside[3] = { 0 };
 
     for (int k = 0; k < 2; k++) {
         point[k] = corner[k] + (row[BEND + k] * w + 2 * row[LEAD + k]) * w;
@@ -72,7 +72,7 @@ static void check_point(const struct primitive *prism, const double *corner,
                     < 1e-6);
     normal[0] = (2 * row[BOW + 1] * share + row[WAY + 1]) * row[OUTWARD];
     normal[1] = -(2 * row[BOW] * share + row[WAY]) * row[OUTWARD];
-    length = hypot(normal[0], normal[1]);
+    double length = hypot(normal[0], normal[1]);
     for (int k = 0; k < 2; k++) {
         outside[2 * k] = point[k] + 1e-6 * normal[k] / length;
         inside[2 * k] = point[k] - 1e-6 * normal[k] / length;
@@ -198,10 +198,9 @@ static size_t segments_of(const struct swept *shape, const char *path)
 {
     char text[2000];
     struct shape_words words;
-    struct scene *scene;
 
     snprintf(text, sizeof text, "%s%s }", shape->begin, path);
-    scene = read_text(text);
+    struct scene *scene = read_text(text);
     shape_words(scene->primitives, &words);
     assert_int_equal(shape_table_count(scene->primitives, NULL) % shape->row_words, 0);
     scene_free(scene);
@@ -284,11 +283,10 @@ static void check_paths(const struct swept *shape)
 {
     for (int try = 0; try < 600; try++) {
         char text[8000] = "";
-        struct scene *scene;
 
         shape->add(text, sizeof text, try % 2);
         add_text(text, sizeof text, "}");
-        scene = read_text(text);
+        struct scene *scene = read_text(text);
         check_crossings(scene->primitives, shape->reach);
         shape->check(scene->primitives, true);
         scene_free(scene);
@@ -317,10 +315,9 @@ TEST(known_normals)
 
     for (size_t i = 0; i < count; i++) {
         char text[1000];
-        struct scene *scene;
 
         snprintf(text, sizeof text, "prism { quadratic_spline -1, 1, %s }", paths[i]);
-        scene = read_text(text);
+        struct scene *scene = read_text(text);
         check_quadratic_prism(scene->primitives, i + 1 == count);
         scene_free(scene);
     }

@@ -113,12 +113,11 @@ TEST(extents)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene;
         double low[3], high[3];
         char text[200];
         snprintf(text, sizeof text, "text { ttf \"%s.ttf\" \"%s\" 1, %s }",
                  rows[i].font, rows[i].string, rows[i].offset);
-        scene = read_scene(text);
+        struct scene *scene = read_scene(text);
         extent_of(scene, low, high);
         for (int k = 0; k < 2; k++) {
             assert_close(low[k], rows[i].low[k], WITHIN);
@@ -145,11 +144,11 @@ TEST(curves)
     struct scene *scene = read_scene("text { ttf \"timrom.ttf\" \".\" 1, 0 }");
     struct character dot = character_of(scene->primitives);
     const double(*points)[2] = (const double(*)[2])dot.path->points;
-    double low[3], high[3], area = 0, ellipse;
+    double low[3], high[3], area = 0;
 
     assert_int_equal(dot.apart, 2);
     extent_of(scene, low, high);
-    ellipse = atan(1) * (high[0] - low[0]) * (high[1] - low[1]);
+    double ellipse = atan(1) * (high[0] - low[0]) * (high[1] - low[1]);
     for (size_t i = 0; i + 2 < dot.path->count; i += 2)
         area += area_of(points[i], points[i + 1], points[i + 2]);
     assert_close(fabs(area) / ellipse, 1, .01);
@@ -258,15 +257,13 @@ static void check_font(const char *name, bool points)
     char path[100];
     c205_error error;
     size_t length;
-    char *bytes;
-    struct font *font;
 
     snprintf(path, sizeof path, "/usr/share/povray-3.7/include/%s.ttf", name);
-    bytes = file_read(path, FILE_LARGEST, &length, &error);
+    char *bytes = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(bytes);
     if (points)
         leave_points((unsigned char *)bytes);
-    font = font_open(bytes, length, &fault);
+    struct font *font = font_open(bytes, length, &fault);
     assert_non_null(font);
     for (uint32_t character = 32; character < 256; character++) {
         struct glyph glyph;

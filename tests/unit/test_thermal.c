@@ -88,12 +88,11 @@ static bool exchange(const struct study *study, const char *temperatures,
                      c205_error *error)
 {
     struct given_values temperature, emissivity;
-    bool good;
 
     give(study, &temperature_kind, temperatures, &temperature);
     give(study, &emissivity_kind, emissivities, &emissivity);
-    good = thermal_find(&study->surfaces, &study->parts, &emissivity, &temperature,
-                        TRACE_VECTOR, prior_model, thermal, error);
+    bool good = thermal_find(&study->surfaces, &study->parts, &emissivity, &temperature,
+                             TRACE_VECTOR, prior_model, thermal, error);
     given_free(&temperature);
     given_free(&emissivity);
     return good;

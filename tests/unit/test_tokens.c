@@ -49,7 +49,7 @@ static void compare(struct lexer *keeping, struct lexer *fresh,
                     const struct scene_source *source, size_t from, size_t end)
 {
     struct text_place place = place_of(source, from);
-    struct scene_token call = { .kind = TOKEN_WORD }, kept, read;
+    struct scene_token call = { .kind = TOKEN_WORD }, kept;
 
     assert_true(lexer_call(keeping, source, place, end, &call));
     do {
@@ -58,7 +58,7 @@ static void compare(struct lexer *keeping, struct lexer *fresh,
         memset(fresh->kept, 0, sizeof fresh->kept);
         assert_true(lexer_call(fresh, source, back, end, &call));
         kept = lexer_next(keeping);
-        read = lexer_next(fresh);
+        struct scene_token read = lexer_next(fresh);
         assert_same(&read, &kept, source->text);
         assert_memory_equal(&lexer_top(fresh)->place, &lexer_top(keeping)->place,
                             sizeof back);
@@ -83,10 +83,10 @@ TEST(any_cut)
     for (size_t i = 0; i < TEXTS; i++) {
         char text[TEXT_MOST];
         c205_error error;
-        struct scene_source *source;
 
         draw_text(text);
-        source = source_add(&sources, "drawn", text, strlen(text), &error);
+        struct scene_source *source = source_add(&sources, "drawn", text, strlen(text),
+                                                 &error);
         assert_non_null(source);
         if (i % 2) { /* else the body is the main file's */
             assert_true(lexer_open(keeping, source));

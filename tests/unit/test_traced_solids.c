@@ -59,12 +59,10 @@ static void check_every(const char *text)
     struct scene *scene = read_text(text);
 
     for (size_t i = 0; i < COUNT(queues); i++) {
-        struct words *expected, *found;
-
         traced.visible = VISIBLE_STEPPING;
-        expected = trace_words(scene, TRACE_VECTOR, queues[i]);
+        struct words *expected = trace_words(scene, TRACE_VECTOR, queues[i]);
         traced.visible = VISIBLE_EVERY;
-        found = trace_words(scene, TRACE_VECTOR, queues[i]);
+        struct words *found = trace_words(scene, TRACE_VECTOR, queues[i]);
         traced.visible = VISIBLE_DEFAULT;
         if (memcmp(found, expected, sizeof *found) != 0)
             fail_msg("queue %zu, every crossing: another frame of\n%s", queues[i],

@@ -17,10 +17,8 @@ FIXTURE(set_up)
     bool good = true;
 
     for (size_t i = 0; i < FILES; i++) {
-        int file;
-
         strcpy(paths[i], "/tmp/test_unit_file.XXXXXX");
-        file = mkstemp(paths[i]);
+        int file = mkstemp(paths[i]);
         good = good && file >= 0 && close(file) == 0 && remove(paths[i]) == 0;
     }
     return !good;
@@ -106,11 +104,10 @@ static void expect(size_t i, const bool *there)
 static long size_of(const char *path)
 {
     FILE *file = fopen(path, "rb");
-    long size;
 
     assert_non_null(file);
     assert_int_equal(fseek(file, 0, SEEK_END), 0);
-    size = ftell(file);
+    long size = ftell(file);
     fclose(file);
     return size;
 }
@@ -118,11 +115,10 @@ static long size_of(const char *path)
 static void turn_bit(const char *path, long at, int bit)
 {
     FILE *file = fopen(path, "r+b");
-    int byte;
 
     assert_non_null(file);
     assert_int_equal(fseek(file, at, SEEK_SET), 0);
-    byte = getc(file);
+    int byte = getc(file);
     assert_int_equal(fseek(file, at, SEEK_SET), 0);
     putc(byte ^ 1 << bit, file);
     assert_int_equal(fclose(file), 0);
@@ -168,10 +164,9 @@ static void whole_before(const struct written *written, long at, bool *there)
 static void expect_and_mend(const struct written *written, long at)
 {
     bool there[UNITS];
-    struct unit_file *file;
 
     whole_before(written, at, there);
-    file = open_file(0);
+    struct unit_file *file = open_file(0);
     assert_units(file, there);
     for (size_t k = 0; k < written->count; k++)
         add(file, written->number[k]);
@@ -191,10 +186,8 @@ TEST_WITH(cut_off, set_up, tear_down)
     struct written written;
 
     for (int i = 0; i < TRIES; i++) {
-        long size;
-
         write_some(0, &written);
-        size = somewhere(&written);
+        long size = somewhere(&written);
         assert_int_equal(truncate(paths[0], size), 0);
         expect_and_mend(&written, size);
         remove(paths[0]);
@@ -207,10 +200,8 @@ TEST_WITH(harmed, set_up, tear_down)
     struct written written;
 
     for (int i = 0; i < TRIES; i++) {
-        long at;
-
         write_some(0, &written);
-        at = somewhere(&written);
+        long at = somewhere(&written);
         turn_bit(paths[0], at, (int)below(8));
         expect_and_mend(&written, at);
         remove(paths[0]);
@@ -223,7 +214,6 @@ static void check_merge(void)
 {
     bool there[UNITS] = { false };
     struct written written;
-    struct unit_file *file;
     c205_error error = { "" };
     size_t count = 2 + below(FILES - 1);
 
@@ -232,7 +222,7 @@ static void check_merge(void)
         for (size_t k = 0; k < written.count; k++)
             there[written.number[k]] = true;
     }
-    file = open_file(0);
+    struct unit_file *file = open_file(0);
     for (size_t i = 1; i < count; i++)
         if (!unit_file_merge(file, paths[i], &error))
             fail_msg("%s", error.message);
@@ -261,14 +251,13 @@ TEST_WITH(not_merged, set_up, tear_down)
 {
     struct written written;
     c205_error error;
-    struct unit_file *file, *other;
 
     write_some(0, &written);
-    file = open_file(0);
+    struct unit_file *file = open_file(0);
     refuse_merge(file, paths[0], "named twice");
     refuse_merge(file, paths[1], "No such file");
     assert_int_not_equal(access(paths[1], F_OK), 0);
-    other = unit_file_open(paths[1], KEY + 1, &error);
+    struct unit_file *other = unit_file_open(paths[1], KEY + 1, &error);
     assert_non_null(other);
     unit_file_close(other, false);
     refuse_merge(file, paths[1], "of another run");

@@ -27,7 +27,6 @@ static struct vector_use use_of(const char *instruction)
     struct hearing hearing = { &observer, NULL };
     c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
     c205 *machine = c205_new(model, &error);
-    struct object *object;
 
     snprintf(text, sizeof text,
              " .include \"core.s\"\n .data\n"
@@ -38,7 +37,7 @@ static struct vector_use use_of(const char *instruction)
              " descriptor r20, bits + 40, 0\n"
              " %s\n EXIT\n",
              instruction);
-    object = good(text);
+    struct object *object = good(text);
     hearing.use = observer.begin(observer.context, object, &error);
     assert_true(c205_listen(machine, hear, &hearing));
     assert_true(c205_load(machine, &object->program, &error));

@@ -163,15 +163,14 @@ FIXTURE(read_table)
 static double known(const struct factor_case *which, double *off)
 {
     for (size_t row = 1; row < table.rows; row++) {
-        const char *text = table.cell[row][3], *behind;
-        double value;
+        const char *text = table.cell[row][3];
         char *end;
 
         if (strcmp(table.cell[row][0], which->id) != 0)
             continue;
         seen[row] = true;
-        value = strtod(text, &end);
-        behind = strstr(end, "and");
+        double value = strtod(text, &end);
+        const char *behind = strstr(end, "and");
         if (which->which > 0)
             return behind ? strtod(behind + 3, NULL) : NAN;
         behind = strstr(end, "+-");

@@ -63,12 +63,10 @@ static void add_thing(char *text, size_t size)
     uint64_t state = traced.random;
 
     for (size_t i = 0; i < copies; i++) {
-        uint64_t later;
-
         traced.random = state;
         kinds[kind](text, size);
         add_place(text, size);
-        later = traced.random;
+        uint64_t later = traced.random;
         for (size_t k = 0; k <= i; k++)
             xorshift(&later);
         traced.random = later;
@@ -144,10 +142,9 @@ static void check_ways(const char *text)
 {
     struct scene *scene = read_text(text);
     static const size_t queues[] = { 1, 7, 77, 2000, 65535 };
-    struct words *expected;
 
     traced.no_bounds = true;
-    expected = trace_words(scene, TRACE_VECTOR, 2000);
+    struct words *expected = trace_words(scene, TRACE_VECTOR, 2000);
     traced.no_bounds = false;
     for (size_t i = 0; i < COUNT(queues); i++)
         check(scene, text, expected, TRACE_VECTOR, queues[i], "vector");

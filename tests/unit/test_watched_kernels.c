@@ -74,12 +74,11 @@ static void check(const char *path, const c205_model *model, enum trace_mode mod
                                            .observers = observers,
                                            .model = model };
     c205_error error = { "" };
-    struct trace *trace;
 
     if (!scene)
         diagnostics_print(&reports, stderr);
     assert_non_null(scene);
-    trace = trace_new(scene, &options, &error);
+    struct trace *trace = trace_new(scene, &options, &error);
     if (!trace || !trace_run(trace, &error))
         fail_msg("%s", error.message);
     assert_int_equal(warned, 0);
@@ -110,11 +109,10 @@ TEST(kernels)
     struct sink sink = stream_sink(stderr);
     c205_error error;
     c205_model *model = c205_model_find("cyber205-2pipe", &error);
-    size_t i;
 
     report = &sink;
     assert_non_null(model);
-    for (i = 0; i < COUNT(scenes); i++) {
+    for (size_t i = 0; i < COUNT(scenes); i++) {
         check(scenes[i], model, TRACE_SCALAR, VISIBLE_DEFAULT);
         check(scenes[i], model, TRACE_VECTOR, VISIBLE_DEFAULT);
         check(scenes[i], model, TRACE_VECTOR, VISIBLE_STEPPING);

@@ -58,10 +58,8 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
     struct words *scalar = trace_words(scene, TRACE_SCALAR, 1);
 
     for (size_t i = 0; i < MOST_QUEUES && queue[i]; i++) {
-        struct words *vector;
-
         traced.order = i % 2 ? ORDER_ROWS : ORDER_TILES;
-        vector = trace_words(scene, TRACE_VECTOR, queue[i]);
+        struct words *vector = trace_words(scene, TRACE_VECTOR, queue[i]);
         traced.order = ORDER_DEFAULT;
 
         for (int channel = 0; channel < FRAME_CHANNELS; channel++)
