@@ -33,20 +33,19 @@ struct scene *field_read(const char *words, const char *modifiers,
 
 struct scene *field_expect(const char *words, const char *modifiers)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = field_read(words, modifiers, &with_images, &reports);
 
     diagnostics_print(&reports, stderr);
     assert_non_null(scene);
     assert_int_equal(reports.count, 0);
-    diagnostics_free(&reports);
     return scene;
 }
 
 void field_expect_fault(const char *words, const char *modifiers, size_t column,
                         const char *message)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = field_read(words, modifiers, &with_images, &reports);
 
     if (scene || reports.count != 1 || reports.items->column != column
@@ -54,7 +53,6 @@ void field_expect_fault(const char *words, const char *modifiers, size_t column,
         diagnostics_print(&reports, stderr);
         fail_msg("not '%s' at %zu", message, column);
     }
-    diagnostics_free(&reports);
 }
 
 bool field_shares(const struct triangle *triangle, double x, double z, double shares[3])

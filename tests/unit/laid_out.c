@@ -47,7 +47,7 @@ static struct object *stage_program(void)
 {
     const struct text *const texts[] = { kernel_texts, NULL };
     struct asm_options how = { .texts = texts };
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     struct places places = all_places();
     char text[4000];
     char *end = text
@@ -67,27 +67,26 @@ static struct object *stage_program(void)
     struct object *program = assemble_text("stage", text, &how, &errors);
     if (!program)
         fail_msg("%s", errors.items[0].message);
-    diagnostics_free(&errors);
     return program;
 }
 
-void raise_curtain(struct stage *stage, const char *text, enum bounding bounding)
+struct stage stage_of(const char *text, enum bounding bounding)
 {
     struct frame_layout frame = { .width = 4, .height = 2, .rows = 2 };
     c205_error error = { "" };
+    struct stage stage = { .scene = read_scene(text),
+                           .program = stage_program(),
+                           .machine = c205_new(prior_model, &error) };
 
-    stage->scene = read_scene(text);
-    stage->program = stage_program();
-    stage->machine = c205_new(prior_model, &error);
-    stage->layout = layout_new(stage->program, stage->scene, bounding, NULL, NULL,
-                               &error);
-    if (!stage->machine || !stage->layout
-        || !c205_load(stage->machine, &stage->program->program, &error)
-        || !layout_put(stage->layout, stage->machine, &frame, &error))
+    stage.layout = layout_new(stage.program, stage.scene, bounding, NULL, NULL, &error);
+    if (!stage.machine || !stage.layout
+        || !c205_load(stage.machine, &stage.program->program, &error)
+        || !layout_put(stage.layout, stage.machine, &frame, &error))
         fail_msg("%s: %s", text, error.message);
+    return stage;
 }
 
-void drop_curtain(struct stage *stage)
+void stage_free(struct stage *stage)
 {
     layout_free(stage->layout);
     c205_free(stage->machine);

@@ -16,8 +16,8 @@ struct stage {
     c205 *machine;
 };
 
-void raise_curtain(struct stage *stage, const char *text, enum bounding bounding);
-void drop_curtain(struct stage *stage);
+struct stage stage_of(const char *text, enum bounding bounding);
+void stage_free(struct stage *stage);
 uint64_t symbol(const struct stage *stage, const char *name);
 c205_word stage_word(const struct stage *stage, uint64_t address);
 c205_word scene_word(const struct stage *stage, const char *name);

@@ -16,7 +16,7 @@ struct plain run_plainly(struct object *object, uint64_t *random_state)
 {
     struct plain plain = { .object = object };
     c205_error error;
-    c205 *machine = c205_new(prior_model, &error);
+    SCOPED(c205) *machine = c205_new(prior_model, &error);
     c205_stop stop;
 
     assert_non_null(object);
@@ -31,7 +31,6 @@ struct plain run_plainly(struct object *object, uint64_t *random_state)
         plain.moments[++plain.end] = moment_of(machine, plain.watched);
     }
     assert_true(plain.end < PLAIN_STEPS_MOST);
-    c205_free(machine);
     return plain;
 }
 

@@ -324,12 +324,11 @@ static void add_leaf(char *text, size_t size)
 /* What stands from there on once more. */
 static void add_again(char *text, size_t size, size_t from)
 {
-    char *copy = malloc(size);
+    FREED char *copy = malloc(size);
 
     assert_non_null(copy);
     strcpy(copy, text + from);
     add_text(text, size, "%s", copy);
-    free(copy);
 }
 
 static void add_children(char *text, size_t size, size_t depth)
@@ -419,15 +418,13 @@ void check_solids_with(void (*add_shape)(char *text, size_t size))
 
     text[0] = '\0';
     write_solids_with(text, sizeof text, add_shape);
-    struct words *words = plain_frame(text);
+    FREED struct words *words = plain_frame(text);
     check_paper_stage(text, words);
     traced.visible = VISIBLE_EVERY;
     traced.no_bounds = true;
-    struct words *others = same_frame(text);
+    FREED struct words *others = same_frame(text);
     traced.visible = VISIBLE_DEFAULT;
     traced.no_bounds = false;
     if (memcmp(words, others, sizeof *words) != 0)
         fail_msg("every crossing without bounds gives another frame of\n%s", text);
-    free(words);
-    free(others);
 }

@@ -43,13 +43,12 @@ struct scene *read_versioned(const char *name, const char *text,
                              const struct scene_options *how,
                              struct diagnostics *reports)
 {
-    char *versioned = malloc(strlen(VERSION) + strlen(text) + 1);
+    FREED char *versioned = malloc(strlen(VERSION) + strlen(text) + 1);
 
     assert_non_null(versioned);
     strcpy(versioned, VERSION);
     strcat(versioned, text);
     struct scene *scene = scene_read_text(name, versioned, how, reports);
-    free(versioned);
     for (size_t i = 0; i < reports->count; i++)
         if (reports->items[i].line == 1)
             reports->items[i].column -= strlen(VERSION);
@@ -58,14 +57,13 @@ struct scene *read_versioned(const char *name, const char *text,
 
 struct scene *read_with(const char *text, size_t expected)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     if (!scene || reports.count != expected) {
         diagnostics_print(&reports, stderr);
         fail_msg("%zu reports, expected %zu: %s", reports.count, expected, text);
     }
-    diagnostics_free(&reports);
     return scene;
 }
 
@@ -77,7 +75,7 @@ struct scene *read_scene(const char *text)
 void assert_error(const char *text, const struct scene_options *how, size_t line,
                   size_t column, const char *message)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test.pov", text, how, &reports);
     const struct diagnostic *report = reports.items;
 
@@ -87,7 +85,6 @@ void assert_error(const char *text, const struct scene_options *how, size_t line
         diagnostics_print(&reports, stderr);
         fail_msg("expected %zu:%zu %s, of: %s", line, column, message, text);
     }
-    diagnostics_free(&reports);
 }
 
 void assert_errors(const struct line_error *errors, size_t count)
@@ -99,7 +96,7 @@ void assert_errors(const struct line_error *errors, size_t count)
 
 void assert_refused(const char *text, size_t most, const char *message)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
     bool said = false;
 
@@ -109,7 +106,6 @@ void assert_refused(const char *text, size_t most, const char *message)
         diagnostics_print(&reports, stderr);
         fail_msg("%zu reports, not '%s', of: %.80s", reports.count, message, text);
     }
-    diagnostics_free(&reports);
 }
 
 const struct triangles *triangles_of_part(const struct scene *scene, size_t i)

@@ -54,12 +54,11 @@ static struct frame traced_frame(const struct scene *scene, size_t width, size_t
                                      .width = width,
                                      .height = height,
                                      .model = prior_model };
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     struct frame frame;
 
     assert_true(frame_allocate(&frame, width, height));
     trace_read(trace, 0, &frame);
-    trace_free(trace);
     return frame;
 }
 
@@ -91,15 +90,13 @@ expect(struct scene *scene, const struct trace_options *options, struct frame *p
 
     look_beyond(&scene->camera, (double)options->width, (double)options->height);
     scene->assumed_gamma = 1;
-    struct frame first = traced_frame(scene, width, height);
-    struct frame sampled = traced_frame(scene, options->samples * width,
-                                        options->samples * height);
+    SCOPED_VALUE(frame) first = traced_frame(scene, width, height);
+    SCOPED_VALUE(frame) sampled = traced_frame(scene, options->samples * width,
+                                               options->samples * height);
     scene->camera = camera;
     scene->assumed_gamma = gamma;
     struct plain_refined refined = plain_adaptive(&first, &sampled, options->samples,
                                                   options->threshold, gamma, picture);
-    frame_free(&first);
-    frame_free(&sampled);
     return refined;
 }
 
@@ -180,7 +177,7 @@ static void check_form(const struct scene *scene, const struct trace_options *li
     options.queue = among(0, 2) ? among(100, 2000) : among(1, 60);
     options.band = among(0, 1) ? 0 : among(1, 4000);
     options.jobs = among(1, 3);
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     if (trace_checksum(trace) != trace_checksum(expected))
         fail_msg("%s by %s, queue %zu, band %zu, threshold %g, samples %zu: "
                  "another frame of %zu x %zu of\n%s",
@@ -190,19 +187,16 @@ static void check_form(const struct scene *scene, const struct trace_options *li
     if (trace_bands(trace) == trace_bands(expected))
         for (int kind = 0; kind < RAY_KINDS; kind++)
             assert_int_equal(trace_rays(trace, kind), trace_rays(expected, kind));
-    trace_free(trace);
 }
 
 static void check_scene(const char *text, const struct trace_options *options)
 {
-    struct scene *scene = read_text(text);
-    struct trace *scalar = run_trace(scene, options);
+    SCOPED(scene) *scene = read_text(text);
+    SCOPED(trace) *scalar = run_trace(scene, options);
 
     check_plain(scene, scalar, options, text);
     check_form(scene, options, scalar, text);
     check_form(scene, options, scalar, text);
-    trace_free(scalar);
-    scene_free(scene);
 }
 
 TEST(random)
@@ -286,11 +280,11 @@ static void check_nearly(double found, double expected)
  * first ray counts once more; where none does they have that ray. */
 TEST(ends)
 {
-    struct scene *scene = read_text(shades);
-    struct trace *one = trace_with(scene, 1, 0);
-    struct trace *all = trace_with(scene, 3, 0);
-    struct trace *refined = trace_with(scene, 3, 1e-9);
-    struct trace *first = trace_with(scene, 3, 3);
+    SCOPED(scene) *scene = read_text(shades);
+    SCOPED(trace) *one = trace_with(scene, 1, 0);
+    SCOPED(trace) *all = trace_with(scene, 3, 0);
+    SCOPED(trace) *refined = trace_with(scene, 3, 1e-9);
+    SCOPED(trace) *first = trace_with(scene, 3, 3);
     uint64_t first_rays = (WIDTH + 1) * (HEIGHT + 1);
 
     for (size_t k = 0; k < PIXELS; k++) {
@@ -300,11 +294,6 @@ TEST(ends)
     assert_int_equal(trace_rays(first, RAY_PRIMARY), first_rays);
     assert_int_equal(trace_rays(refined, RAY_PRIMARY), first_rays + 9 * PIXELS);
     assert_true(trace_accounts(first)->clocks < trace_accounts(all)->clocks);
-    trace_free(one);
-    trace_free(all);
-    trace_free(refined);
-    trace_free(first);
-    scene_free(scene);
 }
 
 /* Depth, normal and number are those of the ray through the middle, which all
@@ -314,16 +303,13 @@ TEST(middles)
     char text[3000] = "";
 
     add_scene(text, sizeof text);
-    struct scene *scene = read_text(text);
-    struct trace *all = trace_with(scene, 3, 0);
-    struct trace *refined = trace_with(scene, 3, .1);
+    SCOPED(scene) *scene = read_text(text);
+    SCOPED(trace) *all = trace_with(scene, 3, 0);
+    SCOPED(trace) *refined = trace_with(scene, 3, .1);
     for (int i = CHANNEL_BLUE + 1; i < FRAME_CHANNELS; i++)
         assert_memory_equal(trace_channel(all, (enum frame_channel)i),
                             trace_channel(refined, (enum frame_channel)i),
                             PIXELS * sizeof(c205_word));
-    trace_free(all);
-    trace_free(refined);
-    scene_free(scene);
 }
 
 /* ---- What it does not go with -------------------------------------------- */
@@ -331,7 +317,7 @@ TEST(middles)
 static void check_refused(const char *text, size_t width, size_t samples,
                           double threshold, const char *why)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     struct trace_options options = { .mode = TRACE_VECTOR,
                                      .queue = 300,
                                      .width = width,
@@ -344,7 +330,6 @@ static void check_refused(const char *text, size_t width, size_t samples,
     assert_null(trace_new(scene, &options, &error));
     if (!strstr(error.message, why))
         fail_msg("%s, not %s", error.message, why);
-    scene_free(scene);
 }
 
 TEST(refused)
@@ -408,9 +393,9 @@ TEST(kept)
     char path[] = "/tmp/test_adaptive.XXXXXX";
     const char *const paths[] = { path };
     struct farm farm = { .paths = paths, .path_count = 1 };
-    struct scene *scene = read_text(shades);
+    SCOPED(scene) *scene = read_text(shades);
     struct patience patience = { 0, SIZE_MAX };
-    struct trace *whole = begin_kept(scene, .02, &patience, NULL);
+    SCOPED(trace) *whole = begin_kept(scene, .02, &patience, NULL);
     c205_error error = { "" };
 
     close(mkstemp(path));
@@ -429,8 +414,6 @@ TEST(kept)
     assert_int_equal(trace_accounts(trace)->clocks, trace_accounts(whole)->clocks);
     trace_forget(trace);
     trace_free(trace);
-    trace_free(whole);
-    scene_free(scene);
 }
 
 GROUP(set_up_frames, tear_down_model);

@@ -267,11 +267,10 @@ TEST(random_patches)
         }
         expected.count = 0;
         expect_cell(&patch, (struct cell){ .to = { 1, 1 } }, &expected);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         if (!has_all(triangles_of(scene), &expected))
             fail_msg("patch %zu: %zu triangles, not these %zu, of\n%s", i,
                      triangles_of(scene)->count, expected.count, text);
-        scene_free(scene);
     }
 }
 
@@ -279,10 +278,9 @@ TEST(random_patches)
 
 static size_t count_of(const char *text)
 {
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     size_t count = triangles_of(scene)->count;
 
-    scene_free(scene);
     return count;
 }
 
@@ -309,7 +307,7 @@ TEST(words)
 /* It is its place in the world that counts, and that of each copy. */
 TEST(copies)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare P = bicubic_patch { type 1 u_steps 1 v_steps 1 flatness .1\n"
         "<0, 0, .5>, <1, 0, 0>, <2, 0, 0>, <3, 0, 0>,"
         "<0, 1, 0>, <1, 1, 0>, <2, 1, 0>, <3, 1, 0>,"
@@ -324,7 +322,6 @@ TEST(copies)
     assert_int_equal(p[1].shape.mesh.triangles.count, 2);
     assert_int_equal(p[2].shape.mesh.triangles.count, 8);
     assert_vector(p[1].shape.mesh.triangles.list[0].corners[2], .3, .3, 0);
-    scene_free(scene);
 }
 
 TEST(errors)

@@ -127,13 +127,12 @@ TEST(humps)
     static const char *const cuts[] = { "-1.06", "-.9", "0", ".9", "1.06" };
     static const struct ray ray = { { 0, 0, -5 }, { 0, 0, 1 } };
     struct crossing crossings[MOST_CROSSINGS];
-    struct scene *scene = read_text(HUMPS "}");
+    SCOPED(scene) *scene = read_text(HUMPS "}");
     struct shape_words words;
 
     shape_words(scene->primitives, &words);
     assert_int_equal(words.segments, 3);
     assert_int_equal(plain_crossings(scene->primitives, &ray, crossings), 6);
-    scene_free(scene);
     for (int i = 0; i < 5; i++) {
         char text[600];
 
@@ -155,7 +154,7 @@ TEST(inside)
 
         add_any_blob(text, sizeof text);
         add_text(text, sizeof text, "}");
-        struct scene *scene = read_text(text);
+        SCOPED(scene) *scene = read_text(text);
         size_t count = plain_crossings(scene->primitives, &ray, crossings);
         assert_int_equal(count % 2, 0);
         for (size_t i = 0; i < count; i++) {
@@ -168,7 +167,6 @@ TEST(inside)
             add_scaled(out, point, -1e-6, crossings[i].normal);
             assert_true(plain_encloses(scene->primitives, out));
         }
-        scene_free(scene);
     }
 }
 

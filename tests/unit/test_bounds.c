@@ -9,13 +9,11 @@
 
 static struct bound first_bound(const char *text)
 {
-    struct scene *scene = read_scene(text);
-    struct bound *bounds = calloc(scene->node_count, sizeof *bounds);
+    SCOPED(scene) *scene = read_scene(text);
+    FREED struct bound *bounds = calloc(scene->node_count, sizeof *bounds);
 
     assert_true(bound_nodes(scene, bounds));
     struct bound first = bounds[0];
-    free(bounds);
-    scene_free(scene);
     return first;
 }
 
@@ -207,7 +205,7 @@ TEST(crossings)
                  shapes[i % COUNT(shapes)], between(.2, 3), between(.2, 3),
                  between(-3, -.2), between(0, 360), between(0, 360), between(0, 360),
                  between(-2, 2), between(-2, 2), between(-9, 9));
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         struct bound bound;
 
         bound_primitive(scene->primitives, &bound);
@@ -216,7 +214,6 @@ TEST(crossings)
             count += count_crossings(scene->primitives, &bound);
         if (count == 0)
             fail_msg("no line crosses %s", text);
-        scene_free(scene);
     }
 }
 

@@ -26,14 +26,13 @@ static void set_size(size_t width, size_t height)
 /* No pixel shows the background, or all do, in whatever way it is traced. */
 static void check_closed(void)
 {
-    struct words *words = same_frame(text);
+    FREED struct words *words = same_frame(text);
 
     for (size_t k = 0; k < traced.pixels; k++)
         if ((c205_to_integer(words->channel[CHANNEL_ID][k]) == 0) == (sight == SHELL))
             fail_msg("pixel %zu of %zu by %zu: a ray slips out of\n%s", k, traced.width,
                      traced.height, text);
     check_paper_stage(text, words);
-    free(words);
 }
 
 static void add_vector(const char *name, const double vector[3])

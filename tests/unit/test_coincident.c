@@ -16,12 +16,11 @@ static void expect(const char *yields, const char *objects)
              "#version 3.7; global_settings { assumed_gamma 1 }\n"
              "camera { location <1, 3, -9> look_at 0 }\n%s",
              objects);
-    struct scene *scene = scene_of(text);
+    SCOPED(scene) *scene = scene_of(text);
     for (size_t i = 0; i < scene->region_count && i < 19; i++)
         found[i] = (char)('0' + (int)(10 * scene->regions[i].yield + .01));
     if (strcmp(found, yields) != 0)
         fail_msg("%s, not %s: %s", found, yields, objects);
-    scene_free(scene);
 }
 
 TEST(coincident_faces_give_earlier_regions_a_yield)

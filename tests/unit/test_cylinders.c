@@ -14,7 +14,7 @@ struct hit {
 
 static void check_hit(const char *text, struct hit hit)
 {
-    struct words *words = same_frame(text);
+    FREED struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
     const double expected[] = { hit.depth, hit.normal[0], hit.normal[1],
                                 hit.normal[2] };
@@ -27,7 +27,6 @@ static void check_hit(const char *text, struct hit hit)
             fail_msg("%s: %d is %.15g, not %.15g", text, i, found, expected[i]);
     }
     check_paper_stage(text, words);
-    free(words);
 }
 
 /* The ends of an axis; a third of them point at the eye. */
@@ -147,14 +146,12 @@ TEST(trees)
                                      "rotate 40*y } sphere { -z, .8 } }"
                                      "cylinder { -2*y, 2*y, .4 translate 1.2*x"
                                      " pigment { rgbf <1, .5, .5, .6> } }";
-    struct words *today = plain_frame(text);
+    FREED struct words *today = plain_frame(text);
 
     traced.historical = true;
-    struct words *then = plain_frame(text);
+    FREED struct words *then = plain_frame(text);
     assert_memory_equal(today, then, sizeof *today);
     traced.historical = false;
-    free(today);
-    free(then);
 }
 
 GROUP(set_up_frames, tear_down_model);

@@ -70,10 +70,9 @@ static void run(const struct emission *emission, size_t count,
 static void emit(const struct primitive *primitive, struct emission_options options,
                  struct emission_choice choice, struct emitted_point *points)
 {
-    struct emission *emission = begin(primitive, options);
+    SCOPED(emission) *emission = begin(primitive, options);
 
     run(emission, options.points, &choice, points, NULL);
-    emission_free(emission);
 }
 
 enum { POINTS = 4000 };
@@ -550,9 +549,9 @@ static double print_clocks(const struct primitive *primitive, enum trace_mode mo
                            size_t queue, c205_model *model)
 {
     struct emission_options options = { mode, queue, EMISSION_MOST, false, model };
-    struct accounts accounts = { .model = model };
+    SCOPED_VALUE(accounts) accounts = { .model = model };
     c205_error error = { "" };
-    struct emission *emission = emission_new(primitive, &options, &error);
+    SCOPED(emission) *emission = emission_new(primitive, &options, &error);
 
     assert_non_null(emission);
     run(emission, EMISSION_MOST, &(struct emission_choice){ .seed = 1 }, emitted[0],
@@ -563,8 +562,6 @@ static double print_clocks(const struct primitive *primitive, enum trace_mode mo
                   mode == TRACE_SCALAR ? 1 : queue, clocks_a_point(&accounts, "emit"),
                   clocks_a_point(&accounts, "carry"),
                   clocks_a_point(&accounts, "direction"), all);
-    accounts_free(&accounts);
-    emission_free(emission);
     return all;
 }
 
@@ -574,7 +571,7 @@ TEST(clocks)
                                                  PRIMITIVE_BOX, PRIMITIVE_TORUS,
                                                  PRIMITIVE_STEINER_PATCH };
     c205_error error = { "" };
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
 
     print_message("surface        form    queue   emit  carry  direction    "
                   "all\n");
@@ -586,7 +583,6 @@ TEST(clocks)
         assert_true(4 * print_clocks(&primitive, TRACE_VECTOR, 2000, model) < scalar);
         print_clocks(&primitive, TRACE_VECTOR, EMISSION_MOST, model);
     }
-    c205_model_free(model);
 }
 
 ARGUMENTS(argc, argv)

@@ -34,7 +34,7 @@ static struct exchange_given given_of(const struct enclosure *enclosure,
 static void solve(const struct enclosure *enclosure, struct exchange *vector)
 {
     struct exchange_given given = given_of(enclosure, TRACE_VECTOR);
-    struct exchange scalar;
+    SCOPED_VALUE(exchange) scalar;
     size_t size = enclosure->count * sizeof(double);
     c205_error error = { "" };
 
@@ -47,7 +47,6 @@ static void solve(const struct enclosure *enclosure, struct exchange *vector)
     assert_memory_equal(vector->flow, scalar.flow, size);
     assert_memory_equal(&vector->outside, &scalar.outside, sizeof(double));
     assert_memory_equal(&vector->sum, &scalar.sum, sizeof(double));
-    exchange_free(&scalar);
 }
 
 static void assert_near(double found, double expected, double scale)
@@ -68,13 +67,12 @@ TEST(spheres)
         .temperature = { 500, 300 },
         .factors = { 0, 1, 0, .25, .75, 0 },
     };
-    struct exchange exchange;
+    SCOPED_VALUE(exchange) exchange;
 
     solve(&spheres, &exchange);
     assert_near(exchange.flow[0], 25842.18560027, 25842);
     assert_near(exchange.flow[1], -25842.18560027, 25842);
     assert_near(exchange.sum, 0, 25842);
-    exchange_free(&exchange);
 }
 
 TEST(cube)
@@ -83,7 +81,7 @@ TEST(cube)
     static const double flows[] = { 36940.48878972, -9963.172602644, -6744.32904677,
                                     -6744.32904677, -6744.32904677,  -6744.32904677 };
     struct enclosure cube = { .count = 6 };
-    struct exchange exchange;
+    SCOPED_VALUE(exchange) exchange;
 
     for (size_t i = 0; i < 6; i++) {
         cube.area[i] = 1;
@@ -96,7 +94,6 @@ TEST(cube)
     for (size_t i = 0; i < 6; i++)
         assert_near(exchange.flow[i], flows[i], 36940);
     assert_near(exchange.sum, 0, 36940);
-    exchange_free(&exchange);
 }
 
 /* Of the tube, a fin and the other one, and what comes out of the opening. */
@@ -107,7 +104,7 @@ static void check_bay(double emissivity, double expected)
     double fin = pi * (r2 * r2 - r1 * r1), open = 2 * pi * r2 * length;
     double to_fin = 0.2905664373995, fin_open = 0.3732069283742;
     struct enclosure bay = { .count = 3 };
-    struct exchange exchange;
+    SCOPED_VALUE(exchange) exchange;
     double back = to_fin * tube / fin;
 
     for (size_t i = 0; i < 3; i++) {
@@ -124,7 +121,6 @@ static void check_bay(double emissivity, double expected)
     }
     solve(&bay, &exchange);
     assert_near(-exchange.outside / (open * SIGMA * 2.56e10), expected, 1);
-    exchange_free(&exchange);
 }
 
 TEST(finned_bay)
@@ -207,7 +203,7 @@ static void check_enclosure(const struct enclosure *enclosure)
     long double radiosity[MOST], o = enclosure->outside, all = 0;
     long double outside = SIGMA * o * o * o * o, out = 0;
     double scale = SIGMA * 1.6e13;
-    struct exchange exchange;
+    SCOPED_VALUE(exchange) exchange;
 
     eliminate(enclosure, radiosity);
     solve(enclosure, &exchange);
@@ -228,7 +224,6 @@ static void check_enclosure(const struct enclosure *enclosure)
     }
     assert_near(exchange.outside, (double)out, scale * (double)all);
     assert_near(exchange.sum, 0, 1e-3 * scale * (double)all);
-    exchange_free(&exchange);
 }
 
 TEST(enclosures)

@@ -19,36 +19,33 @@ static void check_other_ways(const struct scene *scene, const char *text,
                              const struct words *expected)
 {
     traced.visible = VISIBLE_STEPPING;
-    struct words *stepping = trace_words(scene, TRACE_VECTOR, WIDTH);
+    FREED struct words *stepping = trace_words(scene, TRACE_VECTOR, WIDTH);
     traced.visible = VISIBLE_EVERY;
-    struct words *every = trace_words(scene, TRACE_VECTOR, WIDTH);
+    FREED struct words *every = trace_words(scene, TRACE_VECTOR, WIDTH);
     traced.visible = VISIBLE_DEFAULT;
     if (memcmp(stepping, expected, sizeof *stepping) != 0
         || memcmp(every, expected, sizeof *every) != 0)
         fail_msg("another way to the nearest gives another frame of\n%s", text);
-    free(stepping);
-    free(every);
 }
 
 static struct words *frame_of_all(const char *text)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     struct words *words = same_frame_of(scene, text);
 
     check_other_ways(scene, text, words);
     check_paper_stage(text, words);
-    scene_free(scene);
     return words;
 }
 
 static void check_sight(const struct sight *sight)
 {
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
-    struct words *words;
+    FREED struct words *words;
     char text[1024];
 
     snprintf(text, sizeof text, VIEW "%s", sight->text);
-    struct words *bounded = frame_of_all(text);
+    FREED struct words *bounded = frame_of_all(text);
     traced.no_bounds = true;
     words = frame_of_all(text);
     traced.no_bounds = false;
@@ -58,8 +55,6 @@ static void check_sight(const struct sight *sight)
     double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
     if (id != sight->id || !(fabs(depth - sight->depth) <= 1e-10))
         fail_msg("%s: primitive %lld at %.12g", sight->text, (long long)id, depth);
-    free(bounded);
-    free(words);
 }
 
 static void check_sights(const struct sight *sights, size_t count)

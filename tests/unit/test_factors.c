@@ -80,21 +80,18 @@ static const struct {
 
 static void check_area(const char *solid, double expected)
 {
-    struct scene *scene = read_scene(solid);
-    struct factors *factors = begin(scene, usual);
+    SCOPED(scene) *scene = read_scene(solid);
+    SCOPED(factors) *factors = begin(scene, usual);
     struct estimate sum = { 0, 0 };
 
     for (size_t i = 0; i < scene->primitive_count; i++) {
-        struct factor_row row = find(factors, i);
+        SCOPED_VALUE(factor_row) row = find(factors, i);
 
         assert_true(row.sent <= row.tried);
         sum.value += row.area.value;
         sum.error = hypot(sum.error, row.area.error);
-        factor_row_free(&row);
     }
     assert_estimate(solid, sum, expected);
-    factors_free(factors);
-    scene_free(scene);
 }
 
 TEST(areas)
@@ -122,15 +119,12 @@ TEST(meshes)
                      corners[(i + 2 + turn) % 4], corners[(i + 3 - turn) % 4]);
         }
         strcat(text, " inside_vector <.2, .9, .1> }");
-        struct scene *scene = read_scene(text);
-        struct factors *factors = begin(scene, few);
-        struct factor_row row = find(factors, 0);
+        SCOPED(scene) *scene = read_scene(text);
+        SCOPED(factors) *factors = begin(scene, few);
+        SCOPED_VALUE(factor_row) row = find(factors, 0);
         assert_estimate(text, row.area, 8 * sqrt(3));
         assert_int_equal(row.sent, row.tried);
         assert_int_equal(row.count[1], row.sent); /* it sees nothing of itself */
-        factor_row_free(&row);
-        factors_free(factors);
-        scene_free(scene);
     }
 }
 
@@ -201,24 +195,20 @@ static void check_crowd(uint64_t *random)
 {
     struct grid_box boxes[BOXES];
     double faces[BOXES] = { 0 };
-    char *text = draw_crowd(boxes, random);
+    FREED char *text = draw_crowd(boxes, random);
     struct factors_options options = usual;
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
 
     options.points = 512;
-    struct factors *factors = begin(scene, options);
+    SCOPED(factors) *factors = begin(scene, options);
     count_faces(boxes, faces);
     for (size_t i = 0; i < BOXES; i++) {
-        struct factor_row row = find(factors, i);
+        SCOPED_VALUE(factor_row) row = find(factors, i);
 
         if (fabs(row.area.value - faces[i]) > 8 * row.area.error + 1e-9)
             fail_msg("%sbox %zu shows %g +- %g, not %g", text, i + 1, row.area.value,
                      row.area.error, faces[i]);
-        factor_row_free(&row);
     }
-    factors_free(factors);
-    scene_free(scene);
-    free(text);
 }
 
 TEST(crowds)
@@ -241,17 +231,14 @@ struct known_factor {
 static void check_factors(const char *text, const struct known_factor *known,
                           size_t count)
 {
-    struct scene *scene = read_scene(text);
-    struct factors *factors = begin(scene, usual);
+    SCOPED(scene) *scene = read_scene(text);
+    SCOPED(factors) *factors = begin(scene, usual);
 
     for (size_t k = 0; k < count; k++) {
-        struct factor_row row = find(factors, known[k].from);
+        SCOPED_VALUE(factor_row) row = find(factors, known[k].from);
 
         assert_estimate(text, row.factor[known[k].to], known[k].factor);
-        factor_row_free(&row);
     }
-    factors_free(factors);
-    scene_free(scene);
 }
 
 /* Squares and discs that see each other; a bay of a finned tube; the inside of a
@@ -302,13 +289,11 @@ static void check_bias(const struct scene *scene, bool lattice)
     options.model = prior_model;
     for (options.seed = 1; options.seed <= SEEDS; options.seed++) {
         c205_error error_text = { "" };
-        struct factors *factors = factors_new(scene, &options, &error_text);
-        struct factor_row row = find(factors, 0);
+        SCOPED(factors) *factors = factors_new(scene, &options, &error_text);
+        SCOPED_VALUE(factor_row) row = find(factors, 0);
 
         sum += row.factor[1].value;
         squares += row.factor[1].value * row.factor[1].value;
-        factor_row_free(&row);
-        factors_free(factors);
     }
     double mean = sum / SEEDS;
     double error = sqrt((squares / SEEDS - mean * mean) / (SEEDS - 1));
@@ -318,11 +303,10 @@ static void check_bias(const struct scene *scene, bool lattice)
 
 TEST(bias)
 {
-    struct scene *scene = read_scene("disc { 0, y, 1 } disc { .9*y, -y, .6 }");
+    SCOPED(scene) *scene = read_scene("disc { 0, y, 1 } disc { .9*y, -y, .6 }");
 
     check_bias(scene, true);
     check_bias(scene, false);
-    scene_free(scene);
 }
 
 /* ---- Both forms ---------------------------------------------------------------- */
@@ -330,8 +314,8 @@ TEST(bias)
 static void compare_rows(const struct scene *scene, struct factors_options options,
                          const struct factor_row *expected)
 {
-    struct factors *factors = begin(scene, options);
-    struct factor_row row = find(factors, 1);
+    SCOPED(factors) *factors = begin(scene, options);
+    SCOPED_VALUE(factor_row) row = find(factors, 1);
 
     assert_true(are_steps(row.clocks, &row.accounts));
     assert_int_equal(row.sent, expected->sent);
@@ -339,8 +323,6 @@ static void compare_rows(const struct scene *scene, struct factors_options optio
     assert_memory_equal(row.factor, expected->factor,
                         row.receivers * sizeof *row.factor);
     assert_memory_equal(&row.area, &expected->area, sizeof row.area);
-    factor_row_free(&row);
-    factors_free(factors);
 }
 
 /* Of the second primitive. */
@@ -348,16 +330,15 @@ static void check_forms(const char *text)
 {
     static const size_t queues[] = { 1, 77, 300, 300, 65535 };
     struct factors_options options = usual;
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
 
     options.points = 300;
     options.repeats = 2;
     options.mode = TRACE_SCALAR;
     for (int lattice = 0; lattice < 2; lattice++) {
         options.lattice = lattice;
-        struct factors *factors = begin(scene, options);
-        struct factor_row scalar = find(factors, 1);
-        factors_free(factors);
+        SCOPED(factors) *factors = begin(scene, options);
+        SCOPED_VALUE(factor_row) scalar = find(factors, 1);
         for (size_t i = 0; i < COUNT(queues); i++) {
             struct factors_options vector = options;
 
@@ -366,9 +347,7 @@ static void check_forms(const char *text)
             vector.jobs = 2 * i;
             compare_rows(scene, vector, &scalar);
         }
-        factor_row_free(&scalar);
     }
-    scene_free(scene);
 }
 
 /* By its emission, and by lines through it. */
@@ -414,7 +393,7 @@ static void count_halves(const struct packet_programs *programs,
 /* More points than a vector holds: wherever a repeat is cut, its rays are the same. */
 TEST(pieces)
 {
-    struct scene *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");
+    SCOPED(scene) *scene = read_scene("sphere { 0, 1 } box { 1.5, 3 }");
     struct packet_programs programs = { .scene = scene, .options = usual };
     c205_error error = { "" };
     uint64_t counts[3] = { 0, 0, 0 };
@@ -423,8 +402,8 @@ TEST(pieces)
     programs.options.repeats = 2;
     programs.options.seed = seed;
     programs.options.model = prior_model;
-    struct factors *factors = begin(scene, programs.options);
-    struct factor_row row = find(factors, 1);
+    SCOPED(factors) *factors = begin(scene, programs.options);
+    SCOPED_VALUE(factor_row) row = find(factors, 1);
     assert_true(packet_programs_begin(&programs, &error));
     for (size_t k = 0; k < 2; k++)
         count_halves(&programs, (struct packet_choice){ 1, k, 0 }, counts);
@@ -432,23 +411,19 @@ TEST(pieces)
     assert_int_equal(row.receivers, 3);
     assert_memory_equal(row.count, counts, sizeof counts);
     assert_estimate("six faces", row.area, 6 * 1.5 * 1.5);
-    factor_row_free(&row);
     packet_programs_end(&programs);
-    factors_free(factors);
-    scene_free(scene);
 }
 
 TEST(refused)
 {
     struct factors_options options = usual;
-    struct scene *scene = read_scene("plane { y, 0 } sphere { 0, 1 }");
-    struct factors *factors = begin(scene, usual);
+    SCOPED(scene) *scene = read_scene("plane { y, 0 } sphere { 0, 1 }");
+    SCOPED(factors) *factors = begin(scene, usual);
     struct factor_row row;
     c205_error error = { "" };
 
     assert_false(factors_find(factors, &(size_t){ 0 }, 1, &row, &error));
     assert_non_null(strstr(error.message, "a plane has no end"));
-    factors_free(factors);
     options.repeats = 1;
     options.model = prior_model;
     assert_null(factors_new(scene, &options, &error));
@@ -457,7 +432,6 @@ TEST(refused)
     options.points = FACTORS_POINTS_MOST + 1;
     assert_null(factors_new(scene, &options, &error));
     assert_non_null(strstr(error.message, "1048576"));
-    scene_free(scene);
 }
 
 ARGUMENTS(argc, argv)

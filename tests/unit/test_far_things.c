@@ -139,7 +139,7 @@ static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
                                            .model = prior_model };
     struct words *words = calloc(1, sizeof *words);
     c205_error error = { "" };
-    struct trace *trace = trace_new(scene, &options, &error);
+    SCOPED(trace) *trace = trace_new(scene, &options, &error);
 
     if (!trace || !trace_run(trace, &error)) {
         if (!strstr(error.message, "too large or too small"))
@@ -150,7 +150,6 @@ static struct words *frame_in(const struct scene *scene, enum trace_mode mode,
     for (int i = 0; words && i < FRAME_CHANNELS; i++)
         memcpy(words->channel[i], trace_channel(trace, (enum frame_channel)i),
                PIXELS * sizeof(c205_word));
-    trace_free(trace);
     return words;
 }
 
@@ -179,18 +178,16 @@ static void check_scene(const struct scene *scene)
         { TRACE_VECTOR, 2000, true, false },
         { TRACE_VECTOR, 2000, false, true },
     };
-    struct words *same = frame_in(scene, TRACE_SCALAR, 1, false, false);
+    FREED struct words *same = frame_in(scene, TRACE_SCALAR, 1, false, false);
 
     for (size_t i = 0; i < COUNT(forms); i++) {
-        struct words *words = frame_in(scene, forms[i].mode, forms[i].queue,
-                                       forms[i].no_bounds, forms[i].flat);
+        FREED struct words *words = frame_in(scene, forms[i].mode, forms[i].queue,
+                                             forms[i].no_bounds, forms[i].flat);
         int others = compare(same, words);
 
-        free(words);
         if (others != 0)
             fail_msg("form %zu: %d pixels differ in\n%s", i, others, text);
     }
-    free(same);
 }
 
 TEST(random_scenes)
@@ -199,15 +196,13 @@ TEST(random_scenes)
     size_t scenes = 0;
 
     for (size_t i = 0; i < share_of(SCENES); i++) {
-        struct diagnostics reports = { 0 };
+        SCOPED_VALUE(diagnostics) reports = { 0 };
 
         make_scene();
-        struct scene *scene = scene_read_text("test", text, &how, &reports);
+        SCOPED(scene) *scene = scene_read_text("test", text, &how, &reports);
         if (scene)
             check_scene(scene);
         scenes += scene != NULL;
-        diagnostics_free(&reports);
-        scene_free(scene);
     }
     assert_true(scenes > share_of(SCENES) / 2);
 }

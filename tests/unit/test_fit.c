@@ -98,7 +98,7 @@ TEST(fewer_rays)
 /* What the machine shows of the only observation in a file. */
 static double predicted(const char *row)
 {
-    struct observations all = { 0 };
+    SCOPED_VALUE(observations) all = { 0 };
     struct run_options how = small();
     struct diagnostics found = { 0 };
     c205_error error = { "" };
@@ -116,7 +116,6 @@ static double predicted(const char *row)
                              RUN_FINE, clocks[i], &error));
     value = observation_predict(&all, &all.items[0], clocks);
     free(clocks);
-    observations_free(&all);
     remove("test_fit.csv");
     return value;
 }
@@ -164,13 +163,12 @@ static void check_found(struct diagnostics *found, const char *message)
 
 static void assert_refused(const char *text, const char *message)
 {
-    struct observations all = { 0 };
+    SCOPED_VALUE(observations) all = { 0 };
     struct run_options how = small();
     struct diagnostics found = { 0 };
 
     assert_false(observations_read(&all, file_of(text), &how, &found));
     check_found(&found, message);
-    observations_free(&all);
     remove("test_fit.csv");
 }
 
@@ -312,7 +310,7 @@ TEST(groups)
 
 TEST(ranges)
 {
-    struct observations all = { 0 };
+    SCOPED_VALUE(observations) all = { 0 };
     struct run_options how = small();
     struct diagnostics found = { 0 };
 
@@ -334,7 +332,6 @@ TEST(ranges)
     assert_near(all.items[2].uncertainty, .3);
     assert_near(all.items[2].shared, .4);
     assert_near(observation_uncertainty(&all.items[2]), .5);
-    observations_free(&all);
     remove("test_fit.csv");
 }
 
@@ -348,7 +345,7 @@ TEST(constants)
     struct diagnostics found = { 0 };
     const struct free_constant *first = &constants.items[0];
     c205_error error;
-    c205_model *like = c205_model_find("eta10g", &error);
+    SCOPED(c205_model) *like = c205_model_find("eta10g", &error);
 
     assert_non_null(like);
     if (!constants_read(&constants,
@@ -372,7 +369,6 @@ TEST(constants)
     assert_string_equal(settings[1].name, "swap.word");
     assert_near(settings[1].value, 1.2);
     constants_free(&constants);
-    c205_model_free(like);
     remove("test_fit.csv");
 }
 
@@ -396,7 +392,7 @@ TEST(untouched)
     static struct constants constants;
     static struct untouched_list untouched;
     static const struct fit_change none;
-    struct observations all = { 0 };
+    SCOPED_VALUE(observations) all = { 0 };
     struct run_options how = small();
     struct diagnostics found = { 0 };
     struct fit fit = { .observations = &all, .constants = &constants };
@@ -427,7 +423,6 @@ TEST(untouched)
     assert_string_equal(moved_by, "");
     assert_true(is_among(&untouched, "latency.store", &moved_by));
     constants_free(&constants);
-    observations_free(&all);
     remove("test_fit.csv");
 }
 

@@ -66,18 +66,15 @@ TEST(by_chance)
     uint64_t random = RANDOM_SEED;
 
     for (int i = 0; i < FORMULAS; i++) {
-        char *formula = formula_by_chance(&random);
+        FREED char *formula = formula_by_chance(&random);
         size_t room = sizeof frame + 2 * strlen(formula);
-        char *text = malloc(room);
+        FREED char *text = malloc(room);
         assert_non_null(text);
         snprintf(text, room, frame, formula, formula);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         const double *center = scene->primitives->shape.sphere.center;
         if (memcmp(&center[0], &center[1], sizeof *center))
             fail_msg("%.17g and %.17g of:\n%s", center[0], center[1], text);
-        scene_free(scene);
-        free(text);
-        free(formula);
     }
 }
 

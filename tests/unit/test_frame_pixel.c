@@ -105,14 +105,12 @@ static void check_depth(const struct frame_pixel *pixel,
     const struct trace_options *how = trace_how(pixel->trace);
     c205_word depth = trace_channel(pixel->trace,
                                     CHANNEL_DEPTH)[pixel->y * how->width + pixel->x];
-    c205 *before = machine_at(pixel, stretch->from);
-    c205 *after = machine_at(pixel, stretch->to);
+    SCOPED(c205) *before = machine_at(pixel, stretch->from);
+    SCOPED(c205) *after = machine_at(pixel, stretch->to);
 
     assert_true(c205_to_double(sample(pixel, before, CHANNEL_DEPTH)) == 0);
     if (c205_to_double(depth) != 0)
         assert_int_equal(sample(pixel, after, CHANNEL_DEPTH), depth);
-    c205_free(before);
-    c205_free(after);
 }
 
 static void add_causes(const c205 *machine, int64_t sign, int64_t clocks[C205_CAUSES])
@@ -125,11 +123,11 @@ static void add_causes(const c205 *machine, int64_t sign, int64_t clocks[C205_CA
 static void check_sums(const struct frame_pixel *pixel,
                        const struct clock_stretch *stretch)
 {
-    struct timeline timeline = { .from = stretch->from, .to = stretch->to };
+    SCOPED_VALUE(timeline) timeline = { .from = stretch->from, .to = stretch->to };
     c205_error error;
-    c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
-    c205 *before = machine_at(pixel, stretch->from);
-    c205 *after = machine_at(pixel, stretch->to);
+    SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &error);
+    SCOPED(c205) *before = machine_at(pixel, stretch->from);
+    SCOPED(c205) *after = machine_at(pixel, stretch->to);
     int64_t clocks[C205_CAUSES] = { 0 };
     c205_stop stop;
 
@@ -147,10 +145,6 @@ static void check_sums(const struct frame_pixel *pixel,
     }
     for (int cause = 0; cause < C205_CAUSES; cause++)
         assert_int_equal(clocks[cause], 0);
-    timeline_free(&timeline);
-    c205_free(machine);
-    c205_free(before);
-    c205_free(after);
 }
 
 /* A stretch of a region is within the queue's; control is there in its clocks, and not before
@@ -168,7 +162,7 @@ static void check_region(const struct frame_pixel *pixel,
     if (!pixel_region_clocks(pixel, region, &stretch, &error))
         return;
     assert_true(stretch.to <= queue->to && stretch.from < stretch.to);
-    c205 *machine = machine_at(pixel, queue->from);
+    SCOPED(c205) *machine = machine_at(pixel, queue->from);
     while (c205_clock(machine) < stretch.to) {
         bool there = strcmp(object_region(program, c205_pc(machine)), region) == 0;
 
@@ -177,14 +171,13 @@ static void check_region(const struct frame_pixel *pixel,
     }
     if (stretch.to < queue->to)
         assert_string_not_equal(object_region(program, c205_pc(machine)), region);
-    c205_free(machine);
 }
 
 static void check_pixels(enum trace_mode mode)
 {
-    struct scene *scene = some_scene();
+    SCOPED(scene) *scene = some_scene();
     struct trace_options options = some_options(mode);
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
 
     for (size_t i = 0; i < 4; i++) {
         struct frame_pixel pixel;
@@ -199,8 +192,6 @@ static void check_pixels(enum trace_mode mode)
         check_sums(&pixel, &stretch);
         check_region(&pixel, &stretch);
     }
-    trace_free(trace);
-    scene_free(scene);
 }
 
 TEST(queues)
@@ -343,7 +334,7 @@ static void check_rays(struct following *following)
     uint64_t shaded = label(pixel, "shade_store_colours");
     const char *region = "";
     c205_error error;
-    c205 *machine = trace_machine(pixel->trace, pixel->band, &error);
+    SCOPED(c205) *machine = trace_machine(pixel->trace, pixel->band, &error);
     c205_stop stop;
 
     do {
@@ -363,7 +354,6 @@ static void check_rays(struct following *following)
             && trace_how(pixel->trace)->mode != TRACE_SCALAR)
             check_met(following);
     } while (c205_step(machine, &stop));
-    c205_free(machine);
 }
 
 /* A sphere and a plane are met by kernels, whose crossings are the rays'. */
@@ -397,9 +387,9 @@ TEST(rays)
     static struct following sum;
 
     for (size_t i = 0; i < 15 * TRACE_MODES; i++) {
-        struct scene *scene = some_scene();
+        SCOPED(scene) *scene = some_scene();
         struct trace_options options = some_options((enum trace_mode)(i % TRACE_MODES));
-        struct trace *trace = run_trace(scene, &options);
+        SCOPED(trace) *trace = run_trace(scene, &options);
         struct frame_pixel pixel;
         struct following following = { .pixel = &pixel };
         c205_error error;
@@ -414,8 +404,6 @@ TEST(rays)
             sum.lists[k] += following.lists[k];
         sum.near += following.near;
         sum.hits += following.hits;
-        trace_free(trace);
-        scene_free(scene);
     }
     assert_true(sum.lists[1] > 0 && sum.lists[2] > 0 && sum.near > 1000
                 && sum.hits > 1000);
@@ -433,7 +421,7 @@ static void obey(struct debugger *debugger, struct text_buffer *said, const char
 static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
 {
     c205_error error;
-    c205 *plain = trace_machine(pixel->trace, pixel->band, &error);
+    SCOPED(c205) *plain = trace_machine(pixel->trace, pixel->band, &error);
 
     assert_int_equal(c205_run(plain, C205_NO_LIMIT).trap, C205_TRAP_NONE);
     assert_int_equal(c205_account_count(plain), c205_account_count(machine));
@@ -443,7 +431,6 @@ static void check_accounts(const struct frame_pixel *pixel, const c205 *machine)
                             sizeof c205_account_at(plain, i)->clocks);
     if (trace_bands(pixel->trace) == 1)
         assert_int_equal(c205_clock(machine), trace_accounts(pixel->trace)->clocks);
-    c205_free(plain);
 }
 
 /* Forth and back to the queue of a pixel, and to the end. */

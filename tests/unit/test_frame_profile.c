@@ -110,14 +110,13 @@ static void check_sums(const struct line_profile *profile,
 
 static char *table_text_of(const struct line_profile *profile, struct profile_view view)
 {
-    struct table *table = line_profile_table(profile, view, false);
+    SCOPED(table) *table = line_profile_table(profile, view, false);
     char *text = NULL;
     size_t size;
     FILE *file = open_memstream(&text, &size);
 
     assert_true(table && file && table_write(table, TABLE_CSV, file));
     fclose(file);
-    table_free(table);
     return text;
 }
 
@@ -125,16 +124,14 @@ static char *table_text_of(const struct line_profile *profile, struct profile_vi
 static char *check_frame(const struct scene *scene, struct trace_options options,
                          const char *what)
 {
-    struct line_profile *profile = NULL;
+    SCOPED(line_profile) *profile = NULL;
     struct observer observer = frame_profile_observer(&profile);
     const struct observer *const observers[] = { &observer, NULL };
 
     options.observers = observers;
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     check_sums(profile, trace_accounts(trace), what);
     char *text = table_text_of(profile, (struct profile_view){ PROFILE_HOTTEST, true });
-    line_profile_free(profile);
-    trace_free(trace);
     return text;
 }
 
@@ -143,10 +140,9 @@ static struct scene *read_file(const char *path)
     const struct scene_options reading = { .width = WIDTH,
                                            .height = HEIGHT,
                                            .read_raster = picture_read_raster };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = scene_read(path, &reading, &reports);
 
-    diagnostics_free(&reports);
     if (!scene)
         fail_msg("%s cannot be read", path);
     return scene;
@@ -154,10 +150,9 @@ static struct scene *read_file(const char *path)
 
 static void check_scene(const char *path, enum trace_mode mode)
 {
-    struct scene *scene = read_file(path);
+    SCOPED(scene) *scene = read_file(path);
 
     free(check_frame(scene, some_options(mode), path));
-    scene_free(scene);
 }
 
 /* Each scene in one of the stages, or in all (PROFILED=all). */
@@ -190,26 +185,23 @@ TEST(jobs)
 
     for (size_t i = 0; i < 3 * TRACE_MODES; i++) {
         const char *path = paths[i / TRACE_MODES];
-        struct scene *scene = read_file(path);
+        SCOPED(scene) *scene = read_file(path);
         struct trace_options options = some_options((enum trace_mode)(i % TRACE_MODES));
 
         options.band = 3 * options.width;
         options.jobs = 1;
-        char *alone = check_frame(scene, options, path);
+        FREED char *alone = check_frame(scene, options, path);
         options.jobs = (size_t)xorshift_between(&random_state, 2, 4);
-        char *several = check_frame(scene, options, path);
+        FREED char *several = check_frame(scene, options, path);
         assert_string_equal(alone, several);
-        free(alone);
-        free(several);
-        scene_free(scene);
     }
 }
 
 /* Regions from the hottest on, lines of each likewise. */
 TEST(order)
 {
-    struct scene *scene = read_file("scenes/first.pov");
-    char *text = check_frame(scene, some_options(TRACE_VECTOR), "order");
+    SCOPED(scene) *scene = read_file("scenes/first.pov");
+    FREED char *text = check_frame(scene, some_options(TRACE_VECTOR), "order");
     char *line = strchr(text, '\n') + 1, region[40] = "", last[40] = "";
     unsigned long long clocks, before = 0, in_region = 0, in_last = UINT64_MAX;
     size_t regions = 0;
@@ -229,8 +221,6 @@ TEST(order)
         before = clocks;
     }
     assert_true(regions > 3 && in_region <= in_last);
-    free(text);
-    scene_free(scene);
 }
 
 GROUP(find_models, free_models);

@@ -20,7 +20,7 @@ static const struct global_lines_options usual = {
 
 static struct global_lines find(const char *text, struct global_lines_options options)
 {
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     struct global_lines found;
     c205_error error = { "" };
 
@@ -28,7 +28,6 @@ static struct global_lines find(const char *text, struct global_lines_options op
     options.model = prior_model;
     if (!global_lines_find(scene, &options, &found, &error))
         fail_msg("%s: %s", text, error.message);
-    scene_free(scene);
     return found;
 }
 
@@ -58,7 +57,7 @@ static void assert_exact(const struct global_lines *found)
 /* A ball in a shell sees that alone; the shell sees the ball by its share of the area. */
 TEST(shell)
 {
-    struct global_lines found =
+    SCOPED_VALUE(global_lines) found =
         find("sphere { 0, .5 }"
              " difference { sphere { 0, 1.1 } sphere { 0, 1 } }",
              usual);
@@ -70,20 +69,18 @@ TEST(shell)
     assert_estimate("shell to ball", global_lines_factor(&found, 2, 0), .25);
     assert_estimate("shell to shell", global_lines_factor(&found, 2, 2), .75);
     assert_estimate("outside", global_lines_factor(&found, 1, 3), 1);
-    global_lines_free(&found);
 }
 
 /* Two sides of each disc: half of what is known for those that face each other. */
 TEST(discs)
 {
-    struct global_lines found = find("disc { 0, z, 1 } disc { z, z, 1 }", usual);
+    SCOPED_VALUE(global_lines) found = find("disc { 0, z, 1 } disc { z, z, 1 }", usual);
     double factor = (3 - sqrt(5)) / 2;
 
     assert_exact(&found);
     assert_estimate("disc", global_lines_area(&found, 0), 2 * acos(-1));
     assert_estimate("discs", global_lines_factor(&found, 0, 1), factor / 2);
     assert_estimate("none", global_lines_factor(&found, 0, 0), 0);
-    global_lines_free(&found);
 }
 
 /* Areas of massprops.csv, of surfaces that cut each other. */
@@ -102,7 +99,7 @@ TEST(areas)
     };
 
     for (size_t s = 0; s < COUNT(solids); s++) {
-        struct global_lines found = find(solids[s].solid, usual);
+        SCOPED_VALUE(global_lines) found = find(solids[s].solid, usual);
         struct estimate sum = { 0, 0 };
 
         assert_exact(&found);
@@ -113,7 +110,6 @@ TEST(areas)
             sum.error += area.error;
         }
         assert_estimate(solids[s].solid, sum, solids[s].area);
-        global_lines_free(&found);
     }
 }
 
@@ -129,7 +125,7 @@ TEST(forms)
 
     options.repeats = 2;
     options.lines_log = 8;
-    struct global_lines one = find(text, options);
+    SCOPED_VALUE(global_lines) one = find(text, options);
     assert_exact(&one);
     assert_true(are_steps(one.clocks, &one.accounts));
     for (int i = 0; i < 4; i++) {
@@ -138,11 +134,9 @@ TEST(forms)
         options.mode = i == 0 ? TRACE_SCALAR : i == 3 ? TRACE_KERNELS : TRACE_VECTOR;
         options.queue = i == 1 ? 37 : 2000;
         options.jobs = i == 2 ? 2 : 1;
-        struct global_lines other = find(text, options);
+        SCOPED_VALUE(global_lines) other = find(text, options);
         assert_memory_equal(one.ends, other.ends, 2 * width * width * sizeof *one.ends);
-        global_lines_free(&other);
     }
-    global_lines_free(&one);
 }
 
 /* ---- What cannot be ------------------------------------------------------------ */
@@ -150,7 +144,7 @@ TEST(forms)
 static void assert_fails(const char *text, struct global_lines_options options,
                          const char *message)
 {
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     struct global_lines found;
     c205_error error = { "" };
 
@@ -158,7 +152,6 @@ static void assert_fails(const char *text, struct global_lines_options options,
     assert_false(global_lines_find(scene, &options, &found, &error));
     if (!strstr(error.message, message))
         fail_msg("%s", error.message);
-    scene_free(scene);
 }
 
 TEST(refusals)

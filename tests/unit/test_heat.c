@@ -30,14 +30,12 @@ static void find(const struct scene *scene, const struct heat_request *request,
 static size_t drawn_of(const char *text, const struct heat_request *request,
                        bool precise)
 {
-    struct scene *scene = read_scene(text);
-    struct heat heat;
+    SCOPED(scene) *scene = read_scene(text);
+    SCOPED_VALUE(heat) heat;
 
     find(scene, request, &heat);
     assert_int_equal(heat_is_precise(&heat), precise);
     size_t drawn = heat.drawn;
-    heat_free(&heat);
-    scene_free(scene);
     return drawn;
 }
 
@@ -87,7 +85,7 @@ static void check_number(const struct heat *one, const struct heat *other,
 TEST(same)
 {
     static const char *const warm[] = { "default=300" };
-    struct scene *scene = read_scene(balls);
+    SCOPED(scene) *scene = read_scene(balls);
     struct heat_request request = usual();
     struct heat one, other;
 
@@ -114,7 +112,6 @@ TEST(same)
     assert_true(heat_is_same(&one, &other));
     heat_free(&one);
     heat_free(&other);
-    scene_free(scene);
 }
 
 GROUP(set_up_model, tear_down_model);

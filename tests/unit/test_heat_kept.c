@@ -69,7 +69,7 @@ static bool run_rays(struct run *run, const struct scene *scene)
                                              .progress = tell,
                                              .context = run,
                                              .model = prior_model };
-    struct factors *factors = factors_new(scene, &options, &run->error);
+    SCOPED(factors) *factors = factors_new(scene, &options, &run->error);
     struct factor_row rows[PRIMITIVES];
     bool good = factors && factors_find(factors, all, PRIMITIVES, rows, &run->error);
 
@@ -85,7 +85,6 @@ static bool run_rays(struct run *run, const struct scene *scene)
         }
         factor_row_free(&rows[i]);
     }
-    factors_free(factors);
     return good;
 }
 
@@ -121,12 +120,11 @@ static bool run_lines(struct run *run, const struct scene *scene)
 
 static bool do_run(struct run *run)
 {
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     bool good = run->lines ? run_lines(run, scene) : run_rays(run, scene);
 
     if (run->farm)
         farm_end(run->farm, false);
-    scene_free(scene);
     return good;
 }
 

@@ -23,10 +23,9 @@ static const char text[] = "camera { location <0, 1, -6> look_at 0 }\n"
 static struct scene *read_scene(void)
 {
     const struct scene_options options = { .strict = false };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = scene_read_text("scene", text, &options, &reports);
 
-    diagnostics_free(&reports);
     assert_non_null(scene);
     return scene;
 }
@@ -107,7 +106,7 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
     struct heat_look look = look_of(shown, from);
     struct heat_drawn drawn;
     struct picture_error why = { "" };
-    struct frame frame;
+    SCOPED_VALUE(frame) frame;
     bool seen[5] = { false };
     double least = INFINITY, most = -INFINITY;
     c205_error error = { "" };
@@ -132,15 +131,14 @@ static void check_picture(const struct heat *heat, enum heat_shown shown,
     }
     assert_true(drawn.least == least && drawn.most == most && drawn.clocks > 0);
     free(frame.value);
-    frame_free(&frame);
     remove(path);
 }
 
 TEST(values)
 {
     struct heat_request request = usual();
-    struct scene *scene = read_scene();
-    struct heat heat;
+    SCOPED(scene) *scene = read_scene();
+    SCOPED_VALUE(heat) heat;
     c205_error error = { "" };
 
     if (!heat_begin(scene, &request, &heat, &error) || !heat_find(&heat, &error))
@@ -148,8 +146,6 @@ TEST(values)
     check_picture(&heat, SHOWN_FLOW, NULL, 0);
     check_picture(&heat, SHOWN_FACTOR, "Block", 1);
     check_picture(&heat, SHOWN_FACTOR, "Sheet", 2);
-    heat_free(&heat);
-    scene_free(scene);
 }
 
 static void grey(const void *context, double share, double color[3])
@@ -166,7 +162,7 @@ static size_t drawn_by(const char *title, double least, double most, size_t widt
         .title = title, .least = least, .most = most, .color = grey
     };
     size_t rows = color_scale_rows(&scale, width), count = 0;
-    struct frame frame;
+    SCOPED_VALUE(frame) frame;
 
     assert_true(frame_allocate(&frame, width, rows + 1));
     color_scale_draw(&scale, &frame, 1);
@@ -174,7 +170,6 @@ static size_t drawn_by(const char *title, double least, double most, size_t widt
         assert_true(i >= width || frame.channel[CHANNEL_RED][i] == 0);
         count += frame.channel[CHANNEL_RED][i] > .8;
     }
-    frame_free(&frame);
     return count;
 }
 
@@ -202,8 +197,8 @@ TEST(refused)
 {
     struct heat_request request = usual();
     struct heat_look look = look_of(SHOWN_FACTOR, "Lid");
-    struct scene *scene = read_scene();
-    struct heat heat;
+    SCOPED(scene) *scene = read_scene();
+    SCOPED_VALUE(heat) heat;
     struct heat_drawn drawn;
     c205_error error = { "" };
 
@@ -221,8 +216,6 @@ TEST(refused)
     look.path = "missing/folder.exr";
     assert_false(heat_draw(&heat, &look, &drawn, &error));
     assert_non_null(strstr(error.message, "missing"));
-    heat_free(&heat);
-    scene_free(scene);
 }
 
 FIXTURE(make_folder)

@@ -235,11 +235,10 @@ TEST(staying)
             given.planes[k] = xorshift(&random_state);
         draw_crossings(&given);
         for (int form = 0; form < 2; form++) {
-            c205_word *made = calloc(words + 1, sizeof *made);
+            FREED c205_word *made = calloc(words + 1, sizeof *made);
 
             stay(forms[form], &given, made);
             check_staying(&given, made);
-            free(made);
         }
         free(given.planes);
         free(given.list);
@@ -290,7 +289,7 @@ static void count_gaps(const struct object *program, const struct gap_ends *give
 static void check_gaps(const struct gap_ends *given, const c205_word *counts)
 {
     size_t ends = given->gaps + 1, n = given->surfaces;
-    int64_t *left = calloc(n * n, sizeof *left);
+    FREED int64_t *left = calloc(n * n, sizeof *left);
 
     assert_non_null(left);
     for (size_t i = 0; i < n * n; i++)
@@ -306,7 +305,6 @@ static void check_gaps(const struct gap_ends *given, const c205_word *counts)
     }
     for (size_t i = 0; i < n * n; i++)
         assert_int_equal(left[i], 0);
-    free(left);
 }
 
 TEST(gaps)
@@ -317,7 +315,8 @@ TEST(gaps)
     for (int i = 0; i < 60; i++) {
         struct gap_ends given = { .gaps = i ? some_length(65534) : 65534,
                                   .surfaces = 1 + below(40) };
-        c205_word *counts = calloc(given.surfaces * given.surfaces, sizeof *counts);
+        FREED c205_word *counts = calloc(given.surfaces * given.surfaces,
+                                         sizeof *counts);
 
         assert_non_null(counts);
         make_ends(&given);
@@ -326,7 +325,6 @@ TEST(gaps)
             check_gaps(&given, counts);
         }
         free(given.planes);
-        free(counts);
     }
     object_free(forms[0]);
     object_free(forms[1]);

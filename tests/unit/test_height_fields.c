@@ -88,9 +88,9 @@ TEST(surface)
         snprintf(words, sizeof words, "water_level %.9f", water);
         if (water > surface(&grid, .5, .5))
             continue; /* perhaps nothing is left */
-        struct scene *scene = field_expect(i % 2 ? "pgm" : "", water == 0 ? "" : words);
+        SCOPED(scene) *scene = field_expect(i % 2 ? "pgm" : "",
+                                            water == 0 ? "" : words);
         check_surface(&grid, triangles_of(scene), water);
-        scene_free(scene);
     }
 }
 
@@ -161,7 +161,7 @@ TEST(normals)
 
         keep_grid(&grid);
         snprintf(words, sizeof words, "smooth scale <%.17g, %.17g, 1>", wide, high);
-        struct scene *scene = field_expect("", words);
+        SCOPED(scene) *scene = field_expect("", words);
         const struct triangles *triangles = triangles_of(scene);
         assert_int_equal(triangles->count, 2 * (grid.columns - 1) * (grid.rows - 1));
         for (size_t k = 0; k < 3 * triangles->count; k++) {
@@ -170,7 +170,6 @@ TEST(normals)
             check_corner(&grid, triangle->corners[k % 3], triangle->normals[k % 3],
                          wide, high);
         }
-        scene_free(scene);
     }
 }
 
@@ -187,7 +186,7 @@ TEST(known_normals)
     size_t found = 0;
 
     field_keep(field, strlen(field));
-    struct scene *scene = field_expect("pgm", "smooth");
+    SCOPED(scene) *scene = field_expect("pgm", "smooth");
     for (size_t k = 0; k < 3 * triangles_of(scene)->count; k++) {
         const struct triangle *triangle = &triangles_of(scene)->list[k / 3];
         for (int i = 0; i < 3; i++) {
@@ -201,19 +200,17 @@ TEST(known_normals)
         }
     }
     assert_int_equal(found, 1 + 3 + 6);
-    scene_free(scene);
 }
 
 /* ---- Functions ----------------------------------------------------------- */
 
 static void expect_height(const char *text, double x, double z, double height)
 {
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     double met = -1;
 
     assert_int_equal(field_meet(triangles_of(scene), x, z, &met), 1);
     assert_close(met, height / 65536, 1e-8);
-    scene_free(scene);
 }
 
 /* As POV-Ray has them; y goes down as z goes up. */
@@ -280,7 +277,7 @@ static void assert_is_closed(const struct triangles *triangles)
 /* In its square, below a slope or the water, however deep. */
 TEST(bodies)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "difference { height_field { function 5, 4 { .2 + .5*x } water_level "
         ".35 } height_field { function 3, 3 { .2 + .5*x } smooth rotate 90*x "
         "} box { 0, 1 } }"
@@ -308,7 +305,6 @@ TEST(bodies)
             assert_int_equal(plain_encloses(&p[1], (double[]){ x, -z, y }),
                              inside && y < top);
     }
-    scene_free(scene);
 }
 
 TEST(errors)

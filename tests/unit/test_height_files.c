@@ -105,7 +105,7 @@ static const struct known_file known_files[] = {
 static void check_file(const struct known_file *file)
 {
     field_keep(file->bytes, file->count);
-    struct scene *scene = field_expect(file->word, "");
+    SCOPED(scene) *scene = field_expect(file->word, "");
     for (int i = 0; i < 6; i++) {
         double x = i % 3 / 2., z = i < 3;
         double height = -1, x_in = x + (x < .5 ? 1 : -1) * 1e-9;
@@ -116,7 +116,6 @@ static void check_file(const struct known_file *file)
             fail_msg("%s %d: %.3f, not %d", file->word, i, height * 65536,
                      file->heights[i]);
     }
-    scene_free(scene);
 }
 
 TEST(kinds)
@@ -146,12 +145,10 @@ TEST(broken)
     for (size_t i = 0; i < COUNT(known_files); i++)
         for (size_t k = 0; k < 8 && strcmp(known_files[i].word, "png"); k++) {
             const struct known_file *file = &known_files[i];
-            struct diagnostics reports = { 0 };
+            SCOPED_VALUE(diagnostics) reports = { 0 };
             field_keep(file->bytes, file->count * k / 8);
-            struct scene *scene = field_read(file->word, "", &with_images, &reports);
+            SCOPED(scene) *scene = field_read(file->word, "", &with_images, &reports);
             assert_true(scene || reports.errors == 1);
-            scene_free(scene);
-            diagnostics_free(&reports);
         }
 }
 
@@ -185,13 +182,12 @@ TEST(faulty_files)
 TEST(large_file)
 {
     enum { SIDE = 1500 };
-    char *bytes = calloc(1, SIDE * SIDE + 100);
+    FREED char *bytes = calloc(1, SIDE * SIDE + 100);
 
     assert_non_null(bytes);
     int head = sprintf(bytes, "P5 %d %d 255\n", SIDE, SIDE);
     field_keep(bytes, (size_t)head + SIDE * SIDE);
     field_expect_fault("pgm", "", 20, "more than 4000000 triangles");
-    free(bytes);
 }
 
 /* Without an adapter PGM is read, and nothing else. */
@@ -203,12 +199,11 @@ TEST(no_adapter)
         const struct known_file *file = &known_files[i];
         bool own = *file->word == 'p' && file->word[1] != 'n';
         field_keep(file->bytes, file->count);
-        struct scene *scene = field_read(file->word, "", &reading_options, &reports);
+        SCOPED(scene) *scene = field_read(file->word, "", &reading_options, &reports);
         assert_int_equal(!scene, !own);
         assert_int_equal(reports.errors, !own);
         if (!own)
             assert_non_null(strstr(reports.items->message, "cannot be read here"));
-        scene_free(scene);
         diagnostics_free(&reports);
         memset(&reports, 0, sizeof reports);
     }

@@ -71,7 +71,7 @@ enum { KINDS = COUNT(kinds) };
 
 static void check_order(const struct hierarchy *hierarchy, size_t count)
 {
-    bool *seen = calloc(count + 1, sizeof *seen);
+    FREED bool *seen = calloc(count + 1, sizeof *seen);
 
     assert_int_equal(hierarchy->count, count);
     for (size_t i = 0; i < count; i++) {
@@ -79,7 +79,6 @@ static void check_order(const struct hierarchy *hierarchy, size_t count)
         assert_false(seen[hierarchy->order[i]]);
         seen[hierarchy->order[i]] = true;
     }
-    free(seen);
 }
 
 /* Loose are those without a bound, or all, those first; in the scene's order. */
@@ -143,7 +142,7 @@ static size_t check_node(const struct hierarchy *hierarchy, const struct bound *
 
 static size_t check(const struct bound *bounds, size_t count)
 {
-    struct hierarchy hierarchy;
+    SCOPED_VALUE(hierarchy) hierarchy;
 
     assert_true(hierarchy_build(bounds, count, &hierarchy));
     check_order(&hierarchy, count);
@@ -153,13 +152,12 @@ static size_t check(const struct bound *bounds, size_t count)
         assert_int_equal(hierarchy.nodes[0].next, hierarchy.node_count);
     }
     size_t nodes = hierarchy.node_count;
-    hierarchy_free(&hierarchy);
     return nodes;
 }
 
 TEST(random)
 {
-    struct bound *bounds = malloc(MOST * sizeof *bounds);
+    FREED struct bound *bounds = malloc(MOST * sizeof *bounds);
 
     for (int turn = 0; turn < 300; turn++) {
         size_t count = turn % 10 ? below(40) : below(MOST);
@@ -169,7 +167,6 @@ TEST(random)
             bounds[i] = kinds[below(5) ? kind : other](i);
         check(bounds, count);
     }
-    free(bounds);
 }
 
 /* What lies apart is told apart; what does not is left together. */
@@ -203,11 +200,10 @@ TEST(depth)
 
 TEST(none)
 {
-    struct hierarchy hierarchy;
+    SCOPED_VALUE(hierarchy) hierarchy;
 
     assert_true(hierarchy_none(5, &hierarchy));
     assert_int_equal(hierarchy.loose, 5);
     assert_int_equal(hierarchy.node_count, 0);
     check_order(&hierarchy, 5);
-    hierarchy_free(&hierarchy);
 }

@@ -118,7 +118,7 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     size_t n = bundle->rays;
     struct single_run run;
     c205_error error = { "" };
-    struct object *program = program_assemble(form, defines, &error);
+    SCOPED(object) *program = program_assemble(form, defines, &error);
     uint64_t clocks = 0;
 
     assert_non_null(program);
@@ -137,7 +137,6 @@ static void run(const struct bundle *bundle, const char *form, size_t queue,
     uint64_t made = single_run_room(&run, "hits_made", NULL, n);
     if (!single_run_end(&run, made, told, n, &clocks))
         fail_msg("%s", error.message);
-    object_free(program);
 }
 
 TEST(rays)
@@ -175,19 +174,18 @@ static void find(const struct scene *scene, const char *from, enum trace_mode mo
                                     .seed = 3,
                                     .from = from,
                                     .model = prior_model };
-    struct named_parts parts;
+    SCOPED_VALUE(named_parts) parts;
     c205_error error = { "" };
 
     assert_true(named_parts_find(scene, &parts));
     if (!hits_find(scene, &parts, &options, hits, &error))
         fail_msg("%s", error.message);
-    named_parts_free(&parts);
 }
 
 /* As many as the first crossings tell of the same rays. */
 TEST(scene)
 {
-    struct scene *scene = read_scene(tubes);
+    SCOPED(scene) *scene = read_scene(tubes);
     const struct factors_options options = { .mode = TRACE_VECTOR,
                                              .queue = 100,
                                              .points = 256,
@@ -196,8 +194,8 @@ TEST(scene)
                                              .seed = 3,
                                              .model = prior_model };
     c205_error error;
-    struct factors *factors = factors_new(scene, &options, &error);
-    struct factor_row row;
+    SCOPED(factors) *factors = factors_new(scene, &options, &error);
+    SCOPED_VALUE(factor_row) row;
     struct hits vector, scalar;
 
     assert_non_null(factors);
@@ -213,9 +211,6 @@ TEST(scene)
     assert_true(scalar.accounts.clocks > vector.accounts.clocks);
     hits_free(&vector);
     hits_free(&scalar);
-    factor_row_free(&row);
-    factors_free(factors);
-    scene_free(scene);
 }
 
 static void refuses(const char *text, const char *from, const char *message)
@@ -226,8 +221,8 @@ static void refuses(const char *text, const char *from, const char *message)
                                           .repeats = 2,
                                           .from = from,
                                           .model = prior_model };
-    struct scene *scene = read_scene(text);
-    struct named_parts parts;
+    SCOPED(scene) *scene = read_scene(text);
+    SCOPED_VALUE(named_parts) parts;
     struct hits hits;
     c205_error error = { "" };
 
@@ -235,8 +230,6 @@ static void refuses(const char *text, const char *from, const char *message)
     assert_false(hits_find(scene, &parts, &options, &hits, &error));
     if (!strstr(error.message, message))
         fail_msg("%s: %s", message, error.message);
-    named_parts_free(&parts);
-    scene_free(scene);
 }
 
 TEST(refused)

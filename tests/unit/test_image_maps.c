@@ -34,7 +34,7 @@ static struct scene *read_image(const char *before, const char *words,
 static struct scene *expect_reports(const char *before, const char *words, size_t count,
                                     const char *message)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_image(before, words, &reports);
 
     if (!scene || reports.count != count
@@ -43,13 +43,12 @@ static struct scene *expect_reports(const char *before, const char *words, size_
         fail_msg("not %zu reports: '%s'", count, message);
     }
     assert_int_equal(scene->primitives->pigment.kind, PIGMENT_IMAGE);
-    diagnostics_free(&reports);
     return scene;
 }
 
 static void expect_fault(const char *words, size_t column, const char *message)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_image("", words, &reports);
 
     if (scene || reports.count != 1
@@ -59,7 +58,6 @@ static void expect_fault(const char *words, size_t column, const char *message)
         diagnostics_print(&reports, stderr);
         fail_msg("not '%s' at %zu", message, column);
     }
-    diagnostics_free(&reports);
 }
 
 static const struct image_map *map_of(const struct scene *scene)
@@ -216,10 +214,9 @@ static void check_light(const struct scene *scene, const char *what,
 static void expect_light(const char *before, const char *words,
                          const double light[SHADES])
 {
-    struct scene *scene = expect_reports(before, words, 0, "");
+    SCOPED(scene) *scene = expect_reports(before, words, 0, "");
 
     check_light(scene, words, light);
-    scene_free(scene);
 }
 
 TEST(kinds)
@@ -259,7 +256,7 @@ TEST(gammas)
 static void expect_map(const char *words, enum image_mapping mapping,
                        enum image_sampling sampling, bool once, bool clear)
 {
-    struct scene *scene = expect_reports("", words, 0, "");
+    SCOPED(scene) *scene = expect_reports("", words, 0, "");
     const struct image_map *map = map_of(scene);
 
     assert_int_equal(map->mapping, mapping);
@@ -267,7 +264,6 @@ static void expect_map(const char *words, enum image_mapping mapping,
     assert_int_equal(map->once, once);
     assert_int_equal(pigment_is_clear(&scene->primitives->pigment), clear);
     assert_int_equal(pigment_cells(&scene->primitives->pigment), 1 + clear);
-    scene_free(scene);
 }
 
 TEST(words)
@@ -298,11 +294,10 @@ TEST(tables)
              "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }\n"
              "sphere { 0, 1 pigment { image_map { \"%s\" gamma 2 } } }",
              path, path, path, path);
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     assert_int_equal(scene->image_count, 2);
     for (size_t i = 0; i < 4; i++)
         assert_int_equal(scene->primitives[i].pigment.image.table->number, i / 2);
-    scene_free(scene);
 }
 
 /* ---- What is left out, and what is none ---------------------------------- */
@@ -336,10 +331,9 @@ TEST(kinds_left_out)
         char text[200];
         snprintf(text, sizeof text,
                  "sphere { 0, 1 pigment { image_map { %s } scale 2 } }", words[i]);
-        struct scene *scene = read_with(text, 1);
+        SCOPED(scene) *scene = read_with(text, 1);
         assert_int_equal(scene->primitives->pigment.kind, PIGMENT_COLOR);
         assert_vector(scene->primitives->pigment.color[0], 0, 0, 0);
-        scene_free(scene);
     }
 }
 
@@ -394,7 +388,7 @@ TEST(limit)
 {
     enum { SIDE = 2100, PIXELS = SIDE * SIDE };
     char *bytes = calloc(1, 100 + PIXELS), text[400];
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     int head = sprintf(bytes, "P5\n%d %d\n255\n", SIDE, SIDE);
 
     keep(bytes, (size_t)head + PIXELS);
@@ -410,7 +404,6 @@ TEST(limit)
     assert_int_equal(reports.items->column, 37);
     assert_non_null(strstr(reports.items->message,
                            "the images of the scene have more than 8388608"));
-    diagnostics_free(&reports);
 }
 
 /* A loop reads another one with each turn. */

@@ -104,7 +104,7 @@ static size_t check_stopped(const struct scene *scene, const struct trace *whole
     options.jobs = jobs;
     options.progress = wait_on;
     options.context = &waiting;
-    struct trace *trace = begin(scene, &options);
+    SCOPED(trace) *trace = begin(scene, &options);
     if (!trace_run(trace, &error))
         assert_non_null(strstr(error.message, "stopped after"));
     assert_int_equal(waiting.left == 0, trace_rows_done(trace) < TALL);
@@ -118,16 +118,15 @@ static size_t check_stopped(const struct scene *scene, const struct trace *whole
     done = trace_rows_done(trace);
     assert_int_equal(same, done);
     assert_true(done >= ROWS * trace_bands_done(trace));
-    trace_free(trace);
     return done;
 }
 
 static void check_stops(const char *text, bool rows)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
 
     for (int mode = 0; mode < TRACE_MODES; mode++) {
-        struct trace *whole = run(scene, (enum trace_mode)mode);
+        SCOPED(trace) *whole = run(scene, (enum trace_mode)mode);
         size_t done = 0;
 
         assert_int_equal(trace_rows_done(whole), TALL);
@@ -139,9 +138,7 @@ static void check_stops(const char *text, bool rows)
         }
         if (rows || mode == TRACE_SCALAR)
             assert_true(done > 0 && done % ROWS > 0);
-        trace_free(whole);
     }
-    scene_free(scene);
 }
 
 TEST(stopped)
@@ -161,7 +158,7 @@ TEST_CALL(stopped_with_mirrors, check_stops(mirrors, false))
 static void plant(struct trace *trace, struct farm *farm, uint64_t unit, size_t rows)
 {
     c205_error error = { "" };
-    struct band band = { .rows = rows };
+    SCOPED_VALUE(band) band = { .rows = rows };
     size_t count = FRAME_CHANNELS * rows * WIDTH;
     struct unit_words words = { .items = NULL };
 
@@ -173,7 +170,6 @@ static void plant(struct trace *trace, struct farm *farm, uint64_t unit, size_t 
     band_put(&band, WIDTH, &words);
     assert_true(unit_file_add(farm->file, unit, &words, &error));
     words_free(&words);
-    band_free(&band);
 }
 
 /* A file with such a unit alone: it is taken, or the frame becomes the same as
@@ -187,7 +183,7 @@ static void check_planted(const struct scene *scene, const struct trace *whole,
     c205_error error = { "" };
 
     options.farm = &farm;
-    struct trace *trace = begin(scene, &options);
+    SCOPED(trace) *trace = begin(scene, &options);
     plant(trace, &farm, unit, rows);
     assert_true(trace_run(trace, &error));
     assert_int_equal(trace_rows_done(trace), TALL);
@@ -196,21 +192,18 @@ static void check_planted(const struct scene *scene, const struct trace *whole,
                      !taken);
     trace_forget(trace);
     assert_int_not_equal(access(path, F_OK), 0);
-    trace_free(trace);
 }
 
 TEST(planted)
 {
-    struct scene *scene = read_text(AHEAD "sphere { 0, 1 }");
-    struct trace *whole = run(scene, TRACE_VECTOR);
+    SCOPED(scene) *scene = read_text(AHEAD "sphere { 0, 1 }");
+    SCOPED(trace) *whole = run(scene, TRACE_VECTOR);
 
     check_planted(scene, whole, 1, ROWS, true);
     check_planted(scene, whole, 1, ROWS - 1, false);
     check_planted(scene, whole, 1, ROWS + 1, false);
     check_planted(scene, whole, BANDS, ROWS, false);
     check_planted(scene, whole, UINT64_MAX, ROWS, false);
-    trace_free(whole);
-    scene_free(scene);
 }
 
 /* Whether the kept bands of one scene are another's. */
@@ -223,11 +216,11 @@ static bool are_kept_for(const char *one, const char *other, enum trace_mode mod
     for (size_t i = 0; i < 2; i++) {
         struct farm farm = { .paths = paths, .path_count = 1 };
         struct trace_options options = how(mode);
-        struct scene *scene = read_text(texts[i]);
+        SCOPED(scene) *scene = read_text(texts[i]);
         c205_error error = { "" };
 
         options.farm = &farm;
-        struct trace *trace = begin(scene, &options);
+        SCOPED(trace) *trace = begin(scene, &options);
         if (i == 0)
             plant(trace, &farm, 1, ROWS);
         else
@@ -235,8 +228,6 @@ static bool are_kept_for(const char *one, const char *other, enum trace_mode mod
         if (!kept && !strstr(error.message, "another scene"))
             fail_msg("%s", error.message);
         farm_end(&farm, false);
-        trace_free(trace);
-        scene_free(scene);
     }
     remove(path);
     return kept;

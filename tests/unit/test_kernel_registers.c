@@ -42,11 +42,10 @@ static void check_assembled(const char *kernel, const struct asm_define *defines
     char text[100];
 
     snprintf(text, sizeof text, "        .include \"%s\"\n", kernel);
-    struct object *program = assemble_text("test", text, &how, &found);
+    SCOPED(object) *program = assemble_text("test", text, &how, &found);
     diagnostics_print(&found, stderr);
     assert_int_equal(found.count, 0);
     assert_non_null(program);
-    object_free(program);
 }
 
 /* All programs among the kernels, with whatever they can be told. */
@@ -121,11 +120,10 @@ TEST(fit_programs)
         if (length < 2 || strcmp(entry->d_name + length - 2, ".s") != 0)
             continue;
         snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        struct object *program = assemble_file(path, &how, &found);
+        SCOPED(object) *program = assemble_file(path, &how, &found);
         diagnostics_print(&found, stderr);
         assert_int_equal(found.count, 0);
         assert_non_null(program);
-        object_free(program);
         count++;
     }
     closedir(programs);
@@ -136,7 +134,7 @@ TEST(fit_programs)
 
 static void run_watched(const struct object *program, c205 *machine, const char *what)
 {
-    struct register_owners *owners = register_owners_new(program);
+    SCOPED(register_owners) *owners = register_owners_new(program);
     struct sink sink = stream_sink(stderr);
     c205_error error = { "" };
 
@@ -149,21 +147,18 @@ static void run_watched(const struct object *program, c205 *machine, const char 
     if (!good || register_owners_found(owners) > 0)
         fail_msg("%s: %s", what, error.message);
     assert_true(register_owners_read(owners) > 1000);
-    register_owners_free(owners);
 }
 
 static void trace_watched(const struct scene *scene,
                           const struct trace_options *options, const char *what)
 {
     c205_error error = { "" };
-    struct trace *trace = trace_new(scene, options, &error);
-    c205 *machine = trace ? trace_machine(trace, 0, &error) : NULL;
+    SCOPED(trace) *trace = trace_new(scene, options, &error);
+    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
 
     if (!machine)
         fail_msg("%s: %s", what, error.message);
     run_watched(trace_program(trace), machine, what);
-    c205_free(machine);
-    trace_free(trace);
 }
 
 /* All that is seen along lines, too, in all forms. */
@@ -183,13 +178,12 @@ static void follow_lines(const struct scene *scene, size_t queue, const char *wh
         c205_error error = { "" };
 
         options.mode = (enum trace_mode)mode;
-        struct lines *lines = lines_new(scene, &options, &error);
-        c205 *machine = lines ? lines_machine(lines, list, LINES, &error) : NULL;
+        SCOPED(lines) *lines = lines_new(scene, &options, &error);
+        SCOPED(c205) *machine = lines ? lines_machine(lines, list, LINES, &error)
+                                      : NULL;
         if (!machine)
             fail_msg("%s: %s", what, error.message);
         run_watched(lines_program(lines), machine, what);
-        c205_free(machine);
-        lines_free(lines);
     }
 }
 
@@ -218,7 +212,7 @@ TEST(cylinders)
         "camera { location <0, 1, -6> look_at 0 }\n"
         "cylinder { -x, <1, .5, .3>, .6 }"
         "cylinder { <-1, 1, -1>, <1, 1, 1>, .4 open rotate 30*x }";
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
 
     for (size_t i = 0; i < speedup_formulation_count; i++) {
         traced.historical = speedup_formulations[i].historical;
@@ -227,7 +221,6 @@ TEST(cylinders)
     }
     traced.historical = false;
     traced.variant = NULL;
-    scene_free(scene);
 }
 
 /* Two passes of almost all that is assembled for some scenes alone. */
@@ -243,16 +236,14 @@ TEST(adaptive)
                                      .threshold = .05,
                                      .queue = COLUMNS - 1,
                                      .model = prior_model };
-    struct diagnostics reports = { 0 };
-    struct scene *scene = scene_read(path, &reading, &reports);
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = scene_read(path, &reading, &reports);
 
     assert_non_null(scene);
     for (int mode = 0; mode < TRACE_MODES; mode++) {
         options.mode = (enum trace_mode)mode;
         trace_watched(scene, &options, path);
     }
-    scene_free(scene);
-    diagnostics_free(&reports);
 }
 
 TEST(scenes)
@@ -266,17 +257,15 @@ TEST(scenes)
 
     assert_non_null(folder);
     while ((entry = readdir(folder)) != NULL) {
-        struct diagnostics reports = { 0 };
+        SCOPED_VALUE(diagnostics) reports = { 0 };
         char path[300];
 
         snprintf(path, sizeof path, "scenes/%s", entry->d_name);
         if (!strstr(path, ".pov"))
             continue;
-        struct scene *scene = scene_read(path, &options, &reports);
+        SCOPED(scene) *scene = scene_read(path, &options, &reports);
         assert_non_null(scene);
         trace_modes(scene, COLUMNS - 1, path);
-        scene_free(scene);
-        diagnostics_free(&reports);
         count++;
     }
     closedir(folder);
@@ -369,15 +358,15 @@ TEST(nothing_is_saved_in_vain)
                                      .height = 4 * ROWS,
                                      .queue = 1,
                                      .model = prior_model };
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
 
     for (int historical = 0; historical < 2; historical++) {
         c205_error error = { "" };
 
         memset(&saves, 0, sizeof saves);
         options.historical = historical;
-        struct trace *trace = trace_new(scene, &options, &error);
-        c205 *machine = trace ? trace_machine(trace, 0, &error) : NULL;
+        SCOPED(trace) *trace = trace_new(scene, &options, &error);
+        SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
         if (!machine || !c205_listen(machine, listen_to_saves, NULL)
             || !program_run(machine, NULL, NULL, NULL, &error))
             fail_msg("%s", error.message);
@@ -392,10 +381,7 @@ TEST(nothing_is_saved_in_vain)
                              area->first, area->first + area->count - 1,
                              (unsigned long long)area->address, area->first + k);
         }
-        c205_free(machine);
-        trace_free(trace);
     }
-    scene_free(scene);
 }
 
 /* ---- Scenes by chance ---------------------------------------------------- */
@@ -426,9 +412,8 @@ TEST(random_solids)
         traced.no_bounds = below(4) == 0;
         traced.visible = (enum visible)below(VISIBLE_WAYS);
         write_scene(text, sizeof text);
-        struct scene *scene = read_text(text);
+        SCOPED(scene) *scene = read_text(text);
         trace_modes(scene, queues[below(3)], text);
-        scene_free(scene);
     }
 }
 
@@ -458,16 +443,15 @@ TEST(roots)
         c205_error error = { "" };
         struct root_search *search = roots_new(polynomials, POLYNOMIALS, &options,
                                                &error);
-        struct object *program = program_assemble(options.mode == TRACE_SCALAR
-                                                      ? "roots/roots_scalar.s"
-                                                      : "roots/roots_vector.s",
-                                                  defines, &error);
+        SCOPED(object) *program = program_assemble(options.mode == TRACE_SCALAR
+                                                       ? "roots/roots_scalar.s"
+                                                       : "roots/roots_vector.s",
+                                                   defines, &error);
 
         if (!search || !program)
             fail_msg("%s", error.message);
         run_watched(program, (c205 *)(uintptr_t)roots_machine(search), "roots");
         roots_free(search);
-        object_free(program);
     }
 }
 
@@ -487,13 +471,12 @@ TEST(points)
             .coordinates = STREAM_DRAWS,
         };
         c205_error error = { "" };
-        struct point_maker *maker = point_maker_new(&kind, &error);
+        SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
         c205 *machine = maker ? point_maker_load(maker, &choice, &error) : NULL;
 
         if (!machine)
             fail_msg("%s", error.message);
         run_watched(point_maker_program(maker), machine, "points");
-        point_maker_free(maker);
     }
 }
 
@@ -512,27 +495,25 @@ static void emit_watched(const struct primitive *primitive)
             .model = prior_model,
         };
         c205_error error = { "" };
-        struct emission *emission = emission_new(primitive, &options, &error);
-        c205 *machine = emission ? emission_load(emission, &choice, &error) : NULL;
+        SCOPED(emission) *emission = emission_new(primitive, &options, &error);
+        SCOPED(c205) *machine = emission ? emission_load(emission, &choice, &error)
+                                         : NULL;
 
         if (!machine)
             fail_msg("%s", error.message);
         run_watched(emission_program(emission), machine, "emission");
-        c205_free(machine);
-        emission_free(emission);
     }
 }
 
 /* A shape of each kernel. */
 TEST(emission)
 {
-    struct scene *scene = read_text(
+    SCOPED(scene) *scene = read_text(
         HEAD "sphere { 0, 1 } torus { 1, .3 } cone { 0, 1, y, .5 } box { 0, 1 }"
              "object { steiner_patch { x, y, z, x + y, y + z, z + x } }");
 
     for (size_t i = 0; i < scene->primitive_count; i++)
         emit_watched(&scene->primitives[i]);
-    scene_free(scene);
 }
 
 ARGUMENTS(argc, argv)

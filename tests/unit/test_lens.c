@@ -33,29 +33,26 @@ static void add_camera(char *text, size_t size)
 
 static void check_orders(const char *text)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     struct trace_options options = { .mode = TRACE_SCALAR,
                                      .width = WIDTH,
                                      .height = HEIGHT,
                                      .samples = among(1, 5),
                                      .model = prior_model };
-    struct trace *scalar = run_trace(scene, &options);
+    SCOPED(trace) *scalar = run_trace(scene, &options);
 
     options.mode = among(0, 1) ? TRACE_VECTOR : TRACE_KERNELS;
     options.order = among(0, 1) ? ORDER_ROWS : ORDER_TILES;
     options.queue = among(1, 300);
     options.band = among(1, 900);
     options.jobs = among(1, 2);
-    struct trace *other = run_trace(scene, &options);
+    SCOPED(trace) *other = run_trace(scene, &options);
     assert_int_equal(trace_samples(scalar), trace_samples(other));
     if (trace_checksum(scalar) != trace_checksum(other))
         fail_msg("%s by %s, queue %zu, band %zu, samples %zu: another frame "
                  "of\n%s",
                  trace_mode_name(options.mode), order_name(options.order),
                  options.queue, options.band, options.samples, text);
-    trace_free(scalar);
-    trace_free(other);
-    scene_free(scene);
 }
 
 TEST(random)
@@ -64,10 +61,9 @@ TEST(random)
         char text[2000] = LIGHTS THINGS;
 
         add_camera(text, sizeof text);
-        struct words *words = plain_frame(text);
+        FREED struct words *words = plain_frame(text);
         check_paper_stage(text, words);
         check_orders(text);
-        free(words);
     }
 }
 
@@ -90,27 +86,23 @@ static struct frame seen(const char *camera, double distance, size_t samples)
              "  [0 rgb 1] [.3 rgb <0, .3, 1>] [1 rgb 1] } scale .4 }\n"
              "  finish { ambient 1 diffuse 0 } }\ncamera { %s }\n",
              -distance, camera);
-    struct scene *scene = read_text(text);
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(scene) *scene = read_text(text);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     assert_true(frame_allocate(&frame, WIDTH, HEIGHT));
     trace_read(trace, 0, &frame);
-    trace_free(trace);
-    scene_free(scene);
     return frame;
 }
 
 /* The greatest difference of a colour. */
 static double difference(const char *a, const char *b, double distance, size_t samples)
 {
-    struct frame one = seen(a, distance, samples);
-    struct frame other = seen(b, distance, samples);
+    SCOPED_VALUE(frame) one = seen(a, distance, samples);
+    SCOPED_VALUE(frame) other = seen(b, distance, samples);
     double greatest = 0;
 
     for (int i = CHANNEL_RED; i <= CHANNEL_BLUE; i++)
         for (size_t k = 0; k < PIXELS; k++)
             greatest = fmax(greatest, fabs(one.channel[i][k] - other.channel[i][k]));
-    frame_free(&one);
-    frame_free(&other);
     return greatest;
 }
 
@@ -159,31 +151,28 @@ TEST(words)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read_text(rows[i].camera);
+        SCOPED(scene) *scene = read_text(rows[i].camera);
 
         assert_float_equal(scene->camera.lens_radius, rows[i].radius, 1e-12);
         assert_float_equal(scene->camera.focal_distance, rows[i].distance, 1e-12);
         assert_int_equal(scene->camera.lens_points, rows[i].points);
-        scene_free(scene);
     }
 }
 
 /* Rays of a pixel, across, with --samples that many. */
 static size_t across(const char *camera, size_t samples)
 {
-    struct scene *scene = read_text(camera);
+    SCOPED(scene) *scene = read_text(camera);
     struct trace_options options = { .mode = TRACE_VECTOR,
                                      .width = 2,
                                      .height = 1,
                                      .queue = 10,
                                      .samples = samples,
                                      .model = prior_model };
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     size_t found = trace_samples(trace);
 
     assert_int_equal(trace_rays(trace, RAY_PRIMARY), 2 * found * found);
-    trace_free(trace);
-    scene_free(scene);
     return found;
 }
 

@@ -42,9 +42,8 @@ static void check_queues(const struct scene *scene, const char *text,
         options.packet = i == 1 ? LINES / 3 : 0;
         options.flat = i == 2;
         options.no_bounds = i == 3;
-        struct seen_crossings vector = find_lines(scene, &options, list, LINES);
+        SCOPED_VALUE(seen_crossings) vector = find_lines(scene, &options, list, LINES);
         check(same_crossings(scalar, &vector, reason), reason, text);
-        seen_crossings_free(&vector);
     }
 }
 
@@ -63,14 +62,12 @@ static void check_solids(double z, double behind)
              "location <%.3f, %.3f, %.3f> look_at <0, .1, .2> angle 40", between(-3, 3),
              between(-3, 3), z);
     write_scene(text, sizeof text, camera);
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     draw_camera_lines(&traced.random, scene, list, LINES);
-    struct seen_crossings found = find_lines(scene, &options, list, LINES);
+    SCOPED_VALUE(seen_crossings) found = find_lines(scene, &options, list, LINES);
     check_queues(scene, text, options, list, &found);
     check(keep_line_rules(scene, list, &found, behind, reason), reason, text);
     check(same_as_plain_lines(scene, list, &found, behind, true, reason), reason, text);
-    seen_crossings_free(&found);
-    scene_free(scene);
 }
 
 TEST(random_solids)
@@ -155,24 +152,22 @@ TEST(nearest)
         char reason[LINE_REASON];
 
         write_scene(text, sizeof text, EXACT);
-        struct scene *scene = read_text(text);
-        struct words *words = trace_words(scene, TRACE_VECTOR, 2000);
+        SCOPED(scene) *scene = read_text(text);
+        FREED struct words *words = trace_words(scene, TRACE_VECTOR, 2000);
         options.mode = TRACE_SCALAR;
-        struct seen_crossings scalar = find_lines(scene, &options, list, SIDE * SIDE);
+        SCOPED_VALUE(seen_crossings) scalar = find_lines(scene, &options, list,
+                                                         SIDE * SIDE);
         options.mode = TRACE_KERNELS;
-        struct seen_crossings serial = find_lines(scene, &options, list, SIDE * SIDE);
+        SCOPED_VALUE(seen_crossings) serial = find_lines(scene, &options, list,
+                                                         SIDE * SIDE);
         options.mode = TRACE_VECTOR;
-        struct seen_crossings found = find_lines(scene, &options, list, SIDE * SIDE);
+        SCOPED_VALUE(seen_crossings) found = find_lines(scene, &options, list,
+                                                        SIDE * SIDE);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             check_nearest(scene, words, k, &found, text);
         check(same_crossings(&scalar, &found, reason), reason, text);
         check(same_crossings(&scalar, &serial, reason), reason, text);
         check(keep_line_rules(scene, list, &found, 0, reason), reason, text);
-        seen_crossings_free(&scalar);
-        seen_crossings_free(&serial);
-        seen_crossings_free(&found);
-        free(words);
-        scene_free(scene);
     }
     traced.width = WIDTH;
     traced.height = HEIGHT;
@@ -211,11 +206,11 @@ static void check_form(const char *text, enum trace_mode mode, double behind,
                                            .behind = behind,
                                            .model = prior_model };
     struct scene_line list[COPIES];
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
 
     for (size_t i = 0; i < COPIES; i++)
         list[i] = (struct scene_line){ { 0, .125, -4 }, { 0, 0, 2 } };
-    struct seen_crossings found = find_lines(scene, &options, list, COPIES);
+    SCOPED_VALUE(seen_crossings) found = find_lines(scene, &options, list, COPIES);
     for (size_t i = 0; i < COPIES; i++) {
         if (found.first[i + 1] != (i + 1) * count)
             fail_msg("%zu crossings, not %zu, in\n%s", found.first[i + 1] - i * count,
@@ -223,8 +218,6 @@ static void check_form(const char *text, enum trace_mode mode, double behind,
         for (size_t k = 0; k < count; k++)
             check_crossing(&found.list[i * count + k], &expected[k]);
     }
-    seen_crossings_free(&found);
-    scene_free(scene);
 }
 
 static void check_line(const char *objects, double behind, size_t count,
@@ -314,12 +307,11 @@ TEST(behind)
 
 static void check_refused(const struct lines_options *options, const char *message)
 {
-    struct scene *scene = read_text(HEAD "sphere { 0, 1 }");
+    SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
     c205_error error = { "" };
 
     assert_null(lines_new(scene, options, &error));
     assert_string_equal(error.message, message);
-    scene_free(scene);
 }
 
 TEST(refused)
@@ -348,10 +340,10 @@ TEST(no_lines)
         { { { 0 }, { 0, 0, 1 } }, { { 0 }, { 0, 0, INFINITY } } },
     };
     const struct lines_options options = { .mode = TRACE_SCALAR, .model = prior_model };
-    struct scene *scene = read_text(HEAD "sphere { 0, 1 }");
+    SCOPED(scene) *scene = read_text(HEAD "sphere { 0, 1 }");
     c205_error error = { "" };
-    struct lines *lines = lines_new(scene, &options, &error);
-    struct seen_crossings found;
+    SCOPED(lines) *lines = lines_new(scene, &options, &error);
+    SCOPED_VALUE(seen_crossings) found;
 
     assert_non_null(lines);
     for (size_t i = 0; i < 3; i++) {
@@ -363,9 +355,6 @@ TEST(no_lines)
     }
     assert_true(lines_find(lines, NULL, 0, &found, &error));
     assert_int_equal(found.first[0], 0);
-    seen_crossings_free(&found);
-    lines_free(lines);
-    scene_free(scene);
 }
 
 ARGUMENTS(argc, argv)

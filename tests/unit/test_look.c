@@ -60,7 +60,7 @@ static void look(void *context, const struct trace *trace,
 {
     struct shown *shown = context;
     size_t width = trace_how(trace)->width;
-    struct band band;
+    SCOPED_VALUE(band) band;
 
     assert_true(band_look(tracer, &band));
     size_t there = pixels_there(&band, width);
@@ -72,13 +72,12 @@ static void look(void *context, const struct trace *trace,
     shown->some += !done && there > 0 && there < band.rows * width;
     if (done)
         keep_rows(shown, trace, &band);
-    band_free(&band);
 }
 
 static void check_same(const struct shown *shown, const struct trace *trace)
 {
     const struct trace_options *how = trace_how(trace);
-    struct frame frame;
+    SCOPED_VALUE(frame) frame;
 
     assert_true(frame_allocate(&frame, how->width, how->height));
     trace_read(trace, 0, &frame);
@@ -87,7 +86,6 @@ static void check_same(const struct shown *shown, const struct trace *trace)
     for (int i = 0; i < FRAME_CHANNELS; i++)
         assert_memory_equal(frame.channel[i], shown->frame.channel[i],
                             how->width * how->height * sizeof *frame.channel[i]);
-    frame_free(&frame);
 }
 
 static void check_looks(const struct scene *scene, enum trace_mode mode)
@@ -105,12 +103,11 @@ static void check_looks(const struct scene *scene, enum trace_mode mode)
                                      .context = &shown };
 
     assert_true(frame_allocate(&shown.frame, options.width, options.height));
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     assert_int_equal(shown.done, trace_bands(trace));
     if (options.jobs == 1)
         assert_int_equal(shown.all, trace_accounts(trace)->clocks);
     check_same(&shown, trace);
-    trace_free(trace);
     frame_free(&shown.frame);
 }
 
@@ -128,9 +125,8 @@ TEST(bands)
             add_text(text, sizeof text, ", %.3f pigment { rgb <1, .5, .2> } }",
                      between(.2, 1));
         }
-        struct scene *scene = read_text(text);
+        SCOPED(scene) *scene = read_text(text);
         check_looks(scene, (enum trace_mode)(i % TRACE_MODES));
-        scene_free(scene);
     }
 }
 
@@ -154,13 +150,12 @@ TEST(under_way)
     for (int k = 0; k < 100; k++)
         add_text(text, sizeof text, "sphere { <%d, %d, 0>, .3 pigment { rgb 1 } }",
                  k % 10 - 5, k / 10 - 5);
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     assert_true(frame_allocate(&shown.frame, WIDTH, HEIGHT));
     trace_free(run_trace(scene, &options));
     assert_int_equal(shown.done, 1);
     assert_true(shown.some > 0);
     frame_free(&shown.frame);
-    scene_free(scene);
 }
 
 GROUP(set_up_frames, tear_down_model);

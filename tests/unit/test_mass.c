@@ -46,12 +46,11 @@ static struct csv_table *read_reference(void)
     struct csv_table *table = calloc(1, sizeof *table);
     c205_error error;
     size_t length;
-    char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length, &error);
+    FREED char *text = file_read("tests/unit/massprops.csv", 1 << 20, &length, &error);
 
     assert_non_null(table);
     assert_non_null(text);
     csv_table(text, table);
-    free(text);
     return table;
 }
 
@@ -109,12 +108,11 @@ TEST(formulas)
     const char *asked = getenv("MASS_RAYS");
     double rays = asked ? strtod(asked, NULL) : 1 << 15;
     size_t rays_log = (size_t)lround(log2(rays / 16));
-    struct csv_table *table = read_reference();
+    FREED struct csv_table *table = read_reference();
 
     assert_true(table->rows > 5);
     for (size_t row = 1; row < table->rows; row++)
         check_row(table, row, rays_log, rays >= 1 << 18 ? 1e-4 : 1e-3);
-    free(table);
 }
 
 /* ---- The same in every way ----------------------------------------------- */
@@ -328,7 +326,7 @@ TEST(too_many_parts)
 {
     const struct overlaps many = { .count = COLUMNS_PAIRS_MOST + 1 };
     struct columns_options options = usual();
-    struct scene *scene = scene_of("sphere { 0, 1 }");
+    SCOPED(scene) *scene = scene_of("sphere { 0, 1 }");
     const size_t part_of[] = { 0 };
     struct columns_sums sums;
     c205_error error;
@@ -347,5 +345,4 @@ TEST(too_many_parts)
                         "16385 pairs of parts may overlap: of 16384 at the "
                         "most it is found how much");
     c205_model_free((c205_model *)options.model);
-    scene_free(scene);
 }

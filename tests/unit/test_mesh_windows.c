@@ -191,7 +191,7 @@ static void check_net(size_t *seeing, size_t *within)
     net_move(&net, scale, by);
     take_primitive(&mesh);
     size_t count = shape_table_count(&mesh, &eyes);
-    double *table = shape_table(&mesh, &eyes, count);
+    FREED double *table = shape_table(&mesh, &eyes, count);
     assert_non_null(table);
     if (net.smooth)
         row = 21;
@@ -206,7 +206,6 @@ static void check_net(size_t *seeing, size_t *within)
         *within += is_inside(eyes.places[i], table, row,
                              mesh.shape.mesh.triangles.count);
     *seeing += (size_t)table[TABLE_EYE_COUNT];
-    free(table);
     free(mesh.shape.mesh.triangles.list);
 }
 
@@ -231,12 +230,11 @@ TEST(few_are_asked)
     for (int i = 0; i < 3; i++)
         net_divide(&net);
     take_primitive(&mesh);
-    double *table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
+    FREED double *table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
     assert_non_null(table);
     assert_int_equal((int)table[TABLE_EYE_COUNT], 1);
     assert_in_range((int)check_eye(&mesh, table, table + (size_t)table[TABLE_EYES], 13),
                     8, 48);
-    free(table);
     free(mesh.shape.mesh.triangles.list);
 }
 
@@ -319,17 +317,15 @@ static void write_scene(const char *camera)
 /* How many pixels show something. */
 static size_t check_frame(void)
 {
-    struct words *words = same_frame(text);
+    FREED struct words *words = same_frame(text);
     size_t seen = hits(words);
 
     check_paper_stage(text, words);
     traced.variant = "MESH_BOXES";
-    struct words *boxes = same_frame(text);
+    FREED struct words *boxes = same_frame(text);
     traced.variant = NULL;
     if (memcmp(words, boxes, sizeof *words) != 0)
         fail_msg("by boxes there is another frame of\n%s", text);
-    free(words);
-    free(boxes);
     return seen;
 }
 
@@ -411,10 +407,9 @@ TEST(places)
                 "camera { %s location -3*z look_at 0 }\n"
                 "light_source { 9*y, 1 %s }\nsphere { 0, 1 }\n",
                 cases[i].camera, cases[i].light);
-        struct scene *scene = read_text(text);
+        SCOPED(scene) *scene = read_text(text);
         eyes_find(scene, &eyes);
         assert_int_equal(eyes.count, cases[i].count);
-        scene_free(scene);
     }
 }
 
@@ -424,16 +419,14 @@ TEST(places)
  * the same. */
 static void check_stages(void)
 {
-    struct words *words = same_frame(text);
+    FREED struct words *words = same_frame(text);
 
     check_paper_stage(text, words);
     traced.no_bounds = true;
-    struct words *others = same_frame(text);
+    FREED struct words *others = same_frame(text);
     traced.no_bounds = false;
     if (memcmp(words, others, sizeof *words) != 0)
         fail_msg("without bounds there is another frame of\n%s", text);
-    free(words);
-    free(others);
 }
 
 /* On a slope through the eye; numbers of which few are whole. */
@@ -525,10 +518,9 @@ static uint64_t clocks_of(const struct scene *scene, enum trace_mode mode,
                                            .height = 36,
                                            .variant = variant,
                                            .model = prior_model };
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     uint64_t clocks = trace_accounts(trace)->clocks;
 
-    trace_free(trace);
     return clocks;
 }
 
@@ -551,11 +543,10 @@ TEST(clocks)
                     lights[i]);
             net_mesh_text(&net, text, sizeof text);
             add_text(text, sizeof text, "pigment { rgb 1 } }\n");
-            struct scene *scene = read_text(text);
+            SCOPED(scene) *scene = read_text(text);
             windows[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR, NULL);
             boxes[i] = clocks_of(scene, mode ? TRACE_VECTOR : TRACE_SCALAR,
                                  "MESH_BOXES");
-            scene_free(scene);
         }
         assert_true(windows[0] < boxes[0] * 9 / 10);
         assert_true(windows[1] - windows[0] < (boxes[1] - boxes[0]) * 9 / 10);
@@ -580,10 +571,9 @@ TEST(where_they_do_not_pay)
     }
     mesh.shape.mesh.triangles.list = blades;
     mesh.shape.mesh.triangles.count = 100;
-    double *table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
+    FREED double *table = shape_table(&mesh, &eyes, shape_table_count(&mesh, &eyes));
     assert_non_null(table);
     assert_int_equal((int)table[TABLE_EYE_COUNT], 0);
-    free(table);
 }
 
 /* Of two lights in one place the rays of one are parallel; a third one is within, before

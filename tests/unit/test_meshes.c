@@ -96,16 +96,15 @@ static void write_world(void)
 /* Of one way of going about it the same frame. */
 static void check_other_way(const struct words *words)
 {
-    struct words *others = same_frame(text);
+    FREED struct words *others = same_frame(text);
 
     if (memcmp(words, others, sizeof *words) != 0)
         fail_msg("another way gives another frame of\n%s", text);
-    free(others);
 }
 
 static void check_world(void)
 {
-    struct words *words = plain_frame(text);
+    FREED struct words *words = plain_frame(text);
 
     check_paper_stage(text, words);
     traced.visible = VISIBLE_EVERY;
@@ -116,7 +115,6 @@ static void check_world(void)
     traced.flat = true;
     check_other_way(words);
     traced.flat = false;
-    free(words);
 }
 
 TEST(worlds)
@@ -178,13 +176,12 @@ TEST(every_triangle)
     double depths[PIXELS];
 
     write_pixels(depths);
-    struct words *words = same_frame(text);
+    FREED struct words *words = same_frame(text);
     assert_int_equal(hits(words), PIXELS);
     for (size_t k = 0; k < PIXELS; k++)
         assert_near(c205_to_double(words->channel[CHANNEL_DEPTH][k]), depths[k],
                     1e-9 * depths[k]);
     check_paper_stage(text, words);
-    free(words);
 }
 
 /* Hundreds. */
@@ -214,10 +211,9 @@ static uint64_t checksum_of(const struct scene *scene, enum trace_mode mode,
                                            .band = SIDE * SIDE,
                                            .queue = queue,
                                            .model = prior_model };
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     uint64_t checksum = trace_checksum(trace);
 
-    trace_free(trace);
     return checksum;
 }
 
@@ -244,11 +240,10 @@ TEST(long_queues)
     net_random_body(&net, 1, &traced.random);
     net_mesh_text(&net, text, sizeof text);
     add_text(text, sizeof text, "}\n");
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     uint64_t scalar = checksum_of(scene, TRACE_SCALAR, 1);
     for (size_t i = 0; i < COUNT(queues); i++)
         assert_true(checksum_of(scene, TRACE_VECTOR, queues[i]) == scalar);
-    scene_free(scene);
 }
 
 /* ---- The same in other words --------------------------------------------- */
@@ -280,7 +275,7 @@ TEST(other_words)
         net_random_body(&net, 2, &traced.random);
         if (i % 2)
             net_smooth(&net, .2, &traced.random);
-        struct words *words = frame_of("mesh");
+        FREED struct words *words = frame_of("mesh");
         struct words *others = frame_of("mesh2");
         assert_memory_equal(words, others, sizeof *words);
         free(others);
@@ -288,7 +283,6 @@ TEST(other_words)
         others = frame_of("mesh");
         check_depths(words, others);
         free(others);
-        free(words);
     }
 }
 
@@ -305,12 +299,10 @@ TEST(triangles_alone)
 
     for (size_t i = 0; i < 2; i++) {
         snprintf(text, sizeof text, "%s%s", AHEAD, triangles[i]);
-        struct words *words = plain_frame(text);
+        FREED struct words *words = plain_frame(text);
         snprintf(text, sizeof text, "%smesh { %s }", AHEAD, triangles[i]);
-        struct words *others = same_frame(text);
+        FREED struct words *others = same_frame(text);
         assert_memory_equal(words, others, sizeof *words);
-        free(words);
-        free(others);
     }
 }
 
@@ -318,7 +310,7 @@ TEST(triangles_alone)
 
 static void check_normal(const char *scene, double x, double y, double z)
 {
-    struct words *words = same_frame(scene);
+    FREED struct words *words = same_frame(scene);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
     double expected[3] = { x, y, z };
 
@@ -326,7 +318,6 @@ static void check_normal(const char *scene, double x, double y, double z)
     for (int i = 0; i < 3; i++)
         assert_near(c205_to_double(words->channel[CHANNEL_NORMAL_X + i][middle]),
                     expected[i], 1e-10);
-    free(words);
 }
 
 TEST(ties)
@@ -364,7 +355,7 @@ TEST(doubles)
     net_take(&net, ICOSAHEDRON);
     net_divide(&net);
     net_smooth(&net, 0, &traced.random);
-    struct words *words = frame_of("mesh");
+    FREED struct words *words = frame_of("mesh");
     add_doubles();
     struct words *others = frame_of("mesh");
     assert_memory_equal(words, others, sizeof *words);
@@ -377,18 +368,16 @@ TEST(doubles)
     others = same_frame(text);
     assert_memory_equal(words, others, sizeof *words);
     free(others);
-    free(words);
 }
 
 /* ---- Without an area, few, behind ---------------------------------------- */
 
 static size_t triangles_of(const char *scene)
 {
-    struct scene *read = read_text(scene);
+    SCOPED(scene) *read = read_text(scene);
     size_t count = read->primitives[0].shape.mesh.triangles.count;
 
     assert_int_equal(read->primitives[0].kind, PRIMITIVE_MESH);
-    scene_free(read);
     return count;
 }
 

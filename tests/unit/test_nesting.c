@@ -128,7 +128,7 @@ static void check_bounds(const struct nested_scene *nested)
 /* Each stands there once. */
 static void check_leaves(const struct scene *scene, const struct scene *nested)
 {
-    bool *there = calloc(scene->primitive_count, sizeof *there);
+    FREED bool *there = calloc(scene->primitive_count, sizeof *there);
     size_t count = 0;
 
     assert_non_null(there);
@@ -142,7 +142,6 @@ static void check_leaves(const struct scene *scene, const struct scene *nested)
         count++;
     }
     assert_int_equal(count, scene->primitive_count);
-    free(there);
 }
 
 static void check_values(const struct scene *scene, const struct scene *nested)
@@ -225,14 +224,13 @@ TEST(depth)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = row_of(rows[i].count, rows[i].sphere);
+        SCOPED(scene) *scene = row_of(rows[i].count, rows[i].sphere);
         struct nested_scene nested;
 
         assert_true(nesting_make(scene, &nested));
         assert_in_range(depth_of(&nested.scene, 0), rows[i].least, rows[i].most);
         check_leaves(scene, &nested.scene);
         nesting_free(&nested);
-        scene_free(scene);
     }
 }
 
@@ -249,7 +247,7 @@ TEST(few_parts)
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct scene *scene = read_scene(texts[i]);
+        SCOPED(scene) *scene = read_scene(texts[i]);
         struct nested_scene nested;
 
         assert_true(nesting_make(scene, &nested));
@@ -260,6 +258,5 @@ TEST(few_parts)
             assert_int_equal(nested.scene.nodes[k].next, scene->nodes[k].next);
         }
         nesting_free(&nested);
-        scene_free(scene);
     }
 }

@@ -33,7 +33,7 @@ static struct trace_options options_by_chance(size_t width, size_t height)
 static void check_same(const struct scene *scene, const struct trace_options *options,
                        uint64_t expected)
 {
-    struct trace *trace = run_trace(scene, options);
+    SCOPED(trace) *trace = run_trace(scene, options);
 
     if (trace_checksum(trace) != expected)
         fail_msg("%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another "
@@ -41,12 +41,11 @@ static void check_same(const struct scene *scene, const struct trace_options *op
                  options->width, options->height, trace_mode_name(options->mode),
                  order_name(options->order), options->queue, options->band,
                  options->jobs);
-    trace_free(trace);
 }
 
 TEST(same_frame)
 {
-    struct scene *scene = read_text(things);
+    SCOPED(scene) *scene = read_text(things);
 
     for (int i = 0; i < 14; i++) {
         size_t width = among(1, 50), height = among(1, 40);
@@ -55,10 +54,9 @@ TEST(same_frame)
                                         .width = width,
                                         .height = height,
                                         .model = prior_model };
-        struct trace *trace = run_trace(scene, &scalar);
+        SCOPED(trace) *trace = run_trace(scene, &scalar);
         uint64_t expected = trace_checksum(trace);
 
-        trace_free(trace);
         for (int k = 0; k < 3; k++) {
             struct trace_options options = options_by_chance(width, height);
 
@@ -67,14 +65,13 @@ TEST(same_frame)
             check_same(scene, &options, expected);
         }
     }
-    scene_free(scene);
 }
 
 /* Planes longer than a vector. */
 TEST(one_large_band)
 {
-    struct scene *scene = read_text(AHEAD "background { rgb <.5, .25, 1> }\n"
-                                          "sphere { 0, 1 }\n");
+    SCOPED(scene) *scene = read_text(AHEAD "background { rgb <.5, .25, 1> }\n"
+                                           "sphere { 0, 1 }\n");
     struct trace_options options = { .mode = TRACE_VECTOR,
                                      .width = 300,
                                      .height = 250,
@@ -82,15 +79,13 @@ TEST(one_large_band)
                                      .band = 75000,
                                      .order = ORDER_ROWS,
                                      .model = prior_model };
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     uint64_t expected = trace_checksum(trace);
 
-    trace_free(trace);
     options.order = ORDER_TILES;
     check_same(scene, &options, expected);
     options.queue = 2000;
     check_same(scene, &options, expected);
-    scene_free(scene);
 }
 
 /* Instructions of vectors, of a grid of small spheres: a queue that is a tile
@@ -104,16 +99,15 @@ static uint64_t work_of(const struct scene *scene, enum trace_mode mode,
                                      .height = 90,
                                      .queue = 225,
                                      .model = prior_model };
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     uint64_t clocks = trace_accounts(trace)->clocks;
 
-    trace_free(trace);
     return clocks;
 }
 
 TEST(tiles_meet_less)
 {
-    struct scene *scene = read_text(
+    SCOPED(scene) *scene = read_text(
         STRAIGHT "#for (I, 0, 5) #for (K, 0, 5)\n"
                  "sphere { <I - 2.5, K - 2.5, 0> / 4, .1 } #end #end\n");
     uint64_t rows = work_of(scene, TRACE_VECTOR, ORDER_ROWS);
@@ -127,7 +121,6 @@ TEST(tiles_meet_less)
                 < work_of(scene, TRACE_KERNELS, ORDER_ROWS));
     assert_int_equal(work_of(scene, TRACE_SCALAR, ORDER_TILES),
                      work_of(scene, TRACE_SCALAR, ORDER_ROWS));
-    scene_free(scene);
 }
 
 GROUP(set_up_frames, tear_down_model);

@@ -112,8 +112,8 @@ struct found {
 static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
                  struct found *found)
 {
-    struct scene *scene = scene_of(crowd->text);
-    c205_model *model = usual_model();
+    SCOPED(scene) *scene = scene_of(crowd->text);
+    SCOPED(c205_model) *model = usual_model();
     struct columns_options options = {
         .mode = mode,
         .queue = queue,
@@ -136,8 +136,6 @@ static void find(const struct crowd *crowd, enum trace_mode mode, size_t queue,
     if (!columns_sum(scene, &options, &found->sums, &error))
         fail_msg("%s%s", crowd->text, error.message);
     found->checksum = columns_checksum(&found->sums);
-    scene_free(scene);
-    c205_model_free(model);
 }
 
 static void forget(struct found *found)

@@ -44,7 +44,7 @@ TEST(names)
         { NULL, NULL, false, 10 },      { NULL, "Steel", true, 11 },
         { NULL, "Copper", false, 12 },  { "Pin", "Steel", false, 16 },
     };
-    struct scene *scene = read_scene(assembly);
+    SCOPED(scene) *scene = read_scene(assembly);
 
     assert_int_equal(scene->object_count, COUNT(expected));
     for (size_t i = 0; i < COUNT(expected); i++) {
@@ -56,7 +56,6 @@ TEST(names)
     assert_int_equal(scene->float_count, 1);
     assert_string_equal(scene->floats[0].name, "Copper_Density");
     assert_close(scene->floats[0].value, 8.96, 0);
-    scene_free(scene);
 }
 
 /* ---- Parts and densities ------------------------------------------------- */
@@ -64,24 +63,22 @@ TEST(names)
 TEST(parts)
 {
     static const size_t part_of[] = { 0, 1, 1, 2, 3, 4, 5, 2 };
-    struct scene *scene = read_scene(assembly);
-    struct named_parts parts;
+    SCOPED(scene) *scene = read_scene(assembly);
+    SCOPED_VALUE(named_parts) parts;
 
     assert_true(named_parts_find(scene, &parts));
     assert_int_equal(parts.count, 6);
     assert_memory_equal(parts.part_of, part_of, sizeof part_of);
     assert_string_equal(parts.list[3].name, "line 10");
     assert_true(parts.list[4].mixed);
-    named_parts_free(&parts);
-    scene_free(scene);
 }
 
 /* Names of parts or materials; without any all that have an end. */
 TEST(choice)
 {
     static const char *const names[] = { "Plate", "Copper", "Brass" };
-    struct scene *scene = read_scene("plane { y, -9 }\n");
-    struct scene *solids = read_scene(assembly);
+    SCOPED(scene) *scene = read_scene("plane { y, -9 }\n");
+    SCOPED(scene) *solids = read_scene(assembly);
     struct named_parts parts;
     struct scene bodies;
     c205_error error;
@@ -115,16 +112,14 @@ TEST(choice)
     assert_false(named_parts_choose(&parts, names, 3, &error));
     bodies_free(&bodies);
     named_parts_free(&parts);
-    scene_free(solids);
-    scene_free(scene);
 }
 
 /* In the order of what counts first: options, the scene; names, materials, others. */
 TEST(densities)
 {
-    struct scene *scene = read_scene(assembly);
+    SCOPED(scene) *scene = read_scene(assembly);
     struct given_values densities = { .kind = &density_kind, .others = NAN };
-    struct named_parts parts;
+    SCOPED_VALUE(named_parts) parts;
     c205_error error;
     double found[5];
 
@@ -152,8 +147,6 @@ TEST(densities)
                         "Plate, Pin, line 10, line 11, line 12; materials: Steel, "
                         "Copper");
     given_free(&densities);
-    named_parts_free(&parts);
-    scene_free(scene);
 }
 
 TEST(wrong_densities)
@@ -161,7 +154,7 @@ TEST(wrong_densities)
     static const char *const wrong[] = { "",     "=1",    "a",    "a=",  "a=0",
                                          "a=-1", "a=inf", "a=1x", "a=x", "a=nan" };
     struct given_values densities = { .kind = &density_kind, .others = NAN };
-    struct scene *scene = read_scene("#declare Lead_Density = 0;\n");
+    SCOPED(scene) *scene = read_scene("#declare Lead_Density = 0;\n");
     c205_error error;
 
     for (size_t i = 0; i < COUNT(wrong); i++)
@@ -170,7 +163,6 @@ TEST(wrong_densities)
     assert_string_equal(error.message, "Lead_Density is not above 0");
     assert_int_equal(densities.count, 0);
     given_free(&densities);
-    scene_free(scene);
 }
 
 static bool read_file(const char *text, struct given_values *densities,
@@ -187,7 +179,7 @@ static bool read_file(const char *text, struct given_values *densities,
 TEST(file)
 {
     struct given_values densities = { .kind = &density_kind, .others = NAN };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
 
     assert_true(read_file("# a table\n\n1 7.85 Carbon Steel\r\n"
                           "2\t8.96\t\"Copper\" # soft\n3 .5 Pine",
@@ -204,7 +196,6 @@ TEST(file)
     assert_string_equal(reports.items[2].message,
                         "a line is a number, a density and a name");
     assert_false(given_read(&densities, "no/such/file", &reports));
-    diagnostics_free(&reports);
     given_free(&densities);
 }
 

@@ -31,11 +31,10 @@
 
 static void check_stages(const char *text)
 {
-    struct words *words = plain_frame(text);
+    FREED struct words *words = plain_frame(text);
 
     assert_true(hits(words) > 0);
     check_paper_stage(text, words);
-    free(words);
 }
 
 TEST(holes_in_solids)
@@ -117,14 +116,13 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
                                    c205 *machine, const char *text)
 {
     const struct object *program = trace_program(trace);
-    struct leaf_plan *plans = calloc(scene->primitive_count, sizeof *plans);
+    FREED struct leaf_plan *plans = calloc(scene->primitive_count, sizeof *plans);
     uint64_t at = program_round_up(program_end(program));
 
     assert_non_null(plans);
     at += UINT64_C(64) * plan_leaves(scene, plans)
           * (uint64_t)object_symbol(program, "CROSSING_SIZE")->value;
     uint64_t end = program_round_up(at);
-    free(plans);
     assert_true(at < end);
     for (c205_word word; at < end; at += 64) {
         assert_true(c205_read(machine, at, &word, 1));
@@ -138,7 +136,7 @@ static void check_behind_crossings(const struct scene *scene, const struct trace
  * behind is there when the next kernel writes what it finds. */
 static void check_memory(const char *text)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     struct trace_options options = { .mode = TRACE_VECTOR,
                                      .width = WIDTH,
                                      .height = HEIGHT,
@@ -146,15 +144,12 @@ static void check_memory(const char *text)
                                      .no_bounds = true,
                                      .model = prior_model };
     c205_error error;
-    struct trace *trace = trace_new(scene, &options, &error);
-    c205 *machine = trace ? trace_machine(trace, 0, &error) : NULL;
+    SCOPED(trace) *trace = trace_new(scene, &options, &error);
+    SCOPED(c205) *machine = trace ? trace_machine(trace, 0, &error) : NULL;
 
     if (!machine || !program_run(machine, NULL, NULL, NULL, &error))
         fail_msg("%s", error.message);
     check_behind_crossings(scene, trace, machine, text);
-    c205_free(machine);
-    trace_free(trace);
-    scene_free(scene);
 }
 
 static void add_flat(char *text, size_t size)

@@ -136,7 +136,7 @@ TEST(round_trips)
 
 TEST(half_is_smaller)
 {
-    struct frame frame = sample_frame();
+    SCOPED_VALUE(frame) frame = sample_frame();
     struct picture_error error;
     struct stat half, whole;
     assert_true(picture_write(in_folder("h.exr"), &frame, NULL, true, &error));
@@ -144,7 +144,6 @@ TEST(half_is_smaller)
     assert_true(picture_write(in_folder("f.exr"), &frame, NULL, false, &error));
     assert_int_equal(stat(in_folder("f.exr"), &whole), 0);
     assert_true(half.st_size < whole.st_size);
-    frame_free(&frame);
 }
 
 /* Mid grey in linear light is 188 of 255 in sRGB; the brightest is 255; a
@@ -202,7 +201,7 @@ static const struct note_place note_places[] = {
 
 TEST(notes)
 {
-    struct frame frame = sample_frame();
+    SCOPED_VALUE(frame) frame = sample_frame();
     struct picture_error error = { "" };
     for (size_t i = 0; i < COUNT(note_places); i++) {
         const struct note_place *place = &note_places[i];
@@ -213,7 +212,6 @@ TEST(notes)
             fail_msg("%s", error.message);
         assert_string_equal(text, place->text);
     }
-    frame_free(&frame);
 }
 
 /* A date only if it is asked for; one that is none is as if it were not. */
@@ -228,7 +226,7 @@ TEST(date)
                   { "1e9", "" },
                   { "now", "" } };
     static const char *const names[] = { "d.exr", "d.tif" };
-    struct frame frame = sample_frame();
+    SCOPED_VALUE(frame) frame = sample_frame();
     struct picture_error error = { "" };
     for (size_t i = 0; i < 2 * (COUNT(cases)); i++) {
         const char *path = in_folder(names[i % 2]);
@@ -243,7 +241,6 @@ TEST(date)
         assert_string_equal(text, cases[i / 2].date);
     }
     unsetenv("SOURCE_DATE_EPOCH");
-    frame_free(&frame);
 }
 
 static size_t contents(const char *path, char *bytes, size_t size)
@@ -261,7 +258,7 @@ TEST(same_bytes_later)
     static char bytes[4][2][1 << 17];
     size_t length[4][2];
     const struct timespec over_a_second = { 1, 100000000 };
-    struct frame frame = sample_frame();
+    SCOPED_VALUE(frame) frame = sample_frame();
     struct picture_error error;
     for (size_t round = 0; round < 2; round++) {
         for (size_t i = 0; i < 4; i++) {
@@ -276,7 +273,6 @@ TEST(same_bytes_later)
         assert_int_equal(length[i][0], length[i][1]);
         assert_memory_equal(bytes[i][0], bytes[i][1], length[i][0]);
     }
-    frame_free(&frame);
 }
 
 struct bad_path {
@@ -294,7 +290,7 @@ static const struct bad_path bad_paths[] = {
 
 TEST(bad_paths)
 {
-    struct frame frame = sample_frame();
+    SCOPED_VALUE(frame) frame = sample_frame();
     fclose(fopen(in_folder("plain"), "w"));
     assert_int_equal(mkdir(in_folder("folder.png"), 0700), 0);
     for (size_t i = 0; i < COUNT(bad_paths); i++) {
@@ -306,7 +302,6 @@ TEST(bad_paths)
         assert_non_null(strstr(error.message, bad_paths[i].message));
     }
     assert_int_equal(rmdir(in_folder("folder.png")), 0);
-    frame_free(&frame);
     empty_folder();
 }
 
@@ -334,7 +329,7 @@ static void limit_file_size(rlim_t bytes)
 TEST(failure_keeps_the_old_file)
 {
     static const char *const names[] = { "o.png", "o.jpg", "o.exr", "o.tif" };
-    struct frame frame = sample_frame();
+    SCOPED_VALUE(frame) frame = sample_frame();
     empty_folder();
     signal(SIGXFSZ, SIG_IGN);
     for (size_t i = 0; i < 4; i++) {
@@ -354,7 +349,6 @@ TEST(failure_keeps_the_old_file)
         assert_memory_equal(bytes, "old", 3);
         assert_int_equal(empty_folder(), 1);
     }
-    frame_free(&frame);
 }
 
 /* One more plane, of pictures that have more than colours. */
@@ -388,7 +382,7 @@ TEST(layer)
 /* A picture of which rows are missing, or that is given up. */
 TEST(rows_missing)
 {
-    struct frame frame = sample_frame();
+    SCOPED_VALUE(frame) frame = sample_frame();
     for (int given_up = 0; given_up < 2; given_up++) {
         struct picture_error error = { "" };
         struct picture *picture = picture_begin(in_folder("p.png"), WIDTH,
@@ -401,7 +395,6 @@ TEST(rows_missing)
         assert_non_null(strstr(error.message, given_up ? "not" : "are missing"));
         assert_int_equal(empty_folder(), 0);
     }
-    frame_free(&frame);
 }
 
 TEST(unreadable)
@@ -418,11 +411,10 @@ TEST(unreadable)
 
 TEST(frame_sizes)
 {
-    struct frame frame;
+    SCOPED_VALUE(frame) frame;
     assert_false(frame_allocate(&frame, 0, 3));
     assert_false(frame_allocate(&frame, 3, 0));
     assert_false(frame_allocate(&frame, SIZE_MAX / 2, SIZE_MAX / 2));
-    frame_free(&frame);
 }
 
 GROUP(make_folder, remove_folder);

@@ -17,17 +17,15 @@ struct look {
 static void see(const struct look *look, const char *text, double color[3])
 {
     char whole[4096];
-    struct frame frame;
+    SCOPED_VALUE(frame) frame;
     snprintf(whole, sizeof whole, HEAD "%s", text);
-    struct scene *scene = read_scene(whole);
+    SCOPED(scene) *scene = read_scene(whole);
     scene->camera = (struct camera){ .location = { 0 } };
     copy(scene->camera.location, look->from);
     copy(scene->camera.direction, look->along);
     assert_true(plain_trace(scene, 1, 1, &frame));
     for (int i = 0; i < 3; i++)
         color[i] = frame.channel[i][0];
-    frame_free(&frame);
-    scene_free(scene);
 }
 
 static void check(const struct look *look, const char *text, double red, double green,

@@ -84,11 +84,10 @@ static double volume(const struct solid *solid, double size)
 /* The grid's share of an error: two in a thousand. */
 static void check_volume(const char *text, double size, double expected)
 {
-    struct solid solid = solid_of(text);
+    SCOPED_VALUE(solid) solid = solid_of(text);
     double found = volume(&solid, size);
     if (!(fabs(found - expected) <= .002 * expected))
         fail_msg("%s: volume %.6g, expected %.6g", text, found, expected);
-    solid_free(&solid);
 }
 
 static double lens(double r, double s, double d)
@@ -179,10 +178,9 @@ TEST(nested_solids)
 
 static struct passage along(const char *text, double x, double y)
 {
-    struct solid solid = solid_of(text);
+    SCOPED_VALUE(solid) solid = solid_of(text);
     const struct ray ray = { { x, y, -5 }, { 0, 0, 1 } };
     struct passage passage = pass(&solid, &ray);
-    solid_free(&solid);
     return passage;
 }
 
@@ -232,10 +230,10 @@ TEST(coincident_faces)
 /* Two boxes side by side, of which every ray sees the outside only. */
 TEST(joined_boxes)
 {
-    struct solid pair = solid_of("merge { box { -1, 1 } "
-                                 "box { <1, -1, -1>, <2, 1, 1> } "
-                                 "rotate <10, 20, 30> }");
-    struct solid whole = solid_of("box { -1, <2, 1, 1> rotate <10, 20, 30> }");
+    SCOPED_VALUE(solid) pair = solid_of("merge { box { -1, 1 } "
+                                        "box { <1, -1, -1>, <2, 1, 1> } "
+                                        "rotate <10, 20, 30> }");
+    SCOPED_VALUE(solid) whole = solid_of("box { -1, <2, 1, 1> rotate <10, 20, 30> }");
     uint64_t random = RANDOM_SEED;
     for (int i = 0; i < 2000; i++) {
         struct ray ray;
@@ -248,15 +246,13 @@ TEST(joined_boxes)
         assert_int_equal(a.events, b.events);
         assert_close(a.length, b.length, 1e-6);
     }
-    solid_free(&pair);
-    solid_free(&whole);
 }
 
 /* --- surfaces without inside ---------------------------------------------- */
 
 static int seen_along(const char *text, double x, size_t reports)
 {
-    struct solid solid = solid_with(text, reports);
+    SCOPED_VALUE(solid) solid = solid_with(text, reports);
     const struct ray ray = { { x, 0, -5 }, { 0, 0, 1 } };
     struct plain_hit hit;
     double last = -1e6;
@@ -264,7 +260,6 @@ static int seen_along(const char *text, double x, size_t reports)
     plain_cross_region(solid.crossings, solid.scene, solid.scene->regions, &ray);
     for (; plain_next_hit(solid.crossings, last, 1e6, &hit); count++)
         last = hit.distance;
-    solid_free(&solid);
     return count;
 }
 

@@ -88,7 +88,7 @@ static struct sample look(struct scene *scene, double x, double y, double z, dou
                           double dy, double dz)
 {
     struct region regions[MOST_PRIMITIVES];
-    struct frame frame;
+    SCOPED_VALUE(frame) frame;
     struct sample sample;
     each_alone(scene, regions);
     scene->camera = (struct camera){ .location = { x, y, z },
@@ -96,7 +96,6 @@ static struct sample look(struct scene *scene, double x, double y, double z, dou
     assert_true(plain_trace(scene, 1, 1, &frame));
     for (size_t i = 0; i < FRAME_CHANNELS; i++)
         sample.values[i] = frame.channel[i][0];
-    frame_free(&frame);
     return sample;
 }
 
@@ -200,7 +199,7 @@ TEST(pixel_centres)
 {
     struct region regions[MOST_PRIMITIVES];
     struct primitive plane = floor_at(0);
-    struct frame frame;
+    SCOPED_VALUE(frame) frame;
     struct scene scene = {
         .camera = { { 0, 1, 0 }, { 0, -1, 0 }, { 4, 0, 0 }, { 0, 0, 2 } },
         .primitive_count = 1,
@@ -212,7 +211,6 @@ TEST(pixel_centres)
         double x = (double)(i % 4) - 1.5, z = i < 4 ? .5 : -.5;
         assert_close(frame.channel[CHANNEL_DEPTH][i], sqrt(1 + x * x + z * z));
     }
-    frame_free(&frame);
 }
 
 /* --- shading ------------------------------------------------------------ */
@@ -326,7 +324,7 @@ TEST(compare)
     assert_true(frame_allocate(&a, 8, 5) && frame_allocate(&b, 8, 5));
     for (size_t i = 0; i < 40; i++)
         a.channel[CHANNEL_ID][i] = i % 8 < 4;
-    bool *inner = inner_pixels(&a);
+    FREED bool *inner = inner_pixels(&a);
     b.channel[CHANNEL_RED][3] = 9;    /* on the edge: ignored */
     b.channel[CHANNEL_GREEN][15] = 9; /* counts as 1 */
     b.channel[CHANNEL_BLUE][0] = .05; /* allowed */
@@ -343,7 +341,6 @@ TEST(compare)
     is = compare_pictures(&all, &a, &b, inner);
     assert_int_equal(is.beyond, 2);
     assert_false(within(&all, &is));
-    free(inner);
     frame_free(&a);
     frame_free(&b);
 }

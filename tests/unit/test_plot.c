@@ -152,7 +152,7 @@ static void expect_error(const struct plot *plot, const char *name, const char *
 TEST_WITH(data_is_told, set_up, tear_down)
 {
     draw(&lines);
-    char *text = text_of("a b'c.dat");
+    FREED char *text = text_of("a b'c.dat");
     assert_string_equal(text, "# Clocks per ray\n"
                               "# model cyber205-2pipe\n"
                               "# a_b & <c>, it's \"so\" \\\n"
@@ -161,7 +161,6 @@ TEST_WITH(data_is_told, set_up, tear_down)
                               "2 10 0.1\n"
                               "4 NaN 8\n"
                               "8 NaN 4\n");
-    free(text);
     remove_plot();
 }
 
@@ -191,16 +190,14 @@ TEST_WITH(script_draws_again, set_up, tear_down)
         struct plot plot = lines;
         plot.form = forms[i];
         draw(&plot);
-        char *first = text_of("a b'c.svg");
+        FREED char *first = text_of("a b'c.svg");
         expect_picture(first);
         remove_file("a b'c.svg");
         snprintf(command, sizeof command, "cd %s/it*test* && gnuplot \"a b'c.gp\"",
                  folder.above);
         assert_int_equal(system(command), 0);
-        char *second = text_of("a b'c.svg");
+        FREED char *second = text_of("a b'c.svg");
         assert_string_equal(first, second);
-        free(first);
-        free(second);
         remove_plot();
     }
 }
@@ -280,10 +277,9 @@ TEST_WITH(bad_values, set_up, tear_down)
 
 static void expect_kept(void)
 {
-    char *picture = text_of("a b'c.svg");
+    FREED char *picture = text_of("a b'c.svg");
 
     assert_string_equal(picture, "old");
-    free(picture);
     remove_plot();
 }
 
@@ -302,13 +298,12 @@ static void write_file(const char *name, const char *text)
 /* With the folder's gnuplot, or none, and an old picture there. */
 static void expect_failure(const char *part)
 {
-    char *path = strdup(getenv("PATH"));
+    FREED char *path = strdup(getenv("PATH"));
 
     write_file("a b'c.svg", "old");
     setenv("PATH", folder.name, 1);
     expect_error(&lines, "a b'c.svg", part);
     setenv("PATH", path, 1);
-    free(path);
     expect_kept();
 }
 
@@ -351,10 +346,9 @@ TEST_WITH(marks_have_rows, set_up, tear_down)
     plot.marks = many;
     plot.mark_count = 3;
     draw(&plot);
-    char *script = text_of("a b'c.gp");
+    FREED char *script = text_of("a b'c.gp");
     assert_true(height_of(script, "'far") == height_of(script, "'near"));
     assert_true(height_of(script, "'at one") > height_of(script, "'near"));
-    free(script);
     remove_plot();
 }
 

@@ -35,11 +35,10 @@ static void make(const struct point_kind *kind, const struct point_choice *choic
                  c205_word *into)
 {
     c205_error error = { "" };
-    struct point_maker *maker = point_maker_new(kind, &error);
+    SCOPED(point_maker) *maker = point_maker_new(kind, &error);
 
     if (!maker || !point_maker_run(maker, choice, into, &error))
         fail_msg("%s", error.message);
-    point_maker_free(maker);
 }
 
 /* ---- Against the definition --------------------------------------------- */
@@ -300,7 +299,7 @@ static struct quality try_seeds(bool lattice, size_t seeds)
                                      .coordinates = STREAM_DRAWS };
     double squares = 0, sum = 0, covered = 0;
     c205_error error = { "" };
-    struct point_maker *maker = point_maker_new(&kind, &error);
+    SCOPED(point_maker) *maker = point_maker_new(&kind, &error);
 
     if (!maker)
         fail_msg("%s", error.message);
@@ -312,7 +311,6 @@ static struct quality try_seeds(bool lattice, size_t seeds)
         squares += off * off;
         covered += fabs(off) <= student * found.error;
     }
-    point_maker_free(maker);
     return (struct quality){ sqrt(squares / (double)seeds), covered / (double)seeds,
                              sum / sqrt(squares) };
 }

@@ -282,11 +282,11 @@ static void check_samples(const struct flat_outline *outline,
 static void check_outline(const struct flat_outline *outline)
 {
     static char text[POINTS_MOST * 100];
-    struct flat_triangle *flat;
+    FREED struct flat_triangle *flat;
     double area = 0;
 
     write_outline(outline, text);
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     const struct triangles *triangles = triangles_of(scene);
     flat = malloc(triangles->count * sizeof *flat);
     assert_non_null(flat);
@@ -299,8 +299,6 @@ static void check_outline(const struct flat_outline *outline)
     check_samples(outline, flat, triangles->count, text);
     if (!(fabs(area - area_by_lines(outline)) < .01))
         fail_msg("an area of %g, not %g, of\n%s", area, area_by_lines(outline), text);
-    free(flat);
-    scene_free(scene);
 }
 
 TEST(random_polygons)
@@ -337,11 +335,10 @@ static double total_area(const struct triangles *triangles)
 
 static void check_area(const char *text, size_t reports, double area, size_t count)
 {
-    struct scene *scene = read_with(text, reports);
+    SCOPED(scene) *scene = read_with(text, reports);
 
     assert_close(total_area(triangles_of(scene)), area, CLOSE);
     assert_int_equal(triangles_of(scene)->count, count);
-    scene_free(scene);
 }
 
 TEST(areas)
@@ -373,7 +370,7 @@ TEST(areas)
 
 TEST(corners_are_given_points)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "polygon { 5, <.1, .2, .7>, <.7, .3, 0>, <.6, .9, -.5>,"
         "<.3, .5, .2>, <.1, .2, .7> }");
     const struct triangle *list = triangles_of(scene)->list;
@@ -389,7 +386,6 @@ TEST(corners_are_given_points)
                            == 0;
         assert_true(found);
     }
-    scene_free(scene);
 }
 
 /* As in POV-Ray, which closes it and shows nothing of the others. */
@@ -409,9 +405,8 @@ TEST(reports)
     check_area("polygon { 7, 0, x, y, 0, 2*x, 3*x, <2, 1> }", 1, 1, 2);
     check_area("polygon { 5, 0, x, <1, 1, 5e-11>, y, 0 }", 0, 1, 2);
     for (size_t i = 0; i < COUNT(left_out); i++) {
-        struct scene *scene = read_with(left_out[i], 1);
+        SCOPED(scene) *scene = read_with(left_out[i], 1);
         assert_int_equal(scene->primitive_count, 0);
-        scene_free(scene);
         assert_error(left_out[i], &strict_options, 1, 1, "the shape is left out");
     }
     assert_error("polygon { 3, 0, x, y }", &strict_options, 1, 1,

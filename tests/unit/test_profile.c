@@ -58,7 +58,7 @@ static char *table_text_of(enum profile_table kind)
 {
     char path[] = "/tmp/test_profile.XXXXXX";
     int file = mkstemp(path);
-    struct table *table = profile_table(kind, &profile);
+    SCOPED(table) *table = profile_table(kind, &profile);
     c205_error error = { "" };
     size_t length;
 
@@ -68,7 +68,6 @@ static char *table_text_of(enum profile_table kind)
     assert_non_null(json);
     table_json(table, json, "rows");
     assert_true(json_close(json, &error));
-    table_free(table);
     char *text = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(text);
     remove(path);
@@ -111,7 +110,7 @@ TEST(sums)
     static const char row[] = "\"part\": \"";
     struct clocks parts = { { 0 } }, kernels = parts, intersect = parts;
     struct clocks frame = parts, expected;
-    char *text = table_text_of(PROFILE_CLOCKS);
+    FREED char *text = table_text_of(PROFILE_CLOCKS);
     size_t rows = 0;
 
     for (const char *at = text; (at = strstr(at, row)) != NULL; rows++) {
@@ -131,7 +130,6 @@ TEST(sums)
     assert_same_clocks(&frame, &expected);
     assert_same_clocks(&parts, &frame);
     assert_same_clocks(&kernels, &intersect);
-    free(text);
 }
 
 /* The groups for the reader: columns of clocks, of shares. */
@@ -160,7 +158,7 @@ static double sum_of_rows(const struct table *table, const char *text, size_t co
 TEST(groups)
 {
     static char text[8192];
-    struct table *table = profile_table(PROFILE_GROUPS, &profile);
+    SCOPED(table) *table = profile_table(PROFILE_GROUPS, &profile);
     FILE *file = fmemopen(text, sizeof text, "w");
 
     assert_non_null(table);
@@ -181,13 +179,12 @@ TEST(groups)
                                     "\nthe frame ", NULL };
          *name; name++)
         assert_non_null(strstr(text, *name));
-    table_free(table);
 }
 
 /* With all parts in vector form Amdahl's law says what is measured. */
 TEST(amdahl)
 {
-    char *text = table_text_of(PROFILE_SPEEDUP);
+    FREED char *text = table_text_of(PROFILE_SPEEDUP);
     const char *last = text;
     double speedup = clocks_of_frame(0) / clocks_of_frame(2);
 
@@ -197,7 +194,6 @@ TEST(amdahl)
     assert_float_equal(number_of(last, "\"part_speedup\""), speedup, 1e-9);
     assert_float_equal(number_of(last, "\"amdahl\""), speedup, 1e-9);
     assert_float_equal(number_of(last, "\"measured\""), speedup, 1e-9);
-    free(text);
 }
 
 /* ---- All of them --------------------------------------------------------- */

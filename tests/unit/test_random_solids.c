@@ -49,14 +49,13 @@ static void check_no_bounds(const struct scene *scene, const char *text,
                             const struct words *expected)
 {
     traced.no_bounds = true;
-    struct words *found = same_frame_of(scene, text);
+    FREED struct words *found = same_frame_of(scene, text);
     traced.no_bounds = false;
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
             if (found->channel[channel][k] != expected->channel[channel][k])
                 fail_msg("channel %d, pixel %zu: other without bounds in\n%s", channel,
                          k, text);
-    free(found);
 }
 
 /* Of surfaces in one place a rounding chooses the one that is seen, but not
@@ -65,7 +64,7 @@ static void check_depths(const struct scene *scene, const char *text,
                          const struct words *words)
 {
     size_t others = 0;
-    struct frame plain;
+    SCOPED_VALUE(frame) plain;
 
     assert_true(plain_trace(scene, WIDTH, HEIGHT, &plain));
     for (size_t k = 0; k < PIXELS; k++) {
@@ -78,21 +77,18 @@ static void check_depths(const struct scene *scene, const char *text,
             fail_msg("pixel %zu: %.9f deep, not %.9f, in\n%s", k, found, expected,
                      text);
     }
-    frame_free(&plain);
 }
 
 static void check_scene(const char *text)
 {
-    struct scene *scene = read_text(text);
-    struct words *words = solids.gridded ? same_frame_of(scene, text)
-                                         : plain_frame(text);
+    SCOPED(scene) *scene = read_text(text);
+    FREED struct words *words = solids.gridded ? same_frame_of(scene, text)
+                                               : plain_frame(text);
 
     if (solids.gridded && !along)
         check_depths(scene, text, words);
     check_paper_stage(text, words);
     check_no_bounds(scene, text, words);
-    free(words);
-    scene_free(scene);
 }
 
 static void check_scenes(bool gridded, bool clear)

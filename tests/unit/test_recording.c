@@ -37,13 +37,12 @@ static void begin(struct run *run, c205_model *model, const char *path)
 {
     static const char *const folders[] = { "rt/kernels", NULL };
     struct asm_options options = { .search = folders };
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     c205_error error;
     run->model = model;
     run->object = assemble_file(path, &options, &errors);
     if (!run->object)
         fail_msg("%s: %s", path, errors.items[0].message);
-    diagnostics_free(&errors);
     run->machine = c205_new(model, &error);
     run->recording = c205_recording_new(&error);
     assert_non_null(run->machine);
@@ -197,9 +196,9 @@ TEST(errors)
     struct run run;
     c205_error error;
     double clocks[REGIONS];
-    c205_model *projection = find("cyber720");
+    SCOPED(c205_model) *projection = find("cyber720");
     begin(&run, find("cyber205-2pipe-prior"), "asm/examples/dot.s");
-    c205_projection *charged = c205_projection_new(projection, &error);
+    SCOPED(c205_projection) *charged = c205_projection_new(projection, &error);
     assert_non_null(charged);
     assert_true(c205_listen(run.machine, c205_record, run.recording));
     assert_true(c205_listen(run.machine, c205_project, charged));
@@ -207,7 +206,6 @@ TEST(errors)
     assert_false(c205_projection_holds(charged, &error));
     assert_string_equal(error.message,
                         "3 vector instructions, which cannot be projected");
-    c205_projection_free(charged);
     assert_false(
         c205_retime(run.recording, run.model, &unknown, 1, 1, clocks, 1, &error));
     assert_string_equal(error.message, "there is no constant 'latency.none'");
@@ -221,7 +219,6 @@ TEST(errors)
     assert_string_equal(error.message,
                         "cyber720 is a projection, on which nothing runs");
     assert_null(c205_projection_new(run.model, &error));
-    c205_model_free(projection);
     finish(&run);
 }
 
@@ -245,16 +242,15 @@ static const char chain[] =
 
 static double projected(const char *model_text)
 {
-    struct diagnostics errors = { 0 };
-    struct object *object = assemble_text("chain", chain, NULL, &errors);
-    c205_model *model = find("cyber205-2pipe-prior");
+    SCOPED_VALUE(diagnostics) errors = { 0 };
+    SCOPED(object) *object = assemble_text("chain", chain, NULL, &errors);
+    SCOPED(c205_model) *model = find("cyber205-2pipe-prior");
     c205_error error;
-    c205_model *projection_model = c205_model_parse("test", model_text, &error);
+    SCOPED(c205_model) *projection_model = c205_model_parse("test", model_text, &error);
     if (!object || !projection_model)
         fail_msg("%s", object ? error.message : errors.items[0].message);
-    diagnostics_free(&errors);
-    c205 *machine = c205_new(model, &error);
-    c205_projection *projection = c205_projection_new(projection_model, &error);
+    SCOPED(c205) *machine = c205_new(model, &error);
+    SCOPED(c205_projection) *projection = c205_projection_new(projection_model, &error);
     assert_non_null(projection);
     assert_true(c205_load(machine, &object->program, &error));
     assert_true(c205_listen(machine, c205_project, projection));
@@ -262,11 +258,6 @@ static double projected(const char *model_text)
     assert_true(c205_projection_holds(projection, &error));
     double clocks = (double)c205_projected_clocks(projection, 0);
     assert_int_equal(c205_projected_clocks(projection, 5), 0);
-    c205_projection_free(projection);
-    c205_free(machine);
-    c205_model_free(projection_model);
-    c205_model_free(model);
-    object_free(object);
     return clocks;
 }
 

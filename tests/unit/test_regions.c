@@ -94,12 +94,11 @@ static void check_kernel(const struct stage *stage, size_t i, const char *kernel
 /* Each in a tree behind a sphere, and alone. */
 static void check_shape(const struct shape_row *row, const char *how)
 {
-    struct stage stage;
     char text[500];
 
     snprintf(text, sizeof text, "merge { sphere { 0, 3 } %s %s } } %s %s }", row->text,
              how, row->text, how);
-    raise_curtain(&stage, text, BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     check_kernel(&stage, 1, "P_KERNEL", "P_INNER", row->kernel);
     check_kernel(&stage, 1, "P_STATE_KERNEL", "P_STATE_INNER", row->state);
     assert_integer(primitive(&stage, 1, "P_SEGMENTS"), row->segments);
@@ -112,7 +111,6 @@ static void check_shape(const struct shape_row *row, const char *how)
     check_kernel(&stage, 2, "P_KERNEL", "P_INNER", row->alone);
     check_kernel(&stage, 2, "P_STATE_KERNEL", "P_STATE_INNER", NULL);
     assert_int_equal(way_of(&stage, 1) & 1, 1);
-    drop_curtain(&stage);
 }
 
 TEST(primitives)
@@ -142,17 +140,15 @@ TEST(crossings)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct stage stage;
         uint64_t room = 64 * 2 * rows[i].crossings;
         c205_word word;
 
-        raise_curtain(&stage, rows[i].text, BOUNDING_FLAT);
+        SCOPED_VALUE(stage) stage = stage_of(rows[i].text, BOUNDING_FLAT);
         uint64_t first = primitive(&stage, 0, "P_FIRST_STATE");
         assert_int_equal(behind_first(&stage, rows[i].last, "P_FIRST_EVENT",
                                       "CROSSING_SIZE"),
                          rows[i].first_event);
         assert_true(c205_read(stage.machine, first + room - 64, &word, 1));
-        drop_curtain(&stage);
     }
 }
 
@@ -160,19 +156,17 @@ TEST(crossings)
 TEST(room)
 {
     enum { LEAVES = 5 };
-    struct stage stage;
 
-    raise_curtain(&stage,
-                  "sphere { 0, 1 } merge { sphere { 0, 1 } sphere { x, 1 }"
-                  " box { 0, 1 } box { 0, 1 } sphere { y, 1 } }",
-                  BOUNDING_HIERARCHY);
+    SCOPED_VALUE(stage) stage =
+        stage_of("sphere { 0, 1 } merge { sphere { 0, 1 } sphere { x, 1 }"
+                 " box { 0, 1 } box { 0, 1 } sphere { y, 1 } }",
+                 BOUNDING_HIERARCHY);
     uint64_t values = primitive(&stage, 0, "P_VALUE");
     uint64_t leaves = scene_word(&stage, "scene_leaves");
     uint64_t branches = scene_word(&stage, "scene_branches");
     assert_int_equal(leaves - values,
                      64 * symbol(&stage, "VALUE_SIZE") * (2 * LEAVES - 1));
     assert_int_equal(branches - leaves, 64 * symbol(&stage, "LEAF_SIZE") * LEAVES);
-    drop_curtain(&stage);
 }
 
 /* --- regions and nodes --------------------------------------------------- */
@@ -186,16 +180,15 @@ TEST(regions)
         { 1, 1, 0 }, { 3, 0, 1 }, { 0, 2, 2 }, { 0, 1, 3 },
         { 0, 2, 5 }, { 2, 0, 7 }, { 1, 1, 9 },
     };
-    struct stage stage;
 
-    raise_curtain(&stage,
-                  "sphere { 0, 1.2 } box { .1, .9 no_shadow }\n"
-                  "plane { y, 0 pigment { checker rgb 1, rgbf 1 } }\n"
-                  "merge { sphere { 0, 1 } box { 0, 1 no_shadow } }\n"
-                  "merge { sphere { 0, 1 } box { 0, 1 } pigment { rgbt 1 } }\n"
-                  "merge { sphere { 0, 1 } box { 0, <9, 1, 1> } no_shadow }\n"
-                  "sphere { 0, 1.5 inverse }",
-                  BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage =
+        stage_of("sphere { 0, 1.2 } box { .1, .9 no_shadow }\n"
+                 "plane { y, 0 pigment { checker rgb 1, rgbf 1 } }\n"
+                 "merge { sphere { 0, 1 } box { 0, 1 no_shadow } }\n"
+                 "merge { sphere { 0, 1 } box { 0, 1 } pigment { rgbt 1 } }\n"
+                 "merge { sphere { 0, 1 } box { 0, <9, 1, 1> } no_shadow }\n"
+                 "sphere { 0, 1.5 inverse }",
+                 BOUNDING_FLAT);
     assert_integer(scene_word(&stage, "scene_region_count"), COUNT(rows));
     for (size_t i = 0; i < COUNT(rows); i++) {
         size_t first = (size_t)rows[i].first;
@@ -206,30 +199,27 @@ TEST(regions)
     }
     assert_integer(primitive(&stage, 8, "P_INVERTED"), 0);
     assert_integer(primitive(&stage, 9, "P_INVERTED"), 1);
-    drop_curtain(&stage);
 }
 
 /* From the rays that see none of its primitives. */
 TEST(hidden)
 {
     static const int hidden_from[] = { 0, 1, 2, 3, 1, 3, 1, 0, 0 };
-    struct stage stage;
 
-    raise_curtain(&stage,
-                  "sphere { 0, 1 } sphere { 0, 1 no_image }\n"
-                  "sphere { 0, 1 no_reflection }\n"
-                  "merge { sphere { 0, 1 } box { 0, 1 } no_image"
-                  " no_reflection }\n"
-                  "union { sphere { 0, 1 } box { 0, 1 no_reflection"
-                  " no_image off } no_image }\n"
-                  "sphere { 0, 1 clipped_by { plane { y, 0 } } no_image }\n"
-                  "sphere { 0, 1 clipped_by { plane { y, 0 no_image } } }\n"
-                  "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }",
-                  BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage =
+        stage_of("sphere { 0, 1 } sphere { 0, 1 no_image }\n"
+                 "sphere { 0, 1 no_reflection }\n"
+                 "merge { sphere { 0, 1 } box { 0, 1 } no_image"
+                 " no_reflection }\n"
+                 "union { sphere { 0, 1 } box { 0, 1 no_reflection"
+                 " no_image off } no_image }\n"
+                 "sphere { 0, 1 clipped_by { plane { y, 0 } } no_image }\n"
+                 "sphere { 0, 1 clipped_by { plane { y, 0 no_image } } }\n"
+                 "intersection { sphere { 0, 1 no_image } box { 0, 1 no_image } }",
+                 BOUNDING_FLAT);
     assert_integer(scene_word(&stage, "scene_region_count"), COUNT(hidden_from));
     for (size_t i = 0; i < COUNT(hidden_from); i++)
         assert_integer(region(&stage, i, "R_HIDDEN_FROM"), hidden_from[i]);
-    drop_curtain(&stage);
 }
 
 /* In preorder, without complements: &(|(0,1), !(&(2, !(3))), 4). */
@@ -249,9 +239,8 @@ TEST(nodes)
         "intersection { merge { sphere { -2*x, 2 } sphere { 2*x, 2 } }\n"
         "  difference { sphere { 0, 9 } plane { y, 0 } inverse }\n"
         "  sphere { x, 2.5 } }";
-    struct stage stage;
 
-    raise_curtain(&stage, text, BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     uint64_t nodes = region(&stage, 0, "R_NODES");
     uint64_t size = 64 * symbol(&stage, "N_SIZE");
     assert_int_equal(region(&stage, 0, "R_NODES_END"), nodes + 8 * size);
@@ -269,7 +258,6 @@ TEST(nodes)
         assert_integer(field_of(&stage, nodes, "N_SIZE", i, "N_NEEDED"),
                        rows[i].needed);
     }
-    drop_curtain(&stage);
 }
 
 static void check_bound(const struct stage *stage, uint64_t address, const char *name)
@@ -286,23 +274,19 @@ TEST(no_bounds)
     static const char *const texts[] = { "plane { y, 0 }", "sphere { 0, 1 }" };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct stage stage;
-
-        raise_curtain(&stage, texts[i], i == 0 ? BOUNDING_FLAT : BOUNDING_NONE);
+        SCOPED_VALUE(stage) stage = stage_of(texts[i],
+                                             i == 0 ? BOUNDING_FLAT : BOUNDING_NONE);
         check_bound(&stage, scene_word(&stage, "scene_regions"), "R_BOUND");
         check_bound(&stage, region(&stage, 0, "R_NODES"), "N_BOUND");
-        drop_curtain(&stage);
     }
 }
 
 TEST(bounds)
 {
-    struct stage stage;
-
-    raise_curtain(&stage,
-                  "difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
-                  " inverse }",
-                  BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage =
+        stage_of("difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
+                 " inverse }",
+                 BOUNDING_FLAT);
     uint64_t bound = scene_word(&stage, "scene_regions")
                      + 64 * symbol(&stage, "R_BOUND");
     for (int i = 0; i < 3; i++)
@@ -311,7 +295,6 @@ TEST(bounds)
     assert_close(radius, 2.002, 1e-6);
     assert_close(c205_to_double(stage_word(&stage, bound + 64 * 4)), radius * radius,
                  1e-9);
-    drop_curtain(&stage);
 }
 
 /* --- steps --------------------------------------------------------------- */
@@ -496,13 +479,12 @@ TEST(steps)
 
     for (int scene = 0; scene < SCENES; scene++) {
         char text[8000];
-        struct stage stage;
 
         add_solid(text, MOST);
-        raise_curtain(&stage, text, scene % 2 ? BOUNDING_FLAT : BOUNDING_HIERARCHY);
+        SCOPED_VALUE(stage) stage = stage_of(text, scene % 2 ? BOUNDING_FLAT
+                                                             : BOUNDING_HIERARCHY);
         for (size_t i = 0; i < stage.scene->region_count; i++)
             check_region(&stage, i, text);
-        drop_curtain(&stage);
     }
 }
 
@@ -515,14 +497,13 @@ TEST(many_parts)
 
     for (size_t way = 0; way < COUNT(ways); way++) {
         char text[8000], *end = text + sprintf(text, "%s", ways[way]);
-        struct stage stage;
         size_t visited;
 
         end += sprintf(end, way == 1 ? " " : " { ");
         for (int i = 0; i < PARTS; i++)
             end += sprintf(end, "sphere { %d*x, .6 } ", i);
         sprintf(end, way == 2 ? "} }" : "}");
-        raise_curtain(&stage, text, BOUNDING_HIERARCHY);
+        SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_HIERARCHY);
         for (size_t i = 0; i < stage.scene->primitive_count; i++) {
             bool inside[PLACES] = { false };
 
@@ -530,7 +511,6 @@ TEST(many_parts)
             machine_value(&stage, 0, inside, &visited);
             assert_in_range(visited, 3, 50);
         }
-        drop_curtain(&stage);
     }
 }
 
@@ -547,7 +527,7 @@ TEST(values)
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct scene *scene = read_scene(texts[i]);
+        SCOPED(scene) *scene = read_scene(texts[i]);
         struct tree_step steps[8];
         struct tree_join joins[16];
         struct tree_plan plan = { .steps = steps, .joins = joins };
@@ -564,7 +544,6 @@ TEST(values)
         }
         for (size_t k = 0; k < leaves + plan.step_count; k++)
             assert_int_equal(parts[k], k != plan.result);
-        scene_free(scene);
     }
 }
 
@@ -593,11 +572,8 @@ TEST(bodies)
     };
 
     for (size_t i = 0; i < COUNT(cases); i++) {
-        struct stage stage;
-
-        raise_curtain(&stage, cases[i].text, BOUNDING_HIERARCHY);
+        SCOPED_VALUE(stage) stage = stage_of(cases[i].text, BOUNDING_HIERARCHY);
         assert_integer(region(&stage, 0, "R_BODY"), cases[i].body);
-        drop_curtain(&stage);
     }
 }
 

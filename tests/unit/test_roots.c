@@ -115,10 +115,9 @@ TEST(known)
         options.mode = way % 2 ? TRACE_VECTOR : TRACE_SCALAR;
         options.first = way / 2 % 2;
         options.falsi = (enum falsi)(way / 4);
-        struct polynomial_roots *roots = solve(polynomials, KNOWN, &options);
+        FREED struct polynomial_roots *roots = solve(polynomials, KNOWN, &options);
         for (size_t i = 0; i < KNOWN; i++)
             check_known(&known[i], &roots[i], options.first);
-        free(roots);
     }
 }
 
@@ -162,13 +161,12 @@ TEST(falsi)
                              { "ANDERSON_BJORCK", FALSI_ANDERSON_BJORCK } };
     const struct asm_define defines[] = { { "QUEUE", 1 }, { NULL, 0 } };
     c205_error error = { "" };
-    struct object *program = program_assemble("roots/roots_vector.s", defines, &error);
+    SCOPED(object) *program = program_assemble("roots/roots_vector.s", defines, &error);
 
     if (!program)
         fail_msg("%s", error.message);
     for (int i = 0; i < FALSI_RULES; i++)
         assert_int_equal(object_symbol(program, rules[i].name)->value, rules[i].rule);
-    object_free(program);
 }
 
 /* What no exponent of the machine can hold is refused, not guessed. */
@@ -187,10 +185,9 @@ TEST(refused)
     polynomials[1].c[4] = number("-1e-8000");
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         options.mode = (enum trace_mode)mode;
-        struct polynomial_roots *roots = solve(polynomials, 2, &options);
+        FREED struct polynomial_roots *roots = solve(polynomials, 2, &options);
         assert_int_equal(roots[0].count, ROOTS_REFUSED);
         assert_int_equal(roots[1].count, ROOTS_REFUSED);
-        free(roots);
     }
 }
 

@@ -66,23 +66,19 @@ static uint64_t check_means(const struct scene *scene, size_t width, size_t heig
                                      .samples = n,
                                      .band = among(1, n * n * width * height),
                                      .model = prior_model };
-    struct trace *pixels = run_trace(scene, &options);
-    struct frame of_pixels = read_all(pixels, width, height);
+    SCOPED(trace) *pixels = run_trace(scene, &options);
+    SCOPED_VALUE(frame) of_pixels = read_all(pixels, width, height);
     uint64_t checksum = trace_checksum(pixels);
 
     assert_int_equal(trace_rays(pixels, RAY_PRIMARY), n * n * width * height);
     options.samples = 0;
     options.width *= n;
     options.height *= n;
-    struct trace *samples = run_trace(scene, &options);
-    struct frame of_samples = read_all(samples, n * width, n * height);
+    SCOPED(trace) *samples = run_trace(scene, &options);
+    SCOPED_VALUE(frame) of_samples = read_all(samples, n * width, n * height);
     for (size_t row = 0; row < height; row++)
         for (size_t column = 0; column < width; column++)
             check_pixel(&of_pixels, &of_samples, n, row, column);
-    frame_free(&of_pixels);
-    frame_free(&of_samples);
-    trace_free(pixels);
-    trace_free(samples);
     return checksum;
 }
 
@@ -101,27 +97,25 @@ static void check_forms(const struct scene *scene, size_t width, size_t height,
             .jobs = among(1, 3),
             .model = prior_model,
         };
-        struct trace *trace = run_trace(scene, &options);
+        SCOPED(trace) *trace = run_trace(scene, &options);
 
         if (trace_checksum(trace) != expected)
             fail_msg("%zu x %zu of %zu, %s by %s, queue %zu, band %zu: "
                      "another frame",
                      width, height, n, trace_mode_name(options.mode),
                      order_name(options.order), options.queue, options.band);
-        trace_free(trace);
     }
 }
 
 static void check_scene(const char *text, int times)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
 
     for (int i = 0; i < times; i++) {
         size_t n = among(2, 4), width = among(1, 17), height = among(1, 9);
 
         check_forms(scene, width, height, n, check_means(scene, width, height, n));
     }
-    scene_free(scene);
 }
 
 TEST_CALL(linear, check_scene(linear, 6))
@@ -132,21 +126,18 @@ TEST_CALL(gamma, check_scene(curved, 4))
 /* One is none. */
 TEST(one)
 {
-    struct scene *scene = read_text(curved);
+    SCOPED(scene) *scene = read_text(curved);
     struct trace_options options = { .mode = TRACE_VECTOR,
                                      .width = WIDTH,
                                      .height = HEIGHT,
                                      .queue = 50,
                                      .model = prior_model };
-    struct trace *none = run_trace(scene, &options);
+    SCOPED(trace) *none = run_trace(scene, &options);
 
     options.samples = 1;
-    struct trace *one = run_trace(scene, &options);
+    SCOPED(trace) *one = run_trace(scene, &options);
     assert_int_equal(trace_checksum(one), trace_checksum(none));
     assert_int_equal(trace_accounts(one)->clocks, trace_accounts(none)->clocks);
-    trace_free(none);
-    trace_free(one);
-    scene_free(scene);
 }
 
 static bool stop_in_the_middle(void *context, size_t done, size_t all)
@@ -161,7 +152,7 @@ static bool stop_in_the_middle(void *context, size_t done, size_t all)
 /* A band that is stopped has no pixels yet. */
 TEST(stopped)
 {
-    struct scene *scene = read_text(linear);
+    SCOPED(scene) *scene = read_text(linear);
     size_t asked = 0;
     struct trace_options options = { .mode = TRACE_SCALAR,
                                      .width = 40,
@@ -172,14 +163,12 @@ TEST(stopped)
                                      .progress = stop_in_the_middle,
                                      .context = &asked };
     c205_error error = { "" };
-    struct trace *trace = trace_new(scene, &options, &error);
+    SCOPED(trace) *trace = trace_new(scene, &options, &error);
 
     assert_non_null(trace);
     assert_int_equal(trace_bands(trace), 3);
     assert_false(trace_run(trace, &error));
     assert_int_equal(trace_rows_done(trace), 20 * trace_bands_done(trace));
-    trace_free(trace);
-    scene_free(scene);
 }
 
 GROUP(set_up_frames, tear_down_model);

@@ -15,7 +15,7 @@ static void map(const struct transform *transform, const double from[3], double 
 
 TEST(defaults)
 {
-    struct scene *scene = read_scene("sphere { 0, 1 }");
+    SCOPED(scene) *scene = read_scene("sphere { 0, 1 }");
     const struct primitive *sphere = scene->primitives;
 
     assert_vector(scene->camera.location, 0, 0, 0);
@@ -39,7 +39,6 @@ TEST(defaults)
     assert_vector(sphere->pigment.color[0], 0, 0, 0);
     assert_false(sphere->transformed);
     assert_false(sphere->no_shadow);
-    scene_free(scene);
 }
 
 TEST(expressions)
@@ -107,9 +106,8 @@ TEST(expressions)
                  "#declare F = rgbft <.1, .2, .3, .4, .5>; #local G = 0*x;"
                  "plane { y, %s }",
                  rows[i].text);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         assert_close(scene->primitives->shape.plane.distance, rows[i].value, CLOSE);
-        scene_free(scene);
     }
 }
 
@@ -134,11 +132,10 @@ TEST(rotations)
         char text[200];
         snprintf(text, sizeof text, "#declare V = <1, 2 3>; sphere { %s 1 }",
                  rows[i].text);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         for (int k = 0; k < 3; k++)
             assert_close(scene->primitives->shape.sphere.center[k], rows[i].value[k],
                          PRINTED);
-        scene_free(scene);
     }
 }
 
@@ -170,10 +167,9 @@ TEST(colors)
                  "#include \"colors.inc\"\n#declare W = rgb 1;"
                  "background { %s }",
                  rows[i].text);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         for (int k = 0; k < 3; k++)
             assert_close(scene->background[k], rows[i].rgb[k], PRINTED);
-        scene_free(scene);
     }
 }
 
@@ -210,7 +206,7 @@ TEST(camera)
 
 TEST(fogs)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "fog { distance 20 color rgbft <.5, .6, .7, .1, .2> fog_type 1 }"
         "fog { color rgb 1 } fog { rgb <1, 2, 3> distance 1e3 fog_offset 3 }"
         "#declare B = rgb <.5, 1, 2>; fog { B*.5 + B distance 5 }"
@@ -228,7 +224,6 @@ TEST(fogs)
     assert_close(scene->fogs[3].distance, 7, CLOSE);
     assert_vector(scene->fogs[4].color, 1, 0, 0);
     assert_close(scene->fogs[4].distance, 8, CLOSE);
-    scene_free(scene);
 }
 
 /* What an orthographic camera shows: POV-Ray 3.7's, measured by its pictures. */
@@ -259,22 +254,21 @@ TEST(orthographic)
         for (size_t form = 0; form < COUNT(forms); form++) {
             char text[200];
             snprintf(text, sizeof text, forms[form], rows[i].words);
-            struct scene *scene = read_scene(text);
+            SCOPED(scene) *scene = read_scene(text);
             assert_true(scene->camera.orthographic);
             assert_vector(scene->camera.right, rows[i].right, 0, 0);
             assert_vector(scene->camera.up, 0, rows[i].up, 0);
-            scene_free(scene);
         }
     }
 }
 
 TEST(primitives)
 {
-    struct scene *scene = read_scene("sphere { <1, 2, 3>, -2 }\n"
-                                     "box { <1, -1, 1>, <-1, 1, -2> }\n"
-                                     "cylinder { 0, 2*y, .5 open }\n"
-                                     "cylinder { 0, 2*y, .5 no_shadow }\n"
-                                     "plane { <0, 3, 4>, 2 }\n");
+    SCOPED(scene) *scene = read_scene("sphere { <1, 2, 3>, -2 }\n"
+                                      "box { <1, -1, 1>, <-1, 1, -2> }\n"
+                                      "cylinder { 0, 2*y, .5 open }\n"
+                                      "cylinder { 0, 2*y, .5 no_shadow }\n"
+                                      "plane { <0, 3, 4>, 2 }\n");
     const struct primitive *p = scene->primitives;
 
     assert_int_equal(scene->primitive_count, 5);
@@ -290,7 +284,6 @@ TEST(primitives)
     for (size_t i = 0; i < 5; i++)
         assert_int_equal(p[i].line, i + 1);
     assert_string_equal(primitive_kind_name(p[2].kind), "cylinder");
-    scene_free(scene);
 }
 
 static void assert_inverse(const struct primitive *primitive)
@@ -333,24 +326,22 @@ TEST(transforms)
                  "scale <1, 2, 1> }"
                  "sphere { 0, 1 %s }",
                  rows[i].text);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         map(&scene->primitives->to_world, point, image);
         assert_vector(image, rows[i].image[0], rows[i].image[1], rows[i].image[2]);
         assert_inverse(scene->primitives);
         assert_true(scene->primitives->transformed);
-        scene_free(scene);
     }
 }
 
 TEST(no_transform)
 {
-    struct scene *scene =
+    SCOPED(scene) *scene =
         read_with("sphere { 0, 1 translate x translate -x } sphere { 0, 1 scale 0 }",
                   3);
 
     assert_false(scene->primitives[0].transformed);
     assert_false(scene->primitives[1].transformed); /* 0 became 1 */
-    scene_free(scene);
 }
 
 /* Where the pattern's own x = 1 is found in the world. */
@@ -366,7 +357,7 @@ static void assert_pattern_at(const struct pigment *pigment, double world_x,
 
 TEST(textures_move)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare P = pigment { checker rgb 1 rgb 0 scale 2 }\n"
         "sphere { 0, 1 pigment { P translate x } scale 3 translate 4*x }\n"
         "sphere { 0, 1 scale 3 translate 4*x pigment { P translate x } }\n"
@@ -382,12 +373,11 @@ TEST(textures_move)
     assert_vector(p[0].pigment.color[0], 1, 1, 1);
     assert_vector(p[3].pigment.color[0], 0, 0, 1); /* POV-Ray's own */
     assert_vector(p[3].pigment.color[1], 0, 1, 0);
-    scene_free(scene);
 }
 
 TEST(unions)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#default { finish { ambient 0 } }\n"
         "#declare U = union {\n"
         "    sphere { 0, 1 pigment { checker } translate x }\n"
@@ -420,13 +410,12 @@ TEST(unions)
     assert_vector(p[1].finish.ambient, 0, 0, 0);
     assert_false(p[0].no_shadow);
     assert_true(p[1].no_shadow && p[2].no_shadow && p[4].no_shadow);
-    scene_free(scene);
 }
 
 /* A light's kind is the last that is named; what it points at moves with it. */
 TEST(beams)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare L = light_source { <0, 4, 0>, 1 spotlight point_at x\n"
         "    radius 10 falloff 20 tightness 3 }\n"
         "light_source { L scale 2 rotate 90*z translate <0, 0, 1> }\n"
@@ -465,12 +454,11 @@ TEST(beams)
     assert_int_equal(lights[6].beam, BEAM_CONE);
     assert_true(lights[6].parallel);
     assert_close(lights[6].tightness, 0, 0);
-    scene_free(scene);
 }
 
 TEST(areas)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare L = light_source { 0, 1 area_light x, 2*y 3, 2.9 }\n"
         "light_source { L scale 2 rotate 90*z translate <0, 0, 1> }\n"
         "light_source { y, 1 circular area_light z, y, 32768, 2 adaptive 2 }\n"
@@ -486,12 +474,11 @@ TEST(areas)
     assert_int_equal(lights[1].area_size[0], AREA_POINTS_MOST / 2);
     assert_true(lights[1].circular);
     assert_int_equal(lights[2].area_size[0], 0);
-    scene_free(scene);
 }
 
 TEST(declarations)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#version 3.7;\n"
         "#declare R = 1; #declare R = R + 1;\n"
         "#declare F = finish { phong .25 phong_size 10 }\n"
@@ -514,19 +501,17 @@ TEST(declarations)
     assert_close(p[1].finish.diffuse, .3, 0);
     assert_vector(scene->lights[0].position, 2, 2, 3);
     assert_vector(scene->lights[0].color, 2, 2, 2);
-    scene_free(scene);
 }
 
 TEST(settings)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "global_settings { assumed_gamma 1 ambient_light rgb <.5, 1, 2>"
         " max_trace_level 7 }");
 
     assert_close(scene->assumed_gamma, 1, 0);
     assert_vector(scene->ambient_light, .5, 1, 2);
     assert_int_equal(scene->max_trace_level, 7);
-    scene_free(scene);
 }
 
 /* The least and the greatest level, and what is beyond them. */
@@ -539,9 +524,8 @@ TEST(trace_levels)
 
         snprintf(text, sizeof text, "global_settings { max_trace_level %d }",
                  levels[i]);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         assert_int_equal(scene->max_trace_level, levels[i]);
-        scene_free(scene);
     }
     assert_refused("global_settings { max_trace_level 0 }", 1, "between 1 and 256");
     assert_refused("global_settings { max_trace_level 257 }", 1, "between 1 and 256");
@@ -549,10 +533,9 @@ TEST(trace_levels)
 
 TEST(gamma_of_srgb)
 {
-    struct scene *scene = read_with("global_settings { assumed_gamma srgb }", 1);
+    SCOPED(scene) *scene = read_with("global_settings { assumed_gamma srgb }", 1);
 
     assert_close(scene->assumed_gamma, 2.2, 0);
-    scene_free(scene);
 }
 
 /* As POV-Ray 3.7 does: the version at the end of the text counts. */
@@ -574,9 +557,9 @@ TEST(gamma_of_versions)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct diagnostics reports = { 0 };
-        struct scene *scene = scene_read_text("test.pov", rows[i].text,
-                                              &reading_options, &reports);
+        SCOPED_VALUE(diagnostics) reports = { 0 };
+        SCOPED(scene) *scene = scene_read_text("test.pov", rows[i].text,
+                                               &reading_options, &reports);
         size_t told = 0;
 
         assert_non_null(scene);
@@ -584,8 +567,6 @@ TEST(gamma_of_versions)
             told += strstr(reports.items[k].message, "gamma correction") != NULL;
         assert_int_equal(scene->gamma_off, rows[i].off);
         assert_int_equal(told, rows[i].off);
-        scene_free(scene);
-        diagnostics_free(&reports);
     }
 }
 
@@ -598,13 +579,11 @@ TEST(our_scenes)
                                          "scenes/flake.pov" };
 
     for (size_t i = 0; i < COUNT(paths); i++) {
-        struct diagnostics reports = { 0 };
-        struct scene *scene = scene_read(paths[i], &strict_options, &reports);
+        SCOPED_VALUE(diagnostics) reports = { 0 };
+        SCOPED(scene) *scene = scene_read(paths[i], &strict_options, &reports);
         diagnostics_print(&reports, stderr);
         assert_non_null(scene);
         assert_int_equal(scene->light_count, 2);
-        scene_free(scene);
-        diagnostics_free(&reports);
     }
 }
 

@@ -52,7 +52,7 @@ TEST(components)
 /* A component moves within the blob, and the blob with it. */
 TEST(motions)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "blob { sphere { x, 1, 2 scale 2 rotate 90*z translate <1, 0, 5> }"
         " translate 3*y }");
     const struct blob_part *part = parts_of(scene, 1);
@@ -66,7 +66,6 @@ TEST(motions)
     assert_vector(center, 1, 2, 5);
     assert_vector(back, 1, 0, 0);
     assert_close(scene->primitives->to_world.rows[1][3], 3, 0);
-    scene_free(scene);
 }
 
 /* Looks of components are one report; those of the blob are its own. */
@@ -82,13 +81,12 @@ TEST(looks)
         char blob[400];
 
         snprintf(blob, sizeof blob, text, own[i]);
-        struct scene *scene = read_with(blob, 1);
+        SCOPED(scene) *scene = read_with(blob, 1);
         parts_of(scene, 2);
         if (i == 0)
             assert_vector(scene->primitives->pigment.color[0], .25, .5, .75);
         else
             assert_vector(scene->primitives->pigment.color[0], 1, 0, 0);
-        scene_free(scene);
         assert_error(blob, &strict_options, 1, 25, by[i]);
     }
 }
@@ -96,14 +94,13 @@ TEST(looks)
 /* One has the look of its component, which moves with that and with the blob. */
 TEST(one_look)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "blob { sphere { 0, 1, 2 pigment { rgb z } translate x } scale 2 }");
     const struct pigment *pigment = &scene->primitives->pigment;
 
     assert_vector(pigment->color[0], 0, 0, 1);
     assert_close(pigment->to_local.rows[0][0], .5, 0);
     assert_close(pigment->to_local.rows[0][3], -1, 0);
-    scene_free(scene);
 }
 
 TEST(errors)
@@ -128,10 +125,9 @@ TEST(errors)
 
 static size_t pieces_of(const char *text)
 {
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     size_t pieces = blob_pieces_most(scene);
 
-    scene_free(scene);
     return pieces;
 }
 
@@ -150,13 +146,13 @@ TEST(pieces)
 TEST(rows)
 {
     enum { ROW = 20, LENGTH = 7, MATRIX = 8 };
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "blob { cylinder { <1, 2, 3>, <1, 5, 7>, .5, 2 scale <1, 2, 1> }"
         " sphere { <1, 2, 3>, .5, 1 translate x } sphere { 0, 2, 1 scale 2 } "
         "}");
     const struct primitive *primitive = scene->primitives;
     struct shape_words words;
-    double *table = shape_table(primitive, NULL, 3 * ROW);
+    FREED double *table = shape_table(primitive, NULL, 3 * ROW);
     static const double ends[2][3] = { { 1, 4, 3 }, { 1, 10, 7 } };
 
     assert_int_equal(shape_table_count(primitive, NULL), 3 * ROW);
@@ -178,6 +174,4 @@ TEST(rows)
     assert_close(table[ROW + 4], .25, 0);
     assert_close(table[ROW + 5], 4, 0);
     assert_close(table[2 * ROW], 1, 0);
-    free(table);
-    scene_free(scene);
 }

@@ -26,9 +26,9 @@ static size_t write_tree(const struct scene *scene, size_t i, FILE *out)
 
 static void check_regions(const char *text, size_t reports, const char *expected)
 {
-    struct scene *scene = read_with(text, reports);
+    SCOPED(scene) *scene = read_with(text, reports);
     size_t leaf = 0, node = 0, length;
-    char *found = NULL;
+    FREED char *found = NULL;
     FILE *out = open_memstream(&found, &length);
 
     for (size_t i = 0; i < scene->region_count; i++) {
@@ -47,8 +47,6 @@ static void check_regions(const char *text, size_t reports, const char *expected
     assert_int_equal(node, scene->node_count);
     if (strcmp(found, expected) != 0)
         fail_msg("%s: %s, expected %s", text, found, expected);
-    free(found);
-    scene_free(scene);
 }
 
 #define A "sphere { 0, 1 }"
@@ -142,7 +140,7 @@ TEST(trees)
  * if it comes later. */
 TEST(clips)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#default { pigment { rgbf 1 } }\n"
         "sphere { 0, 1 translate y clipped_by { " C " } translate 2*y "
         "pigment { rgbf <1, 0, 0, .5> } interior { ior 1.5 } }");
@@ -155,15 +153,14 @@ TEST(clips)
     assert_true(pigment_is_clear(&p[0].pigment));
     assert_false(pigment_is_clear(&p[1].pigment));
     assert_close(p[1].ior, 1, CLOSE);
-    scene_free(scene);
 }
 
 /* A transform of the whole moves all parts. */
 TEST(transforms)
 {
-    struct scene *scene = read_scene("#declare H = difference { " A
-                                     " box { 0, 1 translate x } scale 2 }\n"
-                                     "object { H translate <0, 3, 0> no_shadow }");
+    SCOPED(scene) *scene = read_scene("#declare H = difference { " A
+                                      " box { 0, 1 translate x } scale 2 }\n"
+                                      "object { H translate <0, 3, 0> no_shadow }");
     const struct primitive *p = scene->primitives;
 
     assert_close(p[0].to_world.rows[0][0], 2, CLOSE);
@@ -171,7 +168,6 @@ TEST(transforms)
     assert_close(p[1].to_world.rows[0][3], 2, CLOSE);
     assert_close(p[1].to_local.rows[0][3], -1, CLOSE);
     assert_true(p[0].no_shadow && p[1].no_shadow);
-    scene_free(scene);
 }
 
 /* Of a solid the whole says it, of a union each part. */
@@ -195,11 +191,10 @@ TEST(no_shadow)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read_scene(rows[i].text);
+        SCOPED(scene) *scene = read_scene(rows[i].text);
 
         for (int k = 0; k < 2; k++)
             assert_int_equal(scene->primitives[k].no_shadow, rows[i].no_shadow[k]);
-        scene_free(scene);
     }
 }
 
@@ -231,11 +226,10 @@ TEST(hidden)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read_scene(rows[i].text);
+        SCOPED(scene) *scene = read_scene(rows[i].text);
 
         for (int k = 0; k < 2; k++)
             assert_int_equal(scene->primitives[k].hidden_from, rows[i].hidden_from[k]);
-        scene_free(scene);
     }
 }
 
@@ -243,7 +237,7 @@ TEST(hidden)
 
 TEST(textures)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "difference {\n"
         "    sphere { 0, 1 pigment { rgb <1, 0, 0> } }\n"
         "    union { " B C " pigment { rgb <0, 1, 0> } }\n"
@@ -258,12 +252,11 @@ TEST(textures)
     assert_vector(p[3].pigment.color[0], 0, 0, 1);
     assert_vector(p[4].finish.reflection, .3, .3, .3);
     assert_vector(p[1].finish.reflection, 0, 0, 0);
-    scene_free(scene);
 }
 
 TEST(interiors)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare L = intersection {\n"
         "    sphere { 0, 1 interior { ior 1.2 } }\n" B "    interior { ior 1.5 }\n"
         "}\n"
@@ -275,14 +268,13 @@ TEST(interiors)
     assert_int_equal(scene->primitive_count, COUNT(expected));
     for (size_t i = 0; i < COUNT(expected); i++)
         assert_close(scene->primitives[i].ior, expected[i], 0);
-    scene_free(scene);
 }
 
 /* The bodies of the primitives as letters, the first one `a`; `.` is one that
  * is not seen. */
 static void check_bodies(const char *text, const char *expected)
 {
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     const struct primitive *p = scene->primitives;
     size_t bodies[10];
     int count = 0;
@@ -299,7 +291,6 @@ static void check_bodies(const char *text, const char *expected)
     }
     if (strcmp(found, expected) != 0)
         fail_msg("%s: %s, expected %s", text, found, expected);
-    scene_free(scene);
 }
 
 #define FILLED "sphere { 0, 1 interior { ior 1.5 } } "
@@ -350,7 +341,7 @@ TEST(bodies)
 TEST(objects)
 {
     static const size_t expected[] = { 0, 1, 1, 1, 2, 2, 3, 4 };
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         A "union { " B " union { " C D " } } difference { " A B " }"
           "#declare S = " A " object { S } object { S translate x }");
 
@@ -358,13 +349,12 @@ TEST(objects)
     assert_int_equal(scene->object_count, 5);
     for (size_t i = 0; i < COUNT(expected); i++)
         assert_int_equal(scene->primitives[i].object, expected[i]);
-    scene_free(scene);
 }
 
 /* By name, with more behind the name. */
 TEST(materials)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare I = interior { ior 1.25 }\n"
         "#declare J = interior { I }\n"
         "#declare M = material { interior { J }\n"
@@ -387,7 +377,6 @@ TEST(materials)
     assert_vector(p[4].pigment.color[0], 1, 0, 0);
     for (int i = 0; i < 3; i++)
         assert_close(p[2].pigment.to_local.rows[i][3], -1, CLOSE);
-    scene_free(scene);
 }
 
 /* --- surfaces ------------------------------------------------------------ */
@@ -416,13 +405,12 @@ TEST(clear_pigments)
                  "#declare Glass = rgbft <1, 1, 1, .9, .1>;\n"
                  "sphere { 0, 1 pigment { %s } }",
                  rows[i].text);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         for (int k = 0; k < 2; k++) {
             assert_close(scene->primitives->pigment.filter[k], rows[i].filter[k], 0);
             assert_close(scene->primitives->pigment.transmit[k], rows[i].transmit[k],
                          0);
         }
-        scene_free(scene);
     }
 }
 
@@ -480,7 +468,7 @@ TEST(reflections)
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[200];
         snprintf(text, sizeof text, "sphere { 0, 1 finish { %s } }", rows[i].text);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         const struct finish *finish = &scene->primitives->finish;
         const double *least = rows[i].least, *most = rows[i].most;
         assert_vector(finish->reflection, least[0], least[1], least[2]);
@@ -488,22 +476,19 @@ TEST(reflections)
         assert_close(finish->reflection_falloff, rows[i].falloff, 0);
         assert_close(finish->reflection_metallic, rows[i].metallic, 0);
         assert_int_equal(finish->fresnel, rows[i].fresnel);
-        scene_free(scene);
     }
 }
 
 TEST(settings)
 {
-    struct scene *plain = read_scene(A);
-    struct scene *scene = read_scene("global_settings { adc_bailout 1/100 "
-                                     "max_trace_level 12 } " A);
+    SCOPED(scene) *plain = read_scene(A);
+    SCOPED(scene) *scene = read_scene("global_settings { adc_bailout 1/100 "
+                                      "max_trace_level 12 } " A);
 
     assert_close(plain->adc_bailout, 1. / 255, 0);
     assert_int_equal(plain->max_trace_level, 5);
     assert_close(scene->adc_bailout, .01, CLOSE);
     assert_int_equal(scene->max_trace_level, 12);
-    scene_free(plain);
-    scene_free(scene);
 }
 
 /* --- depth --------------------------------------------------------------- */
@@ -511,19 +496,18 @@ TEST(settings)
 /* The first error of a text. */
 static void check_error(const char *text, const char *message)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
 
     assert_null(scene_read_text("test.pov", text, &reading_options, &reports));
     assert_true(reports.errors > 0);
     assert_non_null(strstr(reports.items->message, message));
-    diagnostics_free(&reports);
 }
 
 TEST(deep_text)
 {
     enum { DEEP = 10000 };
     static const char level[] = "difference { " A " ";
-    char *text = malloc(DEEP * sizeof level + DEEP * 2);
+    FREED char *text = malloc(DEEP * sizeof level + DEEP * 2);
     char *end = text;
 
     for (int i = 0; i < DEEP; i++)
@@ -532,7 +516,6 @@ TEST(deep_text)
     for (int i = 0; i < DEEP; i++)
         end += sprintf(end, " }");
     check_error(text, "within each other");
-    free(text);
 }
 
 /* A union may be as large as a scene, one solid may not. */
@@ -554,7 +537,7 @@ TEST(large_solids)
 TEST(deep_names)
 {
     enum { DEEP = 10000, LONGEST = 80 };
-    char *text = malloc(DEEP * LONGEST);
+    FREED char *text = malloc(DEEP * LONGEST);
     char *end = text + sprintf(text, "#declare H = " A " ");
 
     for (int i = 0; i < DEEP; i++)
@@ -565,5 +548,4 @@ TEST(deep_names)
         end += sprintf(end, "#declare H = object { H inverse } ");
     sprintf(end, "object { H }");
     check_regions(text, 0, "!(0) -");
-    free(text);
 }

@@ -26,21 +26,18 @@ static char *file_text(const char *path)
 
 static void check_list(const char *name)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     char path[100];
 
     snprintf(path, sizeof path, "tests/language/%s.pov", name);
-    struct scene *scene = scene_read(path, &reading_options, &reports);
+    SCOPED(scene) *scene = scene_read(path, &reading_options, &reports);
     snprintf(path, sizeof path, "tests/language/%s.txt", name);
-    char *expected = file_text(path);
+    FREED char *expected = file_text(path);
     if (!scene || reports.count != 1) {
         diagnostics_print(&reports, stderr);
         fail_msg("%s.pov has something else to say", name);
     }
     assert_string_equal(said(&reports), expected);
-    scene_free(scene);
-    diagnostics_free(&reports);
-    free(expected);
 }
 
 /* NAME.txt is what POV-Ray's #debug prints of NAME.pov. */
@@ -188,15 +185,13 @@ TEST(debug)
     static const char text[] =
         "#debug \"one, \"\n#declare A = 2; #debug str(A, 0, 1)\n"
         "#render \"\\n\" #statistics \"three\\n\" sphere { 0, 1 }";
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &strict_options, &reports);
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = read_versioned("test.pov", text, &strict_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.errors, 0);
     assert_string_equal(said(&reports), "one, 2.0\nthree\n");
-    scene_free(scene);
-    diagnostics_free(&reports);
 }
 
 /* A report of one place and text is told once, however often it is met. */
@@ -206,26 +201,22 @@ TEST(warnings)
                                "    #warning \"same\"\n"
                                "    #warning concat(\"other \", str(div(I, 5), 0, 0))\n"
                                "#end";
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(reports.count, 3);
     assert_string_equal(reports.items[2].message, "other 1");
-    scene_free(scene);
-    diagnostics_free(&reports);
 }
 
 TEST(too_much_said)
 {
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov",
-                                         "#for (I, 1, 9999) #debug \"0123456789\" #end",
-                                         &reading_options, &reports);
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene =
+        read_versioned("test.pov", "#for (I, 1, 9999) #debug \"0123456789\" #end",
+                       &reading_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[1].message, "are said"));
-    scene_free(scene);
-    diagnostics_free(&reports);
 }

@@ -81,8 +81,8 @@ TEST(told_when_used)
 
     for (size_t i = 0; i < COUNT(rows); i++) {
         struct diagnostics reports = { 0 };
-        struct scene *scene = read_versioned("test.pov", rows[i].text, &reading_options,
-                                             &reports);
+        SCOPED(scene) *scene = read_versioned("test.pov", rows[i].text,
+                                              &reading_options, &reports);
         const char *found = reports.count ? reports.items->message : "";
         size_t length = strlen(found), end = strlen(rows[i].message);
         if (!scene || reports.count != (rows[i].column != 0)
@@ -92,7 +92,6 @@ TEST(told_when_used)
             fail_msg("expected %zu %s, of: %s", rows[i].column, rows[i].message,
                      rows[i].text);
         }
-        scene_free(scene);
         diagnostics_free(&reports);
         if (rows[i].column)
             assert_error(rows[i].text, &strict_options, 1, rows[i].column,
@@ -168,15 +167,13 @@ static unsigned draw(struct drawing *drawing)
 
 static unsigned told_of(const char *text)
 {
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
     unsigned told = 0;
 
     assert_non_null(scene);
     for (size_t i = 0; i < reports.count; i++)
         told |= 1u << (reports.items[i].line - 1);
-    scene_free(scene);
-    diagnostics_free(&reports);
     return told;
 }
 
@@ -186,7 +183,7 @@ TEST(told_by_chance)
     struct drawing drawing = { .random = RANDOM_SEED };
 
     for (int i = 0; i < SCENES; i++) {
-        char *text = NULL;
+        FREED char *text = NULL;
         size_t length;
         drawing.text = open_memstream(&text, &length);
         assert_non_null(drawing.text);
@@ -195,7 +192,6 @@ TEST(told_by_chance)
         unsigned told = told_of(text);
         if (told != expected)
             fail_msg("told %X, expected %X, of:\n%s", told, expected, text);
-        free(text);
     }
 }
 
@@ -224,16 +220,14 @@ TEST(maps_and_layers)
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct diagnostics reports = { 0 };
+        SCOPED_VALUE(diagnostics) reports = { 0 };
         char text[400];
         snprintf(text, sizeof text, "#declare C = rgb <1, 2, 3>; %s", texts[i]);
-        struct scene *scene = read_versioned("test.pov", text, &reading_options,
-                                             &reports);
+        SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options,
+                                              &reports);
         if (!scene)
             diagnostics_print(&reports, stderr);
         assert_non_null(scene);
         assert_vector(scene->primitives->pigment.color[0], 1, 2, 3);
-        scene_free(scene);
-        diagnostics_free(&reports);
     }
 }

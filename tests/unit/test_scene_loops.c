@@ -62,8 +62,8 @@ static void compare(const struct text_buffer *written,
                     const struct text_buffer *carried_out, size_t *read)
 {
     struct diagnostics found, wanted;
-    struct scene *is = read_any(written->text, &found);
-    struct scene *should_be = read_any(carried_out->text, &wanted);
+    SCOPED(scene) *is = read_any(written->text, &found);
+    SCOPED(scene) *should_be = read_any(carried_out->text, &wanted);
 
     if (!is != !should_be || (is && !same_scene(is, should_be))
         || (found.count > 0) != (wanted.count > 0)) {
@@ -74,8 +74,6 @@ static void compare(const struct text_buffer *written,
     *read += is != NULL && is->primitive_count > 0;
     diagnostics_free(&found);
     diagnostics_free(&wanted);
-    scene_free(is);
-    scene_free(should_be);
 }
 
 TEST(nests)
@@ -85,11 +83,9 @@ TEST(nests)
 
     for (size_t i = 0; i < CASES; i++) {
         xorshift(&seed);
-        struct text_buffer written = random_nest(seed, true);
-        struct text_buffer carried_out = random_nest(seed, false);
+        SCOPED_VALUE(text_buffer) written = random_nest(seed, true);
+        SCOPED_VALUE(text_buffer) carried_out = random_nest(seed, false);
         compare(&written, &carried_out, &read);
-        text_buffer_free(&written);
-        text_buffer_free(&carried_out);
     }
     assert_true(read > CASES / 4);
 }

@@ -64,27 +64,25 @@ TEST(spheres)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read_scene(rows[i].text);
+        SCOPED(scene) *scene = read_scene(rows[i].text);
         if (scene->primitive_count != rows[i].count)
             fail_msg("%zu spheres of: %s", scene->primitive_count, rows[i].text);
         for (size_t k = 0; k < rows[i].count; k++)
             assert_close(scene->primitives[k].shape.sphere.radius, rows[i].radii[k], 0);
-        scene_free(scene);
     }
 }
 
 /* A primitive's line is that of the call in the main file. */
 TEST(lines)
 {
-    struct scene *scene = read_scene("#macro S(R)\n  sphere { 0, R }\n#end\n"
-                                     "#macro T()\n  S(1)\n  S(2)\n#end\n\n"
-                                     "S(3)\nT()\n");
+    SCOPED(scene) *scene = read_scene("#macro S(R)\n  sphere { 0, R }\n#end\n"
+                                      "#macro T()\n  S(1)\n  S(2)\n#end\n\n"
+                                      "S(3)\nT()\n");
     static const size_t lines[] = { 9, 10, 10 };
 
     assert_int_equal(scene->primitive_count, COUNT(lines));
     for (size_t i = 0; i < COUNT(lines); i++)
         assert_int_equal(scene->primitives[i].line, lines[i]);
-    scene_free(scene);
 }
 
 /* ---- Errors ------------------------------------------------------------- */
@@ -204,12 +202,11 @@ TEST(stopped)
 {
     size_t asked = 0;
     const struct scene_options stopping = { .go_on = end_at_once, .context = &asked };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
 
     assert_null(scene_read_text("test.pov", "#while (1) #while (1) #end #end",
                                 &stopping, &reports));
     assert_int_equal(asked, 1);
     assert_int_equal(reports.count, 1);
     assert_non_null(strstr(reports.items[0].message, "stopped"));
-    diagnostics_free(&reports);
 }

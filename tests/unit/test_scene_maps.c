@@ -28,12 +28,11 @@ static void check_pigment(const char *words, enum pigment_kind kind,
     for (size_t i = 0; i < COUNT(forms); i++) {
         char text[1024];
         snprintf(text, sizeof text, forms[i], words);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         const struct pigment *pigment = &scene->primitives[0].pigment;
         assert_int_equal(pigment->kind, kind);
         check_map(&pigment->map, expected);
         assert_false(pigment_is_clear(pigment));
-        scene_free(scene);
     }
 }
 
@@ -65,10 +64,9 @@ static struct pattern pattern_of(const char *words)
 {
     char text[512];
     snprintf(text, sizeof text, "sphere { 0, 1 pigment { %s } }", words);
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     struct pattern pattern = scene->primitives[0].pigment.pattern;
     assert_int_equal(scene->primitives[0].pigment.kind, PIGMENT_PATTERN);
-    scene_free(scene);
     return pattern;
 }
 
@@ -112,7 +110,7 @@ static void check_list(const char *words, const char *expected)
 {
     char text[512], found[512] = "", *to = found;
     snprintf(text, sizeof text, "sphere { 0, 1 pigment { %s } }", words);
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     const struct pigment *pigment = &scene->primitives[0].pigment;
     for (size_t i = 0; i < pigment_list_count(pigment); i++) {
         struct color_stop listed = pigment_listed(pigment, i);
@@ -120,7 +118,6 @@ static void check_list(const char *words, const char *expected)
                       listed.color[2]);
     }
     assert_string_equal(found, expected);
-    scene_free(scene);
 }
 
 TEST(lists)
@@ -169,7 +166,7 @@ TEST(waves_stay)
     check_pigment("checker gradient x phase .5", PIGMENT_GRADIENT, "0:0,0,1 1:0,1,0 ");
     check_pigment("hexagon rgb x rgb y rgb z gradient x", PIGMENT_GRADIENT,
                   "0:1,0,0 1:0,1,0 2:0,0,1 ");
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare H = pigment { hexagon rgb x rgb y rgb z frequency .5 }\n"
         "sphere { 0, 1 pigment { H gradient x } }\n"
         "sphere { 0, 1 pigment { checker rgb x rgbt <0, 0, 1, .5>\n"
@@ -178,12 +175,11 @@ TEST(waves_stay)
     assert_vector(scene->primitives[1].pigment.color[0], 1, 0, 0);
     assert_vector(scene->primitives[1].pigment.color[1], .5, 0, .5);
     assert_close(scene->primitives[1].pigment.transmit[1], .25, 0);
-    scene_free(scene);
 }
 
 TEST(named_maps)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare M = color_map { [0 rgb x] [.5 rgb z] }\n"
         "#declare G = pigment { gradient 2*y color_map { M } scale 2 }\n"
         "sphere { 0, 1 pigment { G } }\n"
@@ -201,7 +197,6 @@ TEST(named_maps)
     assert_close(p[1].pigment.to_local.rows[1][0], -.5, CLOSE);
     assert_int_equal(p[2].pigment.kind, PIGMENT_COLOR);
     assert_int_equal(p[3].pigment.kind, PIGMENT_COLOR);
-    scene_free(scene);
 }
 
 /* As in POV-Ray, whose checker is a map from 0 to 1. */
@@ -226,16 +221,15 @@ TEST(gradients_after_checkers)
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[1024];
         snprintf(text, sizeof text, "sphere { 0, 1 %s }", rows[i].words);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         check_map(&scene->primitives[0].pigment.map, rows[i].expected);
-        scene_free(scene);
     }
 }
 
 /* Of a pattern that is not drawn the first colour of its map counts. */
 TEST(other_patterns)
 {
-    struct scene *scene = read_with(
+    SCOPED(scene) *scene = read_with(
         "sphere { 0, 1 pigment { bozo color_map { [.2 rgb x] [1 rgb y] } } }\n"
         "sphere { 0, 1 pigment { gradient x pigment_map { [0 rgb z] } } }\n",
         2);
@@ -245,12 +239,11 @@ TEST(other_patterns)
     assert_vector(p[0].pigment.color[0], 1, 0, 0);
     assert_int_equal(p[1].pigment.kind, PIGMENT_COLOR);
     assert_vector(p[1].pigment.color[0], 0, 0, 1);
-    scene_free(scene);
 }
 
 TEST(clear)
 {
-    struct scene *scene =
+    SCOPED(scene) *scene =
         read_with("#declare G = pigment { gradient x color_map { [0 rgbt <1, 0, 0, .5>]"
                   " [1 rgb y] } }\n"
                   "sphere { 0, 1 pigment { G } }"
@@ -260,7 +253,6 @@ TEST(clear)
 
     assert_false(pigment_is_clear(&scene->primitives[0].pigment));
     assert_int_equal(scene->sky.kind, PIGMENT_GRADIENT);
-    scene_free(scene);
 }
 
 TEST(skies)

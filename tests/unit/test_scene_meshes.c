@@ -10,7 +10,7 @@
 
 TEST(lone_triangles)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "triangle { 0, x, <1, 2, 3> scale 2 pigment { rgb y } no_shadow }\n"
         "smooth_triangle { 0, -z x, -2*z y <-3, 0, -3> rotate x }\n"
         "smooth_triangle { 0, z+x, x, z+x, y, z+x }\n"
@@ -40,12 +40,11 @@ TEST(lone_triangles)
     assert_int_equal(scene->primitives[2].line, 3);
     assert_ptr_equal(triangles_of_part(scene, 3)->list,
                      triangles_of_part(scene, 4)->list);
-    scene_free(scene);
 }
 
 TEST(meshes)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#macro Two(A) triangle { A, x, y } triangle { A, y, z } #end\n"
         "mesh { triangle { 0, x, y uv_vectors <0, 0>, <1, 0>, <0, 1> }\n"
         "  #for (I, 1, 3) triangle { 0, x, I*z } #end Two(<1, 2, 3>)\n"
@@ -74,14 +73,13 @@ TEST(meshes)
     assert_int_equal(scene->node_count, 3); /* a surface is not inverted */
     assert_int_equal(scene->nodes[0].operation, TREE_NOT);
     assert_int_equal(triangles_of_part(scene, 1)->count, 1);
-    scene_free(scene);
 }
 
 #define FOUR "mesh2 { vertex_vectors { 4, 0, x, y, z } "
 
 TEST(mesh2)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         FOUR "face_indices { 2, <0, 1, 2>, <1, 2.9, 3> } }\n" FOUR
              "normal_vectors { 4, x, 2*y, z, -x }"
              "  uv_vectors { 1, <0, 1> }\n"
@@ -113,7 +111,6 @@ TEST(mesh2)
     assert_true(list[0].smooth && !list[1].smooth);
     assert_vector(list[0].normals[0], 1, 0, 0);
     assert_vector(list[0].normals[2], -1, 0, 0);
-    scene_free(scene);
 }
 
 /* As in POV-Ray: a normal that is 0 counts as x within a mesh, and alone it
@@ -205,23 +202,21 @@ TEST(textures)
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[700];
         snprintf(text, sizeof text, LOOKS "%s", rows[i].text);
-        struct scene *scene = read_with(text, rows[i].reports);
+        SCOPED(scene) *scene = read_with(text, rows[i].reports);
         assert_int_equal(scene->primitive_count, 1);
         assert_vector(scene->primitives->pigment.color[0], rows[i].red, rows[i].green,
                       0);
-        scene_free(scene);
     }
 }
 
 /* The texture of a triangle goes with the mesh. */
 TEST(moved_texture)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "mesh { triangle { 0, x, y texture { pigment { checker } } }"
         " translate 3*x }");
 
     assert_close(scene->primitives->pigment.to_local.rows[0][3], -3, CLOSE);
-    scene_free(scene);
 }
 
 TEST(messages)
@@ -255,7 +250,7 @@ TEST(messages)
 /* What light passes, it passes. */
 TEST(clear)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "#declare M = mesh { triangle { 0, x, y } }\n"
         "object { M pigment { checker rgb 1 rgbf 1 } }\n"
         "union { object { M } sphere { 0, 1 } pigment { rgbt .5 } }\n");
@@ -264,7 +259,6 @@ TEST(clear)
     assert_int_equal(scene->primitive_count, 3);
     for (size_t i = 0; i < 3; i++)
         assert_true(pigment_is_clear(&p[i].pigment));
-    scene_free(scene);
 }
 
 /* --- in solids ------------------------------------------------------------ */
@@ -272,12 +266,11 @@ TEST(clear)
 static void assert_nodes(const char *text, size_t reports,
                          const enum tree_operation *operations, size_t count)
 {
-    struct scene *scene = read_with(text, reports);
+    SCOPED(scene) *scene = read_with(text, reports);
 
     assert_int_equal(scene->node_count, count);
     for (size_t i = 0; i < count; i++)
         assert_int_equal(scene->nodes[i].operation, operations[i]);
-    scene_free(scene);
 }
 
 #define ASSERT_NODES(text, reports, ...) \
@@ -303,7 +296,7 @@ TEST(inverted)
 
 TEST(clipped)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "mesh { triangle { 0, x, y } clipped_by { mesh { triangle { 0, x, y "
         "} inside_vector y } } }");
 
@@ -311,7 +304,6 @@ TEST(clipped)
     assert_false(scene->primitives[0].shape.mesh.solid);
     assert_true(scene->primitives[1].shape.mesh.solid);
     assert_true(scene->primitives[1].unseen);
-    scene_free(scene);
 }
 
 /* --- errors --------------------------------------------------------------- */
@@ -554,21 +546,19 @@ TEST(three_ways)
 
     for (int i = 0; i < MESHES; i++) {
         struct random_mesh mesh = random_mesh(&random);
-        struct diagnostics reports = { 0 };
+        SCOPED_VALUE(diagnostics) reports = { 0 };
         char *to = text;
         add_triangles(&to, &mesh, "mesh");
         add_mesh2(&to, &mesh);
         add_triangles(&to, &mesh, "union");
-        struct scene *scene = scene_read_text("test.pov", text, &reading_options,
-                                              &reports);
+        SCOPED(scene) *scene = scene_read_text("test.pov", text, &reading_options,
+                                               &reports);
         if (!scene)
             fail_msg("%s: %s", reports.items->message, text);
         bool seen = !strstr(reports.items->message, "no triangle of the mesh");
         if (seen)
             assert_same(scene);
         compared += seen;
-        scene_free(scene);
-        diagnostics_free(&reports);
     }
     assert_true(compared > MESHES / 2);
 }
@@ -577,7 +567,7 @@ TEST(three_ways)
 TEST(many)
 {
     enum { MANY = 40000 };
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "mesh { #for (I, 1, 40000) triangle { I*x, y, z } #end }\n"
         "mesh2 { vertex_vectors { 40002, y, z,"
         " #for (I, 1, 40000) <I, 0, 0>, #end }"
@@ -589,7 +579,6 @@ TEST(many)
     for (size_t i = 0; i < MANY; i++)
         assert_same_triangle(&mesh->list[i], &triangles_of_part(scene, 1)->list[i]);
     assert_close(mesh->list[MANY - 1].corners[0][0], MANY, 0);
-    scene_free(scene);
 }
 
 /* Nothing is seen of them, which is one report. */

@@ -35,14 +35,13 @@ static void check_bump(const char *words, enum pattern_function function, double
     for (size_t i = 0; i < COUNT(forms); i++) {
         char text[1024];
         snprintf(text, sizeof text, forms[i], words);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         const struct bump *bump = &list_of(scene)->bump;
         assert_true(bumps_show(&scene->primitives[0].bumps));
         assert_int_equal(bump->pattern.kind, PIGMENT_PATTERN);
         assert_int_equal(bump->pattern.pattern.function, function);
         assert_close(bump->amount, amount, 0);
         assert_close(bump->accuracy, accuracy, 0);
-        scene_free(scene);
     }
 }
 
@@ -74,9 +73,8 @@ TEST(none)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read_with(rows[i].text, rows[i].reports);
+        SCOPED(scene) *scene = read_with(rows[i].text, rows[i].reports);
         assert_false(bumps_show(&scene->primitives[0].bumps));
-        scene_free(scene);
     }
 }
 
@@ -104,20 +102,19 @@ TEST(motions)
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct scene *scene = read_scene(texts[i]);
+        SCOPED(scene) *scene = read_scene(texts[i]);
         double point[3] = { 3, 2, 4 };
         transform_point(&scene->primitives[0].bumps.to_local, point);
         assert_close(point[0], 1, 1e-15);
         assert_close(point[1], 1, 1e-15);
         assert_close(point[2], 2, 1e-15);
         assert_int_equal(list_of(scene)->bump.pattern.pattern.function, PATTERN_ONION);
-        scene_free(scene);
     }
 }
 
 TEST(unscaled)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "sphere { 0, 1 normal { onion no_bump_scale } }"
         "sphere { 0, 1 texture { normal { onion } no_bump_scale } }"
         "sphere { 0, 1 texture { normal { onion } } }");
@@ -125,7 +122,6 @@ TEST(unscaled)
     assert_true(scene->primitives[0].bumps.unscaled);
     assert_true(scene->primitives[1].bumps.unscaled);
     assert_false(scene->primitives[2].bumps.unscaled);
-    scene_free(scene);
 }
 
 TEST(slope_maps)
@@ -137,7 +133,7 @@ TEST(slope_maps)
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct scene *scene = scene_with(texts[i], 0);
+        SCOPED(scene) *scene = scene_with(texts[i], 0);
         const struct bump *bump = &list_of(scene)->bump;
         assert_int_equal(list_of(scene)->count, 0);
         assert_int_equal(bump->stop_count, 3);
@@ -145,20 +141,18 @@ TEST(slope_maps)
         assert_close(bump->stops[1].height, .5, 0);
         assert_close(bump->stops[1].slope, -1, 0);
         assert_close(bump->stops[2].height, 2, 0);
-        scene_free(scene);
     }
 }
 
 static void check_entries(const char *words, size_t count, const double *at)
 {
-    struct scene *scene = scene_with(words, 0);
+    SCOPED(scene) *scene = scene_with(words, 0);
     const struct bump_list *list = list_of(scene);
 
     assert_int_equal(list->count, count);
     assert_int_equal(list->bump.stop_count, 0);
     for (size_t i = 0; i < count; i++)
         assert_close(list->entries[i].at, at[i], 0);
-    scene_free(scene);
 }
 
 TEST(normal_maps)

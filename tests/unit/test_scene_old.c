@@ -27,19 +27,17 @@ TEST(reports)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read_with(rows[i].text, rows[i].reports);
+        SCOPED(scene) *scene = read_with(rows[i].text, rows[i].reports);
 
         assert_int_equal(scene->primitive_count, 2);
-        scene_free(scene);
     }
 }
 
 static void assert_ior(const char *text, size_t reports, double ior)
 {
-    struct scene *scene = read_with(text, reports);
+    SCOPED(scene) *scene = read_with(text, reports);
 
     assert_close(scene->primitives[0].ior, ior, 0);
-    scene_free(scene);
 }
 
 /* As in POV-Ray the finish decides. */

@@ -202,20 +202,18 @@ TEST(first_colors)
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct diagnostics reports = { 0 };
+        SCOPED_VALUE(diagnostics) reports = { 0 };
         char text[300];
         snprintf(text, sizeof text,
                  "#declare C = rgb <1, 2, 3>; sphere { 0, 1 pigment { %s } }",
                  texts[i]);
-        struct scene *scene = read_versioned("test.pov", text, &reading_options,
-                                             &reports);
+        SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options,
+                                              &reports);
         if (!scene)
             diagnostics_print(&reports, stderr);
         assert_non_null(scene);
         assert_vector(scene->primitives->pigment.color[0], 1, 2, 3);
         assert_true(reports.count > 0);
-        scene_free(scene);
-        diagnostics_free(&reports);
     }
 }
 
@@ -227,7 +225,7 @@ TEST(all_errors)
                                "union { box { 0, 1 rotate <1, 2 } sphere { } bar }\n"
                                "camera { location }\n";
     static const size_t lines[] = { 1, 1, 1, 1, 2, 3, 3, 3, 4 };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
 
     assert_null(read_versioned("test.pov", text, &reading_options, &reports));
     if (reports.count != COUNT(lines))
@@ -235,7 +233,6 @@ TEST(all_errors)
     assert_int_equal(reports.count, COUNT(lines));
     for (size_t i = 0; i < COUNT(lines); i++)
         assert_int_equal(reports.items[i].line, lines[i]);
-    diagnostics_free(&reports);
 }
 
 TEST(print)
@@ -243,8 +240,8 @@ TEST(print)
     static const char expected[] = "test.pov:2:10: error: 'ovus' is not supported\n"
                                    "    \xc3\xa4? */   ovus { 1, 2 }\n"
                                    "            ^\n";
-    struct diagnostics reports = { 0 };
-    char *text = NULL;
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    FREED char *text = NULL;
     size_t length = 0;
     FILE *out = open_memstream(&text, &length);
 
@@ -252,9 +249,7 @@ TEST(print)
                    &reading_options, &reports);
     diagnostics_print(&reports, out);
     fclose(out);
-    diagnostics_free(&reports);
     assert_string_equal(text, expected);
-    free(text);
 }
 
 static void write_file(const char *folder, const char *name, const char *text)
@@ -352,9 +347,8 @@ TEST(bounds)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        char *text = repeated(rows[i].head, rows[i].part, 10000);
+        FREED char *text = repeated(rows[i].head, rows[i].part, 10000);
         assert_refused(text, 201, rows[i].message);
-        free(text);
     }
 }
 
@@ -362,9 +356,10 @@ TEST(bounds)
 TEST(many_places)
 {
     enum { COUNT_OF_SPHERES = 1000 };
-    char *text = repeated("", "sphere { 0, 1 finish { crand 2 } }\n", COUNT_OF_SPHERES);
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
+    FREED char *text = repeated("", "sphere { 0, 1 finish { crand 2 } }\n",
+                                COUNT_OF_SPHERES);
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(scene->primitive_count, COUNT_OF_SPHERES);
@@ -372,16 +367,13 @@ TEST(many_places)
     assert_int_equal(reports.count, 1);
     assert_int_equal(reports.items->line, 1);
     assert_non_null(strstr(reports.items->message, "(1000 places"));
-    scene_free(scene);
-    diagnostics_free(&reports);
-    free(text);
 }
 
 TEST(many_reports)
 {
     enum { MOST_TOLD = 200 };
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned(
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = read_versioned(
         "test.pov", "#for (I, 1, 1000)\n#warning concat(\"no \", str(I, 0, 0))\n#end",
         &reading_options, &reports);
 
@@ -390,26 +382,21 @@ TEST(many_reports)
     assert_int_equal(reports.count, MOST_TOLD + 1);
     assert_string_equal(reports.items[MOST_TOLD - 1].message, "no 200");
     assert_non_null(strstr(reports.items[MOST_TOLD].message, "left out"));
-    scene_free(scene);
-    diagnostics_free(&reports);
 }
 
 /* More places than are kept are no reason to pass over the rest in silence. */
 TEST(lost_notes)
 {
     enum { NOTES = 100001 };
-    char *text = repeated("", "sphere{0,1 uv_mapping}\n", NOTES);
-    struct diagnostics reports = { 0 };
-    struct scene *scene = read_versioned("test.pov", text, &reading_options, &reports);
+    FREED char *text = repeated("", "sphere{0,1 uv_mapping}\n", NOTES);
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene = read_versioned("test.pov", text, &reading_options, &reports);
 
     assert_non_null(scene);
     assert_int_equal(reports.count, 2);
     assert_non_null(strstr(reports.items[0].message, "(100000 places"));
     assert_int_equal(reports.items[1].line, NOTES);
     assert_non_null(strstr(reports.items[1].message, "too many reports"));
-    scene_free(scene);
-    diagnostics_free(&reports);
-    free(text);
 }
 
 /* A file counts when it is read, not when it is opened again. */
@@ -429,9 +416,9 @@ TEST(many_files)
                  "#for (J, 1, 3) #for (I, 1, %d) #fopen F concat(\"%s/\","
                  " str(I, 0, 0)) read #fclose F #end #end",
                  FILES - 1 + more, folder);
-        struct scene *scene = read_versioned("x.pov", text, &reading_options, &reports);
+        SCOPED(scene) *scene = read_versioned("x.pov", text, &reading_options,
+                                              &reports);
         assert_non_null(scene);
-        scene_free(scene);
     }
     snprintf(text, sizeof text,
              "#for (I, 1, %d) #fopen F concat(\"%s/\", str(I, 0, 0)) read"
@@ -452,8 +439,8 @@ TEST(libraries)
     char folder[] = "/tmp/scene-XXXXXX";
     const char *const search[] = { folder, NULL };
     const struct scene_options searching = { 4, 3, false, search, NULL, NULL, NULL, 0 };
-    struct diagnostics reports = { 0 };
-    struct scene *scene;
+    SCOPED_VALUE(diagnostics) reports = { 0 };
+    SCOPED(scene) *scene;
 
     assert_non_null(mkdtemp(folder));
     write_file(folder, "one.inc",
@@ -477,7 +464,5 @@ TEST(libraries)
     assert_int_equal(reports.count, 1);
     assert_non_null(strstr(reports.items->file, "one.inc"));
     assert_non_null(strstr(reports.items->message, "(4 places"));
-    scene_free(scene);
-    diagnostics_free(&reports);
     delete_files(folder, names);
 }

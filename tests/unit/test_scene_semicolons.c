@@ -89,13 +89,13 @@ static void find_place(const char *text, const char *at, size_t *line, size_t *c
 static void leave_out(char *text, char *semicolon)
 {
     struct scene_options options = strict_options;
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     size_t line, column;
 
     options.read_raster = with_images.read_raster;
     find_place(text, semicolon, &line, &column);
     *semicolon = ' ';
-    struct scene *scene = scene_read_text("test.pov", text, &options, &reports);
+    SCOPED(scene) *scene = scene_read_text("test.pov", text, &options, &reports);
     if (strchr("}\"", semicolon[-1]) || !strncmp(semicolon - 3, "3.7", 3)
             ? !scene
             : reports.count != 1 || reports.items[0].line != line
@@ -105,8 +105,6 @@ static void leave_out(char *text, char *semicolon)
         fail_msg("expected one error at %zu:%zu of: %s", line, column, text);
     }
     *semicolon = ';';
-    diagnostics_free(&reports);
-    scene_free(scene);
 }
 
 TEST(random_scenes)
@@ -116,10 +114,9 @@ TEST(random_scenes)
 
     write_bytes(LANGUAGE_IMAGE, language_image, strlen(language_image));
     for (uint64_t seed = 1; seed <= SCENES; seed++) {
-        char *text = language_scene_text(seed);
+        FREED char *text = language_scene_text(seed);
         for (char *c = strchr(text, ';'); c; c = strchr(c + 1, ';'), count++)
             leave_out(text, c);
-        free(text);
     }
     remove(LANGUAGE_IMAGE);
     assert_true(count > 5 * SCENES);

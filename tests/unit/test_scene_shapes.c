@@ -7,9 +7,9 @@
 
 TEST(cones)
 {
-    struct scene *scene = read_scene("cone { <1, 2, 3>, 2, 5*y, 0 }\n"
-                                     "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
-                                     "cone { -x, 1.5, x, 1.5 open }\n");
+    SCOPED(scene) *scene = read_scene("cone { <1, 2, 3>, 2, 5*y, 0 }\n"
+                                      "cone { 0, 0, x, .5 open no_shadow scale 2 }\n"
+                                      "cone { -x, 1.5, x, 1.5 open }\n");
     const struct primitive *p = scene->primitives;
 
     assert_int_equal(p[0].kind, PRIMITIVE_CONE);
@@ -26,14 +26,13 @@ TEST(cones)
     assert_close(p[2].shape.cylinder.radius, 1.5, 0);
     assert_true(p[2].shape.cylinder.open);
     assert_int_equal(p[2].line, 3);
-    scene_free(scene);
 }
 
 TEST(discs)
 {
-    struct scene *scene = read_scene("disc { <1, 2, 3>, -2*z, 2, .5 }\n"
-                                     "disc { y x, -1 scale 2 }\n"
-                                     "disc { 0, y, 1, -.5 inverse }\n");
+    SCOPED(scene) *scene = read_scene("disc { <1, 2, 3>, -2*z, 2, .5 }\n"
+                                      "disc { y x, -1 scale 2 }\n"
+                                      "disc { 0, y, 1, -.5 inverse }\n");
     const struct primitive *p = scene->primitives;
 
     assert_int_equal(p[0].kind, PRIMITIVE_DISC);
@@ -47,14 +46,13 @@ TEST(discs)
     assert_true(p[1].transformed);
     assert_close(p[2].shape.disc.hole, .5, 0);
     assert_true(p[2].inverted);
-    scene_free(scene);
 }
 
 TEST(tori)
 {
-    struct scene *scene = read_scene("torus { 2, .5 sturm rotate 90*x }\n"
-                                     "torus { .5 1 sturm off pigment { rgb 1 } }\n"
-                                     "elliptical_torus { 3, .4, .2 }\n");
+    SCOPED(scene) *scene = read_scene("torus { 2, .5 sturm rotate 90*x }\n"
+                                      "torus { .5 1 sturm off pigment { rgb 1 } }\n"
+                                      "elliptical_torus { 3, .4, .2 }\n");
     const struct primitive *p = scene->primitives;
 
     assert_int_equal(p[0].kind, PRIMITIVE_TORUS);
@@ -67,12 +65,11 @@ TEST(tori)
     assert_close(p[2].shape.elliptical_torus.radial, .4, 0);
     assert_close(p[2].shape.elliptical_torus.axial, .2, 0);
     assert_string_equal(primitive_kind_name(p[2].kind), "elliptical_torus");
-    scene_free(scene);
 }
 
 TEST(polynomials)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "quadric { <1, 2, 3>, <4, 5, 6>, <7, 8, 9>, -1 translate x }\n"
         "quartic { <1, 2 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16,\n"
         "  17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32,\n"
@@ -87,15 +84,14 @@ TEST(polynomials)
     for (int i = 0; i < 34; i++)
         assert_close(p[1].shape.quartic.coefficients[i], i + 1, 0);
     assert_close(p[1].shape.quartic.coefficients[34], -4, 0);
-    scene_free(scene);
 }
 
 TEST(patches)
 {
-    struct scene *scene = read_scene("#declare A = <4, 0, 1>;\n"
-                                     "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x }\n"
-                                     "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x\n"
-                                     "    weights 1, 2, 3 .5, 1/4, 6 scale 2 }\n");
+    SCOPED(scene) *scene = read_scene("#declare A = <4, 0, 1>;\n"
+                                      "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x }\n"
+                                      "steiner_patch { A, 2*y, 0, <1, 2, 3>, y, x\n"
+                                      "    weights 1, 2, 3 .5, 1/4, 6 scale 2 }\n");
     const struct primitive *p = scene->primitives;
 
     assert_int_equal(p[0].kind, PRIMITIVE_STEINER_PATCH);
@@ -107,14 +103,13 @@ TEST(patches)
     assert_close(p[1].shape.steiner_patch.weights[2], 3, 0);
     assert_close(p[1].shape.steiner_patch.weights[4], .25, 0);
     assert_true(p[1].transformed);
-    scene_free(scene);
 }
 
 /* Heights in order; each loop closed, without points that repeat the one
  * before; loops that enclose nothing gone. */
 TEST(prisms)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "prism { linear_spline linear_sweep 2, -1, 12,"
         " <0, 0>, <1, 0>, <1, 0>, <0, 1>, <0, 1e-11>, <5, 5>, <6, 5>, <5, 5>,"
         " <2, 2>, <3, 2>, <3, 3>, <2, 3> }\n"
@@ -141,7 +136,6 @@ TEST(prisms)
     assert_int_equal(p[1].shape.prism.path.count, 4);
     assert_int_equal(p[2].shape.prism.path.count, 4);
     assert_close(p[3].shape.prism.path.points[1][0], 2, 0);
-    scene_free(scene);
 }
 
 /* A loop's first point only gives a direction; between two others stands the
@@ -149,7 +143,7 @@ TEST(prisms)
  * is left out, as in POV-Ray. */
 TEST(quadratic_prisms)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "prism { quadratic_spline linear_sweep 1, -1, 11,"
         " <0, 4>, <0, 0>, <4, 0>, <4, 4>, <1e-11, 0>,"
         " <7, 1>, <5, 5>, <9, 5>, <5, 9>, <5, 5>, <8, 8> }\n"
@@ -172,13 +166,12 @@ TEST(quadratic_prisms)
             assert_close(path->points[i][k], expected[i][k], 0);
     assert_int_equal(p[1].kind, PRIMITIVE_QUADRATIC_PRISM);
     assert_true(p[1].shape.quadratic_prism.open);
-    scene_free(scene);
 }
 
 /* Without points that repeat the one before; an end at the beginning is there. */
 TEST(lathes)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "lathe { linear_spline 6, <1, 0>, <1, 1e-11>, <2, 0>, <2, 1>,"
         " <2, 1>, <1, 1e-12> }\n"
         "lathe { 2.7 <1, 0> <0, 1> sturm translate x }\n");
@@ -194,7 +187,6 @@ TEST(lathes)
             assert_close(path->points[i][k], expected[i][k], 0);
     assert_true(p[1].transformed);
     assert_int_equal(p[1].shape.lathe.path.count, 2);
-    scene_free(scene);
 }
 
 /* Each text has this one error. */
@@ -301,10 +293,9 @@ TEST(conditions)
     for (size_t i = 0; i < COUNT(rows); i++) {
         char text[300];
         snprintf(text, sizeof text, "#declare A = 1;\n%s", rows[i].text);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         assert_int_equal(scene->primitive_count, 1);
         assert_close(scene->primitives->shape.sphere.radius, rows[i].radius, 0);
-        scene_free(scene);
     }
 }
 

@@ -74,10 +74,9 @@ static struct words *frame_of(size_t shape, size_t light, int decade, double *un
              "#declare S = pow(10, %d);\n%s\n%s\n%s\n"
              "plane { y, -1.4*S pigment { checker rgb 1, rgb .5 scale S } }\n",
              decade, cameras[shape % 2], lights[light], shapes[shape]);
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     struct words *words = same_frame_of(scene, text);
     *unit = ldexp(1, scene->unit_log);
-    scene_free(scene);
     return words;
 }
 
@@ -97,7 +96,7 @@ static void compare_frames(const struct words *same, size_t shape, size_t light,
                            int decade)
 {
     double unit;
-    struct words *words = frame_of(shape, light, decade, &unit);
+    FREED struct words *words = frame_of(shape, light, decade, &unit);
     size_t others = 0;
 
     unit *= pow(10, -decade);
@@ -106,7 +105,6 @@ static void compare_frames(const struct words *same, size_t shape, size_t light,
     if (others > OTHERS_MOST)
         fail_msg("shape %zu, light %zu, 10^%d: %zu pixels of %d differ", shape, light,
                  decade, others, PIXELS);
-    free(words);
 }
 
 TEST(pictures)
@@ -116,12 +114,11 @@ TEST(pictures)
     for (size_t i = 0; i < COUNT(shapes); i++) {
         size_t light = (i + i / 4) % (COUNT(lights));
         double unit;
-        struct words *same = frame_of(i, light, 0, &unit);
+        FREED struct words *same = frame_of(i, light, 0, &unit);
 
         assert_true(unit == 1);
         for (int decade = (int)(i % STEP) - DECADES; decade <= DECADES; decade += STEP)
             compare_frames(same, i, light, decade);
-        free(same);
     }
 }
 
@@ -152,17 +149,15 @@ static struct mass_figures figures_of(int decade)
                                           .seed = 1,
                                           .jobs = 1,
                                           .model = prior_model };
-    struct scene *scene = bodies_of(decade);
+    SCOPED(scene) *scene = bodies_of(decade);
     struct diagnostics reports = { 0 };
     c205_error error = { "" };
-    struct mass mass;
+    SCOPED_VALUE(mass) mass;
 
     if (!mass_begin(scene, &request, &mass, &reports, &error)
         || !mass_find(&mass, &error))
         fail_msg("%s", error.message);
     struct mass_figures figures = mass.rows[mass.row_count - 1].figures;
-    mass_free(&mass);
-    scene_free(scene);
     return figures;
 }
 
@@ -205,17 +200,15 @@ static void heat_of(int decade, double found[3])
                                           .temperatures = temperatures,
                                           .temperature_count = 1,
                                           .model = prior_model };
-    struct scene *scene = bodies_of(decade);
+    SCOPED(scene) *scene = bodies_of(decade);
     c205_error error = { "" };
-    struct heat heat;
+    SCOPED_VALUE(heat) heat;
 
     if (!heat_begin(scene, &request, &heat, &error) || !heat_find(&heat, &error))
         fail_msg("%s", error.message);
     found[0] = heat.surfaces.list[0].area.value;
     found[1] = heat.surfaces.list[0].factor[1].value;
     found[2] = heat.thermal.exchange.flow[0];
-    heat_free(&heat);
-    scene_free(scene);
 }
 
 TEST(heat)

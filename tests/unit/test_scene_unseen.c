@@ -132,22 +132,19 @@ static size_t count_reports(const struct diagnostics *reports)
 static void check(size_t shape, size_t place, const struct words *expected)
 {
     char text[2000];
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
 
     scene_text(text, sizeof text, shape, place);
-    struct scene *scene = scene_read_text("unseen.pov", text, &reading_options,
-                                          &reports);
+    SCOPED(scene) *scene = scene_read_text("unseen.pov", text, &reading_options,
+                                           &reports);
     if (!scene)
         fail_msg("is not read: %s\n%s", reports.items[0].message, text);
     if (count_reports(&reports) != 1)
         fail_msg("%zu reports that the shape is left out:\n%s", count_reports(&reports),
                  text);
-    struct words *words = same_frame_of(scene, text);
+    FREED struct words *words = same_frame_of(scene, text);
     if (memcmp(words, expected, sizeof *words) != 0)
         fail_msg("the frame is not that of the scene without:\n%s", text);
-    free(words);
-    diagnostics_free(&reports);
-    scene_free(scene);
 }
 
 TEST(unseen)
@@ -195,9 +192,8 @@ TEST(without_height)
                      HEAD "camera { location <1, 2, -4> look_at 0 }\n"
                           "%s rotate <10, 20, 0> pigment { rgb 1 } }\n",
                      k ? rows[i].other : rows[i].flat);
-            struct words *words = same_frame(text);
+            FREED struct words *words = same_frame(text);
             seen[k] = hits(words);
-            free(words);
         }
         if (seen[0] != seen[1] || seen[0] == 0)
             fail_msg("%zu pixels, not %zu: %s", seen[0], seen[1], rows[i].flat);
@@ -213,10 +209,9 @@ TEST(flat)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct scene *scene = read_with(rows[i], 1);
+        SCOPED(scene) *scene = read_with(rows[i], 1);
 
         assert_false(scene->primitives[0].transformed);
-        scene_free(scene);
     }
 }
 

@@ -85,10 +85,9 @@ static struct words words_of(const struct primitive *primitive)
 
     shape_words(primitive, &words.shape);
     words.table_count = shape_table_count(primitive, NULL);
-    double *table = shape_table(primitive, NULL, words.table_count);
+    FREED double *table = shape_table(primitive, NULL, words.table_count);
     assert_true(table && words.table_count <= STEINER_TABLE_MOST);
     memcpy(words.table, table, words.table_count * sizeof *table);
-    free(table);
     return words;
 }
 

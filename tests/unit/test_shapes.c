@@ -69,7 +69,7 @@ static void check_program(const char *kernel, bool historical)
             *next++ = (struct asm_define){ shapes[i]->symbol, 1 };
     if (historical)
         *next = (struct asm_define){ "HISTORICAL", 1 };
-    struct object *program = program_assemble(kernel, defines, &error);
+    SCOPED(object) *program = program_assemble(kernel, defines, &error);
     if (!program)
         fail_msg("%s", error.message);
     for (size_t i = 0; i < PRIMITIVE_KINDS; i++) {
@@ -79,7 +79,6 @@ static void check_program(const char *kernel, bool historical)
         if (shape->is_other)
             check_routines(program, &shape->other, historical);
     }
-    object_free(program);
 }
 
 TEST(kernels)
@@ -125,19 +124,17 @@ static void look_through(const struct primitive *primitive)
 
 static void look_at_scene(const char *path)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     const struct scene_options options = { .width = 640,
                                            .height = 480,
                                            .read_raster = picture_read_raster };
-    struct scene *scene = scene_read(path, &options, &reports);
+    SCOPED(scene) *scene = scene_read(path, &options, &reports);
 
     if (!scene)
         fail_msg("%s is not read", path);
     for (size_t i = 0; i < scene->primitive_count; i++)
         if (found[scene->primitives[i].kind].count++ < 20)
             look_through(&scene->primitives[i]);
-    scene_free(scene);
-    diagnostics_free(&reports);
 }
 
 TEST(scenes)

@@ -21,10 +21,9 @@ static void check_sights(const char *view, const struct sight *sights, size_t co
         char text[2048];
 
         snprintf(text, sizeof text, "%s%s", view, sights[i].text);
-        struct words *words = same_frame(text);
+        FREED struct words *words = same_frame(text);
         int64_t id = c205_to_integer(words->channel[CHANNEL_ID][middle]);
         double depth = c205_to_double(words->channel[CHANNEL_DEPTH][middle]);
-        free(words);
         if (id == sights[i].id && fabs(depth - sights[i].depth) <= 1e-10)
             continue;
         print_error("%s: %d at %.12g\n", sights[i].text, (int)id, depth);

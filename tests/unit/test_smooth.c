@@ -123,7 +123,7 @@ static void solve(struct system *system)
 
 static void check_oracle(const struct found *found, const double *smooth)
 {
-    struct system *system = calloc(1, sizeof *system);
+    FREED struct system *system = calloc(1, sizeof *system);
 
     assert_non_null(system);
     list_flows(found, system);
@@ -138,7 +138,6 @@ static void check_oracle(const struct found *found, const double *smooth)
             fail_msg("%zu surfaces, from %zu to %zu: %.15g, not %.15g", found->count,
                      system->from[k] + 1, system->to[k] + 1, flow, expected);
     }
-    free(system);
 }
 
 /* ---- Enclosures by chance ----------------------------------------------------- */
@@ -157,11 +156,10 @@ static bool run(const struct found *found, enum trace_mode mode, double *smooth,
                 c205_error *error)
 {
     struct smooth_given given = given_of(found, mode);
-    struct accounts accounts = { .model = prior_model };
+    SCOPED_VALUE(accounts) accounts = { .model = prior_model };
     bool good = smooth_flows(&given, smooth, &accounts, error);
 
     assert_true(accounts.clocks > 0);
-    accounts_free(&accounts);
     return good;
 }
 
@@ -226,7 +224,7 @@ static void refuses(const struct found *found, const char *message)
 
     for (int mode = 0; mode < TRACE_FORMS; mode++) {
         struct smooth_given given = given_of(found, (enum trace_mode)mode);
-        struct accounts accounts = { .model = prior_model };
+        SCOPED_VALUE(accounts) accounts = { .model = prior_model };
         double smooth[MOST * (MOST + 1)];
         c205_error error = { "" };
 
@@ -234,7 +232,6 @@ static void refuses(const struct found *found, const char *message)
         assert_false(smooth_flows(&given, smooth, &accounts, &error));
         if (!strstr(error.message, message))
             fail_msg("%s: %s", message, error.message);
-        accounts_free(&accounts);
     }
 }
 

@@ -86,7 +86,7 @@ static struct object *assemble(const char *text, const char *routine)
     const struct asm_define defines[] = { { "QUEUE", LANES }, { NULL, 0 } };
     const struct text *const texts[] = { kernel_texts, NULL };
     const struct asm_options how = { .defines = defines, .texts = texts };
-    struct diagnostics errors = { 0 };
+    SCOPED_VALUE(diagnostics) errors = { 0 };
     struct sink sink = stream_sink(stderr);
     char program[4096];
     const char *at = strstr(text, "ROUTINE");
@@ -96,7 +96,6 @@ static struct object *assemble(const char *text, const char *routine)
     struct object *object = assemble_text("test.s", program, &how, &errors);
     diagnostics_put(&errors, &sink);
     assert_non_null(object);
-    diagnostics_free(&errors);
     return object;
 }
 
@@ -127,16 +126,14 @@ static void run(c205 *machine)
 
 static void run_scalar(struct lanes *lanes, const char *routine)
 {
-    struct object *object = assemble(scalar_program, routine);
-    c205 *machine = load(object);
+    SCOPED(object) *object = assemble(scalar_program, routine);
+    SCOPED(c205) *machine = load(object);
 
     assert_true(c205_write(machine, address_of(object, "inputs"), lanes->in[0],
                            LANES * INPUTS));
     run(machine);
     assert_true(c205_read(machine, address_of(object, "outputs"), lanes->out[0],
                           LANES * OUTPUTS));
-    c205_free(machine);
-    object_free(object);
 }
 
 /* Registers that the solver may change: link_inner, s0-s9, what its head
@@ -150,8 +147,8 @@ static bool may_change(unsigned number)
 
 static void run_vector(struct lanes *lanes, const char *routine)
 {
-    struct object *object = assemble(vector_program, routine);
-    c205 *machine = load(object);
+    SCOPED(object) *object = assemble(vector_program, routine);
+    SCOPED(c205) *machine = load(object);
     uint64_t inputs = address_of(object, "inputs");
     c205_word plane[LANES];
 
@@ -178,8 +175,6 @@ static void run_vector(struct lanes *lanes, const char *routine)
         for (unsigned i = 0; i < LANES; i++)
             lanes->out[i][j] = plane[i];
     }
-    c205_free(machine);
-    object_free(object);
 }
 
 /* Intervals about 0, as those of a ray about its closest approach; one in

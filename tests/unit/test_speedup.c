@@ -378,8 +378,8 @@ TEST(formulations)
             for (int mode = 0; mode < TRACE_FORMS; mode++)
                 assert_true(measures[i][mode].total != measures[k][mode].total);
     }
-    struct table *table = formulations_table(model, (const struct speedup_measure(
-                                                            *)[TRACE_FORMS])measures);
+    SCOPED(table) *table = formulations_table(model, (const struct speedup_measure(
+                                                             *)[TRACE_FORMS])measures);
     FILE *stream = fmemopen(text, sizeof text, "w");
     assert_true(table && stream);
     assert_true(table_write(table, TABLE_CSV, stream));
@@ -397,7 +397,6 @@ TEST(formulations)
             assert_near(strtod(csv.cell[row][2 + 2 * i], NULL),
                         100 * (strtod(csv.cell[row][1 + 2 * i], NULL) / told - 1));
     }
-    table_free(table);
     free(measures);
 }
 
@@ -436,12 +435,11 @@ TEST(markdown)
 static void check_projection(const char *name, const char *other)
 {
     c205_error error;
-    c205_model *on = c205_model_find(name, &error);
+    SCOPED(c205_model) *on = c205_model_find(name, &error);
 
     assert_non_null(on);
     assert_string_equal(speedup_projection_model(on, SPEEDUP_720), other);
     assert_string_equal(speedup_projection_model(on, SPEEDUP_6600), "cdc6600");
-    c205_model_free(on);
 }
 
 /* Beside priors those of the 720, beside fitted constants its fitted ones. */

@@ -63,10 +63,9 @@ TEST(curves_in_planes_of_rays)
                  "%ssteiner_patch { <2, 0, 1>, <0, 2, 1>, 0,"
                  " <1, 1, 0>, <0, 1, -1>, <1, 0, -1> translate <-.5, -.5, 0> %s }",
                  STRAIGHT, turns[i]);
-        struct words *words = plain_frame(text);
+        FREED struct words *words = plain_frame(text);
 
         assert_true(hits(words) > 0);
-        free(words);
     }
 }
 
@@ -114,7 +113,7 @@ TEST(planes)
 /* Two patches share an edge: no ray of the seam gets through. */
 TEST(no_gap_at_an_edge)
 {
-    struct words *words = same_frame(
+    FREED struct words *words = same_frame(
         AHEAD "steiner_patch { <-9, -9, 0>, <9, -9, 0>, <0, 0, 1>,"
               " <0, -5, .3>, <4, -5, 2>, <-5, -4, 1> }"
               "steiner_patch { <-9, -9, 0>, <0, 0, 1>, <-9, 9, 0>,"
@@ -125,7 +124,6 @@ TEST(no_gap_at_an_edge)
               " <0, 6, .3>, <-4, 5, .2>, <5, 4, -1> }");
 
     assert_int_equal(hits(words), PIXELS);
-    free(words);
 }
 
 TEST(starts)

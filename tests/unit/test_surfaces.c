@@ -19,9 +19,8 @@ TEST(surfaces)
     static const double colors[6] = { 1, .5, 0, 0, .75, .75 };
     static const double reflection[4] = { .1, .3, .2, .3 };
     static const double index[2] = { 1.6, .625 };
-    struct stage stage;
 
-    raise_curtain(&stage, text, BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_PASSING", passing, 8);
     check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
     check_numbers(&stage, 0, "P_INDEX", index, 2);
@@ -32,7 +31,6 @@ TEST(surfaces)
         assert_integer(primitive(&stage, i, "P_MIRROR"), i == 0);
         assert_integer(primitive(&stage, i, "P_CLEAR"), i < 2);
     }
-    drop_curtain(&stage);
 }
 
 /* Ambient times the ambient light; the reciprocal of the roughness. */
@@ -43,11 +41,9 @@ TEST(finish)
         "sphere { 0, 1 finish { ambient .5 diffuse .25 phong .5\n"
         "  phong_size 10 specular .75 roughness .125 } }";
     static const double finish[8] = { .25, .5, 1, .25, .5, 10, .75, 8 };
-    struct stage stage;
 
-    raise_curtain(&stage, text, BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_FINISH", finish, 8);
-    drop_curtain(&stage);
 }
 
 /* Finishes that depend on the angle.  The opacity of a metal is in its finish. */
@@ -71,9 +67,8 @@ TEST(gloss)
     static const int kinds[] = { 1, 2, 1, 0 };
     static const double checker[] = { .5, .5, .5, 1, 1, 1 };
     static const double reflection[] = { .25, .25, .25, 1 };
-    struct stage stage;
 
-    raise_curtain(&stage, text, BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     for (size_t i = 0; i < COUNT(gloss); i++) {
         check_numbers(&stage, i, "P_GLOSS", gloss[i], 7);
         assert_integer(primitive(&stage, i, "P_REFLECTION_KIND"), kinds[i]);
@@ -82,7 +77,6 @@ TEST(gloss)
     check_numbers(&stage, 0, "P_FINISH", (const double[]){ .375, .375, .375, .25 }, 4);
     check_numbers(&stage, 0, "P_REFLECTION", reflection, 4);
     check_numbers(&stage, 2, "P_COLOR", checker, 6);
-    drop_curtain(&stage);
 }
 
 /* As POV-Ray: the opacity is not held between 0 and 1, a colour weighs what it
@@ -100,15 +94,13 @@ TEST(odd_surfaces)
         { 1.125, 1.5, .75, 1.5 }, { -.5, -.5, -.5, -1 }, { 0, 0, .03125, -1 },
         { 0, 0, .125, .125 },     { -1, 1, 0, 1 },
     };
-    struct stage stage;
 
-    raise_curtain(&stage, text, BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     check_numbers(&stage, 0, "P_COLOR", (const double[]){ -.25, -.5, 0 }, 3);
     check_numbers(&stage, 1, "P_COLOR", (const double[]){ .75, 1.5, 0 }, 3);
     check_numbers(&stage, 1, "P_REFLECTION", (const double[]){ .25, -.5, 0, .5 }, 4);
     for (size_t i = 0; i < COUNT(numbers); i++)
         check_numbers(&stage, i, "P_PASSING", numbers[i], 4);
-    drop_curtain(&stage);
 }
 
 /* The steps of a list are another one's if the waves are, too. */
@@ -123,7 +115,7 @@ TEST(stops)
         "sphere { 0, 1 pigment { B onion } } sphere { 0, 1 pigment { O } }\n"
         "sphere { 0, 1 pigment { O triangle_wave frequency 2 } }";
     static const bool same[] = { true, false, false, false, false, true };
-    struct scene *scene = read_scene(text);
+    SCOPED(scene) *scene = read_scene(text);
     const struct primitive *p = scene->primitives;
 
     for (size_t i = 0; i < COUNT(same); i++)
@@ -131,14 +123,11 @@ TEST(stops)
     assert_int_equal(stop_count(&p[0].pigment), 4);
     assert_int_equal(stop_count(&p[4].pigment), 2);
     assert_int_equal(stop_count(&p[5].pigment), 1);
-    scene_free(scene);
 }
 
 static void check_interiors(const char *text, size_t bodies, double base, double full)
 {
-    struct stage stage;
-
-    raise_curtain(&stage, text, BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
     uint64_t first = symbol(&stage, "scene_interiors");
     c205_word table = stage_word(&stage, first);
     assert_number(stage_word(&stage, table), 1);
@@ -149,7 +138,6 @@ static void check_interiors(const char *text, size_t bodies, double base, double
     assert_number(stage_word(&stage, first + 3 * 64), full);
     assert_number(stage_word(&stage, first + 4 * 64), full > 0 ? 1 / full : 0);
     assert_number(stage_word(&stage, first + 5 * 64), 9);
-    drop_curtain(&stage);
 }
 
 /* Those that rays may be in, in order; so many as there is room for are
@@ -169,12 +157,10 @@ TEST(interiors)
                                "#for (I, 1, %d) sphere { 0, 1 pigment { rgbt .5 }\n"
                                "    interior { ior 1 + I/64 } } #end";
     char text[200];
-    struct stage stage;
 
-    raise_curtain(&stage, few, BOUNDING_FLAT);
+    SCOPED_VALUE(stage) stage = stage_of(few, BOUNDING_FLAT);
     for (size_t i = 0; i < COUNT(numbers); i++)
         assert_number(primitive(&stage, i, "P_INTERIOR"), numbers[i]);
-    drop_curtain(&stage);
     check_interiors(few, 3, 4, 0);
     snprintf(text, sizeof text, many, 11);
     check_interiors(text, 11, 16, 0);
@@ -198,21 +184,19 @@ TEST(levels)
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {
-        struct stage stage;
         char text[200];
         c205_word word;
 
         snprintf(text, sizeof text,
                  "global_settings { max_trace_level 7 adc_bailout .125 } %s",
                  rows[i].text);
-        raise_curtain(&stage, text, BOUNDING_FLAT);
+        SCOPED_VALUE(stage) stage = stage_of(text, BOUNDING_FLAT);
         assert_integer(scene_word(&stage, "scene_level_count"), rows[i].levels);
         assert_number(scene_word(&stage, "scene_bailout"), .125);
         assert_true(c205_read(stage.machine,
                               scene_word(&stage, "scene_levels")
                                   + 64 * 10 * (uint64_t)rows[i].levels - 64,
                               &word, 1));
-        drop_curtain(&stage);
     }
 }
 

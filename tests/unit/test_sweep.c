@@ -84,7 +84,7 @@ TEST(usual_lengths)
 /* The sweep measures what rt205 speedup measures. */
 TEST(queue)
 {
-    struct sweep sweep = sweep_of("cylinder", 16, 16);
+    SCOPED_VALUE(sweep) sweep = sweep_of("cylinder", 16, 16);
 
     sweep.lengths = few;
     sweep.length_count = 5;
@@ -108,14 +108,13 @@ TEST(queue)
             assert_int_equal(other.hits, measure->hits);
         }
     }
-    sweep_free(&sweep);
 }
 
 /* Fourteen balls in one solid: each ray's crossings of all of them are kept. */
 static struct scene *read_balls(void)
 {
     static const struct scene_options how = { .strict = true };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     char text[2048];
     int length = snprintf(text, sizeof text,
                           "#version 3.7;\n"
@@ -130,7 +129,6 @@ static struct scene *read_balls(void)
              "pigment { color rgb 1 } }\n");
     struct scene *scene = scene_read_text("balls", text, &how, &reports);
     assert_non_null(scene);
-    diagnostics_free(&reports);
     return scene;
 }
 
@@ -142,10 +140,10 @@ TEST(small_memory)
                                              { "memory.real_words", 48 * 512 },
                                              { "translation.miss", 0 } };
     static const size_t lengths[] = { 8, 64, 256, 2500, 4096 };
-    struct scene *scene = read_balls();
-    struct sweep sweep = sweep_of("sphere", 64, 64);
+    SCOPED(scene) *scene = read_balls();
+    SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     c205_error error;
-    c205_model *small = c205_model_change(model, settings, 3, &error);
+    SCOPED(c205_model) *small = c205_model_change(model, settings, 3, &error);
 
     assert_non_null(small);
     sweep.subject = NULL;
@@ -163,16 +161,13 @@ TEST(small_memory)
                     - best->forms[SWEEP_QUEUED].total;
     assert_true(group(longest, SWEEP_FAULT) - group(best, SWEEP_FAULT) > more / 3);
     assert_true(group(longest, SWEEP_STARTUP) < group(best, SWEEP_STARTUP));
-    sweep_free(&sweep);
-    c205_model_free(small);
-    scene_free(scene);
 }
 
 /* What it says of two frames holds for a third; a tree's crossings count. */
 TEST(memory)
 {
-    struct scene *scene = read_balls();
-    struct sweep sweep = sweep_of("sphere", 64, 64);
+    SCOPED(scene) *scene = read_balls();
+    SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
     struct sweep_memory memory;
     c205_error error = { "" };
     uint64_t words;
@@ -189,14 +184,12 @@ TEST(memory)
     double expected = memory.fixed + 96 * 96 * memory.a_ray;
     assert_true(fabs((double)words / expected - 1) < .05);
     assert_true(fabs(memory.fixed + memory.fills * memory.a_ray - memory.real) < 1);
-    sweep_free(&sweep);
-    scene_free(scene);
 }
 
 TEST(queue_report)
 {
-    struct sweep sweep = sweep_of("sphere", 64, 64);
-    struct sweep_report report = { .part_count = 0 };
+    SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
+    SCOPED_VALUE(sweep_report) report = { .part_count = 0 };
     c205_error error = { "" };
     double sum = 0;
 
@@ -219,8 +212,6 @@ TEST(queue_report)
     assert_true(fabs(sum - table_value(difference, SWEEP_GROUPS, 3)) < 1e-9);
     assert_true(table_value(difference, SWEEP_GROUPS, 3) >= 0);
     assert_non_null(strstr(report.lines[0], "Best: a queue of"));
-    sweep_report_free(&report);
-    sweep_free(&sweep);
 }
 
 /* ---- Pipes --------------------------------------------------------------- */
@@ -229,7 +220,7 @@ TEST(queue_report)
  * nothing else changes, and half words on n pipes are words on 2 n. */
 TEST(pipes)
 {
-    struct sweep sweep = sweep_of("sphere", 64, 64);
+    SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
 
     sweep.base.trace.queue = 1024;
     run(&sweep_pipes, &sweep);
@@ -248,7 +239,6 @@ TEST(pipes)
                     == m[i + 1].forms[SWEEP_QUEUED].total);
     }
     assert_true(m[5].forms[SWEEP_QUEUED].total < m[4].forms[SWEEP_QUEUED].total);
-    sweep_free(&sweep);
 }
 
 /* ---- Hits ---------------------------------------------------------------- */
@@ -256,7 +246,7 @@ TEST(pipes)
 TEST(hits)
 {
     for (size_t i = 0; i < speedup_subject_count; i++) {
-        struct sweep sweep = sweep_of(speedup_subjects[i].name, 16, 16);
+        SCOPED_VALUE(sweep) sweep = sweep_of(speedup_subjects[i].name, 16, 16);
 
         run(&sweep_hits, &sweep);
         assert_int_equal(sweep.count, 11);
@@ -265,7 +255,6 @@ TEST(hits)
         assert_int_equal(sweep.measures[10].hits, 256);
         for (size_t k = 1; k < sweep.count; k++)
             assert_true(sweep.measures[k].hits > sweep.measures[k - 1].hits);
-        sweep_free(&sweep);
     }
 }
 
@@ -275,19 +264,18 @@ TEST(hits_of_frames)
     static const size_t sizes[][2] = { { 40, 8 }, { 8, 40 } };
 
     for (size_t i = 0; i < 2; i++) {
-        struct sweep sweep = sweep_of("cylinder", sizes[i][0], sizes[i][1]);
+        SCOPED_VALUE(sweep) sweep = sweep_of("cylinder", sizes[i][0], sizes[i][1]);
 
         run(&sweep_hits, &sweep);
         assert_int_equal(sweep.measures[0].hits, 0);
         assert_int_equal(sweep.measures[10].hits, 320);
-        sweep_free(&sweep);
     }
 }
 
 /* From far away, and from so near that the frame has no place beside it. */
 TEST(hits_out_of_view)
 {
-    struct sweep sweep = sweep_of("sphere", 16, 16);
+    SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 16, 16);
     c205_error error = { "" };
 
     sweep.base.view.distance = 500;
@@ -296,7 +284,6 @@ TEST(hits_out_of_view)
     sweep.base.view.distance = 1.1;
     assert_false(sweep_hits.measure(&sweep, &error));
     assert_non_null(strstr(error.message, "too large"));
-    sweep_free(&sweep);
 }
 
 /* ---- Lengths ------------------------------------------------------------- */
@@ -330,7 +317,7 @@ TEST(length)
     static const size_t lengths[] = { 1, 2, 4, 8, 16, 64, 256, 1024 };
 
     for (size_t i = 0; i < share_of(4); i++) {
-        struct sweep sweep = sweep_of(names[i], 1, 1);
+        SCOPED_VALUE(sweep) sweep = sweep_of(names[i], 1, 1);
 
         sweep.lengths = lengths;
         sweep.length_count = 8;
@@ -348,7 +335,6 @@ TEST(length)
                              sweep.measures[k].point.trace.queue);
             assert_true(group(&sweep.measures[k], SWEEP_FAULT) == 0);
         }
-        sweep_free(&sweep);
     }
 }
 
@@ -429,7 +415,7 @@ static bool watch(void *context, size_t done, size_t all)
 TEST(progress)
 {
     for (size_t stop_at = 0; stop_at < 4; stop_at++) {
-        struct sweep sweep = sweep_of("sphere", 64, 64);
+        SCOPED_VALUE(sweep) sweep = sweep_of("sphere", 64, 64);
         struct watcher watcher = { .stop_at = stop_at };
         c205_error error = { "" };
 
@@ -442,7 +428,6 @@ TEST(progress)
         assert_false(watcher.fell);
         if (stop_at > 0)
             assert_non_null(strstr(error.message, "stopped"));
-        sweep_free(&sweep);
     }
 }
 

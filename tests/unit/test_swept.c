@@ -20,7 +20,7 @@ static size_t scene_count = 4; /* of each sort */
 static void check_prism(const struct primitive *prism, bool tangled)
 {
     size_t count = shape_table_count(prism, NULL);
-    double *table = shape_table(prism, NULL, count);
+    FREED double *table = shape_table(prism, NULL, count);
 
     (void)tangled;
     assert_non_null(table);
@@ -39,7 +39,6 @@ static void check_prism(const struct primitive *prism, bool tangled)
         assert_true(plain_encloses(prism, inside));
         assert_false(plain_encloses(prism, outside));
     }
-    free(table);
 }
 
 enum {
@@ -86,14 +85,13 @@ static void check_point(const struct primitive *prism, const double *corner,
 static void check_quadratic_prism(const struct primitive *prism, bool tangled)
 {
     size_t count = shape_table_count(prism, NULL);
-    double *table = shape_table(prism, NULL, count);
+    FREED double *table = shape_table(prism, NULL, count);
 
     assert_non_null(table);
     for (double *row = table; row < table + count; row += 16)
         if (row[BEGINS] == 0)
             for (double w = .1; w < 1; w += .2)
                 check_point(prism, row - 16, row, w, tangled);
-    free(table);
 }
 
 enum { HEIGHT_WORD = 1, BEGINS_WORD = 2, RADIUS_WORD = 10 };
@@ -113,7 +111,7 @@ static bool is_closed(const struct primitive *lathe)
 static void check_lathe(const struct primitive *lathe, bool tangled)
 {
     size_t count = shape_table_count(lathe, NULL);
-    double *table = shape_table(lathe, NULL, count);
+    FREED double *table = shape_table(lathe, NULL, count);
     struct shape_words words;
 
     (void)tangled;
@@ -136,7 +134,6 @@ static void check_lathe(const struct primitive *lathe, bool tangled)
         assert_true(plain_encloses(lathe, inside) || !is_closed(lathe));
         assert_false(plain_encloses(lathe, outside));
     }
-    free(table);
 }
 
 /* ---- The shapes ---------------------------------------------------------- */
@@ -200,10 +197,9 @@ static size_t segments_of(const struct swept *shape, const char *path)
     struct shape_words words;
 
     snprintf(text, sizeof text, "%s%s }", shape->begin, path);
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     shape_words(scene->primitives, &words);
     assert_int_equal(shape_table_count(scene->primitives, NULL) % shape->row_words, 0);
-    scene_free(scene);
     return words.segments;
 }
 
@@ -286,10 +282,9 @@ static void check_paths(const struct swept *shape)
 
         shape->add(text, sizeof text, try % 2);
         add_text(text, sizeof text, "}");
-        struct scene *scene = read_text(text);
+        SCOPED(scene) *scene = read_text(text);
         check_crossings(scene->primitives, shape->reach);
         shape->check(scene->primitives, true);
-        scene_free(scene);
     }
 }
 
@@ -317,9 +312,8 @@ TEST(known_normals)
         char text[1000];
 
         snprintf(text, sizeof text, "prism { quadratic_spline -1, 1, %s }", paths[i]);
-        struct scene *scene = read_text(text);
+        SCOPED(scene) *scene = read_text(text);
         check_quadratic_prism(scene->primitives, i + 1 == count);
-        scene_free(scene);
     }
 }
 

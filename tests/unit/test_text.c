@@ -117,7 +117,7 @@ TEST(extents)
         char text[200];
         snprintf(text, sizeof text, "text { ttf \"%s.ttf\" \"%s\" 1, %s }",
                  rows[i].font, rows[i].string, rows[i].offset);
-        struct scene *scene = read_scene(text);
+        SCOPED(scene) *scene = read_scene(text);
         extent_of(scene, low, high);
         for (int k = 0; k < 2; k++) {
             assert_close(low[k], rows[i].low[k], WITHIN);
@@ -125,7 +125,6 @@ TEST(extents)
         }
         assert_close(low[2], 0, 0);
         assert_close(high[2], 1, 0);
-        scene_free(scene);
     }
 }
 
@@ -141,7 +140,7 @@ static double area_of(const double from[2], const double handle[2], const double
 /* The dot of this font is round: its parabolas enclose as much as an ellipse. */
 TEST(curves)
 {
-    struct scene *scene = read_scene("text { ttf \"timrom.ttf\" \".\" 1, 0 }");
+    SCOPED(scene) *scene = read_scene("text { ttf \"timrom.ttf\" \".\" 1, 0 }");
     struct character dot = character_of(scene->primitives);
     const double(*points)[2] = (const double(*)[2])dot.path->points;
     double low[3], high[3], area = 0;
@@ -152,14 +151,13 @@ TEST(curves)
     for (size_t i = 0; i + 2 < dot.path->count; i += 2)
         area += area_of(points[i], points[i + 1], points[i + 2]);
     assert_close(fabs(area) / ellipse, 1, .01);
-    scene_free(scene);
 }
 
 /* This one has small curves at its feet, and else straight edges, some of them slanted:
  * nearly nothing lies between these and the chords of its corners. */
 TEST(slanted)
 {
-    struct scene *scene = read_scene("text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
+    SCOPED(scene) *scene = read_scene("text { ttf \"timrom.ttf\" \"A\" 1, 0 }");
     struct character letter = character_of(scene->primitives);
     struct path_walk walk = { .path = letter.path, .apart = letter.apart };
     double bows = 0, area = 0;
@@ -173,18 +171,16 @@ TEST(slanted)
         area += chord;
     }
     assert_close(bows / fabs(area), 0, .03);
-    scene_free(scene);
 }
 
 /* Characters without curves are prisms of straight edges. */
 TEST(straight)
 {
-    struct scene *scene = read_scene("text { ttf \"cyrvetic.ttf\" \"TI\" 1, 0 }");
+    SCOPED(scene) *scene = read_scene("text { ttf \"cyrvetic.ttf\" \"TI\" 1, 0 }");
 
     assert_int_equal(scene->primitive_count, 2);
     for (size_t i = 0; i < 2; i++)
         assert_int_equal(character_of(&scene->primitives[i]).apart, 1);
-    scene_free(scene);
 }
 
 /* ---- Fonts as they may be --------------------------------------------------- */
@@ -252,14 +248,14 @@ static void check_outline(const struct glyph *glyph)
 
 static void check_font(const char *name, bool points)
 {
-    struct arena arena = { NULL, false };
+    SCOPED_VALUE(arena) arena = { NULL, false };
     const char *fault;
     char path[100];
     c205_error error;
     size_t length;
 
     snprintf(path, sizeof path, "/usr/share/povray-3.7/include/%s.ttf", name);
-    char *bytes = file_read(path, FILE_LARGEST, &length, &error);
+    FREED char *bytes = file_read(path, FILE_LARGEST, &length, &error);
     assert_non_null(bytes);
     if (points)
         leave_points((unsigned char *)bytes);
@@ -271,8 +267,6 @@ static void check_font(const char *name, bool points)
         check_outline(&glyph);
     }
     font_close(font);
-    free(bytes);
-    arena_free(&arena);
 }
 
 TEST(outlines)
@@ -320,7 +314,7 @@ TEST(touching_loops)
 
 TEST(modifiers)
 {
-    struct scene *scene = read_scene(
+    SCOPED(scene) *scene = read_scene(
         "text { ttf concat(\"cyrvetic\", \".ttf\"), \"I I\" -.5, 0"
         " scale 2 translate <1, 2, 3> pigment { rgb x } no_shadow }");
     double low[3], high[3];
@@ -333,15 +327,13 @@ TEST(modifiers)
     assert_close(low[1], 2, CLOSE);
     assert_close(low[2], 2, CLOSE);
     assert_close(high[2], 3, CLOSE);
-    scene_free(scene);
 }
 
 TEST(blank)
 {
-    struct scene *scene = read_with("text { ttf \"timrom.ttf\" \" \" 1, 0 }", 1);
+    SCOPED(scene) *scene = read_with("text { ttf \"timrom.ttf\" \" \" 1, 0 }", 1);
 
     assert_int_equal(scene->primitive_count, 0);
-    scene_free(scene);
 }
 
 TEST(errors)

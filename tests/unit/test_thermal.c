@@ -34,7 +34,7 @@ static void find_rows(struct study *study)
                                              .model = prior_model };
     size_t count = study->scene->primitive_count;
     c205_error error = { "" };
-    struct factors *factors = factors_new(study->scene, &options, &error);
+    SCOPED(factors) *factors = factors_new(study->scene, &options, &error);
     const char **refusals = source_refusals(study->scene);
 
     assert_non_null(factors);
@@ -43,7 +43,6 @@ static void find_rows(struct study *study)
     for (size_t i = 0; i < count; i++)
         if (!refusals[i] && !factors_find(factors, &i, 1, &study->rows[i], &error))
             fail_msg("%s", error.message);
-    factors_free(factors);
     free(refusals);
     surfaces_combine(&study->surfaces, study->rows);
 }
@@ -155,7 +154,7 @@ TEST(flows)
 {
     double pi = acos(-1), fourth = 3e2 * 3e2 * 3e2 * 3e2;
     struct study study = begin(ball, BY_PRIMITIVE);
-    struct thermal thermal;
+    SCOPED_VALUE(thermal) thermal;
     c205_error error;
 
     assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
@@ -163,7 +162,6 @@ TEST(flows)
     assert_flow(thermal.exchange.flow[0], 25842.18560027);
     assert_flow(thermal.exchange.flow[2], -25842.18560027);
     assert_flow(thermal.exchange.flow[1], .5 * SIGMA * fourth * 4 * pi * 6.25);
-    thermal_free(&thermal);
     end(&study);
 }
 
@@ -180,8 +178,8 @@ TEST(lines)
     double pi = acos(-1);
     struct study study = { .scene = read_scene(ball) };
     struct global_lines_options by_part = options;
-    struct global_lines found;
-    struct thermal thermal;
+    SCOPED_VALUE(global_lines) found;
+    SCOPED_VALUE(thermal) thermal;
     c205_error error = { "" };
 
     assert_true(named_parts_find(study.scene, &study.parts));
@@ -190,13 +188,11 @@ TEST(lines)
     by_part.surfaces = study.surfaces.count;
     assert_true(global_lines_find(study.scene, &by_part, &found, &error));
     surfaces_take_lines(&study.surfaces, &found);
-    global_lines_free(&found);
     assert_estimate(study.surfaces.list[1].area, 4 * pi * (4 + 6.25));
     assert_estimate(study.surfaces.list[1].factor[0], .25 * 4 / 10.25);
     assert_true(surfaces_reciprocity(&study.surfaces, 0, 1) == 0);
     assert_true(exchange(&study, "Shell=300", "Shell=.5", &thermal, &error));
     assert_true(fabs(thermal.exchange.sum) < 1e-9 * fabs(thermal.exchange.flow[0]));
-    thermal_free(&thermal);
     study.rows = calloc(study.scene->primitive_count, sizeof *study.rows);
     end(&study);
 }
@@ -206,7 +202,7 @@ TEST(adiabatic)
 {
     double pi = acos(-1), fourth = 5e2 * 5e2 * 5e2 * 5e2;
     struct study study = begin(ball, BY_PART);
-    struct thermal thermal;
+    SCOPED_VALUE(thermal) thermal;
     c205_error error;
 
     assert_true(exchange(&study, "Shell=adiabatic environment=300", "Ball=1", &thermal,
@@ -216,7 +212,6 @@ TEST(adiabatic)
     assert_true(fabs(thermal.exchange.flow[1]) < 1e-6);
     assert_true(thermal.exchange.flow[0] > 0);
     assert_true(thermal.exchange.flow[0] < SIGMA * fourth * 4 * pi);
-    thermal_free(&thermal);
     end(&study);
 }
 

@@ -74,8 +74,8 @@ static void compare(struct lexer *keeping, struct lexer *fresh,
 
 TEST(any_cut)
 {
-    struct lexer *keeping = calloc(1, sizeof *keeping);
-    struct lexer *fresh = calloc(1, sizeof *fresh);
+    FREED struct lexer *keeping = calloc(1, sizeof *keeping);
+    FREED struct lexer *fresh = calloc(1, sizeof *fresh);
     struct scene_source *sources = NULL;
 
     assert_non_null(keeping);
@@ -104,6 +104,4 @@ TEST(any_cut)
         }
     }
     sources_free(sources);
-    free(keeping);
-    free(fresh);
 }

@@ -128,7 +128,7 @@ TEST_CALL(random_discs, check_random_scenes(add_discs, 4))
  * 2^(28718 / roughness), its exponent cut to 16 bits: here a great one.) */
 TEST(light_straight_behind)
 {
-    struct words *words = same_frame(
+    FREED struct words *words = same_frame(
         "#version 3.7; global_settings { assumed_gamma 1 }\n"
         "light_source { <1e-9, 1e-7, 1>, rgb 1 }\n"
         "camera { location <1e-9, 0, -1> direction <-1e-9, 5e-8, 1>\n"
@@ -140,17 +140,15 @@ TEST(light_straight_behind)
         assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][i]), 1);
         assert_float_equal(c205_to_double(words->channel[CHANNEL_RED][i]), .25, 1e-3);
     }
-    free(words);
 }
 
 static void check_normal_z(const char *text, double expected)
 {
-    struct words *words = same_frame(text);
+    FREED struct words *words = same_frame(text);
     size_t middle = HEIGHT / 2 * WIDTH + WIDTH / 2;
 
     assert_float_equal(c205_to_double(words->channel[CHANNEL_NORMAL_Z][middle]),
                        expected, 1e-12);
-    free(words);
 }
 
 TEST(flat_boxes)
@@ -173,14 +171,13 @@ TEST(ray_almost_along_a_cylinder)
 /* Its reciprocal is no double. */
 TEST(numbers_beyond_doubles)
 {
-    struct scene *scene = read_text(AHEAD "sphere { 0, 1\n"
-                                          "interior { ior 1e-310 } }");
+    SCOPED(scene) *scene = read_text(AHEAD "sphere { 0, 1\n"
+                                           "interior { ior 1e-310 } }");
     struct trace_options options = { .width = 1, .height = 1, .model = prior_model };
     c205_error error = { "" };
 
     assert_null(trace_new(scene, &options, &error));
     assert_non_null(strstr(error.message, "line 5"));
-    scene_free(scene);
 }
 
 /* 45 degrees, the apex at the origin, opening upwards. */
@@ -203,11 +200,10 @@ TEST(apex_normals)
 
 TEST(empty_scene)
 {
-    struct words *words = same_frame(AHEAD "background { rgb <.5, .25, 1> }");
+    FREED struct words *words = same_frame(AHEAD "background { rgb <.5, .25, 1> }");
 
     assert_int_equal(hits(words), 0);
     assert_float_equal(c205_to_double(words->channel[CHANNEL_GREEN][7]), .25, 0);
-    free(words);
 }
 
 GROUP(set_up_frames, tear_down_model);

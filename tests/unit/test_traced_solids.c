@@ -34,9 +34,8 @@ static void check_scenes(size_t scenes)
 
     for (size_t i = 0; i < scenes; i++) {
         write_scene(text, sizeof text, 3);
-        struct words *words = plain_frame(text);
+        FREED struct words *words = plain_frame(text);
         check_paper_stage(text, words);
-        free(words);
     }
 }
 
@@ -56,21 +55,18 @@ TEST(clear)
 static void check_every(const char *text)
 {
     static const size_t queues[] = QUEUES;
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
 
     for (size_t i = 0; i < COUNT(queues); i++) {
         traced.visible = VISIBLE_STEPPING;
-        struct words *expected = trace_words(scene, TRACE_VECTOR, queues[i]);
+        FREED struct words *expected = trace_words(scene, TRACE_VECTOR, queues[i]);
         traced.visible = VISIBLE_EVERY;
-        struct words *found = trace_words(scene, TRACE_VECTOR, queues[i]);
+        FREED struct words *found = trace_words(scene, TRACE_VECTOR, queues[i]);
         traced.visible = VISIBLE_DEFAULT;
         if (memcmp(found, expected, sizeof *found) != 0)
             fail_msg("queue %zu, every crossing: another frame of\n%s", queues[i],
                      text);
-        free(found);
-        free(expected);
     }
-    scene_free(scene);
 }
 
 /* Surfaces that coincide, exactly and nearly, and patches among solids. */
@@ -119,9 +115,8 @@ TEST(limits_of_rays)
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
-        struct words *frame = same_frame(texts[i]);
+        FREED struct words *frame = same_frame(texts[i]);
         check_paper_stage(texts[i], frame);
-        free(frame);
     }
 }
 

@@ -25,8 +25,8 @@ static struct vector_use use_of(const char *instruction)
     struct vector_use sum = { 0, 0, 0, 0 };
     struct observer observer = vector_use_observer(&sum);
     struct hearing hearing = { &observer, NULL };
-    c205_model *model = c205_model_find("cyber205-2pipe-prior", &error);
-    c205 *machine = c205_new(model, &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe-prior", &error);
+    SCOPED(c205) *machine = c205_new(model, &error);
 
     snprintf(text, sizeof text,
              " .include \"core.s\"\n .data\n"
@@ -37,16 +37,13 @@ static struct vector_use use_of(const char *instruction)
              " descriptor r20, bits + 40, 0\n"
              " %s\n EXIT\n",
              instruction);
-    struct object *object = good(text);
+    SCOPED(object) *object = good(text);
     hearing.use = observer.begin(observer.context, object, &error);
     assert_true(c205_listen(machine, hear, &hearing));
     assert_true(c205_load(machine, &object->program, &error));
     assert_int_equal(c205_run(machine, 100000).trap, C205_TRAP_NONE);
     observer.merge(observer.context, hearing.use);
     observer.end(hearing.use);
-    object_free(object);
-    c205_free(machine);
-    c205_model_free(model);
     return sum;
 }
 

@@ -151,11 +151,11 @@ FIXTURE(read_table)
 {
     size_t length;
     c205_error error;
-    char *text = file_read("tests/unit/viewfactors.csv", 1 << 20, &length, &error);
+    FREED char *text = file_read("tests/unit/viewfactors.csv", 1 << 20, &length,
+                                 &error);
 
     assert_non_null(text);
     csv_table(text, &table);
-    free(text);
     return set_up_model(test_state);
 }
 
@@ -225,7 +225,7 @@ static void find_rows(const struct factor_scene *what, struct study *study,
                                              .model = prior_model };
     size_t count = study->scene->primitive_count;
     c205_error error = { "" };
-    struct factors *factors = factors_new(study->scene, &options, &error);
+    SCOPED(factors) *factors = factors_new(study->scene, &options, &error);
 
     assert_non_null(factors);
     study->rows = calloc(count + 1, sizeof *study->rows);
@@ -233,7 +233,6 @@ static void find_rows(const struct factor_scene *what, struct study *study,
         if (emits(what, &study->surfaces, study->surfaces.surface_of[i])
             && !factors_find(factors, &i, 1, &study->rows[i], &error))
             fail_msg("%s: %s", what->text, error.message);
-    factors_free(factors);
     surfaces_combine(&study->surfaces, study->rows);
 }
 

@@ -127,7 +127,7 @@ static void check(const struct scene *scene, const char *text,
                   const struct words *expected, enum trace_mode mode, size_t queue,
                   const char *what)
 {
-    struct words *found = trace_words(scene, mode, queue);
+    FREED struct words *found = trace_words(scene, mode, queue);
 
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
@@ -135,16 +135,15 @@ static void check(const struct scene *scene, const char *text,
                 fail_msg("%s, queue %zu: channel %d, pixel %zu: another frame "
                          "in\n%s",
                          what, queue, channel, k, text);
-    free(found);
 }
 
 static void check_ways(const char *text)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     static const size_t queues[] = { 1, 7, 77, 2000, 65535 };
 
     traced.no_bounds = true;
-    struct words *expected = trace_words(scene, TRACE_VECTOR, 2000);
+    FREED struct words *expected = trace_words(scene, TRACE_VECTOR, 2000);
     traced.no_bounds = false;
     for (size_t i = 0; i < COUNT(queues); i++)
         check(scene, text, expected, TRACE_VECTOR, queues[i], "vector");
@@ -157,13 +156,11 @@ static void check_ways(const char *text)
     check(scene, text, expected, TRACE_VECTOR, 2000, "flat");
     check(scene, text, expected, TRACE_KERNELS, 2000, "flat kernels");
     traced.flat = false;
-    free(expected);
-    scene_free(scene);
 }
 
 static void check_scenes(bool gridded, bool clear, bool spheres)
 {
-    char *text = malloc(TEXT_ROOM);
+    FREED char *text = malloc(TEXT_ROOM);
 
     assert_non_null(text);
     solids.gridded = gridded;
@@ -172,7 +169,6 @@ static void check_scenes(bool gridded, bool clear, bool spheres)
         write_scene(text, spheres);
         check_ways(text);
     }
-    free(text);
 }
 
 TEST(clouds)
@@ -216,14 +212,13 @@ static void write_window(char *text)
 TEST(windows)
 {
     enum { WINDOWS = 6 };
-    char *text = malloc(TEXT_ROOM);
+    FREED char *text = malloc(TEXT_ROOM);
 
     assert_non_null(text);
     for (int i = 0; i < WINDOWS; i++) {
         write_window(text);
         check_ways(text);
     }
-    free(text);
 }
 
 ARGUMENTS(count, words)

@@ -49,20 +49,19 @@ static void merge(void *context, const void *band)
 
 static void end(void *band)
 {
-    struct watched *watched = band;
+    FREED struct watched *watched = band;
 
     watch_free(watched->watch);
-    free(watched);
 }
 
 static void check(const char *path, const c205_model *model, enum trace_mode mode,
                   enum visible visible)
 {
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     const struct scene_options reading = { .width = WIDTH,
                                            .height = HEIGHT,
                                            .read_raster = picture_read_raster };
-    struct scene *scene = scene_read(path, &reading, &reports);
+    SCOPED(scene) *scene = scene_read(path, &reading, &reports);
     warning_set warned = 0;
     const struct observer observer = { begin, listen, merge, end, &warned };
     const struct observer *const observers[] = { &observer, NULL };
@@ -78,13 +77,10 @@ static void check(const char *path, const c205_model *model, enum trace_mode mod
     if (!scene)
         diagnostics_print(&reports, stderr);
     assert_non_null(scene);
-    struct trace *trace = trace_new(scene, &options, &error);
+    SCOPED(trace) *trace = trace_new(scene, &options, &error);
     if (!trace || !trace_run(trace, &error))
         fail_msg("%s", error.message);
     assert_int_equal(warned, 0);
-    trace_free(trace);
-    scene_free(scene);
-    diagnostics_free(&reports);
 }
 
 TEST(kernels)
@@ -108,7 +104,7 @@ TEST(kernels)
                                           "tests/scenes/field_solids.pov" };
     struct sink sink = stream_sink(stderr);
     c205_error error;
-    c205_model *model = c205_model_find("cyber205-2pipe", &error);
+    SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
 
     report = &sink;
     assert_non_null(model);
@@ -119,5 +115,4 @@ TEST(kernels)
         check(scenes[i], model, TRACE_VECTOR, VISIBLE_EVERY);
         check(scenes[i], model, TRACE_KERNELS, VISIBLE_DEFAULT);
     }
-    c205_model_free(model);
 }

@@ -7,13 +7,12 @@ struct traced traced = { .random = RANDOM_SEED };
 struct scene *read_text(const char *text)
 {
     const struct scene_options options = { .strict = !traced.reported };
-    struct diagnostics reports = { 0 };
+    SCOPED_VALUE(diagnostics) reports = { 0 };
     struct scene *scene = read_versioned("test", text, &options, &reports);
 
     if (!scene)
         diagnostics_print(&reports, stderr);
     assert_non_null(scene);
-    diagnostics_free(&reports);
     return scene;
 }
 
@@ -41,14 +40,13 @@ struct words *trace_words(const struct scene *scene, enum trace_mode mode, size_
                                      .no_bounds = traced.no_bounds,
                                      .flat = traced.flat,
                                      .model = prior_model };
-    struct trace *trace = run_trace(scene, &options);
+    SCOPED(trace) *trace = run_trace(scene, &options);
     struct words *words = calloc(1, sizeof *words);
 
     assert_non_null(words);
     for (int i = 0; i < FRAME_CHANNELS; i++)
         memcpy(words->channel[i], trace_channel(trace, (enum frame_channel)i),
                traced.pixels * sizeof(c205_word));
-    trace_free(trace);
     return words;
 }
 
@@ -59,7 +57,7 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
 
     for (size_t i = 0; i < MOST_QUEUES && queue[i]; i++) {
         traced.order = i % 2 ? ORDER_ROWS : ORDER_TILES;
-        struct words *vector = trace_words(scene, TRACE_VECTOR, queue[i]);
+        FREED struct words *vector = trace_words(scene, TRACE_VECTOR, queue[i]);
         traced.order = ORDER_DEFAULT;
 
         for (int channel = 0; channel < FRAME_CHANNELS; channel++)
@@ -70,17 +68,15 @@ struct words *same_frame_of(const struct scene *scene, const char *text)
                              queue[i], channel, k,
                              (unsigned long long)vector->channel[channel][k],
                              (unsigned long long)scalar->channel[channel][k], text);
-        free(vector);
     }
     return scalar;
 }
 
 struct words *same_frame(const char *text)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     struct words *words = same_frame_of(scene, text);
 
-    scene_free(scene);
     return words;
 }
 
@@ -102,9 +98,9 @@ static int other_channel(const struct words *words, const struct frame *plain, s
 
 struct words *plain_frame(const char *text)
 {
-    struct scene *scene = read_text(text);
+    SCOPED(scene) *scene = read_text(text);
     struct words *words = same_frame_of(scene, text);
-    struct frame plain;
+    SCOPED_VALUE(frame) plain;
     size_t others = 0;
 
     assert_true(plain_trace(scene, traced.width, traced.height, &plain));
@@ -117,20 +113,16 @@ struct words *plain_frame(const char *text)
                      "in\n%s",
                      channel, k, text);
     }
-    frame_free(&plain);
-    scene_free(scene);
     return words;
 }
 
 void check_paper_stage(const char *text, const struct words *expected)
 {
-    struct scene *scene = read_text(text);
-    struct words *found = trace_words(scene, TRACE_KERNELS, traced.width + 1);
+    SCOPED(scene) *scene = read_text(text);
+    FREED struct words *found = trace_words(scene, TRACE_KERNELS, traced.width + 1);
 
     if (memcmp(found, expected, sizeof *found) != 0)
         fail_msg("the paper's stage gives another frame of\n%s", text);
-    free(found);
-    scene_free(scene);
 }
 
 size_t hits(const struct words *words)
@@ -197,23 +189,21 @@ void check_random_scenes(void (*add_shape)(char *, size_t), size_t scenes)
             add_surface(text, sizeof text);
             add_text(text, sizeof text, " }\n");
         }
-        struct words *words = plain_frame(text);
+        FREED struct words *words = plain_frame(text);
         found += hits(words);
-        free(words);
     }
     assert_true(found > scenes * traced.pixels / 4);
 }
 
 void check_middle_within(const char *text, int64_t id, double depth, double tolerance)
 {
-    struct words *words = same_frame(text);
+    FREED struct words *words = same_frame(text);
     size_t middle = traced.height / 2 * traced.width + traced.width / 2;
 
     assert_int_equal(c205_to_integer(words->channel[CHANNEL_ID][middle]), id);
     /* assert_float_equal rounds to single precision. */
     assert_true(fabs(c205_to_double(words->channel[CHANNEL_DEPTH][middle]) - depth)
                 <= tolerance);
-    free(words);
 }
 
 void check_middle(const char *text, int64_t id, double depth)

@@ -18,6 +18,8 @@
 
 #include <cmocka.h>
 
+#include "tests/unit/scoped.h"
+
 /* A function of asm/expect.h has this name; the macro of cmocka is not used. */
 #undef expect_check
 

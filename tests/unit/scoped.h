@@ -1,0 +1,47 @@
+/* scoped.h - variables whose values are freed where their block ends.
+ *
+ *     SCOPED(scene) *scene = read_scene(text);    by scene_free(scene)
+ *     SCOPED_VALUE(frame) frame;                  by frame_free(&frame)
+ *     FREED char *text = malloc(count);           by free(text)
+ *
+ * The block's last variable is freed first.
+ */
+#ifndef TESTS_SCOPED_H
+#define TESTS_SCOPED_H
+
+#include <stdlib.h>
+
+#define SCOPED(name) __attribute__((cleanup(free_##name##_at))) struct name
+#define SCOPED_VALUE(name) __attribute__((cleanup(name##_free))) struct name
+#define FREED __attribute__((cleanup(free_at)))
+
+static inline void free_at(void *at)
+{
+    free(*(void **)at);
+}
+
+/* Lets SCOPED name a struct that a function NAME_free frees. */
+#define SCOPED_BY_FREE(name) \
+    struct name; \
+    void name##_free(struct name *value); \
+    static inline void free_##name##_at(struct name **at) \
+    { \
+        name##_free(*at); \
+    } \
+    struct name
+
+SCOPED_BY_FREE(c205);
+SCOPED_BY_FREE(c205_model);
+SCOPED_BY_FREE(c205_projection);
+SCOPED_BY_FREE(emission);
+SCOPED_BY_FREE(factors);
+SCOPED_BY_FREE(line_profile);
+SCOPED_BY_FREE(lines);
+SCOPED_BY_FREE(object);
+SCOPED_BY_FREE(point_maker);
+SCOPED_BY_FREE(register_owners);
+SCOPED_BY_FREE(scene);
+SCOPED_BY_FREE(table);
+SCOPED_BY_FREE(trace);
+
+#endif
