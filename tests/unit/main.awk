@@ -18,7 +18,7 @@ macro == "TEST_WITH" {
 macro == "GROUP" {
     group = "before_all, after_all"
 }
-macro == "ARGUMENTS" {
+macro == "ARGUMENTS" || macro == "COUNT_AND_SEED" {
     reads = "    read_arguments(argc, argv);\n"
 }
 macro == "int main" {

@@ -200,8 +200,7 @@ static struct patch random_patch(void)
 static void write_patch(const struct patch *patch, const double scale[3], char *text)
 {
     text += sprintf(text,
-                    "bicubic_patch { type %d flatness %.17g u_steps %d "
-                    "v_steps %d\n",
+                    "bicubic_patch { type %d flatness %.17g u_steps %d v_steps %d\n",
                     (int)xorshift_between(&random_state, 0, 2), patch->flatness,
                     patch->steps[0], patch->steps[1]);
     for (int i = 0; i < 16; i++) {
@@ -324,25 +323,18 @@ TEST(copies)
     assert_vector(p[1].shape.mesh.triangles.list[0].corners[2], .3, .3, 0);
 }
 
-TEST(errors)
-{
-    static const struct line_error rows[] = {
-        { "bicubic_patch { " SQUARE " }", 17, "expected 'type'" },
-        { "bicubic_patch { flatness 1 u_steps 2 " SQUARE " }", 38, "expected 'type'" },
-        { "bicubic_patch { type -1 " SQUARE " }", 22, "below 0" },
-        { "bicubic_patch { type 1 u_steps 21 " SQUARE " }", 32,
-          "'u_steps' is more than 20" },
-        { "bicubic_patch { type 1 v_steps 1e9 " SQUARE " }", 32,
-          "'v_steps' is more than 20" },
-        { "bicubic_patch { type 1 x, y }", 29, "expected a number" },
-        { "bicubic_patch { type 1 " SQUARE ", x }", 195, "found \',\'" },
-    };
+static const struct line_error errors[] = {
+    { "bicubic_patch { " SQUARE " }", 17, "expected 'type'" },
+    { "bicubic_patch { flatness 1 u_steps 2 " SQUARE " }", 38, "expected 'type'" },
+    { "bicubic_patch { type -1 " SQUARE " }", 22, "below 0" },
+    { "bicubic_patch { type 1 u_steps 21 " SQUARE " }", 32,
+      "'u_steps' is more than 20" },
+    { "bicubic_patch { type 1 v_steps 1e9 " SQUARE " }", 32,
+      "'v_steps' is more than 20" },
+    { "bicubic_patch { type 1 x, y }", 29, "expected a number" },
+    { "bicubic_patch { type 1 " SQUARE ", x }", 195, "found \',\'" },
+};
 
-    assert_errors(rows, COUNT(rows));
-}
+TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
-ARGUMENTS(argc, argv)
-{
-    patch_count = argument(argc, argv, 1, patch_count);
-    random_state ^= argument(argc, argv, 2, 0) << 13;
-}
+COUNT_AND_SEED(patch_count, random_state);

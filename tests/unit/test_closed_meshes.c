@@ -291,10 +291,6 @@ TEST_WITH(closed_solid, look_at_ball_within, look_at_shell)
     test_closed(test_state);
 }
 
-ARGUMENTS(argc, argv)
-{
-    scene_count = argument(argc, argv, 1, scene_count);
-    traced.random ^= argument(argc, argv, 2, 0) << 13;
-}
+COUNT_AND_SEED(scene_count, traced.random);
 
 GROUP(set_up_frames, tear_down_model);

@@ -37,8 +37,7 @@ TEST(coincident_faces_give_earlier_regions_a_yield)
     expect("50", "cone { 0, 1, y, .5 } cone { -y, 1.5, .5*y, .75 open }");
     expect("50", "torus { 1, .2 } torus { 1, .2 rotate 20*y }");
     expect("50", "box { 0, 1 rotate 30*y } "
-                 "prism { .2, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> "
-                 "rotate 30*y }");
+                 "prism { .2, 1, 4, <0, 0>, <1, 0>, <0, 1>, <0, 0> rotate 30*y }");
     expect("50", "difference { box { -1, 1 } cylinder { -2*z, 2*z, .5 } } "
                  "box { <-.9, -2, -1>, <.9, 1.5, .1> }");
     expect("50", "mesh { triangle { 0, x, z } triangle { x, z, y } } "

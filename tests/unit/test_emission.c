@@ -573,8 +573,7 @@ TEST(clocks)
     c205_error error = { "" };
     SCOPED(c205_model) *model = c205_model_find("cyber205-2pipe", &error);
 
-    print_message("surface        form    queue   emit  carry  direction    "
-                  "all\n");
+    print_message("surface        form    queue   emit  carry  direction    all\n");
     for (size_t i = 0; i < COUNT(kinds); i++) {
         struct primitive primitive = draw_emitting(kinds[i], &state);
 
@@ -585,10 +584,6 @@ TEST(clocks)
     }
 }
 
-ARGUMENTS(argc, argv)
-{
-    tries = argument(argc, argv, 1, tries);
-    state ^= argument(argc, argv, 2, 0) * UINT64_C(0x9E3779B97F4A7C15);
-}
+COUNT_AND_SEED(tries, state);
 
 GROUP(set_up_model, tear_down_model);

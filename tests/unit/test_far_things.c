@@ -111,8 +111,7 @@ static void add_object(void)
 static void make_scene(void)
 {
     text[0] = '\0';
-    add("#version 3.7; global_settings { assumed_gamma 1 }\ncamera { %s "
-        "location ",
+    add("#version 3.7; global_settings { assumed_gamma 1 }\ncamera { %s location ",
         among(0, 3) ? "" : "orthographic");
     add_place(6 * any_size());
     add(" look_at ");

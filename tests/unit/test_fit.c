@@ -129,11 +129,9 @@ TEST(units)
     assert_near(predicted("a,vector_add.s:add LENGTH=0,"
                           "cyber205-2pipe,1,clk,1,,s,compare"),
                 5100);
-    assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                          "eta10g,1 to 2,clk,,,s,range"),
+    assert_near(predicted("a,vector_add.s:add LENGTH=0,eta10g,1 to 2,clk,,,s,range"),
                 5100);
-    assert_near(predicted("a,vector_add.s:add LENGTH=0,"
-                          "eta10g,1,ns/TIMES,1,,s,fit"),
+    assert_near(predicted("a,vector_add.s:add LENGTH=0,eta10g,1,ns/TIMES,1,,s,fit"),
                 357);
     assert_near(predicted("a,vector_add.s:add LENGTH=100,"
                           "cyber205-2pipe,1,Mflop/s,1,,\"a, b\",fit"),
@@ -144,8 +142,7 @@ TEST(units)
     assert_near(predicted("a,vector_add.s:add/add LENGTH=3,"
                           "cyber205-2pipe,1,ratio,1,,s,fit"),
                 1);
-    assert_near(predicted("a,vector_add.s:add LENGTH=3,"
-                          "cyber205-2pipe,1,%,1,,s,fit"),
+    assert_near(predicted("a,vector_add.s:add LENGTH=3,cyber205-2pipe,1,%,1,,s,fit"),
                 100);
 }
 
@@ -184,18 +181,15 @@ TEST(refused)
     assert_refused(HEAD "a,b,c,d,e,f,g,h,fit\n",
                    "test_fit.csv:2:7: a positive number is expected");
     assert_refused(HEAD "a,b,c,1 to,e,f,,g,range\n",
-                   "test_fit.csv:2:7: a positive number or LEAST to MOST is "
-                   "expected");
+                   "test_fit.csv:2:7: a positive number or LEAST to MOST is expected");
     assert_refused(HEAD "a,b,c,2 to 1,e,f,,g,range\n",
-                   "test_fit.csv:2:7: a positive number or LEAST to MOST is "
-                   "expected");
+                   "test_fit.csv:2:7: a positive number or LEAST to MOST is expected");
     assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,s/100000,1,,s,fit\n",
                    "test_fit.csv:2:33: vector_add.s has no rays");
     assert_refused(HEAD "a,vector_add.s:sub,cyber205-2pipe,1,ratio,1,,s,fit\n",
                    "test_fit.csv:2:3: there is no region sub");
     assert_refused(HEAD "a,vector_add.s,cyber205-9pipe,1,ratio,1,,s,fit\n",
-                   "test_fit.csv:2:3: there is no machine model "
-                   "'cyber205-9pipe'");
+                   "test_fit.csv:2:3: there is no machine model 'cyber205-9pipe'");
     assert_refused(HEAD "a,vector_add.s,cyber205-2pipe,1,miles,1,,s,fit\n",
                    "test_fit.csv:2:33: there is no unit miles");
     assert_refused(HEAD "a,vector_add.s X,cyber205-2pipe,1,%,1,,s,fit\n",
@@ -349,8 +343,7 @@ TEST(constants)
 
     assert_non_null(like);
     if (!constants_read(&constants,
-                        file_of("name,machine,constants,source,least,most,"
-                                "why\n"
+                        file_of("name,machine,constants,source,least,most,why\n"
                                 "a,cyber205,latency.load swap.word,R,5,40,?\n"
                                 "b,cyber720,time.add,S,5,40,?\n"),
                         &found))

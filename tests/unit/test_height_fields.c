@@ -216,8 +216,7 @@ static void expect_height(const char *text, double x, double z, double height)
 /* As POV-Ray has them; y goes down as z goes up. */
 TEST(functions)
 {
-    static const char slanted[] = "height_field { function 5, 3 "
-                                  "{ x*.5 + y*.25 } }";
+    static const char slanted[] = "height_field { function 5, 3 { x*.5 + y*.25 } }";
 
     expect_height(slanted, 1e-9, 1e-9, 16383);
     expect_height(slanted, 1 - 1e-9, 1e-9, 49151);
@@ -278,9 +277,8 @@ static void assert_is_closed(const struct triangles *triangles)
 TEST(bodies)
 {
     SCOPED(scene) *scene = read_scene(
-        "difference { height_field { function 5, 4 { .2 + .5*x } water_level "
-        ".35 } height_field { function 3, 3 { .2 + .5*x } smooth rotate 90*x "
-        "} box { 0, 1 } }"
+        "difference { height_field { function 5, 4 { .2 + .5*x } water_level .35 } "
+        "height_field { function 3, 3 { .2 + .5*x } smooth rotate 90*x } box { 0, 1 } }"
         "height_field { function 3, 3 { x } pigment { rgbt 1 } }");
     const struct primitive *p = scene->primitives;
     uint64_t random = 5;
@@ -335,10 +333,6 @@ TEST(errors)
             assert_errors(&errors[i], 1);
 }
 
-ARGUMENTS(count, words)
-{
-    field_count = argument(count, words, 1, field_count);
-    random_state = argument(count, words, 2, random_state);
-}
+COUNT_AND_SEED(field_count, random_state);
 
 GROUP(field_begin, field_end);

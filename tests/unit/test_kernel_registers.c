@@ -516,10 +516,6 @@ TEST(emission)
         emit_watched(&scene->primitives[i]);
 }
 
-ARGUMENTS(argc, argv)
-{
-    scene_count = argument(argc, argv, 1, scene_count);
-    traced.random = argument(argc, argv, 2, traced.random);
-}
+COUNT_AND_SEED(scene_count, traced.random);
 
 GROUP(set_up_frames, tear_down_model);

@@ -49,8 +49,7 @@ static void check_orders(const char *text)
     SCOPED(trace) *other = run_trace(scene, &options);
     assert_int_equal(trace_samples(scalar), trace_samples(other));
     if (trace_checksum(scalar) != trace_checksum(other))
-        fail_msg("%s by %s, queue %zu, band %zu, samples %zu: another frame "
-                 "of\n%s",
+        fail_msg("%s by %s, queue %zu, band %zu, samples %zu: another frame of\n%s",
                  trace_mode_name(options.mode), order_name(options.order),
                  options.queue, options.band, options.samples, text);
 }

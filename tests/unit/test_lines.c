@@ -349,8 +349,7 @@ TEST(no_lines)
     for (size_t i = 0; i < 3; i++) {
         assert_false(lines_find(lines, bad[i], 2, &found, &error));
         assert_string_equal(error.message,
-                            "line 1 has no direction, or numbers that are "
-                            "not finite");
+                            "line 1 has no direction, or numbers that are not finite");
         assert_null(found.list);
     }
     assert_true(lines_find(lines, NULL, 0, &found, &error));

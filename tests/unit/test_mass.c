@@ -71,8 +71,7 @@ static void check_figure(const char *solid, const struct mass_figures *found,
     double most = 4 * found->error[figure] / STUDENT + 1e-9 * scale;
 
     if (off > most || off > share * scale)
-        fail_msg("%s: %s is %.12g, not %.12g: %.2g of the scale, %.1f "
-                 "standard errors",
+        fail_msg("%s: %s is %.12g, not %.12g: %.2g of the scale, %.1f standard errors",
                  solid, figure_name(figure), found->value[figure], expected,
                  off / scale, 4 * off / most);
 }
@@ -312,8 +311,7 @@ TEST(refused)
     refuses("sphere { 0, 1 }\ndisc { <0,0,3>, z, 2 }",
             "the disc of line 2 is an open surface: it has no volume");
     refuses("sphere { 0, 1 }\nplane { y, 0 }",
-            "the solid of line 2 has no end that is known: its volume cannot "
-            "be found");
+            "the solid of line 2 has no end that is known: its volume cannot be found");
     refuses("", "the scene has no bodies");
     measure_well("intersection { sphere { 0, 1 } sphere { 3*x, 1 }\n"
                  "sphere { 0, 9 } }\nbox { 2, 3 }",

@@ -469,8 +469,7 @@ static void write_edge_on(void)
         add_edge_on(below(2) ? eye : light);
     add_text(text, sizeof text,
              "pigment { rgb 1 } }\n"
-             "intersection { plane { y, -6 } plane { x, 5 } pigment { rgb 1 } "
-             "}\n"
+             "intersection { plane { y, -6 } plane { x, 5 } pigment { rgb 1 } }\n"
              "plane { y, -9000 pigment { rgb 1 } }\n");
 }
 
@@ -596,10 +595,6 @@ TEST(lights)
     }
 }
 
-ARGUMENTS(argc, argv)
-{
-    scene_count = argument(argc, argv, 1, scene_count);
-    traced.random ^= argument(argc, argv, 2, 0) << 13;
-}
+COUNT_AND_SEED(scene_count, traced.random);
 
 GROUP(set_up_frames, tear_down_model);

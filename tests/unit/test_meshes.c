@@ -225,8 +225,7 @@ TEST(shadow_limit)
         "camera { location 4*y right x up y look_at 0 sky z angle 60 }\n"
         "light_source { 8*y rgb 1 }\n"
         "plane { y, 0 pigment { rgb 1 } finish { ambient .1 diffuse .9 } }\n"
-        "mesh { triangle { <-.5, 7.999, -.5>, <.5, 7.999, -.5>, "
-        "<0, 7.999, .5> }\n"
+        "mesh { triangle { <-.5, 7.999, -.5>, <.5, 7.999, -.5>, <0, 7.999, .5> }\n"
         "triangle { <-.5, 5, -.5>, <.5, 5, -.5>, <0, 5, .5> }\n"
         "pigment { rgb <1, .2, .1> } }\n"));
 }
@@ -408,10 +407,6 @@ TEST(distant)
     }
 }
 
-ARGUMENTS(argc, argv)
-{
-    scene_count = argument(argc, argv, 1, scene_count);
-    traced.random ^= argument(argc, argv, 2, 0) << 13;
-}
+COUNT_AND_SEED(scene_count, traced.random);
 
 GROUP(set_up_frames, tear_down_model);

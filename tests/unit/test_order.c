@@ -36,8 +36,7 @@ static void check_same(const struct scene *scene, const struct trace_options *op
     SCOPED(trace) *trace = run_trace(scene, options);
 
     if (trace_checksum(trace) != expected)
-        fail_msg("%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another "
-                 "frame",
+        fail_msg("%zu x %zu, %s by %s, queue %zu, band %zu, jobs %zu: another frame",
                  options->width, options->height, trace_mode_name(options->mode),
                  order_name(options->order), options->queue, options->band,
                  options->jobs);

@@ -159,8 +159,7 @@ static void check(const struct crowd *crowd, const struct found *found)
 
         if (some != (expected > 0)
             || fabs(volume - expected) > 8 * error / STUDENT + 1e-6)
-            fail_msg("%sP%zu and P%zu claim both %.9g, not %.9g: the error "
-                     "is %.2g",
+            fail_msg("%sP%zu and P%zu claim both %.9g, not %.9g: the error is %.2g",
                      crowd->text, parts[0], parts[1], volume, expected, error);
         cells[parts[0]][parts[1]] = 0;
     }

@@ -131,8 +131,7 @@ TEST(densities)
     assert_false(densities_find(&densities, &parts, found, &error));
     assert_string_equal(error.message,
                         "no density is known of: line 10, line 11 (of several "
-                        "materials); --density NAME=VALUE, or --density "
-                        "default=1");
+                        "materials); --density NAME=VALUE, or --density default=1");
     assert_true(given_add(&densities, "default=3", &error));
     assert_true(densities_find(&densities, &parts, found, &error));
     assert_close(found[0], 2, 0);
@@ -143,9 +142,8 @@ TEST(densities)
     assert_true(given_add(&densities, "Brass=8", &error));
     assert_false(given_check(&densities, &parts, NULL, &error));
     assert_string_equal(error.message,
-                        "no part and no material is called 'Brass'; parts: "
-                        "Plate, Pin, line 10, line 11, line 12; materials: Steel, "
-                        "Copper");
+                        "no part and no material is called 'Brass'; parts: Plate, Pin, "
+                        "line 10, line 11, line 12; materials: Steel, Copper");
     given_free(&densities);
 }
 

@@ -195,8 +195,7 @@ TEST(what_passes)
           "pigment { rgbt <.5, .5, .5, .5> } finish { reflection .25 } }",
           .375, .375, .375);
     check(&look,
-          "light_source { -9*z, .5 } plane { -z, 0 "
-          "pigment { rgbt <.8, .8, .8, .75> } "
+          "light_source { -9*z, .5 } plane { -z, 0 pigment { rgbt <.8, .8, .8, .75> } "
           "finish { diffuse .5 specular .5 } }",
           .3, .3, .3); /* .5 (.5 .8 .25 + .5) */
     check(&look,

@@ -114,9 +114,8 @@ TEST(round_solids)
     check_volume("intersection { sphere { 0, 1 } "
                  "cylinder { <.5, -2, 0>, <.5, 2, 0>, .5 } }",
                  1.2, 2 * PI / 3 - 8. / 9);
-    check_volume("intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } "
-                 "}",
-                 1.5, 2. / 3);
+    check_volume("intersection { cylinder { 0, y, 1 } plane { <-1, 1, 0>, 0 } }", 1.5,
+                 2. / 3);
     check_volume("intersection { sphere { 0, 1 } plane { -y, -.5 } }", 1.2,
                  PI * .25 * 2.5 / 3);
 }
@@ -153,8 +152,7 @@ TEST(other_solids)
     check_volume("intersection { plane { x, 0 } quartic { <1,0,0,0,0,0,0,0,0,"
                  "0,0,0,0,0,0,0,0,0,0,0,1,0,0,0,0,0,0,0,0,0,1,0,0,0,-1> } }",
                  1.8, 4 * pow(tgamma(1.25), 3) / tgamma(1.75));
-    check_volume("intersection { box { -1, 1 } quadric { <-1, -1, 0>, 0, 0, "
-                 ".25 } }",
+    check_volume("intersection { box { -1, 1 } quadric { <-1, -1, 0>, 0, 0, .25 } }",
                  1.8, 8 - PI / 2);
 }
 
@@ -166,8 +164,7 @@ TEST(nested_solids)
                  "union { sphere { 0, 1 } sphere { .9*x, .8 } } }",
                  5.2, 216 - 4 * PI / 3 * 1.512 + both);
     check_volume("intersection { box { -3, 3 } "
-                 "intersection { sphere { 0, 1 } sphere { .9*x, .8 } inverse "
-                 "} }",
+                 "intersection { sphere { 0, 1 } sphere { .9*x, .8 } inverse } }",
                  5.2, 216 - both);
     check_volume("difference { sphere { 0, 1 } difference { sphere { .9*x, .8 "
                  "} box { -4, 4 scale <1, 1, .001> } } }",

@@ -372,8 +372,7 @@ TEST(axes_are_labelled)
     expect_labels((struct axis){ PLOT_LOG2, 0.25, 3 }, "0.25 0.5 1 2 ");
     expect_labels((struct axis){ PLOT_LOG10, 10, 1000 }, "10 20 50 100 200 500 1,000 ");
     expect_labels((struct axis){ PLOT_LOG10, 0.01, 1e7 },
-                  "0.01 0.1 1 10 100 1,000 10,000 100,000 1,000,000 "
-                  "10,000,000 ");
+                  "0.01 0.1 1 10 100 1,000 10,000 100,000 1,000,000 10,000,000 ");
     expect_labels((struct axis){ PLOT_LOG10, 1200, 1800 },
                   "1,200 1,300 1,400 1,500 1,600 1,700 1,800 ");
     expect_labels((struct axis){ PLOT_LINEAR, -123456, 400000 },
@@ -381,8 +380,7 @@ TEST(axes_are_labelled)
     expect_labels((struct axis){ PLOT_LINEAR, 0, 0.35 },
                   "0 0.05 0.1 0.15 0.2 0.25 0.3 0.35 ");
     expect_labels((struct axis){ PLOT_LINEAR, 0, 4e13 },
-                  "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 "
-                  "4e+13 ");
+                  "0 5e+12 1e+13 1.5e+13 2e+13 2.5e+13 3e+13 3.5e+13 4e+13 ");
 }
 
 /* Where y is cut off, its levels are still in, and the small print tells. */

@@ -337,8 +337,4 @@ TEST(quality)
     assert_true(fabs(lattice.bias) < 3 && fabs(random.bias) < 3);
 }
 
-ARGUMENTS(argc, argv)
-{
-    tries = argument(argc, argv, 1, tries);
-    state ^= argument(argc, argv, 2, 0) * UINT64_C(0x9E3779B97F4A7C15);
-}
+COUNT_AND_SEED(tries, state);

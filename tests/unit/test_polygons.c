@@ -433,8 +433,4 @@ TEST(errors)
                    2, "takes too long");
 }
 
-ARGUMENTS(argc, argv)
-{
-    polygon_count = argument(argc, argv, 1, polygon_count);
-    random_state ^= argument(argc, argv, 2, 0) << 13;
-}
+COUNT_AND_SEED(polygon_count, random_state);

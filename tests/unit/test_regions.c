@@ -134,8 +134,7 @@ TEST(crossings)
         { "merge { " PATCH "} sphere { 0, 1 } }", 14, 1, 12 },
         { "sphere { 0, 1 pigment { rgbt 1 } } torus { 1, .2 }", 2, 0, 0 },
         { "cylinder { 0, y, 1 open pigment { rgbt 1 } }", 4, 0, 2 },
-        { "prism { 0, 1, 4, <0, 0>, <2, 1>, <0, 2>, <1, 1> open "
-          "pigment { rgbt 1 } }",
+        { "prism { 0, 1, 4, <0, 0>, <2, 1>, <0, 2>, <1, 1> open pigment { rgbt 1 } }",
           8, 0, 4 },
     };
 
@@ -209,8 +208,7 @@ TEST(hidden)
     SCOPED_VALUE(stage) stage =
         stage_of("sphere { 0, 1 } sphere { 0, 1 no_image }\n"
                  "sphere { 0, 1 no_reflection }\n"
-                 "merge { sphere { 0, 1 } box { 0, 1 } no_image"
-                 " no_reflection }\n"
+                 "merge { sphere { 0, 1 } box { 0, 1 } no_image no_reflection }\n"
                  "union { sphere { 0, 1 } box { 0, 1 no_reflection"
                  " no_image off } no_image }\n"
                  "sphere { 0, 1 clipped_by { plane { y, 0 } } no_image }\n"
@@ -284,8 +282,7 @@ TEST(no_bounds)
 TEST(bounds)
 {
     SCOPED_VALUE(stage) stage =
-        stage_of("difference { sphere { <1, 2, 3>, 2 } box { 0, 9 }"
-                 " inverse }",
+        stage_of("difference { sphere { <1, 2, 3>, 2 } box { 0, 9 } inverse }",
                  BOUNDING_FLAT);
     uint64_t bound = scene_word(&stage, "scene_regions")
                      + 64 * symbol(&stage, "R_BOUND");

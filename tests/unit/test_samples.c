@@ -100,8 +100,7 @@ static void check_forms(const struct scene *scene, size_t width, size_t height,
         SCOPED(trace) *trace = run_trace(scene, &options);
 
         if (trace_checksum(trace) != expected)
-            fail_msg("%zu x %zu of %zu, %s by %s, queue %zu, band %zu: "
-                     "another frame",
+            fail_msg("%zu x %zu of %zu, %s by %s, queue %zu, band %zu: another frame",
                      width, height, n, trace_mode_name(options.mode),
                      order_name(options.order), options.queue, options.band);
     }

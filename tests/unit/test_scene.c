@@ -322,8 +322,7 @@ TEST(transforms)
         char text[200];
         double image[3];
         snprintf(text, sizeof text,
-                 "#declare T = transform { translate <1, 0, -1> "
-                 "scale <1, 2, 1> }"
+                 "#declare T = transform { translate <1, 0, -1> scale <1, 2, 1> }"
                  "sphere { 0, 1 %s }",
                  rows[i].text);
         SCOPED(scene) *scene = read_scene(text);

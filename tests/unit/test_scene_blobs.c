@@ -30,8 +30,7 @@ TEST(components)
     struct scene *scene = read_scene(
         "blob { threshold .7 sphere { <1, 2, 3>, -2, strength 4 }"
         " cylinder { x 2*y .5 strength -1 } component .5, 3, z"
-        " sphere { 0 1, 0 } threshold .6 sphere { 0, 1, 1 } sturm 1"
-        " hierarchy off }");
+        " sphere { 0 1, 0 } threshold .6 sphere { 0, 1, 1 } sturm 1 hierarchy off }");
     const struct blob_part *parts = parts_of(scene, 4);
 
     assert_close(scene->primitives->shape.blob.threshold, .6, 0);
@@ -103,23 +102,20 @@ TEST(one_look)
     assert_close(pigment->to_local.rows[0][3], -1, 0);
 }
 
-TEST(errors)
-{
-    static const struct line_error errors[] = {
-        { "blob { cylinder { x, x, 1, 1 } }", 19, "the cylinder has no length" },
-        { "blob { sphere { 0, 1 } }", 22, "expected a number" },
-        { "blob { sphere { 0, 1, 1 interior { ior 2 } } }", 25,
-          "a word that moves the component" },
-        { "blob { sphere { 0, 1, 1 } box { 0, 1 } }", 27,
-          "a component or a word that changes the blob" },
-        { "blob { sphere { 0, 1, 1 } sturm sphere { 0, 1, 1 } }", 33,
-          "a word that changes the object" },
-        { "blob { #for (I, 1, 1501) sphere { 0, 1, 1 } #end }", 26,
-          "more than 1500 components in one blob" },
-    };
+static const struct line_error errors[] = {
+    { "blob { cylinder { x, x, 1, 1 } }", 19, "the cylinder has no length" },
+    { "blob { sphere { 0, 1 } }", 22, "expected a number" },
+    { "blob { sphere { 0, 1, 1 interior { ior 2 } } }", 25,
+      "a word that moves the component" },
+    { "blob { sphere { 0, 1, 1 } box { 0, 1 } }", 27,
+      "a component or a word that changes the blob" },
+    { "blob { sphere { 0, 1, 1 } sturm sphere { 0, 1, 1 } }", 33,
+      "a word that changes the object" },
+    { "blob { #for (I, 1, 1501) sphere { 0, 1, 1 } #end }", 26,
+      "more than 1500 components in one blob" },
+};
 
-    assert_errors(errors, COUNT(errors));
-}
+TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
 /* ---- What the machine is told -------------------------------------------- */
 
@@ -148,8 +144,7 @@ TEST(rows)
     enum { ROW = 20, LENGTH = 7, MATRIX = 8 };
     SCOPED(scene) *scene = read_scene(
         "blob { cylinder { <1, 2, 3>, <1, 5, 7>, .5, 2 scale <1, 2, 1> }"
-        " sphere { <1, 2, 3>, .5, 1 translate x } sphere { 0, 2, 1 scale 2 } "
-        "}");
+        " sphere { <1, 2, 3>, .5, 1 translate x } sphere { 0, 2, 1 scale 2 } }");
     const struct primitive *primitive = scene->primitives;
     struct shape_words words;
     FREED double *table = shape_table(primitive, NULL, 3 * ROW);

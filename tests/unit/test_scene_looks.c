@@ -37,8 +37,7 @@ TEST(told_when_used)
           " sphere { 0, 1 finish { A[1] } }",
           54, "'irid' is not supported and left out" },
         { "#declare P = pigment { bozo color_map { [0 rgb 1] [1 rgb 0] } }"
-          " #macro Ball(What) sphere { 0, 1 pigment { What } } #end"
-          " Ball(P) Ball(P)",
+          " #macro Ball(What) sphere { 0, 1 pigment { What } } #end Ball(P) Ball(P)",
           24, "its first colour is used" },
         { "#declare L = light_source { 0, 1 area_light x, y, 2, 2 jitter } light_source { L }",
           56, "left out" },

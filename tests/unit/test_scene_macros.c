@@ -97,8 +97,7 @@ TEST(errors)
         { "#macro S(R)\n sphere { 0, Q }\n#end\nS(1) S(2)", 2, 14,
           "'Q', which is not declared, in 'S' called at test.pov:4:1" },
         { "#macro A(N)\nsphere { 0, N }\n#end\n#macro B(N)\nA(N)\n#end\nB(x)", 2, 13,
-          "in 'A' called at test.pov:5:1, in 'B' called at "
-          "test.pov:7:1" },
+          "in 'A' called at test.pov:5:1, in 'B' called at test.pov:7:1" },
         { "#macro S(R)\n#error concat(\"no \", R)\n#end\nS(\"luck\")", 2, 1,
           "no luck, in 'S' called at test.pov:4:1" },
         { "#macro S(A, B) #end\nS(1)", 2, 4, "takes 2 arguments, found 1" },

@@ -300,23 +300,20 @@ TEST(skies)
 
 #define MAP "sphere { 0, 1 pigment { gradient x color_map { "
 
-TEST(errors)
-{
-    static const struct line_error rows[] = {
-        { "sphere { 0, 1 pigment { gradient 0 } }", 25, "has no length" },
-        { "sphere { 0, 1 pigment { gradient } }", 34, "expected a number" },
-        { MAP "} } }", 48, "expected '['" },
-        { MAP "[rgb x] } } }", 49, "expected a number" },
-        { MAP "[0] } } }", 50, "expected a colo" },
-        { MAP "[0 rgb x } } }", 57, "expected ']'" },
-        { MAP "[0 rgb x rgb y] } } }", 57, "expected ']'" },
-        { MAP "#for (I, 0, 256) [0 rgb x] #end } } }", 73, "more than 256 entries" },
-        { MAP "[0 rgb 1e101] } } }", 60, "out of range" },
-        { "sky_sphere { gradient y }", 14, "expected a word of sky_sphere" },
-        { "sky_sphere { pigment { gradient y } wibble }", 37,
-          "expected a word of sky_sphere" },
-        { "sky_sphere 3", 12, "expected '{'" },
-    };
+static const struct line_error errors[] = {
+    { "sphere { 0, 1 pigment { gradient 0 } }", 25, "has no length" },
+    { "sphere { 0, 1 pigment { gradient } }", 34, "expected a number" },
+    { MAP "} } }", 48, "expected '['" },
+    { MAP "[rgb x] } } }", 49, "expected a number" },
+    { MAP "[0] } } }", 50, "expected a colo" },
+    { MAP "[0 rgb x } } }", 57, "expected ']'" },
+    { MAP "[0 rgb x rgb y] } } }", 57, "expected ']'" },
+    { MAP "#for (I, 0, 256) [0 rgb x] #end } } }", 73, "more than 256 entries" },
+    { MAP "[0 rgb 1e101] } } }", 60, "out of range" },
+    { "sky_sphere { gradient y }", 14, "expected a word of sky_sphere" },
+    { "sky_sphere { pigment { gradient y } wibble }", 37,
+      "expected a word of sky_sphere" },
+    { "sky_sphere 3", 12, "expected '{'" },
+};
 
-    assert_errors(rows, COUNT(rows));
-}
+TEST_CALL(errors, assert_errors(errors, COUNT(errors)))

@@ -177,9 +177,8 @@ TEST(textures)
         { "mesh { triangle { 0, x, y } triangle { 0, y, z texture { B } } "
           "pigment { rgb x } }",
           1, 1, 0 },
-        { "object { mesh { triangle { 0, x, y texture { B } } } texture { A } "
-          "}",
-          0, 0, 1 },
+        { "object { mesh { triangle { 0, x, y texture { B } } } texture { A } }", 0, 0,
+          1 },
         { "object { mesh { triangle { 0, x, y } } texture { A } }", 0, 1, 0 },
         { "mesh { triangle { 0, x, y texture_list { A, B C } } }", 1, 1, 0 },
         { "mesh { triangle { 0, x, y texture_list { B B B } } }", 0, 0, 1 },
@@ -213,8 +212,7 @@ TEST(textures)
 TEST(moved_texture)
 {
     SCOPED(scene) *scene = read_scene(
-        "mesh { triangle { 0, x, y texture { pigment { checker } } }"
-        " translate 3*x }");
+        "mesh { triangle { 0, x, y texture { pigment { checker } } } translate 3*x }");
 
     assert_close(scene->primitives->pigment.to_local.rows[0][3], -3, CLOSE);
 }
@@ -286,8 +284,7 @@ TEST(inverted)
     ASSERT_NODES("difference { box { 0, 1 } mesh { triangle { 0, x, y } "
                  "inside_vector z } }",
                  0, TREE_AND, TREE_LEAF, TREE_NOT, TREE_LEAF);
-    ASSERT_NODES("union { box { 0, 1 } triangle { 0, x, y } sphere { 0, 1 } "
-                 "inverse }",
+    ASSERT_NODES("union { box { 0, 1 } triangle { 0, x, y } sphere { 0, 1 } inverse }",
                  0, TREE_AND, TREE_NOT, TREE_LEAF, TREE_LEAF, TREE_NOT, TREE_LEAF);
     ASSERT_NODES("object { union { box { 0, 1 } triangle { 0, x, y } inverse "
                  "} inverse }",
@@ -312,91 +309,86 @@ TEST(clipped)
 #define FACE "face_indices { 1, <0, 1, 2> } "          /* 30 columns */
 #define MESH "mesh { triangle { 0, x, y } }"
 
-TEST(errors)
-{
-    static const struct line_error rows[] = {
-        { "triangle { 0, x }", 17, "expected a number or a vector" },
-        { "triangle 0, x, y", 10, "expected '{'" },
-        { "triangle { 0, x, y uv_vectors x, y, z }", 20, "'uv_vectors'" },
-        { "triangle { 0, x, y", 19, "for the '{' of line 1" },
-        { "smooth_triangle { 0, x, y }", 27, "expected a number" },
-        { "mesh { sphere { 0, 1 } }", 8, "expected a triangle or a word" },
-        { "mesh { triangle { 0, x, y, z } triangle { 0, x, y } }", 26,
-          "expected a word of a mesh's triangle" },
-        { "mesh { triangle { 0, x, y translate x } }", 27, "found 'translate'" },
-        { "mesh { triangle { 0, x, y uv_vectors x, y } }", 43, "a number" },
-        { "mesh { triangle { 0, x, y texture { A } } }", 37,
-          "'A', which is not declared" },
-        { "mesh { triangle { 0, x, y texture_list { 1 } } }", 42,
-          "expected the name of a texture" },
-        { "#declare T = texture { }; mesh { triangle { 0, x, y "
-          "texture_list { T T T T } } }",
-          74, "expected '}'" },
-        { "mesh { triangle { 0, x, y } inside_vector }", 43, "a number" },
-        { "mesh { triangle { 0, x, y } scale 2 triangle { 0, x, y } }", 37,
-          "found 'triangle'" },
-        { "mesh2 { }", 1, "'vertex_vectors' is missing" },
-        { THREE "}", 1, "'face_indices' is missing" },
-        { "mesh2 { face_indices { 1, 0 } }", 9,
-          "'vertex_vectors' has to stand before 'face_indices'" },
-        { "mesh2 { texture_list { 0 } " FACE "}", 9,
-          "'vertex_vectors' has to stand before 'texture_list'" },
-        { "mesh2 { uv_indices { 1, 0 } }", 9,
-          "'face_indices' has to stand before 'uv_indices'" },
-        { THREE "vertex_vectors { 1, 0 } " FACE "}", 39, "two 'vertex_vectors'" },
-        { THREE FACE "face_indices { 1, 0 } }", 69, "two 'face_indices'" },
-        { THREE FACE "normal_vectors { 1, x } }", 69,
-          "'normal_vectors' has to stand before 'face_indices'" },
-        { THREE "texture_list { 0 } uv_vectors { 0 } " FACE "}", 58,
-          "'uv_vectors' has to stand before 'texture_list'" },
-        { THREE "inside_vector x " FACE "}", 55,
-          "'face_indices' has to stand before 'inside_vector'" },
-        { THREE FACE "scale 2 inside_vector x }", 77, "'inside_vector'" },
-        { "mesh2 { vertex_vectors { 0 } " FACE "}", 26,
-          "the number of 'vertex_vectors' is not a whole one above 0" },
-        { "mesh2 { vertex_vectors { 3.5, 0, x, y } " FACE "}", 26, "not a whole one" },
-        { "mesh2 { vertex_vectors { x, 0, x, y } " FACE "}", 26, "found 3" },
-        { THREE "face_indices { -1 } }", 54, "above 0" },
-        { THREE "normal_vectors { -1 } " FACE "}", 56,
-          "'normal_vectors' is not a whole one from 0" },
-        { "mesh2 { vertex_vectors { 1e7 + 1, x } }", 26,
-          "more than 4000000 'vertex_vectors'" },
-        { "mesh2 { vertex_vectors { 3, 0, x } " FACE "}", 34,
-          "only 2 of 3 'vertex_vectors' stand here" },
-        { "mesh2 { vertex_vectors { 3, 0, x, y, z } " FACE "}", 38,
-          "expected '}', found 'z'" },
-        { "mesh2 { vertex_vectors { 3, 0, <1, 2, 3, 4> } " FACE "}", 32,
-          "a vector of 3" },
-        { THREE "texture_list { 1, pigment { } } " FACE "}", 57, "expected a texture" },
-        { THREE "face_indices { 2, <0, 1, 2>, <0, 3, 1> } }", 68,
-          "a face has the vertex 3, but there are only 3" },
-        { THREE "face_indices { 1, <0, -1, 2> } }", 57, "the vertex -1" },
-        { THREE "face_indices { 1, 0 } }", 57, "the three vertices" },
-        { THREE "face_indices { 1, <0, 1, 2>, 0 } }", 68,
-          "a face has the texture 0, but there are only 0" },
-        { THREE "texture_list { 1 texture { } } face_indices { 1, <0, 1, 2>, "
-                "0, 0 } }",
-          104, "one texture or three, not two" },
-        { THREE "texture_list { 1 texture { } } face_indices { 2, <0, 1, 2> 0 "
-                "0 0 0 <0, 1, 2> } }",
-          104, "the three vertices of a face" },
-        { THREE "normal_vectors { 2 x y } " FACE "}", 1,
-          "'normal_indices' is missing: there are 2 'normal_vectors', but 3" },
-        { THREE "uv_vectors { 2 x y } " FACE "}", 1, "'uv_indices' is missing" },
-        { THREE FACE "normal_indices { 1, <0, 1, 2> } }", 89,
-          "the normal 0, but there are only 0" },
-        { THREE "normal_vectors { 1 x } " FACE "normal_indices { 2, 0, 0 } }", 109,
-          "2 'normal_indices' for 1 face" },
-        { THREE "uv_vectors { 1, 0 } " FACE "uv_indices { 0 } }", 102,
-          "0 'uv_indices' for 1 face" },
-        { THREE FACE "uv_indices { 1, <0, 0, 1> } }", 85,
-          "the uv vector 1, but there are only 1" },
-        { THREE FACE "wibble }", 69, "expected a word of mesh2" },
-        { "#declare mesh2 = 1;", 10, "a word of the language" },
-    };
+static const struct line_error errors[] = {
+    { "triangle { 0, x }", 17, "expected a number or a vector" },
+    { "triangle 0, x, y", 10, "expected '{'" },
+    { "triangle { 0, x, y uv_vectors x, y, z }", 20, "'uv_vectors'" },
+    { "triangle { 0, x, y", 19, "for the '{' of line 1" },
+    { "smooth_triangle { 0, x, y }", 27, "expected a number" },
+    { "mesh { sphere { 0, 1 } }", 8, "expected a triangle or a word" },
+    { "mesh { triangle { 0, x, y, z } triangle { 0, x, y } }", 26,
+      "expected a word of a mesh's triangle" },
+    { "mesh { triangle { 0, x, y translate x } }", 27, "found 'translate'" },
+    { "mesh { triangle { 0, x, y uv_vectors x, y } }", 43, "a number" },
+    { "mesh { triangle { 0, x, y texture { A } } }", 37, "'A', which is not declared" },
+    { "mesh { triangle { 0, x, y texture_list { 1 } } }", 42,
+      "expected the name of a texture" },
+    { "#declare T = texture { }; mesh { triangle { 0, x, y "
+      "texture_list { T T T T } } }",
+      74, "expected '}'" },
+    { "mesh { triangle { 0, x, y } inside_vector }", 43, "a number" },
+    { "mesh { triangle { 0, x, y } scale 2 triangle { 0, x, y } }", 37,
+      "found 'triangle'" },
+    { "mesh2 { }", 1, "'vertex_vectors' is missing" },
+    { THREE "}", 1, "'face_indices' is missing" },
+    { "mesh2 { face_indices { 1, 0 } }", 9,
+      "'vertex_vectors' has to stand before 'face_indices'" },
+    { "mesh2 { texture_list { 0 } " FACE "}", 9,
+      "'vertex_vectors' has to stand before 'texture_list'" },
+    { "mesh2 { uv_indices { 1, 0 } }", 9,
+      "'face_indices' has to stand before 'uv_indices'" },
+    { THREE "vertex_vectors { 1, 0 } " FACE "}", 39, "two 'vertex_vectors'" },
+    { THREE FACE "face_indices { 1, 0 } }", 69, "two 'face_indices'" },
+    { THREE FACE "normal_vectors { 1, x } }", 69,
+      "'normal_vectors' has to stand before 'face_indices'" },
+    { THREE "texture_list { 0 } uv_vectors { 0 } " FACE "}", 58,
+      "'uv_vectors' has to stand before 'texture_list'" },
+    { THREE "inside_vector x " FACE "}", 55,
+      "'face_indices' has to stand before 'inside_vector'" },
+    { THREE FACE "scale 2 inside_vector x }", 77, "'inside_vector'" },
+    { "mesh2 { vertex_vectors { 0 } " FACE "}", 26,
+      "the number of 'vertex_vectors' is not a whole one above 0" },
+    { "mesh2 { vertex_vectors { 3.5, 0, x, y } " FACE "}", 26, "not a whole one" },
+    { "mesh2 { vertex_vectors { x, 0, x, y } " FACE "}", 26, "found 3" },
+    { THREE "face_indices { -1 } }", 54, "above 0" },
+    { THREE "normal_vectors { -1 } " FACE "}", 56,
+      "'normal_vectors' is not a whole one from 0" },
+    { "mesh2 { vertex_vectors { 1e7 + 1, x } }", 26,
+      "more than 4000000 'vertex_vectors'" },
+    { "mesh2 { vertex_vectors { 3, 0, x } " FACE "}", 34,
+      "only 2 of 3 'vertex_vectors' stand here" },
+    { "mesh2 { vertex_vectors { 3, 0, x, y, z } " FACE "}", 38,
+      "expected '}', found 'z'" },
+    { "mesh2 { vertex_vectors { 3, 0, <1, 2, 3, 4> } " FACE "}", 32, "a vector of 3" },
+    { THREE "texture_list { 1, pigment { } } " FACE "}", 57, "expected a texture" },
+    { THREE "face_indices { 2, <0, 1, 2>, <0, 3, 1> } }", 68,
+      "a face has the vertex 3, but there are only 3" },
+    { THREE "face_indices { 1, <0, -1, 2> } }", 57, "the vertex -1" },
+    { THREE "face_indices { 1, 0 } }", 57, "the three vertices" },
+    { THREE "face_indices { 1, <0, 1, 2>, 0 } }", 68,
+      "a face has the texture 0, but there are only 0" },
+    { THREE "texture_list { 1 texture { } } face_indices { 1, <0, 1, 2>, "
+            "0, 0 } }",
+      104, "one texture or three, not two" },
+    { THREE "texture_list { 1 texture { } } face_indices { 2, <0, 1, 2> 0 "
+            "0 0 0 <0, 1, 2> } }",
+      104, "the three vertices of a face" },
+    { THREE "normal_vectors { 2 x y } " FACE "}", 1,
+      "'normal_indices' is missing: there are 2 'normal_vectors', but 3" },
+    { THREE "uv_vectors { 2 x y } " FACE "}", 1, "'uv_indices' is missing" },
+    { THREE FACE "normal_indices { 1, <0, 1, 2> } }", 89,
+      "the normal 0, but there are only 0" },
+    { THREE "normal_vectors { 1 x } " FACE "normal_indices { 2, 0, 0 } }", 109,
+      "2 'normal_indices' for 1 face" },
+    { THREE "uv_vectors { 1, 0 } " FACE "uv_indices { 0 } }", 102,
+      "0 'uv_indices' for 1 face" },
+    { THREE FACE "uv_indices { 1, <0, 0, 1> } }", 85,
+      "the uv vector 1, but there are only 1" },
+    { THREE FACE "wibble }", 69, "expected a word of mesh2" },
+    { "#declare mesh2 = 1;", 10, "a word of the language" },
+};
 
-    assert_errors(rows, COUNT(rows));
-}
+TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
 /* Of what is declared, too. */
 TEST(copies_count)

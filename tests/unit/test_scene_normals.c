@@ -95,10 +95,8 @@ TEST(motions)
         " sphere { 0, 1 normal { N translate x } }",
         "#declare M = material { texture { normal { onion } } scale 2 }"
         " sphere { 0, 1 material { M } translate x }",
-        "union { sphere { 0, 1 } box { 0, 1 } normal { onion scale 2 }"
-        " translate x }",
-        "union { sphere { 0, 1 normal { onion } } box { 0, 1 }"
-        " scale 2 translate x }",
+        "union { sphere { 0, 1 } box { 0, 1 } normal { onion scale 2 } translate x }",
+        "union { sphere { 0, 1 normal { onion } } box { 0, 1 } scale 2 translate x }",
     };
 
     for (size_t i = 0; i < COUNT(texts); i++) {
@@ -213,24 +211,19 @@ TEST(quilted)
     scene_free(scene);
 }
 
-TEST(errors)
-{
-    static const struct line_error errors[] = {
-        { "sphere { 0, 1 normal { onion accuracy 0 } }", 30, "an accuracy of 0" },
-        { "sphere { 0, 1 normal { average } }", 22, "an average without a normal_map" },
-        { "sphere { 0, 1 normal { brick slope_map { [0 <0, 1>] } } }", 30,
-          "a list of normals has no 'slope_map'" },
-        { "sphere { 0, 1 normal { checker normal { onion } } }", 49,
-          "expected a normal" },
-        { "sphere { 0, 1 normal { onion normal_map { } } }", 43, "expected '['" },
-        { "sphere { 0, 1 normal { onion normal_map { [onion] } } }", 44, "expected" },
-        { "sphere { 0, 1 normal { onion slope_map { [0 1 2] } } }", 47, "expected" },
-        { "sphere { 0, 1 normal { onion rgb 1 } }", 30, "expected a word of normal" },
-        { "sphere { 0, 1 normal { gradient 0 } }", 24,
-          "the vector of a gradient has no length" },
-        { "sphere { 0, 1 normal { onion scale 1e200 scale 1e200 } }", 1,
-          "out of range" },
-    };
+static const struct line_error errors[] = {
+    { "sphere { 0, 1 normal { onion accuracy 0 } }", 30, "an accuracy of 0" },
+    { "sphere { 0, 1 normal { average } }", 22, "an average without a normal_map" },
+    { "sphere { 0, 1 normal { brick slope_map { [0 <0, 1>] } } }", 30,
+      "a list of normals has no 'slope_map'" },
+    { "sphere { 0, 1 normal { checker normal { onion } } }", 49, "expected a normal" },
+    { "sphere { 0, 1 normal { onion normal_map { } } }", 43, "expected '['" },
+    { "sphere { 0, 1 normal { onion normal_map { [onion] } } }", 44, "expected" },
+    { "sphere { 0, 1 normal { onion slope_map { [0 1 2] } } }", 47, "expected" },
+    { "sphere { 0, 1 normal { onion rgb 1 } }", 30, "expected a word of normal" },
+    { "sphere { 0, 1 normal { gradient 0 } }", 24,
+      "the vector of a gradient has no length" },
+    { "sphere { 0, 1 normal { onion scale 1e200 scale 1e200 } }", 1, "out of range" },
+};
 
-    assert_errors(errors, COUNT(errors));
-}
+TEST_CALL(errors, assert_errors(errors, COUNT(errors)))

@@ -23,9 +23,8 @@ TEST(errors)
         { "sphere { 0, 1 clipped_by { union { box { 0, 1 }"
           " light_source { 0, 1 } } } }",
           1, 28, "a light has no inside" },
-        { "sphere { 0, 1 #for (I, 1, 10000) clipped_by { plane { y, 2 } } #end "
-          "}",
-          1, 34, "more than 10000 primitives in one solid" },
+        { "sphere { 0, 1 #for (I, 1, 10000) clipped_by { plane { y, 2 } } #end }", 1,
+          34, "more than 10000 primitives in one solid" },
         { "sphere { 0, 1 clipped_by { light_source { 0, 1 } } }", 1, 28,
           "a light has no inside" },
         { "sphere { 0, 1 inverted }", 1, 15, "found 'inverted'" },
@@ -133,9 +132,8 @@ TEST(reports)
           53, "replaced by its first" },
         { "sphere { 0, 1 normal { quilted normal_map { [0 onion] } } }", 22,
           "of a quilted normal" },
-        { "sphere { 0, 1 normal { onion normal_map {"
-          " [0 onion no_bump_scale] } } }",
-          43, "within a map" },
+        { "sphere { 0, 1 normal { onion normal_map { [0 onion no_bump_scale] } } }", 43,
+          "within a map" },
         { "sphere { 0, 1 double_illuminate }", 15, "'double_illuminate'" },
         { "difference { sphere { 0, 1 } sphere { x, 1 } cutaway_textures }", 46,
           "'cutaway_textures'" },

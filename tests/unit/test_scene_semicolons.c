@@ -5,45 +5,37 @@
 #include "tests/oracle/language_scene.h"
 
 /* Each text of one line has this one error. */
-TEST(places)
-{
-    static const struct line_error rows[] = {
-        { "#declare A = 3 sphere { 0, A }", 15, "';' is missing" },
-        { "#declare A = 3", 15, "';' is missing" },
-        { "#declare A = 3 /* ; */ #if (A > 2) sphere { 0, A } #end", 15,
-          "';' is missing" },
-        { "#declare A = 3 #if (A > 2) #declare B = A; #end box { -B, A }", 15,
-          "';' is missing" },
-        { "#if (1) #declare A = 3 #else #declare A = 4; #end sphere { 0, A }", 23,
-          "';' is missing" },
-        { "#declare N = 0; #while (N < 3) sphere { N, 1 } #declare N = N + 1 "
-          "#end",
-          66, "';' is missing" },
-        { "#for (I, 1, 3) #declare A = I #end sphere { 0, A }", 30, "';' is missing" },
-        { "#declare A = <1, 2, 3> #declare B = A; sphere { B, 1 }", 23,
-          "';' is missing" },
-        { "#declare C = rgb <1, 2, 3> plane { y, 0 pigment { C } }", 27,
-          "';' is missing" },
-        { "#declare C = rgb 1; #declare D = C.red #declare E = D; "
-          "sphere { 0, E }",
-          39, "';' is missing" },
-        { "#declare A = array[2] { 1, 2 } #declare A[1] = A[0] "
-          "#if (A[1] = 1) sphere { 0, A[1] } #end",
-          52, "';' is missing" },
-        { "#macro P(Q) sphere { 0, Q } #end #declare A = 3 P(A)", 48,
-          "';' is missing" },
-        { "#macro P() #local A = 3 #end P() sphere { 0, 1 }", 24, "';' is missing" },
-        { "#declare A = (1 > 2 ? 3 : 4) #ifdef (A) sphere { 0, A } #end", 29,
-          "';' is missing" },
-        { "#declare S = sphere { 0, 1 #declare A = 3 scale A } object { S }", 42,
-          "';' is missing" },
-        { "sphere { 0, 1 #local A = 3 }", 27, "';' is missing" },
-        { "#declare A = 1 #include \"colors.inc\" sphere { A, 1 }", 15,
-          "';' is missing" },
-    };
+static const struct line_error places_errors[] = {
+    { "#declare A = 3 sphere { 0, A }", 15, "';' is missing" },
+    { "#declare A = 3", 15, "';' is missing" },
+    { "#declare A = 3 /* ; */ #if (A > 2) sphere { 0, A } #end", 15, "';' is missing" },
+    { "#declare A = 3 #if (A > 2) #declare B = A; #end box { -B, A }", 15,
+      "';' is missing" },
+    { "#if (1) #declare A = 3 #else #declare A = 4; #end sphere { 0, A }", 23,
+      "';' is missing" },
+    { "#declare N = 0; #while (N < 3) sphere { N, 1 } #declare N = N + 1 "
+      "#end",
+      66, "';' is missing" },
+    { "#for (I, 1, 3) #declare A = I #end sphere { 0, A }", 30, "';' is missing" },
+    { "#declare A = <1, 2, 3> #declare B = A; sphere { B, 1 }", 23, "';' is missing" },
+    { "#declare C = rgb <1, 2, 3> plane { y, 0 pigment { C } }", 27, "';' is missing" },
+    { "#declare C = rgb 1; #declare D = C.red #declare E = D; "
+      "sphere { 0, E }",
+      39, "';' is missing" },
+    { "#declare A = array[2] { 1, 2 } #declare A[1] = A[0] "
+      "#if (A[1] = 1) sphere { 0, A[1] } #end",
+      52, "';' is missing" },
+    { "#macro P(Q) sphere { 0, Q } #end #declare A = 3 P(A)", 48, "';' is missing" },
+    { "#macro P() #local A = 3 #end P() sphere { 0, 1 }", 24, "';' is missing" },
+    { "#declare A = (1 > 2 ? 3 : 4) #ifdef (A) sphere { 0, A } #end", 29,
+      "';' is missing" },
+    { "#declare S = sphere { 0, 1 #declare A = 3 scale A } object { S }", 42,
+      "';' is missing" },
+    { "sphere { 0, 1 #local A = 3 }", 27, "';' is missing" },
+    { "#declare A = 1 #include \"colors.inc\" sphere { A, 1 }", 15, "';' is missing" },
+};
 
-    assert_errors(rows, COUNT(rows));
-}
+TEST_CALL(places, assert_errors(places_errors, COUNT(places_errors)))
 
 /* The value continues after directives and macros, or needs no ';'. */
 TEST(values_that_continue)

@@ -110,9 +110,8 @@ TEST(patches)
 TEST(prisms)
 {
     SCOPED(scene) *scene = read_scene(
-        "prism { linear_spline linear_sweep 2, -1, 12,"
-        " <0, 0>, <1, 0>, <1, 0>, <0, 1>, <0, 1e-11>, <5, 5>, <6, 5>, <5, 5>,"
-        " <2, 2>, <3, 2>, <3, 3>, <2, 3> }\n"
+        "prism { linear_spline linear_sweep 2, -1, 12, <0, 0>, <1, 0>, <1, 0>, <0, 1>, "
+        "<0, 1e-11>, <5, 5>, <6, 5>, <5, 5>, <2, 2>, <3, 2>, <3, 3>, <2, 3> }\n"
         "prism { 0, 1, 3, <0, 0> <1, 0> <0, 1> open translate x }\n"
         "#declare P = prism { 0, 1, 4, x, 2*x, <2, 2>, x }\n"
         "object { P } object { P scale 2 }");
@@ -144,11 +143,9 @@ TEST(prisms)
 TEST(quadratic_prisms)
 {
     SCOPED(scene) *scene = read_scene(
-        "prism { quadratic_spline linear_sweep 1, -1, 11,"
-        " <0, 4>, <0, 0>, <4, 0>, <4, 4>, <1e-11, 0>,"
-        " <7, 1>, <5, 5>, <9, 5>, <5, 9>, <5, 5>, <8, 8> }\n"
-        "prism { linear_sweep quadratic_spline 0, 1, 5,"
-        " x, 0, x, x + y, 0 open }\n");
+        "prism { quadratic_spline linear_sweep 1, -1, 11, <0, 4>, <0, 0>, <4, 0>, <4, "
+        "4>, <1e-11, 0>, <7, 1>, <5, 5>, <9, 5>, <5, 9>, <5, 5>, <8, 8> }\n"
+        "prism { linear_sweep quadratic_spline 0, 1, 5, x, 0, x, x + y, 0 open }\n");
     const struct primitive *p = scene->primitives;
     const struct outline *path = &p[0].shape.quadratic_prism.path;
     static const double expected[][2] = {
@@ -190,74 +187,68 @@ TEST(lathes)
 }
 
 /* Each text has this one error. */
-TEST(errors)
-{
-    static const struct line_error rows[] = {
-        { "cone { 0, 1, y }", 16, "expected a number" },
-        { "cone { 0, 1, y, 0 opened }", 19, "found 'opened'" },
-        { "disc { 0, y }", 13, "expected a number" },
-        { "disc { 0, y, 2, 1, 1 }", 18, "found ','" },
-        { "torus { 1 }", 11, "expected a number" },
-        { "torus { 1, y }", 12, "found 3" },
-        { "elliptical_torus { 1, 1 }", 25, "expected a number" },
-        { "quadric { x, y, 1 }", 19, "expected a number" },
-        { "quadric { <1, 2, 3, 4>, 0, 0, 1 }", 11, "a vector of 3" },
-        { "quartic { <1, 2, 3> }", 11, "expected 35 coefficients, found 3" },
-        { "quartic { 1, 2, 3 }", 11, "expected '<'" },
-        { "quartic { <1, 2, y> }", 18, "found 3" },
-        { "quartic { <0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"
-          "0,0,0,0,0,0,0,0,0,0,1> }",
-          11, "35 coefficients, found 36" },
-        { "prism { 0, 1, 2, <0, 0>, <1, 0> }", 15, "three points" },
-        { "prism { 0, 1, 3, <0, 0>, <1, 0> }", 33, "expected a number" },
-        { "prism { 0, 1, 2001, <0, 0> }", 15, "more than 2000 points" },
-        { "prism { conic_sweep 0, 1, 3, <0, 0>, <1, 0>, <0, 1> }", 9,
-          "'conic_sweep' is not supported" },
-        { "prism { linear_sweep bezier_spline 0, 1, 4, x, y, z, 0 }", 22,
-          "'bezier_spline' is not supported" },
-        { "prism { quadratic_spline 0, 1, 4, <0, 1>, <0, 0>, <1, 0>, <0, 0> }", 9,
-          "five points" },
-        { "prism { quadratic_spline 0, 1, 5, <0, 1>, <0, 0>, <1, 0>, <1, 1>,"
-          " <0, 1> }",
-          9, "does not come back" },
-        { "prism { quadratic_spline 0, 1, 7, <0, 1>, <0, 0>, <1, 0>, <1, 1>,"
-          " <0, 0>, <2, 2>, <3, 3> }",
-          9, "does not come back" },
-        { "prism { quadratic_spline conic_sweep 0, 1, 3, x, y, z }", 26,
-          "'conic_sweep' is not supported" },
-        { "prism { linear_sweep cubic_spline 0, 1, 4, x, y, z, 0 }", 22,
-          "'cubic_spline' is not supported" },
-        { "lathe { 1, <1, 0> }", 9, "two points" },
-        { "lathe { linear_spline 3, <0, 0>, <1, 0> }", 41, "expected a number" },
-        { "lathe { 2001, <0, 0> }", 9, "more than 2000 points" },
-        { "lathe { quadratic_spline 3, <0, 0>, <1, 0>, <1, 1> }", 9,
-          "'quadratic_spline' is not supported" },
-        { "lathe { cubic_spline 4, x, y, z, 0 }", 9,
-          "'cubic_spline' is not supported" },
-        { "lathe { bezier_spline 4, x, y, z, 0 }", 9,
-          "'bezier_spline' is not supported" },
-        { "lathe { 2, <1, 0>, <1, 1> open }", 27, "" },
-        { "steiner_patch { x, y, z, 0, 0 }", 31, "expected a number" },
-        { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 1 }", 56,
-          "expected a number" },
-        { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 0, 1 }", 54,
-          "the weight is not above 0" },
-        { "#declare steiner_patch = 1;", 10, "a word of the language" },
-        { "#ifdef A sphere { 0, } #end", 8, "expected '('" },
-        { "#ifdef (1) sphere { 0, } #end", 9, "expected a name" },
-        { "#ifndef (A sphere { 0, } #end", 12, "expected ')'" },
-        { "#ifdef (A) #elseif 1 #end", 20, "expected '('" },
-        { "#ifdef (A) #else #elseif (1) #end", 18, "this '#elseif'" },
-        { "sphere { 0, 1 } #else", 17, "no '#if' for this '#else'" },
-        { "#ifndef (A) #end #end", 18, "nothing for this '#end'" },
-        { "#ifdef (A) #else #else #end", 18, "for this '#else'" },
-        { "sphere { 0, 1 } #ifdef (A) #else", 17, "no '#end' closes" },
-        { "#ifndef (A) sphere { 0, 1 }", 1, "closes this '#ifndef'" },
-        { "sphere { 0, #ifdef (A) 1 #end }", 31, "expected a number" },
-    };
+static const struct line_error errors[] = {
+    { "cone { 0, 1, y }", 16, "expected a number" },
+    { "cone { 0, 1, y, 0 opened }", 19, "found 'opened'" },
+    { "disc { 0, y }", 13, "expected a number" },
+    { "disc { 0, y, 2, 1, 1 }", 18, "found ','" },
+    { "torus { 1 }", 11, "expected a number" },
+    { "torus { 1, y }", 12, "found 3" },
+    { "elliptical_torus { 1, 1 }", 25, "expected a number" },
+    { "quadric { x, y, 1 }", 19, "expected a number" },
+    { "quadric { <1, 2, 3, 4>, 0, 0, 1 }", 11, "a vector of 3" },
+    { "quartic { <1, 2, 3> }", 11, "expected 35 coefficients, found 3" },
+    { "quartic { 1, 2, 3 }", 11, "expected '<'" },
+    { "quartic { <1, 2, y> }", 18, "found 3" },
+    { "quartic { <0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,"
+      "0,0,0,0,0,0,0,0,0,0,1> }",
+      11, "35 coefficients, found 36" },
+    { "prism { 0, 1, 2, <0, 0>, <1, 0> }", 15, "three points" },
+    { "prism { 0, 1, 3, <0, 0>, <1, 0> }", 33, "expected a number" },
+    { "prism { 0, 1, 2001, <0, 0> }", 15, "more than 2000 points" },
+    { "prism { conic_sweep 0, 1, 3, <0, 0>, <1, 0>, <0, 1> }", 9,
+      "'conic_sweep' is not supported" },
+    { "prism { linear_sweep bezier_spline 0, 1, 4, x, y, z, 0 }", 22,
+      "'bezier_spline' is not supported" },
+    { "prism { quadratic_spline 0, 1, 4, <0, 1>, <0, 0>, <1, 0>, <0, 0> }", 9,
+      "five points" },
+    { "prism { quadratic_spline 0, 1, 5, <0, 1>, <0, 0>, <1, 0>, <1, 1>, <0, 1> }", 9,
+      "does not come back" },
+    { "prism { quadratic_spline 0, 1, 7, <0, 1>, <0, 0>, <1, 0>, <1, 1>,"
+      " <0, 0>, <2, 2>, <3, 3> }",
+      9, "does not come back" },
+    { "prism { quadratic_spline conic_sweep 0, 1, 3, x, y, z }", 26,
+      "'conic_sweep' is not supported" },
+    { "prism { linear_sweep cubic_spline 0, 1, 4, x, y, z, 0 }", 22,
+      "'cubic_spline' is not supported" },
+    { "lathe { 1, <1, 0> }", 9, "two points" },
+    { "lathe { linear_spline 3, <0, 0>, <1, 0> }", 41, "expected a number" },
+    { "lathe { 2001, <0, 0> }", 9, "more than 2000 points" },
+    { "lathe { quadratic_spline 3, <0, 0>, <1, 0>, <1, 1> }", 9,
+      "'quadratic_spline' is not supported" },
+    { "lathe { cubic_spline 4, x, y, z, 0 }", 9, "'cubic_spline' is not supported" },
+    { "lathe { bezier_spline 4, x, y, z, 0 }", 9, "'bezier_spline' is not supported" },
+    { "lathe { 2, <1, 0>, <1, 1> open }", 27, "" },
+    { "steiner_patch { x, y, z, 0, 0 }", 31, "expected a number" },
+    { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 1 }", 56,
+      "expected a number" },
+    { "steiner_patch { x, y, z, 0, 0, 0 weights 1, 1, 1, 1, 0, 1 }", 54,
+      "the weight is not above 0" },
+    { "#declare steiner_patch = 1;", 10, "a word of the language" },
+    { "#ifdef A sphere { 0, } #end", 8, "expected '('" },
+    { "#ifdef (1) sphere { 0, } #end", 9, "expected a name" },
+    { "#ifndef (A sphere { 0, } #end", 12, "expected ')'" },
+    { "#ifdef (A) #elseif 1 #end", 20, "expected '('" },
+    { "#ifdef (A) #else #elseif (1) #end", 18, "this '#elseif'" },
+    { "sphere { 0, 1 } #else", 17, "no '#if' for this '#else'" },
+    { "#ifndef (A) #end #end", 18, "nothing for this '#end'" },
+    { "#ifdef (A) #else #else #end", 18, "for this '#else'" },
+    { "sphere { 0, 1 } #ifdef (A) #else", 17, "no '#end' closes" },
+    { "#ifndef (A) sphere { 0, 1 }", 1, "closes this '#ifndef'" },
+    { "sphere { 0, #ifdef (A) 1 #end }", 31, "expected a number" },
+};
 
-    assert_errors(rows, COUNT(rows));
-}
+TEST_CALL(errors, assert_errors(errors, COUNT(errors)))
 
 /* --- conditions ---------------------------------------------------------- */
 

@@ -21,9 +21,8 @@ static const char *const shapes[] = {
     "torus { .9, .35 rotate -50*x pigment { checker rgb 1, rgb .2 scale .3 }"
     " finish { specular .7 } scale S }",
     "quadric { <1, 2, 1>/(S*S), <.3, 0, 0>/(S*S), <0, .2, 0>/S, -1 }",
-    "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -2*S*S, 0, 0, 0, 0, 0, 0, 0, 0, 0,"
-    " 0, 1, 0, 0, 2, 0, 1.5*S*S, 0, 0, 0, 0, 1, 0, -2*S*S, 0, .6*S*S*S*S>"
-    " rotate 60*x }",
+    "quartic { <1, 0, 0, 0, 2, 0, 0, 2, 0, -2*S*S, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, "
+    "0, 2, 0, 1.5*S*S, 0, 0, 0, 0, 1, 0, -2*S*S, 0, .6*S*S*S*S> rotate 60*x }",
     "mesh { triangle { <-1, -1, 0>*S, <1, -1, .3>*S, <0, 1, .5>*S }"
     " smooth_triangle { <-1, -1, 0>*S, <-1, -1, -1>, <0, -.5, -1>*S,"
     " <0, 0, -1>, <-.2, .6, -.3>*S, <0, 1, -1> } }",
@@ -41,11 +40,10 @@ static const char *const shapes[] = {
     "sphere { -.9*x, .8 normal { onion .7 scale .1 } scale S }"
     "sphere { .9*S*x, .8*S normal { average normal_map { [1 leopard .7 scale "
     ".1] [1 quilted .5 scale .3] } scale <2, 1, 1>*S } }",
-    "bicubic_patch { type 1 flatness 0 u_steps 2 v_steps 2"
-    " <-1, -1, 0>*S, <-.3, -1, -1>*S, <.3, -1, 1>*S, <1, -1, 0>*S"
-    " <-1, -.3, 0>*S, <-.3, -.3, -1>*S, <.3, -.3, 1>*S, <1, -.3, 0>*S"
-    " <-1, .3, 0>*S, <-.3, .3, -1>*S, <.3, .3, 1>*S, <1, .3, 0>*S"
-    " <-1, 1, 0>*S, <-.3, 1, -1>*S, <.3, 1, 1>*S, <1, 1, 0>*S }",
+    "bicubic_patch { type 1 flatness 0 u_steps 2 v_steps 2 <-1, -1, 0>*S, <-.3, -1, "
+    "-1>*S, <.3, -1, 1>*S, <1, -1, 0>*S <-1, -.3, 0>*S, <-.3, -.3, -1>*S, <.3, -.3, "
+    "1>*S, <1, -.3, 0>*S <-1, .3, 0>*S, <-.3, .3, -1>*S, <.3, .3, 1>*S, <1, .3, 0>*S "
+    "<-1, 1, 0>*S, <-.3, 1, -1>*S, <.3, 1, 1>*S, <1, 1, 0>*S }",
     "height_field { function 5, 5 { x*y } smooth translate <-.5, -.5, -.5>"
     " scale 2*S rotate -60*x }",
 };
@@ -54,8 +52,7 @@ static const char *const lights[] = {
     "light_source { <6, 12, -9>*S, 1 area_light 3*S*x, 3*S*z, 2, 3"
     " fade_distance 9*S fade_power 2 }",
     "light_source { <6, 12, -9>*S, 1 spotlight point_at 0 radius 5 falloff 12 }"
-    "light_source { <-3, 9, -9>*S, .6 cylinder point_at 0 radius S"
-    " falloff 2*S }",
+    "light_source { <-3, 9, -9>*S, .6 cylinder point_at 0 radius S falloff 2*S }",
     "light_source { <6, 12, -9>*S, 1 parallel point_at 0 } fog { distance 30*S"
     " color rgb .4 }",
 };

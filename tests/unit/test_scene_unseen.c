@@ -175,8 +175,7 @@ TEST(without_height)
         { "torus { 0, .7", "sphere { 0, .7" },
         { "prism { .2, .2, 4, <-1, -1>, <1, -1>, <0, 1>, <-1, -1>",
           "triangle { <-1, .2, -1>, <1, .2, -1>, <0, .2, 1>" },
-        { "prism { quadratic_spline .2, .2, 5, <0, 1>, <0, 0>, <1, 0>, "
-          "<1, 1>, <0, 0>",
+        { "prism { quadratic_spline .2, .2, 5, <0, 1>, <0, 0>, <1, 0>, <1, 1>, <0, 0>",
           "prism { quadratic_spline .2, .20001, 5, <0, 1>, <0, 0>, <1, 0>, "
           "<1, 1>, <0, 0>" },
         { "text { ttf \"timrom.ttf\" \"ab\" 0, 0 scale 3 translate -x",

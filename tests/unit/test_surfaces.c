@@ -11,8 +11,7 @@ TEST(surfaces)
     static const char text[] =
         "sphere { 0, 1 pigment { rgbft <.8, .4, .2, .5, .1> }\n"
         "  finish { reflection <.1, .3, .2> } interior { ior 1.6 } }\n"
-        "sphere { 0, 1 pigment { checker rgb <1, .5, 0>, rgbt <0, 1, 1, .25> }"
-        " }\n"
+        "sphere { 0, 1 pigment { checker rgb <1, .5, 0>, rgbt <0, 1, 1, .25> } }\n"
         "sphere { 0, 1 pigment { rgb .5 } }";
     static const double passing[8] = { .5, .3, .2, .5, 0, 0, 0, -1 };
     static const double checker[8] = { 0, 0, 0, -1, .25, .25, .25, .25 };

@@ -225,9 +225,7 @@ TEST(segments)
         /* a dent, a Z, a staircase */
         { &prism, "4, <0, 0>, <2, 1>, <0, 2>, <1, 1>", 2 },
         { &prism, "6, <0, 0>, <2, 0>, <1, 2>, <2, 2>, <2, 3>, <0, 3>", 2 },
-        { &prism,
-          "8, <0, 0>, <1, 0>, <1, 1>, <2, 1>, <2, 2>, <3, 2>, <3, 3>,"
-          " <0, 3>",
+        { &prism, "8, <0, 0>, <1, 0>, <1, 1>, <2, 1>, <2, 2>, <3, 2>, <3, 3>, <0, 3>",
           3 },
         { &quadratic, ROUNDED, 1 },
         { &quadratic,
@@ -343,10 +341,6 @@ TEST(along)
     }
 }
 
-ARGUMENTS(argc, argv)
-{
-    scene_count = argument(argc, argv, 1, scene_count);
-    traced.random ^= argument(argc, argv, 2, 0) << 13;
-}
+COUNT_AND_SEED(scene_count, traced.random);
 
 GROUP(set_up_frames, tear_down_model);

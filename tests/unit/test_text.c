@@ -336,16 +336,13 @@ TEST(blank)
     assert_int_equal(scene->primitive_count, 0);
 }
 
-TEST(errors)
-{
-    static const struct line_error rows[] = {
-        { "text { \"a.ttf\" \"a\" 1, 0 }", 8, "expected ttf" },
-        { "text { ttf \"no.ttf\" \"a\" 1, 0 }", 12, "no such file" },
-        { "text { ttf \"math.inc\" \"a\" 1, 0 }", 1, "it is not a font" },
-        { "text { internal 1 \"a\" 1, 0 }", 8, "built in" },
-        { "text { ttf \"timrom.ttf\" 1, 0 }", 25, "expected a string" },
-        { "text { ttf \"timrom.ttf\" \"a\" x, 0 }", 29, "expected a number" },
-    };
+static const struct line_error errors[] = {
+    { "text { \"a.ttf\" \"a\" 1, 0 }", 8, "expected ttf" },
+    { "text { ttf \"no.ttf\" \"a\" 1, 0 }", 12, "no such file" },
+    { "text { ttf \"math.inc\" \"a\" 1, 0 }", 1, "it is not a font" },
+    { "text { internal 1 \"a\" 1, 0 }", 8, "built in" },
+    { "text { ttf \"timrom.ttf\" 1, 0 }", 25, "expected a string" },
+    { "text { ttf \"timrom.ttf\" \"a\" x, 0 }", 29, "expected a number" },
+};
 
-    assert_errors(rows, COUNT(rows));
-}
+TEST_CALL(errors, assert_errors(errors, COUNT(errors)))

@@ -246,8 +246,7 @@ TEST(refused)
                   "object { A } object { B }\n",
                   BY_MATERIAL);
     refuses(&study, "A=300 B=400", "",
-            "surface Tin is of parts with other temperatures or emissivities, "
-            "A and B");
+            "surface Tin is of parts with other temperatures or emissivities, A and B");
     refuses(&study, "default=300", "A=.5", "A and B");
     end(&study);
 }

@@ -63,8 +63,7 @@ static const char two_tubes[] =
     "#for (I, -2, 2) object { Fins1 translate .35*I*x }"
     " object { Fins2 translate .35*I*x } #end\n"
     "object { End } object { End rotate 180*z }\n"
-    "object { End translate 2*y } object { End rotate 180*z "
-    "translate 2*y }\n";
+    "object { End translate 2*y } object { End rotate 180*z translate 2*y }\n";
 
 static const struct factor_scene scenes[] = {
     { SQUARE("A", "0", "z", "x+z", "x") SQUARE("B", "y", "x+y", "x+y+z", "y+z"),

@@ -34,8 +34,7 @@ static void add_block(char *text, size_t size)
 static void add_bitten(char *text, size_t size)
 {
     add_text(text, size,
-             "%s { sphere { 0, .5 } box { %s, 1 } bounded_by { sphere { 0, "
-             "3 } } ",
+             "%s { sphere { 0, .5 } box { %s, 1 } bounded_by { sphere { 0, 3 } } ",
              below(2) ? "difference" : "merge", below(2) ? "0" : "-.25");
 }
 
@@ -132,8 +131,7 @@ static void check(const struct scene *scene, const char *text,
     for (int channel = 0; channel < FRAME_CHANNELS; channel++)
         for (size_t k = 0; k < PIXELS; k++)
             if (found->channel[channel][k] != expected->channel[channel][k])
-                fail_msg("%s, queue %zu: channel %d, pixel %zu: another frame "
-                         "in\n%s",
+                fail_msg("%s, queue %zu: channel %d, pixel %zu: another frame in\n%s",
                          what, queue, channel, k, text);
 }
 

@@ -109,8 +109,7 @@ struct words *plain_frame(const char *text)
 
         others += channel != FRAME_CHANNELS;
         if (others > 3 * traced.pixels / 1000)
-            fail_msg("channel %d, pixel %zu: not what the plain tracer sees "
-                     "in\n%s",
+            fail_msg("channel %d, pixel %zu: not what the plain tracer sees in\n%s",
                      channel, k, text);
     }
     return words;
@@ -166,8 +165,7 @@ static void add_surface(char *text, size_t size)
              xorshift(&traced.random) % 2 ? "checker" : "color", between(0, 1),
              between(0, 1), between(0, 1));
     add_text(text, size,
-             "finish { phong %.2f phong_size %.1f specular %.2f "
-             "roughness %.3f } ",
+             "finish { phong %.2f phong_size %.1f specular %.2f roughness %.3f } ",
              xorshift(&traced.random) % 2 ? between(0, 1) : 0, between(1, 200),
              xorshift(&traced.random) % 2 ? between(0, 1) : 0, between(.005, .2));
     if (xorshift(&traced.random) % 2)

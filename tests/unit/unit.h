@@ -69,4 +69,13 @@ static inline uint64_t argument(int count, char **words, int place, uint64_t oth
     return count > place ? strtoull(words[place], NULL, 0) : otherwise;
 }
 
+/* The first argument replaces a number of cases, the second one changes a seed. */
+#define COUNT_AND_SEED(cases, seed) \
+    ARGUMENTS(argc, argv) \
+    { \
+        cases = argument(argc, argv, 1, cases); \
+        seed ^= argument(argc, argv, 2, 0) << 13; \
+    } \
+    struct unit_end
+
 #endif
