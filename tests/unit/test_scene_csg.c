@@ -414,6 +414,11 @@ TEST(clear_pigments)
     }
 }
 
+#define GREY(value) \
+    { \
+        value, value, value \
+    }
+
 /* What a second one leaves out is as the first one says: measured. */
 TEST(reflections)
 {
@@ -422,47 +427,24 @@ TEST(reflections)
         double least[3], most[3], falloff, metallic;
         bool fresnel;
     } rows[] = {
-        { "", { 0, 0, 0 }, { 0, 0, 0 }, 1, 0, false },
-        { "reflection .25", { .25, .25, .25 }, { .25, .25, .25 }, 1, 0, false },
+        { "", GREY(0), GREY(0), 1, 0, false },
+        { "reflection .25", GREY(.25), GREY(.25), 1, 0, false },
         { "reflection rgb <.1, .2, .3>", { .1, .2, .3 }, { .1, .2, .3 }, 1, 0, false },
         { "reflection { <.1, .2, .3> }", { .1, .2, .3 }, { .1, .2, .3 }, 1, 0, false },
-        { "reflection { color rgb .5 } phong 1",
-          { .5, .5, .5 },
-          { .5, .5, .5 },
-          1,
-          0,
-          false },
+        { "reflection { color rgb .5 } phong 1", GREY(.5), GREY(.5), 1, 0, false },
         { "reflection { .1, rgb <.2, .3, .4> falloff 3 metallic }",
-          { .1, .1, .1 },
+          GREY(.1),
           { .2, .3, .4 },
           3,
           1,
           false },
-        { "reflection { .1 .2 fresnel metallic .5 }",
-          { .1, .1, .1 },
-          { .2, .2, .2 },
-          1,
-          .5,
-          true },
-        { "reflection { .5 fresnel on }", { 0, 0, 0 }, { .5, .5, .5 }, 1, 0, true },
-        { "reflection { .5 fresnel off }",
-          { .5, .5, .5 },
-          { .5, .5, .5 },
-          1,
-          0,
-          false },
-        { "reflection { 0, 1 fresnel off } reflection { .5, 1 }",
-          { .5, .5, .5 },
-          { 1, 1, 1 },
-          1,
-          0,
-          false },
-        { "reflection { 0, 1 fresnel falloff 2 metallic } reflection { .5 }",
-          { .5, .5, .5 },
-          { .5, .5, .5 },
-          2,
-          1,
-          true },
+        { "reflection { .1 .2 fresnel metallic .5 }", GREY(.1), GREY(.2), 1, .5, true },
+        { "reflection { .5 fresnel on }", GREY(0), GREY(.5), 1, 0, true },
+        { "reflection { .5 fresnel off }", GREY(.5), GREY(.5), 1, 0, false },
+        { "reflection { 0, 1 fresnel off } reflection { .5, 1 }", GREY(.5), GREY(1), 1,
+          0, false },
+        { "reflection { 0, 1 fresnel falloff 2 metallic } reflection { .5 }", GREY(.5),
+          GREY(.5), 2, 1, true },
     };
 
     for (size_t i = 0; i < COUNT(rows); i++) {

@@ -168,41 +168,25 @@ static struct speedup_report *report_all(void)
 /* What was printed last. */
 static char text[1 << 17];
 
-static void print_table1(enum table_format format)
+static void print(bool (*print_tables)(const struct speedup_report *, enum table_format,
+                                       FILE *),
+                  enum table_format format)
 {
     FILE *stream = fmemopen(text, sizeof text, "w");
 
     assert_non_null(stream);
-    assert_true(speedup_report_table1(report, format, stream));
-    assert_int_equal(fclose(stream), 0);
-}
-
-static void print_detail(enum table_format format)
-{
-    FILE *stream = fmemopen(text, sizeof text, "w");
-
-    assert_non_null(stream);
-    assert_true(speedup_report_detail(report, format, stream));
-    assert_int_equal(fclose(stream), 0);
-}
-
-static void print_passes(enum table_format format)
-{
-    FILE *stream = fmemopen(text, sizeof text, "w");
-
-    assert_non_null(stream);
-    assert_true(speedup_report_passes(report, format, stream));
+    assert_true(print_tables(report, format, stream));
     assert_int_equal(fclose(stream), 0);
 }
 
 /* The passes are a table of their own, which comes if asked for. */
 TEST(detail)
 {
-    print_detail(TABLE_PLAIN);
+    print(speedup_report_detail, TABLE_PLAIN);
     assert_non_null(strstr(text, "paper: %"));
     assert_null(strstr(text, "pass by pass"));
     assert_null(strstr(text, "% of brackets"));
-    print_passes(TABLE_PLAIN);
+    print(speedup_report_passes, TABLE_PLAIN);
     assert_null(strstr(text, "paper: %"));
     assert_non_null(strstr(text, "pass by pass"));
     assert_non_null(strstr(text, "% of brackets"));
@@ -211,7 +195,7 @@ TEST(detail)
 /* A table of the detail, by its heading. */
 static void read_detail(const char *heading, struct csv_table *table)
 {
-    print_detail(TABLE_CSV);
+    print(speedup_report_detail, TABLE_CSV);
     const char *at = strstr(text, heading);
     assert_non_null(at);
     csv_table(strchr(at, '\n') + 1, table);
@@ -259,7 +243,7 @@ static const struct csv_table *read_table1(void)
 {
     static struct csv_table table;
 
-    print_table1(TABLE_CSV);
+    print(speedup_report_table1, TABLE_CSV);
     assert_int_equal(strncmp(text, "\n# Table 1", 10), 0);
     assert_string_equal(csv_table(strchr(text + 1, '\n') + 1, &table), "");
     assert_int_equal(table.cells[0], 2 + FIGURES);
@@ -348,7 +332,7 @@ TEST(scale)
 /* Wide tables are read badly. */
 TEST(width)
 {
-    print_table1(TABLE_PLAIN);
+    print(speedup_report_table1, TABLE_PLAIN);
     for (const char *line = text; *line != '\0';) {
         size_t length = strcspn(line, "\n");
 
@@ -406,12 +390,8 @@ TEST(formulations)
 TEST(csv)
 {
     static struct csv_table table;
-    const char *rays;
 
-    print_detail(TABLE_CSV);
-    rays = strstr(text, "\n# The rays\n");
-    assert_non_null(rays);
-    csv_table(strchr(rays + 1, '\n') + 1, &table);
+    read_detail("# The rays\n", &table);
     assert_int_equal(table.rows, 1 + speedup_subject_count);
     for (size_t i = 0; i < speedup_subject_count; i++) {
         assert_string_equal(table.cell[1 + i][0], speedup_subjects[i].name);
@@ -422,7 +402,7 @@ TEST(csv)
 
 TEST(markdown)
 {
-    print_table1(TABLE_MARKDOWN);
+    print(speedup_report_table1, TABLE_MARKDOWN);
     const char *rule = strstr(text, "\n|:-");
     assert_int_equal(strncmp(text, "\n## Table 1", 11), 0);
     assert_non_null(rule);
